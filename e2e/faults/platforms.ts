@@ -16,15 +16,15 @@ const noop = (): void => undefined;
 export type MessageListener = (direction: "up" | "down", text: string) => void;
 
 export function platformFor(transports: Transports): Platform {
-  const { ask, ...rest } = globalPlatform();
-  if (transports === "websocket" || ask === undefined) return rest;
-  if (transports === "both") return { ...rest, ask };
-  return { ...rest, ask, connect: (_url, events) => blockedWebSocket(events) };
+  const { request, ...rest } = globalPlatform();
+  if (transports === "websocket" || request === undefined) return rest;
+  if (transports === "both") return { ...rest, request };
+  return { ...rest, request, connect: (_url, events) => blockedWebSocket(events) };
 }
 
 /** The same platform with a listener for all messages, by WebSocket and by HTTPS. */
 export function withListener(platform: Platform, listener: MessageListener): Platform {
-  const { connect, ask } = platform;
+  const { connect, request } = platform;
   return {
     ...platform,
     connect: (url, events) => {
@@ -51,18 +51,18 @@ export function withListener(platform: Platform, listener: MessageListener): Pla
         },
       };
     },
-    ...(ask !== undefined && {
-      ask: (request) => {
-        if (request.body !== null) reportBatch(request.body, listener);
-        const pending = ask(request);
-        const answer = pending.answer.then((response) => {
-          const fetched = readJson(fetchedMessagesSchema, response.body, MAX_RESPONSE);
+    ...(request !== undefined && {
+      request: (sent) => {
+        if (sent.body !== null) reportBatch(sent.body, listener);
+        const pending = request(sent);
+        const response = pending.response.then((received) => {
+          const fetched = readJson(fetchedMessagesSchema, received.body, MAX_RESPONSE);
           if (fetched.ok) {
             for (const message of fetched.value.messages) listener("down", JSON.stringify(message));
           }
-          return response;
+          return received;
         });
-        return { answer, cancel: () => pending.cancel() };
+        return { response, cancel: () => pending.cancel() };
       },
     }),
   };

@@ -13,7 +13,7 @@ export const REFERENCE = fileURLToPath(new URL("REFERENCE.md", CLIENT));
 
 /** The exported names by group, in reading order. */
 export const groups: Readonly<Record<string, readonly string[]>> = {
-  "The robot": ["RobotClient", "RobotClientOptions", "CommandWish", "DriveWish"],
+  "The robot": ["RobotClient", "RobotClientOptions", "CommandOptions", "DriveOptions"],
   "What a robot reports": [
     "Snapshot",
     "SensorReadings",

@@ -5,7 +5,7 @@
  * commands until a stop.
  */
 import type { Registration } from "@corridor/protocol";
-import { SeenPace } from "../../../packages/client/src/delayed-acknowledgements.ts";
+import { DelayedAcknowledgements } from "../../../packages/client/src/delayed-acknowledgements.ts";
 import { limits } from "../../../apps/relay/src/sessions/limits.ts";
 import { openAll, type Fleet, type FleetOptions } from "./fleet.ts";
 import { commandText, parseSeq, snapshotText } from "./messages.ts";
@@ -127,7 +127,7 @@ async function openRobot(
     await joined.promise;
     return socket;
   };
-  const seenPace = new SeenPace();
+  const acknowledgements = new DelayedAcknowledgements();
   const pendingResets: (() => void)[] = [];
   /** number of unanswered commands that fill the queue of a busy robot, and their resolver */
   const pendingFill = { left: 0, done: (): void => undefined };
@@ -135,7 +135,7 @@ async function openRobot(
     if (text.startsWith('{"type":"snapshot"')) {
       const n = parseSeq(text);
       listener.onSnapshot(robot, n);
-      if (seenPace.read(performance.now())) reader.send(`{"type":"seen","seq":${n}}`);
+      if (acknowledgements.read(performance.now())) reader.send(`{"type":"seen","seq":${n}}`);
     } else if (text.startsWith('{"type":"ack"')) {
       if (text.includes(IS_STOP)) return;
       if (pendingFill.left === 0) listener.onAnswer(robot);

@@ -1,5 +1,5 @@
 /** School-like filters between the clients and the relay: every client connects. */
-import { openFilterProxy, type Harm } from "../../../packages/client/src/testing/filter-proxy.ts";
+import { openFilterProxy, type FilterMode } from "../../../packages/client/src/testing/filter-proxy.ts";
 import type { Goal } from "../../../benches/core/goals.ts";
 import { RelayProcess } from "../../support/relay-process.ts";
 import { machineNow, sleep, waitUntil } from "../clock.ts";
@@ -12,10 +12,10 @@ import { ClientScript } from "../scripts/client-script.ts";
 const IDLE_MS = 30_000;
 const TIMEOUT_MS = 30_000;
 
-const filterKinds: readonly { label: string; harm: Harm; idleMs: number }[] = [
-  { label: "Upgrade stripped", harm: "stripped", idleMs: 0 },
-  { label: "idle close 30 s", harm: "impatient", idleMs: IDLE_MS + 5_000 },
-  { label: "buffering", harm: "buffering", idleMs: 0 },
+const filterKinds: readonly { label: string; mode: FilterMode; idleMs: number }[] = [
+  { label: "Upgrade stripped", mode: "stripped", idleMs: 0 },
+  { label: "idle close 30 s", mode: "impatient", idleMs: IDLE_MS + 5_000 },
+  { label: "buffering", mode: "buffering", idleMs: 0 },
 ];
 
 /** a client, and a function that makes it send its second command */
@@ -42,11 +42,11 @@ export const filters: Scenario = {
 };
 
 async function behind(
-  { label, harm, idleMs }: (typeof filterKinds)[number],
+  { label, mode, idleMs }: (typeof filterKinds)[number],
   relay: RelayProcess,
   context: ScenarioContext,
 ): Promise<Goal[]> {
-  const proxy = await openFilterProxy(relay.url, harm, IDLE_MS);
+  const proxy = await openFilterProxy(relay.url, mode, IDLE_MS);
   context.onCleanup(() => proxy.close());
   const testBed = new TestBed(context);
   await testBed.register(relay.url, 3);

@@ -1,60 +1,60 @@
 /**
- * Which commands the robot was handed, has begun and has ended: what it says of itself when it comes
- * back to the relay, and how it knows a command that comes again.
+ * Tracks which commands the robot has received, started and ended, to report its progress after a
+ * reconnect and to recognise repeated commands.
  */
 export class AppliedCommands {
-  /** handed on, neither begun nor ended */
+  /** received, neither started nor ended */
   readonly #waiting = new Set<number>();
-  /** given back to the relay, which may send them again */
-  readonly #owed = new Set<number>();
-  /** ended while an earlier one still waits */
-  readonly #endedAhead = new Set<number>();
-  #handedOn: number;
+  /** returned to the relay, which may send them again */
+  readonly #returned = new Set<number>();
+  /** ended while an earlier one waits */
+  readonly #endedEarly = new Set<number>();
+  #lastReceived: number;
   #last: number;
 
   constructor(lastApplied: number) {
     this.#last = lastApplied;
-    this.#handedOn = lastApplied;
+    this.#lastReceived = lastApplied;
   }
 
-  /** This command was begun or ended, and so was every earlier one that the robot holds. */
+  /** The highest seq up to which all received commands have started or ended. */
   get last(): number {
     return this.#last;
   }
 
-  /** Takes note of a command that comes. @returns false when the robot had it before */
-  take(seq: number): boolean {
-    // Commands come in the order of their numbers: what is skipped was ended by the relay.
-    for (const owed of this.#owed) if (owed <= seq) this.#owed.delete(owed);
-    if (seq <= this.#handedOn || this.#endedAhead.has(seq)) return false;
-    this.#handedOn = seq;
+  /** Records a received command. @returns false if the robot had it before */
+  receive(seq: number): boolean {
+    // Commands arrive in order of their seq: the relay has ended those that are missing.
+    for (const returned of this.#returned) if (returned <= seq) this.#returned.delete(returned);
+    if (seq <= this.#lastReceived || this.#endedEarly.has(seq)) return false;
+    this.#lastReceived = seq;
     this.#waiting.add(seq);
     return true;
   }
 
-  /** Commands begin in the order of their numbers. */
-  begun(seq: number): void {
+  /** Commands start in order of their seq. */
+  started(seq: number): void {
     this.#waiting.delete(seq);
-    this.#reach(seq);
+    this.#advance(seq);
   }
 
   ended(seq: number): void {
     this.#waiting.delete(seq);
-    const isAhead = [...this.#waiting, ...this.#owed].some((other) => other < seq);
-    if (isAhead) this.#endedAhead.add(seq);
-    else this.#reach(seq);
+    const isEarly = [...this.#waiting, ...this.#returned].some((other) => other < seq);
+    if (isEarly) this.#endedEarly.add(seq);
+    else this.#advance(seq);
   }
 
-  /** Gives back what has not begun: the relay may end it, or send it again. */
-  giveBack(): void {
-    for (const seq of this.#waiting) this.#owed.add(seq);
+  /** Returns unstarted commands to the relay, which may end them or send them again. */
+  returnUnstarted(): void {
+    for (const seq of this.#waiting) this.#returned.add(seq);
     this.#waiting.clear();
-    this.#handedOn = this.#last;
+    this.#lastReceived = this.#last;
   }
 
-  #reach(seq: number): void {
+  #advance(seq: number): void {
     this.#last = Math.max(this.#last, seq);
-    this.#handedOn = Math.max(this.#handedOn, this.#last);
-    for (const ended of this.#endedAhead) if (ended <= this.#last) this.#endedAhead.delete(ended);
+    this.#lastReceived = Math.max(this.#lastReceived, this.#last);
+    for (const ended of this.#endedEarly) if (ended <= this.#last) this.#endedEarly.delete(ended);
   }
 }

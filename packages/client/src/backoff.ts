@@ -1,35 +1,36 @@
-/**
- * The pauses before what failed is tried again: each is drawn from 0 to a limit that doubles from 0.25 s to
- * 10 s (full jitter), so that a whole class does not come back in the same moment. It is never more than
- * twice the time since the first failure: after a short cut a few short pauses lead to no long one.
- */
-export const FIRST_PAUSE_MS = 250;
-const LONGEST_PAUSE_MS = 10_000;
+export const FIRST_DELAY_MS = 250;
+const MAX_DELAY_MS = 10_000;
 
-export class RetryPauses {
+/**
+ * Exponential backoff with full jitter, so that clients which lost the same network do not
+ * reconnect at the same moment. The upper bound of the delays doubles from 0.25 s to 10 s. It never
+ * exceeds twice the time since the first failure, so that a short outage never leads to a long
+ * delay.
+ */
+export class Backoff {
   #failures = 0;
-  /** when the first of these failed */
+  /** time of the first failure since the last reset */
   #since = 0;
 
   /**
-   * Something has failed.
+   * The delay after a failure.
    * @param now ms
-   * @param chance from 0 to below 1
+   * @param random from 0 to below 1
    * @returns ms
    */
-  next(now: number, chance: number): number {
+  next(now: number, random: number): number {
     if (this.#failures === 0) this.#since = now;
     const limit = Math.min(
-      LONGEST_PAUSE_MS,
-      FIRST_PAUSE_MS * 2 ** this.#failures,
-      Math.max(FIRST_PAUSE_MS, 2 * (now - this.#since)),
+      MAX_DELAY_MS,
+      FIRST_DELAY_MS * 2 ** this.#failures,
+      Math.max(FIRST_DELAY_MS, 2 * (now - this.#since)),
     );
     this.#failures += 1;
-    return chance * limit;
+    return random * limit;
   }
 
-  /** All is well again. */
-  beginAnew(): void {
+  /** To be called after a success. */
+  reset(): void {
     this.#failures = 0;
   }
 }

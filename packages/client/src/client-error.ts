@@ -1,16 +1,14 @@
-/** What can go wrong for a script. These codes never travel. */
-
-/** What went wrong, as a stable word for scripts. */
+/** Stable codes for scripts. They are local and not part of the protocol. */
 export type ClientErrorCode =
-  /** the robot's address cannot be read */
+  /** the robot's address is invalid */
   | "bad-address"
-  /** the command has a wrong number or word; `hint` names it */
+  /** a parameter of the command is invalid; `hint` names it */
   | "bad-command"
-  /** the key is wrong, or does not allow this */
+  /** the key is wrong, or does not permit this */
   | "not-authorised"
-  /** the robot's owner has blocked this script, until it is allowed again */
+  /** the robot's owner has blocked this script */
   | "blocked"
-  /** there is no robot with this address (any more): robots are deleted after 2 hours without use */
+  /** there is no robot with this address: the relay deletes robots after 2 hours without use */
   | "no-robot"
   /** the relay refused the command for another reason */
   | "refused"
@@ -20,30 +18,32 @@ export type ClientErrorCode =
   | "expired"
   /** a newer command replaced it */
   | "superseded"
-  /** the relay did not answer, or the robot did not finish, in time */
+  /** the relay did not respond in time, or the robot did not finish in time */
   | "timeout"
-  /** the robot's page is closed, and was not opened again in time */
+  /** the robot's page is closed and was not reopened in time */
   | "robot-gone"
   /** the robot's host does not publish its maze */
   | "no-maze"
-  /** no page shows this pairing code, or another script has asked by it */
+  /** no page shows this pairing code, or another script has used it */
   | "wrong-code"
-  /** the robot's owner said no to this script */
+  /** the robot's owner refused this script */
   | "pairing-refused"
-  /** nobody has answered, or the code was taken back */
+  /** the owner did not answer, or the code has expired */
   | "pairing-over"
-  /** too many wrong pairing codes were typed */
+  /** too many wrong pairing codes were entered */
   | "too-many-tries"
   /** this client was closed */
   | "closed";
 
-/** Every error of this library. `message` has what went wrong, `code` and `hint`, and never the key. */
+/**
+ * Every error of this library. `message` contains the cause, `code` and `hint`, and never the key.
+ */
 export class ClientError extends Error {
-  /** by which a log tells it from other errors */
+  /** the name in logs */
   override readonly name = "ClientError";
-  /** a stable word for scripts */
+  /** stable code for scripts */
   readonly code: ClientErrorCode;
-  /** what to do */
+  /** how to fix it */
   readonly hint: string;
 
   constructor(code: ClientErrorCode, what: string, hint: string, options?: ErrorOptions) {

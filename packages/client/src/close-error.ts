@@ -1,10 +1,9 @@
-/** What a script is told when its line was closed for good. */
 import { closeReasons, type CloseReason } from "@corridor/protocol";
 import { ClientError } from "./client-error.ts";
 
-/** @param key by which the script came */
+/** The error of a script whose connection was closed without retry. @param key of the script */
 export function closeError({ code, cause, remedy }: CloseReason, key: string): ClientError {
-  // A driver key may do all that a script does, so what is forbidden to it is to be here at all.
+  // A driver key permits everything that a script does: forbidden means that the script is blocked.
   if (code === closeReasons.forbidden.code && key.startsWith("drv_")) {
     return new ClientError(
       "blocked",

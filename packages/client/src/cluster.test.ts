@@ -1,4 +1,4 @@
-/** Page and script at relays that share a Redis, while relays are killed. */
+/** Page and script at a cluster of relays, while relays are killed. */
 import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { findRedis } from "../../../scripts/redis-server.ts";
 import { registerRobot } from "./register-robot.ts";
@@ -7,11 +7,11 @@ import { startCluster } from "./testing/cluster.ts";
 import { GridRobot } from "./testing/grid-robot.ts";
 
 const CORRIDOR = ["#".repeat(62), `#${".".repeat(60)}#`, "#".repeat(62)];
-/** within which a robot has to be back after its relay was killed */
-const BACK = { timeout: 5_000, interval: 20 };
+/** for the robot to reconnect after its relay was killed */
+const RECONNECT = { timeout: 5_000, interval: 20 };
 
 describe.skipIf(findRedis() === null)("a cluster of relays", () => {
-  it("loses, doubles and reorders nothing while the relays of page and script are killed", async () => {
+  it("neither loses, duplicates nor reorders commands while relays are killed", async () => {
     const cluster = await startCluster();
     const [first, second] = [await cluster.startRelay(), await cluster.startRelay()];
     cluster.sendTo(first);
@@ -19,9 +19,9 @@ describe.skipIf(findRedis() === null)("a cluster of relays", () => {
     const robot = new GridRobot(cluster.origin, registration, CORRIDOR);
     onTestFinished(() => robot.link.close());
     const connections = (): number => robot.statuses.filter((kind) => kind === "connected").length;
-    const isBack = async (times: number): Promise<void> =>
-      vi.waitFor(() => expect(connections()).toBe(times), BACK);
-    await isBack(1);
+    const isReconnected = async (times: number): Promise<void> =>
+      vi.waitFor(() => expect(connections()).toBe(times), RECONNECT);
+    await isReconnected(1);
     cluster.sendTo(second);
     const script = await RobotClient.connect(registration.address, { ttl: 60_000 });
     onTestFinished(() => script.close());
@@ -33,12 +33,12 @@ describe.skipIf(findRedis() === null)("a cluster of relays", () => {
     await records[9];
     cluster.sendTo(first, second);
     await first.kill();
-    await isBack(2);
+    await isReconnected(2);
     await records[29];
     const third = await cluster.startRelay();
     cluster.sendTo(second, third);
     await second.kill();
-    await isBack(3);
+    await isReconnected(3);
 
     const all = await Promise.all(records);
     expect(all.map(({ state }) => state)).toEqual(all.map(() => "completed"));

@@ -1,44 +1,45 @@
-/**
- * The times that go with a command, so that the robot never starts it late although the network delays it.
- *
- * `sentAt` shows the relay how much longer a message took than the quickest one of this connection. How long the
- * quickest one took the relay cannot see; it was at most the smallest round trip, so that is added to `age`. A
- * command may be thought older than it is, by the way back, and never younger.
- */
 import { MAX_AGE_MS } from "@corridor/protocol";
 import type { Clock } from "./platform.ts";
 
+/**
+ * Send times and ages of commands, so that the robot never starts a command late after a network
+ * delay.
+ *
+ * By `sentAt` the relay computes how much longer a message took than the fastest one of this
+ * connection. The fastest one took at most the shortest round trip, which this class adds to `age`.
+ * The age may be too high, by up to the time of the response, and never too low.
+ */
 export class CommandTimes {
   readonly #clock: Clock;
-  /** ms of the quickest message of this connection, there and back */
-  #smallest = Infinity;
-  /** when the oldest message was sent that is not answered yet; null: none */
-  #askedAt: number | null = null;
+  /** ms of the shortest round trip on this connection */
+  #shortestRoundTrip = Infinity;
+  /** send time of the oldest unanswered message; null: none */
+  #sentAt: number | null = null;
 
   constructor(clock: Clock) {
     this.#clock = clock;
   }
 
-  /** The hello of a new connection leaves; the relay measures by it alone. @returns its `sentAt` */
-  begin(): number {
-    this.#smallest = Infinity;
-    this.#askedAt = this.#clock.now();
-    return Math.floor(this.#askedAt);
+  /** To be called when a new connection sends `hello`; restarts the measurement. @returns its `sentAt` */
+  start(): number {
+    this.#shortestRoundTrip = Infinity;
+    this.#sentAt = this.#clock.now();
+    return Math.floor(this.#sentAt);
   }
 
-  /** The hello or a command was answered, or refused. */
+  /** To be called for the response to `hello` or a command. */
   answered(): void {
-    if (this.#askedAt === null) return;
-    this.#smallest = Math.min(this.#smallest, this.#clock.now() - this.#askedAt);
-    this.#askedAt = null;
+    if (this.#sentAt === null) return;
+    this.#shortestRoundTrip = Math.min(this.#shortestRoundTrip, this.#clock.now() - this.#sentAt);
+    this.#sentAt = null;
   }
 
-  /** A command leaves. @param triedAt when it did so for the first time */
-  leaves(triedAt: number): { sentAt: number; age: number } {
+  /** The times of a command that is sent now. @param firstSentAt time of the first attempt */
+  next(firstSentAt: number): { sentAt: number; age: number } {
     const now = this.#clock.now();
-    // The answer may be to this try or to one before: the longer of the two is the safe one.
-    this.#askedAt ??= now;
-    const age = Math.min(MAX_AGE_MS, Math.ceil(now - triedAt + this.#smallest));
+    // The response may be to an earlier attempt: the longer of both times is safe.
+    this.#sentAt ??= now;
+    const age = Math.min(MAX_AGE_MS, Math.ceil(now - firstSentAt + this.#shortestRoundTrip));
     return { sentAt: Math.floor(now), age };
   }
 }

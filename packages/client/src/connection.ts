@@ -1,11 +1,3 @@
-/**
- * One line to the relay that mends itself: greeting, welcome, silence, reconnect.
- *
- * It tries again after `RetryPauses`. Close codes that forbid a retry end the connection for good.
- *
- * Where the network lets no WebSocket through, the line goes on by plain HTTPS, and comes back to a
- * WebSocket when one can be opened.
- */
 import {
   closeReasonOf,
   closeReasons,
@@ -14,47 +6,52 @@ import {
   type SocketEvents,
   type SocketPort,
 } from "@corridor/protocol";
-import { DoorChoice, type Door } from "./transport-choice.ts";
-import { HttpsLine, textOf, type Saying } from "./long-poll-connection.ts";
+import { TransportChoice, type Transport } from "./transport-choice.ts";
+import { LongPollConnection, textOf, type OutgoingMessage } from "./long-poll-connection.ts";
 import type { Platform } from "./platform.ts";
-import { RetryPauses } from "./backoff.ts";
+import { Backoff } from "./backoff.ts";
 
-/** From the first try to open until the welcome. */
+/** Timeout from opening until the welcome. */
 const WELCOME_MS = 10_000;
-/** The same where there is another way. */
+/** The same if there is another transport. */
 const FALLBACK_MS = 4_000;
-/** The relay speaks at least every 20 s. */
+/** Timeout between messages. The relay sends one at least every 20 s. */
 const SILENCE_MS = 45_000;
 
-/** With any other code, something on the way closed the line, or it was lost. */
+/** With any other code, a proxy closed the connection, or it was lost. */
 const ownCodes: ReadonlySet<number> = new Set(Object.values(closeReasons).map(({ code }) => code));
 
 export type ConnectionStatus =
   | { kind: "connecting" }
   | { kind: "connected" }
-  /** `retryMs`: pause until the next try */
+  /** `retryMs`: delay until the next attempt */
   | { kind: "lost"; reason: CloseReason; retryMs: number }
   | { kind: "over"; reason: CloseReason };
 
 export interface ConnectionOptions<In> {
-  /** of the WebSocket, and of the line by HTTPS */
-  urls: Record<Door, string>;
+  /** by transport */
+  urls: Record<Transport, string>;
   platform: Omit<Platform, "uniqueText">;
-  /** the first messages of each new socket */
-  greeting: () => string[];
+  /** creates the first messages of each new connection */
+  firstMessages: () => string[];
   decode: (text: string) => ReadResult<In>;
-  /** A message. The welcome is told before the status, so that what it says already holds then. */
+  /** Receives each message. Called for the welcome before `changed`. */
   received: (message: In) => void;
   changed: (status: ConnectionStatus) => void;
 }
 
+/**
+ * A connection to the relay that reconnects automatically, with `Backoff`, after it was lost. Close
+ * codes without retry end it. If the network blocks WebSockets, it uses long polling until a
+ * WebSocket can be opened.
+ */
 export class Connection<In extends { type: string }> {
   readonly #options: ConnectionOptions<In>;
   #socket: SocketPort | null = null;
   #isConnected = false;
   #isOver = false;
-  readonly #pauses = new RetryPauses();
-  readonly #choice = new DoorChoice();
+  readonly #backoff = new Backoff();
+  readonly #choice = new TransportChoice();
   #connectedAt: number | null = null;
   #cancelProbe: () => void = () => undefined;
   #cancelTimer: () => void = () => undefined;
@@ -63,35 +60,35 @@ export class Connection<In extends { type: string }> {
     this.#options = options;
   }
 
-  /** Whether the relay has said welcome on the line that is open now. */
+  /** Whether the relay has sent its welcome on the current connection. */
   get isConnected(): boolean {
     return this.#isConnected;
   }
 
-  /** The way that is in use. */
-  get door(): Door {
-    return this.#choice.door;
+  /** The transport in use. */
+  get transport(): Transport {
+    return this.#choice.transport;
   }
 
-  /** bytes that were sent but have not left this machine */
+  /** bytes that were sent and are still buffered on this machine */
   get waitingBytes(): number {
     return this.#socket?.waitingBytes ?? 0;
   }
 
   /**
-   * Opens the line at once: for the first time, again after `close`, or before the pause is over.
-   * Does nothing while the line is open or being opened, and once it is over; but what a line by HTTPS
-   * waits to ask again is asked soon.
+   * Connects at once: for the first time, after `close`, or instead of waiting for the next attempt.
+   * Does nothing while the connection is open or opening, or after it has ended, except that a
+   * long-poll connection repeats failed requests soon.
    */
   open(): void {
-    if (this.#socket instanceof HttpsLine) this.#socket.hurry();
+    if (this.#socket instanceof LongPollConnection) this.#socket.hurry();
     if (this.#isOver || this.#socket !== null) return;
     this.#cancelTimer();
-    const { greeting, changed } = this.#options;
+    const { firstMessages, changed } = this.#options;
     changed({ kind: "connecting" });
-    const socket = this.#openDoor({
+    const socket = this.#openTransport({
       opened: () => {
-        if (this.#socket === socket) for (const text of greeting()) socket.send(text);
+        if (this.#socket === socket) for (const text of firstMessages()) socket.send(text);
       },
       received: (text) => {
         if (this.#socket === socket) this.#received(text);
@@ -104,14 +101,14 @@ export class Connection<In extends { type: string }> {
     this.#expect(this.#canFallBack ? FALLBACK_MS : WELCOME_MS);
   }
 
-  /** Sends a message on the open line. Whoever calls keeps what must survive a lost line. */
-  send(saying: Saying): void {
+  /** Sends a message; drops it while there is no connection. */
+  send(message: OutgoingMessage): void {
     if (!this.#isConnected) return;
-    if (this.#socket instanceof HttpsLine) this.#socket.send(saying);
-    else this.#socket?.send(textOf(saying));
+    if (this.#socket instanceof LongPollConnection) this.#socket.send(message);
+    else this.#socket?.send(textOf(message));
   }
 
-  /** Closes the line. Nothing is reported and nothing is tried until `open` is called again. */
+  /** Closes the connection without a status, until `open` is called again. */
   close(): void {
     this.#drop();
   }
@@ -120,21 +117,21 @@ export class Connection<In extends { type: string }> {
     const { decode, received, changed } = this.#options;
     this.#expect(SILENCE_MS);
     const message = decode(text);
-    // A message of a newer relay: what cannot be read cannot be acted on.
+    // Ignores messages of newer relays.
     if (!message.ok) return;
     const isWelcome = message.value.type === "welcome" && !this.#isConnected;
     if (isWelcome) {
       this.#isConnected = true;
-      this.#pauses.beginAnew();
+      this.#backoff.reset();
       this.#connectedAt = this.#options.platform.clock.now();
       this.#choice.welcomed();
-      if (this.#choice.door === "https") this.#probeLater();
+      if (this.#choice.transport === "long-poll") this.#probeLater();
     }
     received(message.value);
     if (isWelcome) changed({ kind: "connected" });
   }
 
-  /** The next message must come within so many ms, or the line counts as lost. */
+  /** The connection counts as lost if no message arrives within `ms`. */
   #expect(ms: number): void {
     this.#cancelTimer();
     this.#cancelTimer = this.#options.platform.clock.after(ms, () =>
@@ -142,26 +139,26 @@ export class Connection<In extends { type: string }> {
     );
   }
 
-  /** Whether the WebSocket that is being opened is not the only way. */
+  /** Whether there is another transport than the current WebSocket. */
   get #canFallBack(): boolean {
-    return this.#choice.door === "websocket" && this.#options.platform.ask !== undefined;
+    return this.#choice.transport === "websocket" && this.#options.platform.request !== undefined;
   }
 
-  #openDoor(events: SocketEvents): SocketPort {
+  #openTransport(events: SocketEvents): SocketPort {
     const { urls, platform } = this.#options;
-    const { ask } = platform;
-    if (this.#choice.door === "websocket" || ask === undefined) {
+    const { request } = platform;
+    if (this.#choice.transport === "websocket" || request === undefined) {
       return platform.connect(urls.websocket, events);
     }
-    return new HttpsLine(urls.https, { ...platform, ask }, events);
+    return new LongPollConnection(urls["long-poll"], { ...platform, request }, events);
   }
 
-  /** Looks from time to time whether a WebSocket can be opened again, and moves over to it. */
+  /** Probes periodically for a WebSocket, and reconnects by it. */
   #probeLater(): void {
     const { urls, platform } = this.#options;
     this.#cancelProbe = platform.clock.after(this.#choice.probeMs, () => {
       let isDone = false;
-      const over = (isOpen: boolean): void => {
+      const finish = (isOpen: boolean): void => {
         if (isDone) return;
         this.#cancelProbe();
         if (!isOpen) {
@@ -173,11 +170,11 @@ export class Connection<In extends { type: string }> {
         return this.open();
       };
       const probe = platform.connect(urls.websocket, {
-        opened: () => over(true),
+        opened: () => finish(true),
         received: () => undefined,
-        closed: () => over(false),
+        closed: () => finish(false),
       });
-      const cancelTimer = platform.clock.after(FALLBACK_MS, () => over(false));
+      const cancelTimer = platform.clock.after(FALLBACK_MS, () => finish(false));
       this.#cancelProbe = () => {
         isDone = true;
         this.#cancelProbe = () => undefined;
@@ -195,13 +192,13 @@ export class Connection<In extends { type: string }> {
       this.#isOver = true;
       return changed({ kind: "over", reason });
     }
-    const livedMs = connectedAt === null ? null : platform.clock.now() - connectedAt;
-    const isDeliberate = platform.ask === undefined || ownCodes.has(reason.code);
-    if (this.#choice.lost({ livedMs, isDeliberate })) {
-      if (livedMs !== null) changed({ kind: "lost", reason, retryMs: 0 });
+    const lifetimeMs = connectedAt === null ? null : platform.clock.now() - connectedAt;
+    const isDeliberate = platform.request === undefined || ownCodes.has(reason.code);
+    if (this.#choice.lost({ lifetimeMs, isDeliberate })) {
+      if (lifetimeMs !== null) changed({ kind: "lost", reason, retryMs: 0 });
       return this.open();
     }
-    const retryMs = this.#pauses.next(platform.clock.now(), platform.random());
+    const retryMs = this.#backoff.next(platform.clock.now(), platform.random());
     this.#cancelTimer = platform.clock.after(retryMs, () => this.open());
     return changed({ kind: "lost", reason, retryMs });
   }

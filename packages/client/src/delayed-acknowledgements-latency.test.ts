@@ -1,17 +1,22 @@
-/** How many snapshots come over lines of all lengths, beside a reader that says `seen` for each. */
+/** Snapshot rates over networks of all latencies, compared with a reader that acknowledges each. */
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { SeenPace } from "./delayed-acknowledgements.ts";
-import { pacedLine, type PacedLine, type PacedReader, type Told } from "./testing/simulated-relay.ts";
+import { DelayedAcknowledgements } from "./delayed-acknowledgements.ts";
+import {
+  simulateReading,
+  type NetworkPath,
+  type Acknowledger,
+  type ReadingLog,
+} from "./testing/simulated-relay.ts";
 
 const MINUTE = 60_000;
-const each: PacedReader = { begin: () => undefined, read: () => true };
+const each: Acknowledger = { reset: () => undefined, read: () => true };
 
-const lengths = Array.from({ length: 60 }, (_, at) => 5 * (at + 1));
-/** By the frames of a screen, by timers that drift, and seldom. */
-const pages = [1000 / 60, 1000 / 30, 49.9, 50, 50.3, 1000 / 15, 75, 100, 250];
-/** Pauses that alternate, as after a snapshot that the relay waited for. */
-const unevenPages = [
+const roundTrips = Array.from({ length: 60 }, (_, at) => 5 * (at + 1));
+/** Report intervals: by frames of a screen, by drifting timers, and long ones. */
+const intervals = [1000 / 60, 1000 / 30, 49.9, 50, 50.3, 1000 / 15, 75, 100, 250];
+/** Alternating intervals, as after a snapshot for which the relay waited. */
+const alternating = [
   [33, 67],
   [67, 33],
   [50, 67],
@@ -21,82 +26,90 @@ const unevenPages = [
   [16, 84],
 ];
 
-/** Both over a line of the same behaviour. */
-function both(line: () => PacedLine, ms: number): { pace: Told; each: Told } {
-  return { pace: pacedLine(line(), new SeenPace(), ms), each: pacedLine(line(), each, ms) };
+/** Both readers over the same network. */
+function both(path: () => NetworkPath, ms: number): { delayed: ReadingLog; each: ReadingLog } {
+  return {
+    delayed: simulateReading(path(), new DelayedAcknowledgements(), ms),
+    each: simulateReading(path(), each, ms),
+  };
 }
 
-function lostOf({ pace, each: all }: { pace: Told; each: Told }, from = 0): number {
-  return 1 - countSince(pace.read, from) / countSince(all.read, from);
+function lossOf(
+  { delayed, each: all }: { delayed: ReadingLog; each: ReadingLog },
+  from = 0,
+): number {
+  return 1 - countSince(delayed.read, from) / countSince(all.read, from);
 }
 
-/** How many of the snapshots are said. */
-function saidOf({ read, said }: Told, from = 0): number {
-  return countSince(said, from) / countSince(read, from);
+/** The share of acknowledged snapshots. */
+function acknowledgedShare({ read, acknowledged }: ReadingLog, from = 0): number {
+  return countSince(acknowledged, from) / countSince(read, from);
 }
 
 function countSince(times: readonly number[], from: number): number {
   return times.filter((time) => time >= from).length;
 }
 
-/** Lateness from 0 to so many ms, the same for the same seed. */
-function jitter(most: number, seed: number): () => number {
+/** Seeded random delays from 0 to `max` ms. */
+function jitter(max: number, seed: number): () => number {
   let state = seed;
   return () => {
     state = (Math.imul(state, 1_664_525) + 1_013_904_223) >>> 0;
-    return (most * state) / 2 ** 32;
+    return (max * state) / 2 ** 32;
   };
 }
 
-describe("a reader that does not say each", () => {
-  it.each([...pages.map((pageMs) => ({ pageMs })), ...unevenPages.map((pageMs) => ({ pageMs }))])(
-    "loses no snapshots in a minute of a page that reports each $pageMs ms",
-    ({ pageMs }) => {
-      for (const ms of [...lengths, 51, 52, 53, 54, 56, 57, 58, 59, 76]) {
-        const told = both(() => ({ pageMs, roundTripMs: () => ms }), MINUTE);
-        expect(lostOf(told), `over ${ms} ms there and back`).toBeLessThanOrEqual(0.01);
-      }
-    },
-  );
+describe("a reader that does not acknowledge each snapshot", () => {
+  it.each([
+    ...intervals.map((pageMs) => ({ pageMs })),
+    ...alternating.map((pageMs) => ({ pageMs })),
+  ])("loses no snapshots in a minute of a page that reports every $pageMs ms", ({ pageMs }) => {
+    for (const ms of [...roundTrips, 51, 52, 53, 54, 56, 57, 58, 59, 76]) {
+      const logs = both(() => ({ pageMs, roundTripMs: () => ms }), MINUTE);
+      expect(lossOf(logs), `round trip of ${ms} ms`).toBeLessThanOrEqual(0.01);
+    }
+  });
 
-  it("loses none over lines that are uneven", () => {
-    const line = fc.record({
+  it("loses none with jitter", () => {
+    const paths = fc.record({
       pageMs: fc.double({ min: 15, max: 120, noNaN: true }),
       ms: fc.double({ min: 5, max: 300, noNaN: true }),
-      most: fc.double({ min: 0, max: 25, noNaN: true }),
+      max: fc.double({ min: 0, max: 25, noNaN: true }),
       seed: fc.nat(),
     });
     fc.assert(
-      fc.property(line, ({ pageMs, ms, most, seed }) => {
-        const told = both(
-          () => ({ pageMs, roundTripMs: () => ms, jitterMs: jitter(most, seed) }),
+      fc.property(paths, ({ pageMs, ms, max, seed }) => {
+        const logs = both(
+          () => ({ pageMs, roundTripMs: () => ms, jitterMs: jitter(max, seed) }),
           MINUTE,
         );
-        expect(lostOf(told)).toBeLessThanOrEqual(0.01);
+        expect(lossOf(logs)).toBeLessThanOrEqual(0.01);
       }),
       { numRuns: 150 },
     );
   });
 
   it.each([0, 3, 6])(
-    "says little more than half of them over a short line, %i ms uneven",
-    (most) => {
+    "acknowledges little more than half of them over a fast network with %i ms of jitter",
+    (max) => {
       for (const pageMs of [1000 / 30, 50, 1000 / 15]) {
         for (const ms of [5, 20, 40]) {
-          const line = { pageMs, roundTripMs: () => ms, jitterMs: jitter(most, 7) };
-          expect(saidOf(pacedLine(line, new SeenPace(), MINUTE))).toBeLessThan(0.51);
+          const path = { pageMs, roundTripMs: () => ms, jitterMs: jitter(max, 7) };
+          expect(
+            acknowledgedShare(simulateReading(path, new DelayedAcknowledgements(), MINUTE)),
+          ).toBeLessThan(0.51);
         }
       }
     },
   );
 
-  it.each([76, 120])("notices that its line takes %i ms now, and that it is short again", (ms) => {
+  it.each([76, 120])("adapts when the round trip rises to %i ms and falls again", (ms) => {
     const roundTripMs = (now: number): number => (now >= MINUTE && now < 2 * MINUTE ? ms : 20);
-    const told = both(() => ({ pageMs: 1000 / 30, roundTripMs }), 4 * MINUTE);
-    expect(lostOf(told)).toBeLessThanOrEqual(0.01);
-    const long = (times: number[]): number =>
+    const logs = both(() => ({ pageMs: 1000 / 30, roundTripMs }), 4 * MINUTE);
+    expect(lossOf(logs)).toBeLessThanOrEqual(0.01);
+    const duringRise = (times: number[]): number =>
       countSince(times, MINUTE) - countSince(times, 2 * MINUTE);
-    expect(long(told.pace.read)).toBeGreaterThanOrEqual(0.99 * long(told.each.read));
-    expect(saidOf(told.pace, 3 * MINUTE)).toBeLessThan(0.51);
+    expect(duringRise(logs.delayed.read)).toBeGreaterThanOrEqual(0.99 * duringRise(logs.each.read));
+    expect(acknowledgedShare(logs.delayed, 3 * MINUTE)).toBeLessThan(0.51);
   });
 });

@@ -1,17 +1,17 @@
-/** How many snapshots a reader gets of the real relay, and how often it says `seen`. */
+/** How many snapshots a reader receives from the real relay, and how many it acknowledges. */
 import { describe, expect, it, onTestFinished } from "vitest";
 import { registerRobot } from "./register-robot.ts";
-import { doorUrls, parseRobotAddress } from "./robot-address.ts";
+import { connectionUrls, parseRobotAddress } from "./robot-address.ts";
 import { RobotClient } from "./robot-client.ts";
 import { GridRobot } from "./testing/grid-robot.ts";
-import { longLine, type LongLine } from "./testing/slow-network.ts";
+import { slowNetwork, type SlowNetwork } from "./testing/slow-network.ts";
 import { startRelayProcess } from "./testing/relay-process.ts";
 
 const SECONDS = 3;
 
 const sleep = (ms: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, ms));
 
-/** The address of a robot whose page reports more often than the relay tells readers. */
+/** The address of a robot whose page reports more often than the relay sends snapshots. */
 async function reportingRobot(): Promise<string> {
   const relay = await startRelayProcess();
   const registration = await registerRobot(relay.origin, fetch);
@@ -24,15 +24,15 @@ async function reportingRobot(): Promise<string> {
   return registration.address;
 }
 
-async function readAsClient(address: string, line: LongLine): Promise<void> {
-  const reader = await RobotClient.connect(address, { platform: line.platform });
+async function readAsClient(address: string, network: SlowNetwork): Promise<void> {
+  const reader = await RobotClient.connect(address, { platform: network.platform });
   onTestFinished(() => reader.close());
 }
 
-/** Says `seen` for each snapshot, as simple scripts do. */
-function readOneByOne(address: string, line: LongLine): void {
+/** Acknowledges each snapshot, as simple scripts do. */
+function readAcknowledgingEach(address: string, network: SlowNetwork): void {
   const { origin, id, key } = parseRobotAddress(address);
-  const socket = line.platform.connect(doorUrls(origin, id).websocket, {
+  const socket = network.platform.connect(connectionUrls(origin, id).websocket, {
     opened: () => socket.send(JSON.stringify({ type: "hello", version: 1, role: "drive", key })),
     received: (text) => {
       const message = JSON.parse(text) as { type: string; snapshot: { seq: number } };
@@ -44,22 +44,25 @@ function readOneByOne(address: string, line: LongLine): void {
   onTestFinished(() => socket.close(1000, ""));
 }
 
-/** Two readers of one robot, over lines of the same length; the second is the client. */
-async function twoReaders(wayMs: number): Promise<readonly [LongLine, LongLine]> {
+/** Two readers of one robot over networks of the same latency; the second is the client. */
+async function twoReaders(delayMs: number): Promise<readonly [SlowNetwork, SlowNetwork]> {
   const address = await reportingRobot();
-  const lines = [longLine(wayMs), longLine(wayMs)] as const;
-  readOneByOne(address, lines[0]);
-  await readAsClient(address, lines[1]);
-  // By the first that come late a reader knows a long line.
+  const networks = [slowNetwork(delayMs), slowNetwork(delayMs)] as const;
+  readAcknowledgingEach(address, networks[0]);
+  await readAsClient(address, networks[1]);
+  // The client adapts after the first late snapshots.
   await sleep(1_000);
-  return lines;
+  return networks;
 }
 
-/** What both get in the same seconds. */
-async function compare(lines: readonly [LongLine, LongLine]) {
-  const before = [counts(lines[0]), counts(lines[1])] as const;
+/** What both receive in the same period. */
+async function compare(networks: readonly [SlowNetwork, SlowNetwork]) {
+  const before = [counts(networks[0]), counts(networks[1])] as const;
   await sleep(SECONDS * 1_000);
-  return { each: since(before[0], counts(lines[0])), client: since(before[1], counts(lines[1])) };
+  return {
+    each: since(before[0], counts(networks[0])),
+    client: since(before[1], counts(networks[1])),
+  };
 }
 
 interface Counts {
@@ -67,31 +70,38 @@ interface Counts {
   seen: number;
 }
 
-function counts({ came, sent }: LongLine): Counts {
-  return { snapshots: came.get("snapshot") ?? 0, seen: sent.get("seen") ?? 0 };
+function counts({ received, sent }: SlowNetwork): Counts {
+  return { snapshots: received.get("snapshot") ?? 0, seen: sent.get("seen") ?? 0 };
 }
 
 function since(before: Counts, now: Counts): Counts {
   return { snapshots: now.snapshots - before.snapshots, seen: now.seen - before.seen };
 }
 
-function shareSaid({ client }: { client: Counts }): number {
+function acknowledgedShare({ client }: { client: Counts }): number {
   return client.seen / client.snapshots;
 }
 
 describe("a reader of the real relay", () => {
-  it("gets 20 snapshots a second, and says so half as often once none comes late", async () => {
-    const lines = await twoReaders(0);
-    const told = await compare(lines);
-    expect(told.client.snapshots).toBeGreaterThan(0.9 * told.each.snapshots);
-    // On a busy machine one comes late now and then, and each is said for seconds after it.
+  it("receives 20 snapshots a second, and acknowledges half of them once none is late", async () => {
+    const networks = await twoReaders(0);
+    const counted = await compare(networks);
+    expect(counted.client.snapshots).toBeGreaterThan(0.9 * counted.each.snapshots);
+    // On a busy machine some snapshots are late, and the client acknowledges each for seconds
+    // after.
     await expect
-      .poll(async () => shareSaid(await compare(lines)), { timeout: 50_000, interval: 0 })
+      .poll(async () => acknowledgedShare(await compare(networks)), {
+        timeout: 50_000,
+        interval: 0,
+      })
       .toBeLessThan(0.65);
   }, 60_000);
 
-  it.each([38, 40, 100])("gets as many as ever over a line of %i ms each way", async (wayMs) => {
-    const { each, client } = await compare(await twoReaders(wayMs));
-    expect(client.snapshots).toBeGreaterThan(0.9 * each.snapshots);
-  });
+  it.each([38, 40, 100])(
+    "receives as many over a network with a latency of %i ms",
+    async (delayMs) => {
+      const { each, client } = await compare(await twoReaders(delayMs));
+      expect(client.snapshots).toBeGreaterThan(0.9 * each.snapshots);
+    },
+  );
 });

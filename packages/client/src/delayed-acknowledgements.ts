@@ -1,85 +1,96 @@
 /**
- * When a reader says `seen`. It is cumulative, and the relay lets two snapshots be on their way: so every
- * second one is enough, and saves the relay a third of all that comes in.
- *
- * Not over a long line: there the relay waits for the word about the second one, and fewer snapshots come. No message
- * tells how long a line is, but the pauses do: one that the relay waited in comes after a snapshot that was said, and is
- * as long as the line there and back; the other one of each two is as long as the page's own. So the reader sums up by
- * how much the first are longer than the second. Where that grows it says each for a while, and then tries again, later
- * each time. A page that reports seldom is said one by one, too: its few cost nothing.
+ * Reports arrive every 33 to 67 ms. A longer gap means the relay waited, or the page reports
+ * rarely.
  */
-
-/** Pauses of a page that reports are 33 to 67 ms: a longer one was waited in, or belongs to a page that reports seldom. */
 const LATE_MS = 80;
-/** So much may one pause of two be longer: the relay makes up for it, and timers are no better. */
-const UNEVEN_MS = 4;
-/** One pair counts no more than this: a reader that was busy for a moment gets two at once. */
-const LARGEST_MS = 25;
-/** What lateness in a row shows a long line: less than a snapshot's time. */
-const LONG_MS = 30;
-/** After what was late, and how long at most where tries fail. A try costs one late snapshot or two. */
-const CAREFUL_MS = { first: 5_000, most: 60_000 };
-/** After so long without a late one a line counts as short again. */
+/**
+ * Tolerated difference between two gaps: the relay compensates for it, and timers are no better.
+ */
+const TOLERANCE_MS = 4;
+/** Upper bound of one measured difference: a busy reader reads two snapshots at once. */
+const MAX_DIFFERENCE_MS = 25;
+/** Accumulated lateness that indicates a long round trip: less than the interval of snapshots. */
+const LATENESS_LIMIT_MS = 30;
+/**
+ * How long to acknowledge every snapshot after a late one. Doubles with each failed attempt to
+ * stop.
+ */
+const EVERY_MS = { first: 5_000, max: 60_000 };
+/** Time without a late snapshot after which a connection counts as fast again. */
 const TRUSTED_MS = 10_000;
 
-export class SeenPace {
-  /** whether the last one was said; null: none has come on this line */
-  #wasSaid: boolean | null = null;
-  #cameAt = 0;
-  #carefulUntil = -Infinity;
-  #carefulMs = CAREFUL_MS.first;
-  /** the pause after the last one that was said */
-  #saidPause: number | null = null;
-  /** by how much the pauses after those that were said have been longer than the others, lately */
+/**
+ * Decides when a reader sends `seen`. Acknowledgements are cumulative and the relay sends up to two
+ * unacknowledged snapshots, so it is enough to acknowledge every second one. This saves the relay a
+ * third of all incoming messages.
+ *
+ * With a long round trip the relay would have to wait for the acknowledgement of the second
+ * snapshot, and fewer snapshots would arrive. No message shows the round trip, but the gaps between
+ * snapshots do. A gap in which the relay waited follows an acknowledged snapshot and lasts one
+ * round trip. The gap after it is as long as the page's interval. The reader accumulates the
+ * difference between the two. If it grows, the reader acknowledges every snapshot for a while, and
+ * then tries again, less often each time. It also acknowledges every snapshot of a page that
+ * reports rarely.
+ */
+export class DelayedAcknowledgements {
+  /** whether the last snapshot was acknowledged; null: none has arrived on this connection */
+  #wasAcknowledged: boolean | null = null;
+  #lastReadAt = 0;
+  #everyUntil = -Infinity;
+  #everyMs = EVERY_MS.first;
+  /** the gap after the last acknowledged snapshot */
+  #acknowledgedGap: number | null = null;
+  /** by how much the gaps after acknowledged snapshots were longer than the others */
   #lateness = 0;
 
-  /** A new line: what was on its way on an old one does not count there, nor how long that was. */
-  begin(): void {
-    this.#wasSaid = null;
-    this.#carefulUntil = -Infinity;
-    this.#carefulMs = CAREFUL_MS.first;
-    this.#measureAnew();
+  /** To be called for a new connection, whose acknowledgements and round trip are its own. */
+  reset(): void {
+    this.#wasAcknowledged = null;
+    this.#everyUntil = -Infinity;
+    this.#everyMs = EVERY_MS.first;
+    this.#resetMeasurement();
   }
 
   /**
-   * A snapshot was read, also the one in the welcome.
+   * A snapshot was read, including the one in the welcome.
    * @param now ms
-   * @returns whether to say so; of two in a row one is said
+   * @returns whether to acknowledge it; true for at least one of two in a row
    */
   read(now: number): boolean {
-    if (this.#wasSaid !== null) this.#measure(now - this.#cameAt, this.#wasSaid, now);
-    this.#cameAt = now;
-    this.#wasSaid = this.#wasSaid !== true || now < this.#carefulUntil;
-    return this.#wasSaid;
+    if (this.#wasAcknowledged !== null) {
+      this.#measure(now - this.#lastReadAt, this.#wasAcknowledged, now);
+    }
+    this.#lastReadAt = now;
+    this.#wasAcknowledged = this.#wasAcknowledged !== true || now < this.#everyUntil;
+    return this.#wasAcknowledged;
   }
 
-  #measure(pause: number, wasSaid: boolean, now: number): void {
-    const isCareful = now < this.#carefulUntil;
-    if (isCareful) {
-      // A try would be late as well.
-      if (pause > LATE_MS) this.#carefulUntil = now + this.#carefulMs;
+  #measure(gap: number, wasAcknowledged: boolean, now: number): void {
+    if (now < this.#everyUntil) {
+      // Delayed acknowledgements would be late as well.
+      if (gap > LATE_MS) this.#everyUntil = now + this.#everyMs;
       return;
     }
-    if (pause > LATE_MS) return this.#wasLate(now);
-    if (now - this.#carefulUntil > TRUSTED_MS) this.#carefulMs = CAREFUL_MS.first;
-    if (wasSaid) {
-      this.#saidPause = pause;
-    } else if (this.#saidPause !== null) {
-      const longer = Math.min(this.#saidPause - pause - UNEVEN_MS, LARGEST_MS);
-      this.#lateness = Math.max(0, this.#lateness + longer);
-      this.#saidPause = null;
-      if (this.#lateness > LONG_MS) this.#wasLate(now);
+    if (gap > LATE_MS) return this.#acknowledgeEvery(now);
+    if (now - this.#everyUntil > TRUSTED_MS) this.#everyMs = EVERY_MS.first;
+    if (wasAcknowledged) {
+      this.#acknowledgedGap = gap;
+    } else if (this.#acknowledgedGap !== null) {
+      const difference = Math.min(this.#acknowledgedGap - gap - TOLERANCE_MS, MAX_DIFFERENCE_MS);
+      this.#lateness = Math.max(0, this.#lateness + difference);
+      this.#acknowledgedGap = null;
+      if (this.#lateness > LATENESS_LIMIT_MS) this.#acknowledgeEvery(now);
     }
   }
 
-  #wasLate(now: number): void {
-    this.#carefulUntil = now + this.#carefulMs;
-    this.#carefulMs = Math.min(2 * this.#carefulMs, CAREFUL_MS.most);
-    this.#measureAnew();
+  #acknowledgeEvery(now: number): void {
+    this.#everyUntil = now + this.#everyMs;
+    this.#everyMs = Math.min(2 * this.#everyMs, EVERY_MS.max);
+    this.#resetMeasurement();
   }
 
-  #measureAnew(): void {
-    this.#saidPause = null;
+  #resetMeasurement(): void {
+    this.#acknowledgedGap = null;
     this.#lateness = 0;
   }
 }

@@ -21,19 +21,19 @@ async function rest(inbox: EventInbox): Promise<RobotEvent[]> {
 }
 
 describe("the events of a slow reader", () => {
-  it("hold every command, and of the snapshots the newest", async () => {
+  it("include every command and the newest snapshot", async () => {
     const inbox = new EventInbox();
     for (const event of [snapshot(1), command(1), snapshot(2), command(2)]) inbox.put(event);
     expect(await rest(inbox)).toEqual([command(1), snapshot(2), command(2)]);
   });
 
-  it("say that some are missing where there were too many", async () => {
+  it("contain a gap if there were too many", async () => {
     const inbox = new EventInbox();
     for (let seq = 1; seq <= MAX_STORED_EVENTS + 1; seq++) inbox.put(command(seq));
     expect(await rest(inbox)).toEqual([{ kind: "gap" }, command(MAX_STORED_EVENTS + 1)]);
   });
 
-  it("come as soon as there is one", async () => {
+  it("arrive immediately", async () => {
     const inbox = new EventInbox();
     const next = inbox.next();
     inbox.put(command(1));

@@ -1,42 +1,42 @@
-/** Events of a robot for one reader that takes them at its own pace. */
 import { MAX_STORED_EVENTS, type CommandRecord, type Snapshot } from "@corridor/protocol";
 
-/** One thing that happened; `kind` says what. */
+/** An event; `kind` names its type. */
 export type RobotEvent =
   /** a newer snapshot */
   | { kind: "snapshot"; snapshot: Snapshot }
   /** the state of a command of any script changed */
   | { kind: "command"; command: CommandRecord }
-  /** states of commands were missed, as after a long pause in reading */
+  /** states of commands were missed, for example by a slow reader */
   | { kind: "gap" };
 
+/** Buffers the events of a robot for one reader. */
 export class EventInbox {
   #waiting: RobotEvent[] = [];
-  #isOver = false;
+  #isClosed = false;
   #wake: () => void = () => undefined;
 
   put(event: RobotEvent): void {
-    // Of reports only the newest counts.
+    // Holds only the newest snapshot.
     if (event.kind === "snapshot") {
       this.#waiting = this.#waiting.filter(({ kind }) => kind !== "snapshot");
     }
-    // A reader that is this late starts over, as one that the relay has no earlier events for.
+    // Replaces events by a gap if the reader is too slow, as the relay does.
     if (this.#waiting.length >= MAX_STORED_EVENTS) this.#waiting = [{ kind: "gap" }];
     this.#waiting.push(event);
     this.#wake();
   }
 
   close(): void {
-    this.#isOver = true;
+    this.#isClosed = true;
     this.#wake();
   }
 
-  /** The next event, once there is one; null when there is none any more. */
+  /** Resolves with the next event; with null after `close`. */
   async next(): Promise<RobotEvent | null> {
     for (;;) {
       const event = this.#waiting.shift();
       if (event !== undefined) return event;
-      if (this.#isOver) return null;
+      if (this.#isClosed) return null;
       await new Promise<void>((resolve) => (this.#wake = resolve));
     }
   }

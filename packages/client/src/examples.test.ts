@@ -1,4 +1,4 @@
-/** The examples in one file each as their users run them, against the real relay. */
+/** Runs the single-file examples as users do, with a real relay. */
 import { execFile, execFileSync } from "node:child_process";
 import { once } from "node:events";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
@@ -11,12 +11,12 @@ import { scriptListSchema } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { beforeAll, describe, expect, it, onTestFinished } from "vitest";
 import { registerRobot } from "./register-robot.ts";
-import { startCuttingProxy } from "./testing/truncating-proxy.ts";
+import { startTruncatingProxy } from "./testing/truncating-proxy.ts";
 import { startForwardProxy } from "./testing/forward-proxy.ts";
 import { GridRobot } from "./testing/grid-robot.ts";
 import { startRelayProcess } from "./testing/relay-process.ts";
 
-/** What keeps .NET from asking the network and from writing into a home; others do not read it. */
+/** Prevents .NET from using the network and the home directory; ignored by other programs. */
 const DOTNET = {
   DOTNET_CLI_TELEMETRY_OPTOUT: "1",
   DOTNET_NOLOGO: "1",
@@ -24,18 +24,18 @@ const DOTNET = {
   DOTNET_CLI_HOME: tmpdir(),
 };
 const env = { ...process.env, ...DOTNET };
-const run = (program: string, words: readonly string[], more: NodeJS.ProcessEnv = {}) =>
-  promisify(execFile)(program, words, { env: { ...env, ...more } });
+const run = (program: string, args: readonly string[], more: NodeJS.ProcessEnv = {}) =>
+  promisify(execFile)(program, args, { env: { ...env, ...more } });
 const EXAMPLES = join(import.meta.dirname, "../../../examples");
 const TREE = ["#######", "#.#...#", "#.#.#.#", "#...#.#", "#######"];
 
 interface Example {
   language: string;
-  /** the words of the command, before the address */
-  command: readonly [program: string, ...words: string[]];
-  /** asks the program whether it is there */
+  /** the command without the address */
+  command: readonly [program: string, ...args: string[]];
+  /** arguments that check whether the program is installed */
   probe: readonly string[];
-  /** translates the example first, into a folder. @returns the command that runs it */
+  /** compiles the example into a folder. @returns the command that runs it */
   build?: (folder: string) => Promise<Example["command"]>;
 }
 
@@ -54,7 +54,7 @@ const examples: readonly Example[] = [
     language: "Go",
     command: ["go", "run", join(EXAMPLES, "go/robot.go")],
     probe: ["version"],
-    // As "go run" does, but once for all tests.
+    // Like "go run", but once for all tests.
     build: async (folder) => {
       const program = join(folder, "robot");
       await run("go", ["build", "-o", program, join(EXAMPLES, "go/robot.go")]);
@@ -65,7 +65,7 @@ const examples: readonly Example[] = [
     language: "C#",
     command: ["dotnet", "run", join(EXAMPLES, "csharp/Robot.cs")],
     probe: ["--version"],
-    // In a project, as every version of .NET wants it before 10.
+    // .NET versions before 10 require a project.
     build: async (folder) => {
       const { stdout: version } = await run("dotnet", ["--version"]);
       const [major = "", minor = ""] = version.split(".");
@@ -94,7 +94,7 @@ function csharpProject(framework: string, file: string): string {
 </Project>`;
 }
 
-/** A host whose robot sees an open way, and lets every command run out of time. @returns its origin */
+/** A host whose commands all expire. @returns its origin */
 async function startLateHost(): Promise<string> {
   const host = createServer((request, response) => {
     const isCommand = (request.url ?? "").endsWith("/commands");
@@ -113,13 +113,13 @@ async function startLateHost(): Promise<string> {
   return `http://127.0.0.1:${(host.address() as AddressInfo).port}`;
 }
 
-/** Whether the program is on this machine; a test without it is skipped, and says so. */
-function isHere({ language, command: [program], probe }: Example): boolean {
+/** Whether the program is installed; if not, its tests are skipped with a message. */
+function isInstalled({ language, command: [program], probe }: Example): boolean {
   try {
     execFileSync(program, probe, { stdio: "ignore", env });
     return true;
   } catch {
-    process.stderr.write(`examples.test.ts: skipped ${language}, there is no ${program} here\n`);
+    process.stderr.write(`examples.test.ts: skipped ${language}: ${program} is not installed\n`);
     return false;
   }
 }
@@ -133,36 +133,39 @@ async function robotIn(maze: readonly string[]) {
 }
 
 describe.each(examples)("the right-wall follower in $language", (example) => {
-  const isMissing = !isHere(example);
-  let [program, ...words] = example.command;
-  const start = async (...more: string[]) => run(program, [...words, ...more]);
+  const isMissing = !isInstalled(example);
+  let [program, ...args] = example.command;
+  const start = async (...more: string[]) => run(program, [...args, ...more]);
 
   beforeAll(async () => {
     if (isMissing || example.build === undefined) return;
     const folder = mkdtempSync(join(tmpdir(), "corridor-"));
-    [program, ...words] = await example.build(folder);
+    [program, ...args] = await example.build(folder);
     return () => rmSync(folder, { recursive: true, force: true });
   }, 120_000);
 
-  it.skipIf(isMissing)("visits every cell without a bump, the relay killed under way", async () => {
-    const { relay, robot, registration } = await robotIn(TREE);
-    const cells = String(robot.openCells);
-    const program = start(registration.address, "--until-cells", cells);
-    await expect.poll(() => robot.visited.size, { timeout: 40_000 }).toBeGreaterThan(3);
-    await relay.killAndRestart();
-    const { stdout } = await program;
-    expect(stdout).toMatch(new RegExp(`${cells} cells visited after \\d+ moves\\.\\n$`));
-    expect(robot.visited.size).toBe(robot.openCells);
-    expect(robot.snapshot().bumps).toBe(0);
-  });
+  it.skipIf(isMissing)(
+    "visits every cell without a bump although the relay is killed meanwhile",
+    async () => {
+      const { relay, robot, registration } = await robotIn(TREE);
+      const cells = String(robot.openCells);
+      const program = start(registration.address, "--until-cells", cells);
+      await expect.poll(() => robot.visited.size, { timeout: 40_000 }).toBeGreaterThan(3);
+      await relay.killAndRestart();
+      const { stdout } = await program;
+      expect(stdout).toMatch(new RegExp(`${cells} cells visited after \\d+ moves\\.\\n$`));
+      expect(robot.visited.size).toBe(robot.openCells);
+      expect(robot.snapshot().bumps).toBe(0);
+    },
+  );
 
-  it.skipIf(isMissing)("goes on where answers are cut, under a name of its own", async () => {
+  it.skipIf(isMissing)("continues despite truncated responses, and sends its name", async () => {
     const { relay, robot, registration } = await robotIn(TREE);
-    const proxy = await startCuttingProxy(relay.origin, 7);
+    const proxy = await startTruncatingProxy(relay.origin, 7);
     const { hash, pathname } = new URL(registration.address);
     const cells = String(robot.openCells);
     await start(`${proxy.origin}${pathname}${hash}`, "--until-cells", cells);
-    expect(proxy.cuts).toBeGreaterThan(2);
+    expect(proxy.truncated).toBeGreaterThan(2);
     expect(robot.visited.size).toBe(robot.openCells);
     expect(robot.snapshot().bumps).toBe(0);
     const listed = await fetch(`${relay.origin}/api/v1/robots/${registration.id}/scripts`, {
@@ -174,19 +177,19 @@ describe.each(examples)("the right-wall follower in $language", (example) => {
     ]);
   });
 
-  it.skipIf(isMissing)("goes by the network's proxy", async () => {
+  it.skipIf(isMissing)("uses the network's proxy", async () => {
     const { relay, robot, registration } = await robotIn(TREE);
     const proxy = await startForwardProxy(relay.origin);
     const { hash, pathname } = new URL(registration.address);
     const cells = String(robot.openCells);
     const address = `${proxy.service}${pathname}${hash}`;
-    await run(program, [...words, address, "--until-cells", cells], proxy.env);
+    await run(program, [...args, address, "--until-cells", cells], proxy.env);
     expect(robot.visited.size).toBe(robot.openCells);
     expect(robot.snapshot().bumps).toBe(0);
-    expect(proxy.passed).toBeGreaterThan(0);
+    expect(proxy.forwarded).toBeGreaterThan(0);
   });
 
-  it.skipIf(isMissing)("does not take a command that ran out of time for done", async () => {
+  it.skipIf(isMissing)("reports an expired command as an error", async () => {
     const address = `${await startLateHost()}/r/AAAAAAAAAAAAAAAAAAAAAA#drv_AAAAAAAAAAAAAAAAAAAAAA`;
     await expect(start(address, "--moves", "3")).rejects.toMatchObject({
       code: 1,
@@ -194,15 +197,15 @@ describe.each(examples)("the right-wall follower in $language", (example) => {
     });
   });
 
-  it.skipIf(isMissing)("says in one sentence what is wrong with an address or a key", async () => {
+  it.skipIf(isMissing)("reports an invalid address or key in one sentence", async () => {
     const { registration } = await robotIn(TREE);
-    const [place] = registration.address.split("#");
-    const noKey = start(`${place}`);
+    const [withoutKey] = registration.address.split("#");
+    const noKey = start(`${withoutKey}`);
     await expect(noKey).rejects.toMatchObject({
       stderr: expect.stringMatching(/^This is not a robot's address[^\n]*\n$/),
     });
     const key = "drv_AAAAAAAAAAAAAAAAAAAAAA";
-    const wrongKey = start(`${place}#${key}`);
+    const wrongKey = start(`${withoutKey}#${key}`);
     await expect(wrongKey).rejects.toMatchObject({
       stderr: expect.stringMatching(/^[^\n]*key[^\n]*\n$/),
     });

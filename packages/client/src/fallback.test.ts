@@ -1,18 +1,18 @@
-/** Page and script behind filters that let no WebSocket live, with the real relay behind them. */
+/** Page and script behind filters that break WebSockets, with a real relay. */
 import { describe, expect, it, onTestFinished } from "vitest";
 import { globalPlatform, type Platform } from "./platform.ts";
 import { registerRobot } from "./register-robot.ts";
 import { RobotClient } from "./robot-client.ts";
-import type { Harm } from "./testing/filter-proxy.ts";
+import type { FilterMode } from "./testing/filter-proxy.ts";
 import { startFilterProxy } from "./testing/start-filter-proxy.ts";
 import { GridRobot } from "./testing/grid-robot.ts";
 import { startRelayProcess } from "./testing/relay-process.ts";
 
 const CORRIDOR = ["#".repeat(42), `#${".".repeat(40)}#`, "#".repeat(42)];
 
-async function behind(harm: Harm, platform?: Platform) {
+async function behind(mode: FilterMode, platform?: Platform) {
   const relay = await startRelayProcess();
-  const proxy = await startFilterProxy(relay.origin, harm);
+  const proxy = await startFilterProxy(relay.origin, mode);
   const registration = await registerRobot(proxy.origin, fetch);
   const robot = new GridRobot(proxy.origin, registration, CORRIDOR);
   onTestFinished(() => robot.link.close());
@@ -22,27 +22,37 @@ async function behind(harm: Harm, platform?: Platform) {
   return { relay, proxy, robot, script };
 }
 
-const harms: Harm[] = ["stripped", "blocked", "silent", "cut early", "impatient", "buffering"];
+const modes: FilterMode[] = [
+  "stripped",
+  "blocked",
+  "silent",
+  "cut early",
+  "impatient",
+  "buffering",
+];
 
 describe("behind a filter", () => {
-  it.each(harms)("page and script find a way, and nothing is lost or doubled: %s", async (harm) => {
-    const { proxy, robot, script } = await behind(harm);
-    await script.right90();
-    for (let n = 0; n < 20; n++) {
-      const { seq, state } = await script.move(100);
-      expect([seq, state]).toEqual([n + 2, "completed"]);
-    }
-    expect((await script.sensors()).front).toBe(1_950);
-    expect(await script.stop()).toMatchObject({ state: "completed" });
-    expect(robot.done).toHaveLength(21);
-    expect(proxy.upgrades > 0).toBe(harm === "cut early" || harm === "impatient");
-    // The line lives on while nobody says anything.
-    await new Promise((resolve) => setTimeout(resolve, 3_000));
-    expect(await script.move(100)).toMatchObject({ state: "completed" });
-    expect(robot.done).toHaveLength(22);
-  });
+  it.each(modes)(
+    "page and script connect, and no command is lost or duplicated: %s",
+    async (mode) => {
+      const { proxy, robot, script } = await behind(mode);
+      await script.right90();
+      for (let n = 0; n < 20; n++) {
+        const { seq, state } = await script.move(100);
+        expect([seq, state]).toEqual([n + 2, "completed"]);
+      }
+      expect((await script.sensors()).front).toBe(1_950);
+      expect(await script.stop()).toMatchObject({ state: "completed" });
+      expect(robot.done).toHaveLength(21);
+      expect(proxy.upgrades > 0).toBe(mode === "cut early" || mode === "impatient");
+      // The connection survives silence.
+      await new Promise((resolve) => setTimeout(resolve, 3_000));
+      expect(await script.move(100)).toMatchObject({ state: "completed" });
+      expect(robot.done).toHaveLength(22);
+    },
+  );
 
-  it("they go on by HTTPS after the relay was killed", async () => {
+  it("they resume by long polling after the relay was killed", async () => {
     const { relay, robot, script } = await behind("blocked");
     await script.right90();
     const records: Promise<{ seq: number }>[] = [];
@@ -54,7 +64,7 @@ describe("behind a filter", () => {
     expect(robot.done).toHaveLength(21);
   });
 
-  it("they come back to a WebSocket when the filter is gone", async () => {
+  it("they return to WebSockets once the filter is gone", async () => {
     const real = globalPlatform();
     const fast = {
       ...real,
@@ -65,7 +75,7 @@ describe("behind a filter", () => {
     };
     const { proxy, script } = await behind("blocked", fast);
     expect(await script.right90()).toMatchObject({ state: "completed" });
-    proxy.harm = "none";
+    proxy.mode = "none";
     await expect.poll(() => proxy.upgrades, { timeout: 30_000 }).toBeGreaterThan(0);
     expect(await script.move(100)).toMatchObject({ state: "completed" });
   });

@@ -29,7 +29,7 @@ function host(
   const commands: number[] = [];
   const stops: DeliveredCommand[] = [];
   const statuses: HostStatus[] = [];
-  const heard: string[] = [];
+  const calls: string[] = [];
   const delivered: DeliveredCommand[] = [];
   const alive: AliveDriver[] = [];
   const link = new HostLink({
@@ -47,12 +47,12 @@ function host(
       stops.push(stop);
       for (const seq of commands) link.ended(seq, { ...done, state: "cancelled" });
     },
-    onCancel: (seq) => heard.push(`cancel ${seq}`),
-    onGiveBack: () => heard.push("give back"),
-    onYield: () => heard.push("yield"),
-    onState: ({ seq, state }, ttl) => heard.push(`${seq} ${state} within ${ttl}`),
-    onRefused: ({ seq, state }) => heard.push(`${seq} was ${state}`),
-    onStored: (seq) => heard.push(`${seq} stored`),
+    onCancel: (seq) => calls.push(`cancel ${seq}`),
+    onGiveBack: () => calls.push("give back"),
+    onYield: () => calls.push("yield"),
+    onState: ({ seq, state }, ttl) => calls.push(`${seq} ${state} within ${ttl}`),
+    onRefused: ({ seq, state }) => calls.push(`${seq} was ${state}`),
+    onStored: (seq) => calls.push(`${seq} stored`),
     onStatus: (status) => statuses.push(status),
     onDrivers: (_drivers, scripts) => alive.push(...scripts),
     platform,
@@ -66,11 +66,11 @@ function host(
     platform.pass(10_000);
     welcome(epoch);
   };
-  return { platform, link, commands, stops, statuses, heard, delivered, alive, welcome, reconnect };
+  return { platform, link, commands, stops, statuses, calls, delivered, alive, welcome, reconnect };
 }
 
 describe("HostLink", () => {
-  it("greets with its key and what it has done", () => {
+  it("sends its key and its progress first", () => {
     const { platform, link, welcome, statuses } = host({ lastApplied: 7, fresh: true });
     welcome();
     expect(platform.socket.sent).toEqual([
@@ -88,7 +88,7 @@ describe("HostLink", () => {
     expect(statuses.map(({ kind }) => kind)).toEqual(["connecting", "connected"]);
   });
 
-  it("shows the robot before it tells an ending, so that who waits reads fresh sensors", () => {
+  it("sends a snapshot before an ending, so that readers have fresh sensor values", () => {
     const { platform, link, welcome } = host();
     welcome(3);
     platform.socket.receive(command(1));
@@ -101,8 +101,8 @@ describe("HostLink", () => {
     ]);
   });
 
-  it("keeps endings over lost lines until they are stored", () => {
-    const { platform, link, heard, welcome, reconnect } = host();
+  it("sends endings again after reconnects until they are stored", () => {
+    const { platform, link, calls, welcome, reconnect } = host();
     welcome();
     platform.socket.receive(command(1));
     platform.socket.receive(command(2));
@@ -118,17 +118,17 @@ describe("HostLink", () => {
       fresh: false,
       page: expect.any(String),
       endings: [{ seq: 1, ...done }],
-      // Who waits for that ending reads fresh sensors.
+      // Readers of that ending have fresh sensor values.
       snapshot: snapshotOf(),
     });
-    expect(heard).not.toContain("1 stored");
+    expect(calls).not.toContain("1 stored");
     platform.socket.receive({ type: "stored", seq: 1 });
-    expect(heard).toContain("1 stored");
+    expect(calls).toContain("1 stored");
     reconnect(3);
     expect(platform.socket.sent[1]).toMatchObject({ lastApplied: 2, endings: [] });
   });
 
-  it("says on each line by the same name which page it is", () => {
+  it("identifies its page on each connection", () => {
     const { platform, welcome, reconnect } = host();
     welcome();
     const [, { page: name } = {}] = platform.socket.sent;
@@ -137,27 +137,27 @@ describe("HostLink", () => {
     expect(name).toBeTypeOf("string");
   });
 
-  it("gives the robot up when another page comes: nothing begins any more, and all it had begun is told before", () => {
-    const { platform, link, commands, heard, welcome, reconnect } = host();
+  it("releases the robot to another page: starts nothing, and first reports what it had started", () => {
+    const { platform, link, commands, calls, welcome, reconnect } = host();
     welcome(3);
     for (const seq of [1, 2]) platform.socket.receive(command(seq));
     link.started(1);
-    heard.length = 0;
+    calls.length = 0;
     platform.socket.receive({ type: "yield" });
     platform.socket.receive(command(3));
-    expect(heard).toEqual(["give back", "yield"]);
+    expect(calls).toEqual(["give back", "yield"]);
     expect(commands).toEqual([1, 2]);
     expect(platform.socket.sent.slice(2)).toEqual([
       { type: "started", epoch: 3, seq: 1 },
       { type: "yielded", epoch: 3 },
     ]);
-    // The other page went before it had the robot: this one has it again.
+    // The other page disconnects before it owns the robot: this one owns it again.
     reconnect(4);
     for (const seq of [2, 3]) platform.socket.receive(command(seq));
     expect(commands).toEqual([1, 2, 2, 3]);
   });
 
-  it("never hands on again what has begun, and answers a repeated one from memory", () => {
+  it("never passes on a started command again, and repeats its reports", () => {
     const { platform, link, commands, welcome, reconnect } = host();
     welcome();
     for (const seq of [1, 2, 3]) platform.socket.receive(command(seq));
@@ -174,7 +174,7 @@ describe("HostLink", () => {
     ]);
   });
 
-  it("tries again at once when asked, and hands on once what has begun all the same", () => {
+  it("reconnects at once on request, and still passes on each command once", () => {
     const { platform, link, commands, statuses, welcome } = host();
     welcome();
     for (const seq of [1, 2, 3]) platform.socket.receive(command(seq));
@@ -187,14 +187,14 @@ describe("HostLink", () => {
     welcome(2);
     for (const seq of [2, 3, 4]) platform.socket.receive(command(seq));
     link.open();
-    // Neither the pause that was cut short nor the asking of a connected link opens another line.
+    // Neither the interrupted delay nor `open` on a connected link opens another connection.
     platform.pass(5_000);
     expect(platform.sockets).toHaveLength(2);
     expect(link.isConnected).toBe(true);
     expect(commands).toEqual([1, 2, 3, 2, 3, 4]);
   });
 
-  it("brings the endings that came while it was closed once it is opened again", () => {
+  it("sends endings from while it was closed once it is opened again", () => {
     const { platform, link, commands, welcome } = host();
     welcome();
     for (const seq of [1, 2]) platform.socket.receive(command(seq));
@@ -218,18 +218,18 @@ describe("HostLink", () => {
     expect(commands).toEqual([1, 2, 3]);
   });
 
-  it("gives back what has not begun with each new line, before it says what it has done", () => {
-    const { platform, link, heard, welcome, reconnect } = host();
+  it("returns unstarted commands on each reconnect, before it reports its progress", () => {
+    const { platform, link, calls, welcome, reconnect } = host();
     welcome();
     for (const seq of [1, 2, 3]) platform.socket.receive(command(seq));
     link.started(1);
-    expect(heard).toEqual(["give back"]);
+    expect(calls).toEqual(["give back"]);
     reconnect(2);
-    expect(heard).toEqual(["give back", "give back"]);
+    expect(calls).toEqual(["give back", "give back"]);
     expect(platform.socket.sent[1]).toMatchObject({ lastApplied: 1 });
   });
 
-  it("says of a command that ended out of turn no more than that, and never takes it again", () => {
+  it("reports only the ending of a command that ended early, and never accepts it again", () => {
     const { platform, link, commands, welcome, reconnect } = host();
     welcome();
     for (const seq of [1, 2, 3]) platform.socket.receive(command(seq));
@@ -249,37 +249,37 @@ describe("HostLink", () => {
     expect(link.lastApplied).toBe(4);
   });
 
-  it("passes on what the sender takes back, what waits, and endings that came too late", () => {
-    const { platform, link, heard, welcome, reconnect } = host();
+  it("passes on cancellations, waiting commands, and endings that were too late", () => {
+    const { platform, link, calls, welcome, reconnect } = host();
     welcome();
     platform.socket.receive(command(1));
     platform.socket.receive({ type: "cancel", seq: 1, cause: "sender" });
     platform.socket.receive({ type: "state", record: recordOf(2, "expired"), ttl: 400 });
     link.ended(1, done);
     platform.socket.receive({ type: "refused", record: recordOf(1, "cancelled") });
-    expect(heard.slice(1)).toEqual(["cancel 1", "2 expired within 400", "1 was cancelled"]);
+    expect(calls.slice(1)).toEqual(["cancel 1", "2 expired within 400", "1 was cancelled"]);
     reconnect(2);
     expect(platform.socket.sent[1]).toMatchObject({ endings: [] });
   });
 
-  it("trusts no welcome that was held up, and asks for the relay's time until an answer is quick", () => {
+  it("does not trust a delayed welcome, and requests the relay's time until a response is fast", () => {
     const { platform, delivered } = host();
-    const asked = () => platform.socket.sent.filter(({ type }) => type === "time");
+    const requests = () => platform.socket.sent.filter(({ type }) => type === "time");
     platform.socket.open();
     platform.pass(3_000);
     platform.socket.receive({ type: "welcome", version: 1, epoch: 4, at: 0 });
     platform.socket.receive({ ...command(1), at: 0, remaining: 2_000 });
-    expect(asked()).toEqual([{ type: "time", epoch: 4 }]);
+    expect(requests()).toEqual([{ type: "time", epoch: 4 }]);
     platform.pass(20);
     platform.socket.receive({ type: "time", at: 3_010 });
     platform.socket.receive({ ...command(2), at: 3_010, remaining: 2_000 });
     const scripts = { connected: 1, client: "Python", silentMs: 0, alive: [] };
     platform.socket.receive({ type: "drivers", at: 3_010, scripts: [], paused: false, ...scripts });
     expect(delivered.map(({ remaining }) => remaining)).toEqual([0, 1_990]);
-    expect(asked()).toHaveLength(1);
+    expect(requests()).toHaveLength(1);
   });
 
-  it("takes from the time that is left what a command was held up, and from the life of a script", () => {
+  it("subtracts the transit time of commands and of the state of scripts", () => {
     const { platform, delivered, alive, welcome } = host();
     welcome();
     platform.pass(3_000);
@@ -299,7 +299,7 @@ describe("HostLink", () => {
     expect(alive).toEqual([{ driver: "Zx81qP", silentMs: 1_600, connectionMs: null }]);
   });
 
-  it("does not hand on what it did before a reload", () => {
+  it("does not pass on commands from before a reload", () => {
     const { platform, commands, welcome } = host({ lastApplied: 5, fresh: true });
     welcome();
     platform.socket.receive(command(5));
@@ -307,7 +307,7 @@ describe("HostLink", () => {
     expect(commands).toEqual([6]);
   });
 
-  it("speaks with the new epoch from the moment on that it says it is connected", () => {
+  it("uses the new epoch as soon as it reports `connected`", () => {
     const { platform, link, statuses, welcome, reconnect } = host();
     const push = statuses.push.bind(statuses);
     statuses.push = (status) => {
@@ -320,7 +320,7 @@ describe("HostLink", () => {
     expect(platform.socket.sent.at(-1)).toMatchObject({ type: "snapshot", epoch: 2 });
   });
 
-  it("sends endings that came between greeting and welcome", () => {
+  it("sends endings from between `hello` and welcome", () => {
     const { platform, link, welcome } = host();
     welcome();
     platform.socket.receive(command(1));
@@ -337,7 +337,7 @@ describe("HostLink", () => {
     ]);
   });
 
-  it("ends a stop by itself, after all that the robot had", () => {
+  it("ends a stop itself, after all other commands", () => {
     const { platform, link, stops, welcome } = host();
     welcome();
     platform.socket.receive(command(1));
@@ -366,7 +366,7 @@ describe("HostLink", () => {
     expect(statuses.at(-1)).toMatchObject({ kind, reason: { code } });
   });
 
-  it("tries again after a pause that doubles from 0.25 to 10 s and is drawn at random", () => {
+  it("reconnects after random delays with a limit that doubles from 0.25 to 10 s", () => {
     const { platform, statuses } = host();
     platform.luck = 0.999;
     for (let n = 0; n < 8; n++) {
@@ -378,14 +378,14 @@ describe("HostLink", () => {
     expect(pauses.map((pause) => Math.round(pause / 0.999))).toEqual(limits);
   });
 
-  it("does not pause for long after a short cut, however many short pauses came before", () => {
+  it("does not wait long after a short outage, after any number of short delays", () => {
     const { platform, statuses } = host();
     const pauses: number[] = [];
     for (const luck of [0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.999]) {
       platform.luck = luck;
       platform.socket.cut(1006);
       const status = statuses.at(-1);
-      if (status?.kind !== "lost") throw new Error("the line is not lost");
+      if (status?.kind !== "lost") throw new Error("the connection is not lost");
       pauses.push(status.retryMs);
       platform.pass(status.retryMs);
     }
@@ -394,7 +394,7 @@ describe("HostLink", () => {
     expect(pauses.at(-1)).toBeLessThan(500);
   });
 
-  it("takes silence and a missing welcome for a lost line", () => {
+  it("treats silence and a missing welcome as a lost connection", () => {
     const { platform, statuses, welcome } = host();
     platform.pass(10_000);
     expect(statuses.at(-1)?.kind).toBe("lost");
@@ -408,7 +408,7 @@ describe("HostLink", () => {
     expect(statuses.at(-1)?.kind).toBe("lost");
   });
 
-  it("lives on when the relay says something that it does not know", () => {
+  it("ignores unknown messages of the relay", () => {
     const { platform, commands, welcome } = host();
     welcome();
     for (const text of ["", "null", "{", '{"type":"dance"}', '{"type":"command","seq":-1}']) {
@@ -419,7 +419,7 @@ describe("HostLink", () => {
   });
 });
 
-/** A page whose device stores its world when the test says so. */
+/** A page whose world is stored when the test calls `saved`. */
 function savingHost() {
   const saves: (() => void)[] = [];
   const save = () => new Promise<void>((resolve) => void saves.push(resolve));
@@ -433,8 +433,8 @@ function savingHost() {
   return { ...page, sent, saved };
 }
 
-describe("HostLink, where the world is stored", () => {
-  it("sends an ending once its world is stored, and nothing that follows before it", async () => {
+describe("HostLink with a stored world", () => {
+  it("sends an ending once its world is stored, and later messages after it", async () => {
     const { platform, link, sent, saved } = savingHost();
     platform.socket.receive(command(1));
     platform.socket.receive(command(2));
@@ -450,7 +450,7 @@ describe("HostLink, where the world is stored", () => {
     ]);
   });
 
-  it("says nothing of an ending that is not stored when it comes back on a new line", async () => {
+  it("does not report an ending that is not stored when it reconnects", async () => {
     const { platform, link, reconnect, saved, sent } = savingHost();
     platform.socket.receive(command(1));
     link.started(1);
@@ -462,7 +462,7 @@ describe("HostLink, where the world is stored", () => {
     expect(sent()).toMatchObject([{ type: "ended", seq: 1, epoch: 2 }]);
   });
 
-  it("closes, and gives the robot up, after the endings of before", async () => {
+  it("closes, and releases the robot, after earlier endings", async () => {
     const { platform, link, saved, sent } = savingHost();
     platform.socket.receive(command(1));
     link.started(1);
@@ -476,7 +476,7 @@ describe("HostLink, where the world is stored", () => {
     expect(platform.socket.isClosed).toBe(true);
   });
 
-  it("stays open where it is opened again before those are stored", async () => {
+  it("stays open if it is opened again before these are stored", async () => {
     const { platform, link, saved, sent } = savingHost();
     platform.socket.receive(command(1));
     link.started(1);
@@ -489,7 +489,7 @@ describe("HostLink, where the world is stored", () => {
     expect(link.isConnected).toBe(true);
   });
 
-  it("is not the robot any more where another page has claimed the world", async () => {
+  it("disconnects permanently when another page has claimed the world", async () => {
     const { platform, link, statuses, saved, sent } = savingHost();
     platform.socket.receive(command(1));
     link.started(1);
@@ -503,7 +503,7 @@ describe("HostLink, where the world is stored", () => {
     expect(platform.sockets).toHaveLength(1);
   });
 
-  it("tells what had ended in the restored world, until the relay has stored it", () => {
+  it("sends the endings of the restored world until the relay has stored them", () => {
     const endings = [{ seq: 6, ...done }];
     const { platform, link, welcome } = host({ lastApplied: 7, fresh: true, endings });
     welcome();

@@ -1,13 +1,3 @@
-/**
- * The robot's side of the line: the page that owns a robot takes commands and reports what becomes
- * of them. It can run in a worker.
- *
- * Whatever ended is kept until the relay says that it is stored, across any number of lost lines, so
- * that each command has exactly one ending. What has begun is never handed on again: the relay may
- * repeat itself, the robot may not. What has not begun goes back to the relay with each new line, for
- * the relay may have ended it meanwhile. All of it holds over `close` and `open` too, so one session
- * needs one link for as long as its page lives.
- */
 import {
   closeReasons,
   decodeFrame,
@@ -31,26 +21,26 @@ import { AppliedCommands } from "./applied-commands.ts";
 import { Connection, type ConnectionStatus } from "./connection.ts";
 import { Outbox } from "./outbox.ts";
 import { globalPlatform, type Platform } from "./platform.ts";
-import { doorUrls } from "./robot-address.ts";
+import { connectionUrls } from "./robot-address.ts";
 import { TransitClock } from "./transit-clock.ts";
 
-/** A snapshot is left out while so many bytes wait: a newer one will do. */
-const CROWDED_BYTES = 64 * 1024;
+/** Snapshots are dropped while more bytes are buffered. */
+const MAX_BUFFERED_BYTES = 64 * 1024;
 
 export type HostStatus =
   | { kind: "connecting" }
   | { kind: "connected" }
-  /** the link tries again by itself after `retryMs` */
+  /** the link reconnects automatically after `retryMs` */
   | { kind: "lost"; reason: CloseReason; retryMs: number }
-  /** the session is gone: register again */
+  /** the session was deleted: register again */
   | { kind: "over"; reason: CloseReason }
-  /** another page took the robot */
+  /** another page took over the robot */
   | { kind: "replaced"; reason: CloseReason };
 
-/** What a page stores of its commands together with its world, for the page after a reload. */
+/** The state of commands that a page stores together with its world. */
 export interface CommandJournal {
   lastApplied: number;
-  /** endings of which it is not known that the relay has stored them, oldest first */
+  /** endings that the relay has not confirmed as stored, oldest first */
   endings: Ending[];
 }
 
@@ -58,74 +48,90 @@ export interface HostLinkOptions {
   /** of the service, such as https://robots.example.org */
   origin: string;
   credentials: { id: string; ownerKey: string };
-  /** highest seq that this page has ever started or ended; 0 when none */
+  /** highest seq that this page has ever started or ended; 0 if none */
   lastApplied: number;
   /** endings in the restored world that the relay may not have stored; default: none */
   endings?: readonly Ending[];
   /**
-   * Stores the world together with `journal`. An ending is sent once this resolves: the world is stored, or no
-   * reload restores it. Where another page has claimed the world, call `worldClaimed` first.
+   * Stores the world together with `journal`. The link sends an ending once this resolves: either
+   * the world is stored, or no reload restores it. If another page has claimed the world, call
+   * `worldClaimed` first.
    */
   save?(): Promise<void>;
-  /** true when the page was loaded anew and no longer runs what it had started */
+  /** true if the page was reloaded, so that its started commands no longer run */
   fresh: boolean;
-  /** The robot as it is now: sent before all endings, so that who waits for one reads fresh sensors. */
+  /**
+   * The current snapshot. Sent before each ending, so that readers never have older sensor values.
+   */
   snapshot(): Snapshot | null;
-  /** A new command. Commands come in the order of their seq; start them in that order. */
+  /** A new command. Commands arrive in order of their seq; start them in that order. */
   onCommand(command: DeliveredCommand): void;
-  /** End all that was handed on, by `ended`, before this returns. The stop itself ends by itself. */
+  /** Call `ended` for all received commands before this returns. The link ends the stop itself. */
   onStop(stop: DeliveredCommand): void;
-  /** Somebody wishes that a command ends: end it, by `ended`, unless it has ended already. */
+  /** A command is to be cancelled: call `ended` for it, unless it has ended already. */
   onCancel(seq: number, cause: RecallCause): void;
-  /** Forget all that was handed on and has not begun: what still holds comes again. */
+  /**
+   * Discard all received commands that have not started. The relay sends those still valid again.
+   */
   onGiveBack(): void;
-  /** Another page is about to take the robot: end what runs, by `ended`, before this returns. */
+  /** Another page is acquiring the robot: call `ended` for what runs before this returns. */
   onYield(): void;
-  /** A command that this robot does not hold: it waits at the relay, or has ended there. */
+  /** A command that is not on this page: it waits at the relay, or has ended there. */
   onState(record: CommandRecord, ttl: number): void;
-  /** The ending that was told came too late: this is how the command has ended. */
+  /** The reported ending arrived after the command had ended like this. */
   onRefused(record: CommandRecord): void;
   /**
-   * The ending that was told counts. What waited at the relay before it knew of one that is `cancelled` was told
-   * by `onState` before this.
+   * The relay has stored the reported ending. Before a `cancelled` one, `onState` has reported all
+   * commands that waited at the relay.
    */
   onStored?(seq: number): void;
   onStatus(status: HostStatus): void;
   /**
-   * Scripts came, went or were heard; about once a second.
-   * @param alive whose motions without an end may go on: 3 s after a script was heard last they stop
-   * @param owned the same by name with those that were sent away, and whether remote driving is paused
+   * The state of scripts, about once a second.
+   * @param alive scripts whose endless motions may continue; stop them 3 s after their last message
+   * @param owned all scripts by name, including blocked ones, and whether remote driving is paused
    */
   onDrivers(drivers: Drivers, alive: readonly AliveDriver[], owned: ScriptList): void;
-  /** default: what browsers, workers and Node offer */
+  /** default: the platform of browsers, workers and Node */
   platform?: Omit<Platform, "uniqueText">;
 }
 
+/**
+ * The connection of the page that owns a robot: receives commands and reports their progress. It
+ * can run in a worker.
+ *
+ * - It stores each ending until the relay confirms that it is stored, across reconnects, so that each
+ *   command has exactly one ending.
+ * - It never passes on a started command again, even if the relay repeats it.
+ * - It returns unstarted commands to the relay on each reconnect, because the relay may have ended them.
+ *
+ * This also holds across `close` and `open`, so a session needs only one link.
+ */
 export class HostLink {
   readonly #options: HostLinkOptions;
   readonly #connection: Connection<RelayToPage>;
-  /** endings that the relay is not known to have stored, by seq, oldest first */
+  /** endings that the relay has not confirmed as stored, by seq, oldest first */
   readonly #endings = new Map<number, Ending>();
-  /** those of them that wait for `save` */
+  /** the endings among them that wait for `save` */
   readonly #unsaved = new Set<number>();
   readonly #outbox = new Outbox();
-  /** `close` was called, and endings before it are being saved */
+  /** `close` was called, and earlier endings are being saved */
   #isClosing = false;
-  /** another page has this page's world */
+  /** another page has claimed this page's world */
   #isReplaced = false;
-  /** endings that the newest greeting carried */
+  /** endings in the newest `resume` */
   #resumed = new Set<number>();
   #epoch = 1;
-  /** by which the relay knows this page on each of its lines */
+  /** identifies this page across its connections */
   readonly #page: string;
-  /** it has left the robot to another page, and begins nothing that may still come on this line */
+  /** another page acquires the robot: no command on this connection starts any more */
   #hasYielded = false;
   #fresh: boolean;
   readonly #clock: Platform["clock"];
   readonly #transit = new TransitClock();
   readonly #applied: AppliedCommands;
 
-  /** Opens the link at once. */
+  /** Connects at once. */
   constructor(options: HostLinkOptions) {
     this.#options = options;
     this.#fresh = options.fresh;
@@ -137,9 +143,9 @@ export class HostLink {
       .toString(36)
       .padStart(10, "0");
     this.#connection = new Connection({
-      urls: doorUrls(origin, credentials.id),
+      urls: connectionUrls(origin, credentials.id),
       platform,
-      greeting: () => this.#greeting(),
+      firstMessages: () => this.#firstMessages(),
       decode: (text) => decodeFrame(relayToPageSchema, text),
       received: (message) => this.#received(message),
       changed: (status) => options.onStatus(hostStatus(status)),
@@ -147,7 +153,7 @@ export class HostLink {
     this.#connection.open();
   }
 
-  /** This command and all before it have begun or ended; keep it with the credentials for a reload. */
+  /** This command and all earlier ones have started or ended. Store it with the credentials. */
   get lastApplied(): number {
     return this.#applied.last;
   }
@@ -162,39 +168,39 @@ export class HostLink {
   }
 
   /**
-   * Reports the robot. Call it up to 20 times a second while it moves, and at least once a second
-   * while it stands or is paused: silence of 3.5 s counts as a page that sleeps.
+   * Sends a snapshot. Call it up to 20 times a second while the robot moves, and at least once a
+   * second otherwise: after 3.5 s without one, the relay reports the page as asleep.
    */
   sendSnapshot(snapshot: Snapshot): void {
-    if (this.#connection.waitingBytes > CROWDED_BYTES) return;
+    if (this.#connection.waitingBytes > MAX_BUFFERED_BYTES) return;
     this.#send({ type: "snapshot", epoch: this.#epoch, snapshot });
   }
 
-  /** The robot has begun with a command. */
+  /** The robot has started a command. */
   started(seq: number): void {
-    this.#applied.begun(seq);
+    this.#applied.started(seq);
     this.#outbox.send(() => this.#send({ type: "started", epoch: this.#epoch, seq }));
   }
 
-  /** A command is over: its one and only ending. It is sent once the world that it leaves is stored. */
+  /** A command has ended; call it once per command. The ending is sent once the world is stored. */
   ended(seq: number, ending: Omit<Ending, "seq">): void {
     if (this.#isReplaced) return;
     this.#applied.ended(seq);
     const { state, reason, pose, distance } = ending;
-    const kept: Ending = { seq, state, reason, pose, distance };
-    this.#endings.set(seq, kept);
-    const tell = (): void => {
+    const stored: Ending = { seq, state, reason, pose, distance };
+    this.#endings.set(seq, stored);
+    const send = (): void => {
       this.#unsaved.delete(seq);
-      if (this.#connection.isConnected) this.#tellEnding(kept);
+      if (this.#connection.isConnected) this.#sendEnding(stored);
     };
     const saved = this.#options.save?.();
     if (saved !== undefined) this.#unsaved.add(seq);
-    this.#outbox.send(tell, saved);
+    this.#outbox.send(send, saved);
   }
 
   /**
-   * Opens the link again after `close`, or at once where it waits to try again; does nothing while it
-   * is open or being opened, and once it is over.
+   * Reconnects after `close`, or at once instead of waiting for the next attempt. Does nothing
+   * while the link is open or opening, or after it has ended.
    */
   open(): void {
     if (this.#isReplaced) return;
@@ -203,8 +209,8 @@ export class HostLink {
   }
 
   /**
-   * Leaves the relay until `open`, after the endings so far. Scripts are told that the robot is gone; what waits
-   * there goes on waiting, and endings that come meanwhile are kept.
+   * Disconnects until `open`, after all pending endings were sent. The relay reports the robot as
+   * gone and retains waiting commands. The link stores endings until it reconnects.
    */
   close(): void {
     this.#isClosing = true;
@@ -214,8 +220,8 @@ export class HostLink {
   }
 
   /**
-   * Another page has claimed the stored world, in which the endings that are not sent yet never happened: drops
-   * them, and leaves the robot to that page for good.
+   * Another page has claimed the stored world, which does not contain the unsent endings: drops
+   * them, and disconnects permanently.
    */
   worldClaimed(): void {
     if (this.#isReplaced) return;
@@ -226,11 +232,11 @@ export class HostLink {
     this.#options.onStatus({ kind: "replaced", reason: closeReasons.replaced });
   }
 
-  #greeting(): string[] {
+  #firstMessages(): string[] {
     this.#hasYielded = false;
-    this.#applied.giveBack();
+    this.#applied.returnUnstarted();
     this.#options.onGiveBack();
-    this.#transit.greeted(this.#clock.now());
+    this.#transit.helloSent(this.#clock.now());
     const saved = [...this.#endings.values()].filter(({ seq }) => !this.#unsaved.has(seq));
     const endings = saved.slice(0, MAX_RESUMED_ENDINGS);
     this.#resumed = new Set(endings.map(({ seq }) => seq));
@@ -250,7 +256,7 @@ export class HostLink {
   }
 
   #received(message: RelayToPage): void {
-    // What is delivered now counts as not begun, and comes again.
+    // The relay sends unstarted commands again.
     if (this.#isClosing) return;
     switch (message.type) {
       case "welcome":
@@ -258,10 +264,10 @@ export class HostLink {
         this.#epoch = message.epoch;
         this.#fresh = false;
         for (const ending of this.#endings.values()) {
-          const isTold = this.#resumed.has(ending.seq) || this.#unsaved.has(ending.seq);
-          if (!isTold) this.#tellEnding(ending);
+          const isSent = this.#resumed.has(ending.seq) || this.#unsaved.has(ending.seq);
+          if (!isSent) this.#sendEnding(ending);
         }
-        return this.#askTime();
+        return this.#requestTime();
       case "command": {
         const command = this.#delivered(message);
         if (this.#isNew(command.seq)) this.#options.onCommand(command);
@@ -284,13 +290,13 @@ export class HostLink {
         return this.#options.onState(message.record, message.ttl);
       case "drivers": {
         const { type: _type, alive, scripts, paused, at, ...drivers } = message;
-        const waited = this.#transit.came(at, this.#clock.now());
+        const transitMs = this.#transit.transitMs(at, this.#clock.now());
         const now = alive.map(({ driver, silentMs, connectionMs }) => ({
           driver,
-          silentMs: silentMs + waited,
-          connectionMs: connectionMs === null ? null : connectionMs + waited,
+          silentMs: silentMs + transitMs,
+          connectionMs: connectionMs === null ? null : connectionMs + transitMs,
         }));
-        this.#askTime();
+        this.#requestTime();
         return this.#options.onDrivers(drivers, now, { scripts, paused });
       }
       case "time":
@@ -303,40 +309,42 @@ export class HostLink {
   }
 
   /**
-   * Gives the robot up before another page gets it. What has not begun is that one's to begin, so from here
-   * on nothing does.
+   * Releases the robot before another page acquires it. From now on no command starts here: the
+   * other page starts the unstarted ones.
    */
   #yield(): void {
     this.#hasYielded = true;
-    this.#applied.giveBack();
+    this.#applied.returnUnstarted();
     this.#options.onGiveBack();
     this.#options.onYield();
     this.#outbox.send(() => {
-      // On a new connection it has the robot again.
+      // After a reconnect, this page owns the robot again.
       if (this.#hasYielded) this.#send({ type: "yielded", epoch: this.#epoch });
     });
   }
 
-  /** Asks for the relay's time where it is not known well, about as often as it tells of scripts. */
-  #askTime(): void {
-    if (!this.#connection.isConnected || !this.#transit.isVague) return;
-    this.#transit.asked(this.#clock.now());
+  /**
+   * Requests the relay's time if the estimate is imprecise, at most as often as `drivers` arrive.
+   */
+  #requestTime(): void {
+    if (!this.#connection.isConnected || !this.#transit.isImprecise) return;
+    this.#transit.timeRequested(this.#clock.now());
     this.#send({ type: "time", epoch: this.#epoch });
   }
 
-  /** A command as it is now: what was held up on the way has less time left. */
+  /** The command with its transit time subtracted from the remaining time. */
   #delivered({ type: _type, at, ...command }: DeliveredCommand & { type: string; at: number }) {
-    const remaining = command.remaining - this.#transit.came(at, this.#clock.now());
+    const remaining = command.remaining - this.#transit.transitMs(at, this.#clock.now());
     return { ...command, remaining: Math.max(0, remaining) };
   }
 
-  /** Whether the command is handed on for the first time; a repeated one is answered from memory. */
+  /** Whether the command is new. Repeats the reports of a known one. */
   #isNew(seq: number): boolean {
     if (this.#hasYielded) return false;
-    if (this.#applied.take(seq)) return true;
+    if (this.#applied.receive(seq)) return true;
     const ending = this.#endings.get(seq);
     if (ending !== undefined) {
-      if (!this.#unsaved.has(seq)) this.#tellEnding(ending);
+      if (!this.#unsaved.has(seq)) this.#sendEnding(ending);
     } else if (seq <= this.#applied.last) this.started(seq);
     return false;
   }
@@ -348,8 +356,8 @@ export class HostLink {
     this.ended(stop.seq, { state: "completed", reason: null, pose, distance: 0 });
   }
 
-  /** An ending, after the robot as it is now: who hears of the one must not read an older other. */
-  #tellEnding(ending: Ending): void {
+  /** Sends the current snapshot first, so that readers of the ending never have an older one. */
+  #sendEnding(ending: Ending): void {
     const snapshot = this.#options.snapshot();
     if (snapshot !== null) this.#send({ type: "snapshot", epoch: this.#epoch, snapshot });
     this.#send({ type: "ended", epoch: this.#epoch, ...ending });

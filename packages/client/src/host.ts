@@ -7,4 +7,4 @@ export {
 } from "./host-link.ts";
 export { globalPlatform } from "./platform.ts";
 export { registerRobot, RegistrationError } from "./register-robot.ts";
-export { RetryPauses } from "./backoff.ts";
+export { Backoff } from "./backoff.ts";

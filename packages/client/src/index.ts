@@ -3,8 +3,8 @@ export type { RobotEvent } from "./event-inbox.ts";
 export type { MazeCell, RobotMaze } from "./robot-maze.ts";
 export {
   RobotClient,
-  type CommandWish,
-  type DriveWish,
+  type CommandOptions,
+  type DriveOptions,
   type RobotClientOptions,
 } from "./robot-client.ts";
 export type { CommandRecord, Pose, SensorReadings, Snapshot } from "@corridor/protocol";

@@ -1,7 +1,3 @@
-/**
- * A socket out of plain HTTPS requests: what is sent is posted, what comes is fetched by long poll. Every
- * message has a number on its way, so a request that failed is made again and nothing is doubled.
- */
 import {
   closeReasons,
   fetchedMessagesSchema,
@@ -13,68 +9,72 @@ import {
   type SocketEvents,
   type SocketPort,
 } from "@corridor/protocol";
-import type { Ask, Platform } from "./platform.ts";
-import { FIRST_PAUSE_MS, RetryPauses } from "./backoff.ts";
+import type { SendRequest, Platform } from "./platform.ts";
+import { FIRST_DELAY_MS, Backoff } from "./backoff.ts";
 
-/** Longest wait of a fetch, in seconds, as the relay allows it. */
-const LONGEST_WAIT = 25;
-const SHORTEST_WAIT = 1;
-/** On top of the wait, for the way there and back. */
-const ANSWER_MS = 8_000;
-/** Between two posts: what comes meanwhile goes together. */
-const PACE_MS = 50;
-/** The relay closes a line that is silent for 15 s. */
+/** Bounds of the wait of a long poll, in seconds. The relay permits at most 25. */
+const MAX_WAIT = 25;
+const MIN_WAIT = 1;
+/** Request timeout, in addition to the wait. */
+const RESPONSE_MS = 8_000;
+/** Interval between posts: messages of that time are sent together. */
+const POST_INTERVAL_MS = 50;
+/** The relay closes a connection that is silent for 15 s. */
 const GIVE_UP_MS = 12_000;
-/** Room for the number and the brackets. */
+/** Leaves space for the number and the brackets. */
 const MAX_BATCH = MAX_FRAME_BYTES - 64;
-const MAX_ANSWER = 1024 * 1024;
+const MAX_RESPONSE = 1024 * 1024;
 
-/** The connection was lost. */
+/** Close code of a lost connection. */
 const LOST = 1006;
 
 /**
- * A message, or how it reads in the moment in which it leaves: what tells its own age is said anew with
- * each try.
+ * A message, or a function that creates it when it is sent. A message that contains its own age is
+ * created again for each attempt.
  */
-export type Saying = string | (() => string);
+export type OutgoingMessage = string | (() => string);
 
-export function textOf(saying: Saying): string {
-  return typeof saying === "string" ? saying : saying();
+export function textOf(message: OutgoingMessage): string {
+  return typeof message === "string" ? message : message();
 }
 
-/** One of the two requests of which a line is made, while it fails. */
+/** The failures of one of the two kinds of requests, posts and fetches. */
 interface Retries {
-  readonly pauses: RetryPauses;
-  /** the last one got no answer at all */
+  readonly backoff: Backoff;
+  /** whether the last request got no response */
   isLost: boolean;
-  /** cuts the pause that it makes now to a short one */
+  /** shortens the current delay */
   hurry(): void;
 }
 
-type HttpsPlatform = Pick<Platform, "clock" | "random"> & { ask: Ask };
+type LongPollPlatform = Pick<Platform, "clock" | "random"> & { request: SendRequest };
 
-export class HttpsLine implements SocketPort {
+/**
+ * A socket that posts outgoing messages and fetches incoming ones by long poll. Messages are
+ * numbered, so that failed requests can be repeated without duplicating messages.
+ */
+export class LongPollConnection implements SocketPort {
   readonly #url: string;
-  readonly #platform: HttpsPlatform;
+  readonly #platform: LongPollPlatform;
   readonly #events: SocketEvents;
   #key: string | null = null;
-  /** not known to be taken, oldest first, and the number of the first */
-  #queue: Saying[] = [];
+  /** unacknowledged messages, oldest first, and the number of the first */
+  #queue: OutgoingMessage[] = [];
   #first = 1;
   #isPosting = false;
   #isOpen = true;
-  /** number of the newest message that has come */
+  /** number of the newest received message */
   #after = 0;
-  #wait = LONGEST_WAIT;
+  #wait = MAX_WAIT;
   readonly #posts = noFailure();
   readonly #fetches = noFailure();
   readonly #cancels = new Set<() => void>();
 
   /**
-   * Opens a line. Nothing is reported before the constructor has returned.
+   * Opens a connection. Calls no callback before the constructor has returned.
    * @param url `https://HOST/api/v1/robots/ID/long-poll`
    */
-  constructor(url: string, platform: HttpsPlatform, events: SocketEvents) {
+  constructor(url: string, platform: LongPollPlatform, events: SocketEvents) {
     this.#url = url;
     this.#platform = platform;
     this.#events = events;
@@ -86,41 +86,41 @@ export class HttpsLine implements SocketPort {
   }
 
   get waitingBytes(): number {
-    return this.#queue.reduce((sum, saying) => sum + textOf(saying).length, 0);
+    return this.#queue.reduce((sum, message) => sum + textOf(message).length, 0);
   }
 
-  /** Sends one message; the first is the hello that opens the line. */
-  send(saying: Saying): void {
+  /** Sends one message. The first message, `hello`, opens the connection. */
+  send(message: OutgoingMessage): void {
     if (!this.#isOpen) return;
     if (this.#key === null && !this.#isPosting) {
       this.#isPosting = true;
-      void this.#hello(textOf(saying));
+      void this.#hello(textOf(message));
       return;
     }
-    this.#queue.push(saying);
+    this.#queue.push(message);
     void this.#post();
   }
 
   close(): void {
     if (this.#isOpen && this.#key !== null)
-      this.#ask("DELETE", "", null, ANSWER_MS).catch(() => null);
+      this.#request("DELETE", "", null, RESPONSE_MS).catch(() => null);
     this.#end();
   }
 
-  /** The net may be back: what waits to be asked again is asked soon. */
+  /** Repeats failed requests soon: the network may be back. */
   hurry(): void {
     for (const retries of [this.#posts, this.#fetches]) {
       if (!retries.isLost) continue;
-      retries.pauses.beginAnew();
+      retries.backoff.reset();
       retries.hurry();
     }
   }
 
   async #hello(text: string): Promise<void> {
     try {
-      const { status, body } = await this.#ask("POST", "", text, ANSWER_MS);
+      const { status, body } = await this.#request("POST", "", text, RESPONSE_MS);
       if (!this.#isOpen) return;
-      const opened = readJson(openedConnectionSchema, body, MAX_ANSWER);
+      const opened = readJson(openedConnectionSchema, body, MAX_RESPONSE);
       if (status !== 201 || !opened.ok) return this.#lost(codeOf(status, body));
       this.#key = opened.value.key;
     } catch {
@@ -131,24 +131,24 @@ export class HttpsLine implements SocketPort {
     void this.#post();
   }
 
-  /** Sends what waits, until nothing does. */
+  /** Posts until the queue is empty. */
   async #post(): Promise<void> {
     if (this.#isPosting || this.#key === null) return;
     this.#isPosting = true;
     while (this.#isOpen && this.#queue.length > 0) {
-      const sent = await this.#stubbornly(this.#posts, () => {
+      const response = await this.#withRetries(this.#posts, () => {
         const body = `{"first":${this.#first},"messages":[${this.#batch().join()}]}`;
-        return this.#ask("POST", "/messages", body, ANSWER_MS);
+        return this.#request("POST", "/messages", body, RESPONSE_MS);
       });
-      if (sent === null || !this.#isOpen) return;
-      const answer = readJson(takenMessagesSchema, sent.body, MAX_ANSWER);
-      if (!answer.ok) return this.#lost(LOST);
-      const count = answer.value.taken - this.#first + 1;
-      // A relay that takes none of it, or knows of more, is not the one that this line was opened at.
+      if (response === null || !this.#isOpen) return;
+      const received = readJson(takenMessagesSchema, response.body, MAX_RESPONSE);
+      if (!received.ok) return this.#lost(LOST);
+      const count = received.value.taken - this.#first + 1;
+      // Only a relay that does not know this connection acknowledges no message, or too many.
       if (count <= 0 || count > this.#queue.length) return this.#lost(LOST);
       this.#queue.splice(0, count);
       this.#first += count;
-      await this.#pause(PACE_MS);
+      await this.#delay(POST_INTERVAL_MS);
     }
     this.#isPosting = false;
   }
@@ -160,12 +160,12 @@ export class HttpsLine implements SocketPort {
     return fitting < 0 ? texts : texts.slice(0, Math.max(1, fitting));
   }
 
-  /** Fetches what comes, for as long as the line is open. */
+  /** Fetches messages until the connection is closed. */
   async #fetch(): Promise<void> {
     while (this.#isOpen) {
-      const answer = await this.#stubbornly(this.#fetches, () => this.#fetchOnce());
-      if (answer === null || !this.#isOpen) return;
-      const fetched = readJson(fetchedMessagesSchema, answer.body, MAX_ANSWER);
+      const response = await this.#withRetries(this.#fetches, () => this.#fetchOnce());
+      if (response === null || !this.#isOpen) return;
+      const fetched = readJson(fetchedMessagesSchema, response.body, MAX_RESPONSE);
       if (!fetched.ok) return this.#lost(LOST);
       const { first, messages, closed } = fetched.value;
       for (const [index, message] of messages.entries()) {
@@ -177,95 +177,104 @@ export class HttpsLine implements SocketPort {
     }
   }
 
-  async #fetchOnce(): Promise<Answer> {
-    const begun = this.#platform.clock.now();
+  async #fetchOnce(): Promise<HttpResponse> {
+    const start = this.#platform.clock.now();
     const query = `/messages?after=${this.#after}&wait=${this.#wait}`;
     try {
-      return await this.#ask("GET", query, null, this.#wait * 1_000 + ANSWER_MS);
+      return await this.#request("GET", query, null, this.#wait * 1_000 + RESPONSE_MS);
     } catch (error) {
-      // Something on the way ends requests that wait for long: the next one waits for less.
-      const seconds = (this.#platform.clock.now() - begun) / 1_000;
-      if (seconds > SHORTEST_WAIT) {
-        this.#wait = Math.max(SHORTEST_WAIT, Math.floor(Math.min(seconds, this.#wait) * 0.7));
+      // A proxy may close requests that wait too long: the next one waits less.
+      const seconds = (this.#platform.clock.now() - start) / 1_000;
+      if (seconds > MIN_WAIT) {
+        this.#wait = Math.max(MIN_WAIT, Math.floor(Math.min(seconds, this.#wait) * 0.7));
       }
       throw error;
     }
   }
 
-  /** Makes a request again while it fails, unless that is for good. @returns null when the line is lost */
-  async #stubbornly(retries: Retries, ask: () => Promise<Answer>): Promise<Answer | null> {
+  /** Repeats a request while it fails temporarily. @returns null if the connection is lost */
+  async #withRetries(
+    retries: Retries,
+    request: () => Promise<HttpResponse>,
+  ): Promise<HttpResponse | null> {
     let failedSince: number | null = null;
     while (this.#isOpen) {
-      const begun = this.#platform.clock.now();
-      const answer = await ask().catch(() => null);
+      const start = this.#platform.clock.now();
+      const response = await request().catch(() => null);
       if (!this.#isOpen) return null;
-      if (answer?.status === 200) {
+      if (response?.status === 200) {
         retries.isLost = false;
-        retries.pauses.beginAnew();
-        // The net is back: the other request need not wait any longer to find out for itself.
+        retries.backoff.reset();
+        // The network is back: the other kind of request need not wait any longer.
         this.hurry();
-        return answer;
+        return response;
       }
-      const isForGood = answer !== null && answer.status < 500 && answer.status !== 429;
+      const isFinal = response !== null && response.status < 500 && response.status !== 429;
       const now = this.#platform.clock.now();
-      failedSince ??= answer === null ? begun : now;
-      // A request that waited in vain for long has not shown that the line is gone: the next one does.
-      if (now - begun > GIVE_UP_MS / 2) {
+      failedSince ??= response === null ? start : now;
+      // The failure of a long wait does not prove that the connection is lost; the next request
+      // will.
+      if (now - start > GIVE_UP_MS / 2) {
         failedSince = now;
-        retries.pauses.beginAnew();
+        retries.backoff.reset();
       }
-      if (isForGood || now - failedSince > GIVE_UP_MS) {
+      if (isFinal || now - failedSince > GIVE_UP_MS) {
         this.#lost(LOST);
         return null;
       }
-      retries.isLost = answer === null;
-      await this.#pauseBefore(retries, retries.pauses.next(now, this.#platform.random()));
+      retries.isLost = response === null;
+      await this.#delayRetry(retries, retries.backoff.next(now, this.#platform.random()));
     }
     return null;
   }
 
-  #pauseBefore(retries: Retries, ms: number): Promise<void> {
+  #delayRetry(retries: Retries, ms: number): Promise<void> {
     const { clock, random } = this.#platform;
     const end = clock.now() + ms;
     return new Promise((resolve) => {
-      let callOff = this.#later(ms, resolve);
+      let cancel = this.#later(ms, resolve);
       retries.hurry = () => {
-        const soon = random() * FIRST_PAUSE_MS;
+        const soon = random() * FIRST_DELAY_MS;
         if (clock.now() + soon >= end) return;
-        callOff();
-        callOff = this.#later(soon, resolve);
+        cancel();
+        cancel = this.#later(soon, resolve);
         retries.hurry = () => undefined;
       };
     });
   }
 
-  async #ask(method: string, path: string, body: string | null, ms: number): Promise<Answer> {
+  async #request(
+    method: string,
+    path: string,
+    body: string | null,
+    ms: number,
+  ): Promise<HttpResponse> {
     const request = { method, url: this.#url + path, key: this.#key, body };
-    const asked = this.#platform.ask(request);
-    const cancel = (): void => asked.cancel();
+    const pending = this.#platform.request(request);
+    const cancel = (): void => pending.cancel();
     const isLast = method === "DELETE";
     const cancelTimer = this.#platform.clock.after(ms, cancel);
     if (!isLast) this.#cancels.add(cancel);
     try {
-      return await asked.answer;
+      return await pending.response;
     } finally {
       cancelTimer();
       this.#cancels.delete(cancel);
     }
   }
 
-  #pause(ms: number): Promise<void> {
+  #delay(ms: number): Promise<void> {
     return new Promise((resolve) => this.#later(ms, resolve));
   }
 
-  /** @returns a function that calls it off */
+  /** @returns a function that cancels the call */
   #later(ms: number, call: () => void): () => void {
     const done = (): void => {
       this.#cancels.delete(cancel);
       call();
     };
     const cancelTimer = this.#platform.clock.after(ms, done);
-    // Whoever pauses finds the line closed, and goes no further.
+    // Delays that are cancelled never resolve: the connection is closed.
     const cancel = (): void => {
       this.#cancels.delete(cancel);
       cancelTimer();
@@ -288,20 +297,20 @@ export class HttpsLine implements SocketPort {
 }
 
 function noFailure(): Retries {
-  return { pauses: new RetryPauses(), isLost: false, hurry: () => undefined };
+  return { backoff: new Backoff(), isLost: false, hurry: () => undefined };
 }
 
-interface Answer {
+interface HttpResponse {
   status: number;
   body: string;
 }
 
-/** The close code that a WebSocket would have had. */
+/** The close code that corresponds to an HTTP error. */
 function codeOf(status: number, body: string): number {
   if (status === 401) return closeReasons.notAuthorised.code;
-  // Any other 403 comes from something on the way, not from a relay that forbids this or sends away.
+  // A 403 without a problem document comes from a proxy.
   if (status === 403 && body.includes("/problems/")) return closeReasons.forbidden.code;
-  // Any other 404 comes from something on the way, or from a service without lines.
+  // Any other 404 comes from a proxy, or from a service without long polling.
   if (status === 404 && body.includes("/problems/no-robot")) return closeReasons.noRobot.code;
   if (status === 429) return closeReasons.tooMany.code;
   return status === 503 ? closeReasons.restart.code : LOST;

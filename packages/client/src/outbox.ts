@@ -1,10 +1,10 @@
-/** Messages in their order, of which some wait for something else to be done first. */
+/** Sends messages in order, although some wait for a promise first. */
 export class Outbox {
   #waiting: { send: () => void; isReady: boolean }[] = [];
 
   /**
-   * Sends a message after those before it; at once where none waits.
-   * @param after what must be done before; it never rejects
+   * Sends a message after all earlier ones; at once if none waits.
+   * @param after resolves before the message is sent; it never rejects
    */
   send(send: () => void, after?: Promise<void>): void {
     if (after === undefined && this.#waiting.length === 0) return send();
@@ -16,7 +16,7 @@ export class Outbox {
     });
   }
 
-  /** Drops what waits. */
+  /** Drops all waiting messages. */
   clear(): void {
     this.#waiting = [];
   }

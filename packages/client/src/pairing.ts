@@ -1,7 +1,3 @@
-/**
- * Pairing: a code of 8 letters, typed by hand, in place of a robot's address. The robot's page shows it, and its
- * owner says yes or no to the script that asks by it.
- */
 import {
   pairingAnswerSchema,
   requestedPairingSchema,
@@ -13,121 +9,126 @@ import {
 import { ClientError } from "./client-error.ts";
 import type { HttpRequest, Platform } from "./platform.ts";
 
-const MAX_ANSWER = 4_096;
-/** One long poll. Short enough for filters that cut silent lines. */
+const MAX_RESPONSE = 4_096;
+/** Wait of a long poll. Short enough for proxies that close idle connections. */
 const WAIT_SECONDS = 10;
-/** Beyond the wait that was asked for, the line counts as lost. */
+/** Request timeout, in addition to the wait. */
 const GRACE_MS = 10_000;
-/** Beside many wrong codes of the same network, the service checks a code after so long at most. */
+/** The service may delay the check of a code after many wrong codes from the same network. */
 const CHECK_MS = 10_000;
-/** The service asks for as much when too many codes of the network wait. */
-const TOO_FAST_PAUSE_MS = 1_000;
-const FIRST_PAUSE_MS = 250;
-const MAX_PAUSE_MS = 10_000;
-/** Wrong codes of one page load or run: whoever types wrong so often has another problem than a slip. */
+/** Minimum delay after `too-fast`, as the service requires. */
+const TOO_FAST_DELAY_MS = 1_000;
+const FIRST_DELAY_MS = 250;
+const MAX_DELAY_MS = 10_000;
+/** Maximum number of wrong codes per page load or process. */
 const MAX_WRONG_CODES = 10;
 
-/** Those of this page load or run. */
-const ownTries = { wrong: 0 };
+/** The wrong codes of this page load or process. */
+const ownAttempts = { wrong: 0 };
 
 export interface PairingRequest {
-  /** where the robot's page is, such as http://HOST */
+  /** origin of the robot's page, such as http://HOST */
   service: string;
   code: string;
   name: string | null;
 }
 
-type Answer = { status: number; body: string };
+type HttpResponse = { status: number; body: string };
 
 /**
- * Asks by a code, and waits for the owner's yes.
- * @param answerMs for how long the service may be silent
+ * Requests access by a pairing code of 8 letters, and waits until the robot's owner accepts.
+ * @param timeoutMs until a request is given up
  * @returns the robot's address
- * @throws ClientError bad-address, wrong-code, pairing-refused, pairing-over, too-many-tries or timeout
+ * @throws ClientError bad-address, wrong-code, pairing-refused, pairing-over, too-many-tries or
+ * timeout
  */
 export async function pairRobot(
   platform: Platform,
   { service, code, name }: PairingRequest,
-  answerMs: number,
-  tries: { wrong: number } = ownTries,
+  timeoutMs: number,
+  attempts: { wrong: number } = ownAttempts,
 ): Promise<string> {
   const url = `${originOf(service)}/api/v1/pairing`;
-  if (tries.wrong >= MAX_WRONG_CODES) {
+  if (attempts.wrong >= MAX_WRONG_CODES) {
     throw new ClientError(
       "too-many-tries",
-      `${MAX_WRONG_CODES} wrong codes were typed`,
-      "Look at the code on the robot's page, and start the script again.",
+      `${MAX_WRONG_CODES} wrong codes were entered`,
+      "Check the code on the robot's page, and start the script again.",
     );
   }
   try {
-    const wish = readValue(pairingRequestSchema, { code, name });
-    if (!wish.ok) throw wrongCode("It has 8 letters, such as BCDF GHJK, and no vowel.");
-    const body = JSON.stringify(wish.value);
-    const asking = { method: "POST", url, key: null, body };
-    const answer = await answerTo(platform, asking, CHECK_MS + GRACE_MS, answerMs);
-    const asked = read(requestedPairingSchema, answer, "wrong-code");
-    return await untilYes(platform, url, asked, answerMs);
+    const input = readValue(pairingRequestSchema, { code, name });
+    if (!input.ok) throw wrongCode("A code has 8 letters, such as BCDF GHJK, and no vowels.");
+    const body = JSON.stringify(input.value);
+    const request = { method: "POST", url, key: null, body };
+    const response = await send(platform, request, CHECK_MS + GRACE_MS, timeoutMs);
+    const requested = read(requestedPairingSchema, response, "wrong-code");
+    return await untilAccepted(platform, url, requested, timeoutMs);
   } catch (error) {
-    if (error instanceof ClientError && error.code === "wrong-code") tries.wrong += 1;
+    if (error instanceof ClientError && error.code === "wrong-code") attempts.wrong += 1;
     throw error;
   }
 }
 
-async function untilYes(
+async function untilAccepted(
   platform: Platform,
   url: string,
   { key, endsInSeconds }: { key: string; endsInSeconds: number },
-  answerMs: number,
+  timeoutMs: number,
 ): Promise<string> {
   const { clock } = platform;
   const end = clock.now() + endsInSeconds * 1000;
-  const waiting = { method: "GET", url: `${url}?wait=${WAIT_SECONDS}`, key, body: null };
+  const request = { method: "GET", url: `${url}?wait=${WAIT_SECONDS}`, key, body: null };
   for (;;) {
-    const answer = await answerTo(platform, waiting, WAIT_SECONDS * 1000 + GRACE_MS, answerMs);
-    const { address } = read(pairingAnswerSchema, answer, "pairing-over");
+    const response = await send(platform, request, WAIT_SECONDS * 1000 + GRACE_MS, timeoutMs);
+    const { address } = read(pairingAnswerSchema, response, "pairing-over");
     if (address !== null) return address;
     if (clock.now() < end) continue;
     throw new ClientError(
       "pairing-over",
-      "Nobody has answered",
-      "Make a new code in the robot's page, and watch for the question there.",
+      "The owner did not answer",
+      "Create a new code on the robot's page, and accept this script there.",
     );
   }
 }
 
-/** The answer to a request, which is made again while the network or the service has a bad moment. */
-async function answerTo(
+/** Sends a request, and repeats it after temporary failures. */
+async function send(
   platform: Platform,
   request: HttpRequest,
-  connectionMs: number,
-  answerMs: number,
-): Promise<Answer> {
+  requestMs: number,
+  timeoutMs: number,
+): Promise<HttpResponse> {
   const { clock } = platform;
-  const began = clock.now();
-  for (let pauseMs = FIRST_PAUSE_MS; ; pauseMs = Math.min(MAX_PAUSE_MS, pauseMs * 2)) {
-    const answer = await once(platform, request, connectionMs);
-    const isTooFast = answer?.status === 429;
-    if (answer !== null && answer.status < 500 && !isTooFast) return answer;
-    const wait = platform.random() * pauseMs + (isTooFast ? TOO_FAST_PAUSE_MS : 0);
-    if (clock.now() - began + wait > answerMs) {
-      if (isTooFast) return answer;
+  const start = clock.now();
+  for (let delayMs = FIRST_DELAY_MS; ; delayMs = Math.min(MAX_DELAY_MS, delayMs * 2)) {
+    const response = await sendOnce(platform, request, requestMs);
+    const isTooFast = response?.status === 429;
+    if (response !== null && response.status < 500 && !isTooFast) return response;
+    const wait = platform.random() * delayMs + (isTooFast ? TOO_FAST_DELAY_MS : 0);
+    if (clock.now() - start + wait > timeoutMs) {
+      if (isTooFast) return response;
       throw new ClientError(
         "timeout",
-        "The service does not answer",
-        "Check that it runs, that the address is right and that this computer has a network.",
+        "The service does not respond",
+        "Check that it runs, that the address is correct and that this computer is online.",
       );
     }
     await new Promise<void>((resolve) => clock.after(wait, resolve));
   }
 }
 
-/** @returns null when no answer came */
-async function once({ ask, clock }: Platform, request: HttpRequest, connectionMs: number) {
-  if (ask === undefined) return null;
-  const asking = ask(request);
-  const cancelTimer = clock.after(connectionMs, () => asking.cancel());
+/** @returns null if there is no response */
+async function sendOnce(
+  { request: sendRequest, clock }: Platform,
+  request: HttpRequest,
+  requestMs: number,
+) {
+  if (sendRequest === undefined) return null;
+  const pending = sendRequest(request);
+  const cancelTimer = clock.after(requestMs, () => pending.cancel());
   try {
-    return await asking.answer;
+    return await pending.response;
   } catch {
     return null;
   } finally {
@@ -135,20 +136,20 @@ async function once({ ask, clock }: Platform, request: HttpRequest, connectionMs
   }
 }
 
-/** @param unknown what it means here that no such code counts */
+/** @param unknown the error if there is no such code */
 function read<T>(
   schema: Parameters<typeof readJson<T>>[0],
-  { status, body }: Answer,
+  { status, body }: HttpResponse,
   unknown: "wrong-code" | "pairing-over",
 ): T {
-  const value = readJson(schema, body, MAX_ANSWER);
+  const value = readJson(schema, body, MAX_RESPONSE);
   if (status < 300 && value.ok) return value.value;
-  const problem = readJson(problemSchema, body, MAX_ANSWER);
+  const problem = readJson(problemSchema, body, MAX_RESPONSE);
   if (status < 400 || !problem.ok) {
     throw new ClientError(
       "bad-address",
-      "Something else than Corridor's service answers",
-      "Copy the address of the robot's page; a network with a sign-in page wants that done first.",
+      "The response does not come from a Corridor service",
+      "Copy the address of the robot's page. If the network has a sign-in page, sign in first.",
     );
   }
   const { type, detail } = problem.value;
@@ -156,7 +157,7 @@ function read<T>(
     throw new ClientError("pairing-refused", "The robot's owner declined", detail);
   }
   if (type === "/problems/too-fast") {
-    throw new ClientError("too-many-tries", "Too many codes come from this network", detail);
+    throw new ClientError("too-many-tries", "Too many codes were sent from this network", detail);
   }
   if (type === "/problems/no-pairing" && unknown === "pairing-over") {
     throw new ClientError("pairing-over", "The pairing code is no longer valid", detail);
@@ -175,6 +176,6 @@ function originOf(service: string): string {
   throw new ClientError(
     "bad-address",
     "This is not the address of a service",
-    "It looks like http://HOST: what the browser shows where the robot's page is open.",
+    "It looks like http://HOST. Copy it from the browser in which the robot's page is open.",
   );
 }

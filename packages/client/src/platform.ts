@@ -1,17 +1,17 @@
 /**
- * The few things that the client takes from where it runs: a WebSocket, HTTP, time and randomness.
- * Browsers, workers and Node have them under the same names; tests pass their own.
+ * Platform APIs that the client uses: WebSocket, HTTP, time and randomness. Browsers, workers and
+ * Node provide them; tests replace them.
  */
 import type { SocketEvents, SocketFactory } from "@corridor/protocol";
 
 export interface Clock {
-  /** ms by a clock that is never set back */
+  /** ms by a monotonic clock */
   now(): number;
-  /** Calls once after so many ms. @returns a function that calls it off */
+  /** Calls once after `ms`. @returns a function that cancels the call */
   after(ms: number, call: () => void): () => void;
 }
 
-/** The part of `fetch` that registering a robot needs. */
+/** The part of `fetch` that `registerRobot` uses. */
 export type Fetch = (
   url: string,
   request: { method: string },
@@ -26,21 +26,21 @@ export interface HttpRequest {
   body: string | null;
 }
 
-/** Makes a request. `answer` rejects when none comes, or when it is called off by `cancel`. */
-export type Ask = (request: HttpRequest) => {
-  answer: Promise<{ status: number; body: string }>;
+/** Sends a request. `response` rejects if there is none, or after `cancel`. */
+export type SendRequest = (request: HttpRequest) => {
+  response: Promise<{ status: number; body: string }>;
   cancel(): void;
 };
 
-/** How a connection reaches the world; each piece may be replaced in tests. */
+/** The APIs of the current platform; tests may replace each. */
 export interface Platform {
   connect: SocketFactory;
-  /** the way for networks that let no WebSocket through; without it there is none */
-  ask?: Ask;
+  /** for long polling, pairing and mazes; without it, there is no fallback for WebSockets */
+  request?: SendRequest;
   clock: Clock;
-  /** a number from 0 to below 1, for the pauses between tries */
+  /** from 0 to below 1, for the delays between attempts */
   random(): number;
-  /** text that nobody else has, for idempotency keys */
+  /** a random unique text, for idempotency keys */
   uniqueText(): string;
 }
 
@@ -75,20 +75,20 @@ interface Globals {
 
 const OPEN = 1;
 
-/** What browsers, workers and Node 22 and later offer. */
+/** The platform of browsers, workers and Node 22 and later. */
 export function globalPlatform(): Platform {
   const globals = globalThis as unknown as Globals;
   const randomWord = (): number => globals.crypto.getRandomValues(new Uint32Array(1))[0] ?? 0;
   return {
     connect: (url, events) => openSocket(new globals.WebSocket(url), events),
-    ask: ({ method, url, key, body }) => {
+    request: ({ method, url, key, body }) => {
       const controller = new globals.AbortController();
       const headers = {
         ...(key !== null && { Authorization: `Bearer ${key}` }),
         ...(body !== null && { "Content-Type": "application/json" }),
       };
       const { signal } = controller;
-      const request = {
+      const init = {
         method,
         headers,
         body,
@@ -96,10 +96,10 @@ export function globalPlatform(): Platform {
         cache: "no-store",
         credentials: "omit",
       } as const;
-      const answer = globals
-        .fetch(url, request)
-        .then(async (got) => ({ status: got.status, body: await got.text() }));
-      return { answer, cancel: () => controller.abort() };
+      const response = globals
+        .fetch(url, init)
+        .then(async (answered) => ({ status: answered.status, body: await answered.text() }));
+      return { response, cancel: () => controller.abort() };
     },
     clock: {
       now: () => globals.performance.now(),

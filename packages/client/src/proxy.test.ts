@@ -1,4 +1,4 @@
-/** The library in Node, in a network that is left by a proxy only. */
+/** The library in Node, in a network with an obligatory proxy. */
 import { execFile } from "node:child_process";
 import { join } from "node:path";
 import { promisify } from "node:util";
@@ -11,17 +11,17 @@ import { startRelayProcess } from "./testing/relay-process.ts";
 const SCRIPT = join(import.meta.dirname, "../../../examples/javascript/right-wall.ts");
 const CORRIDOR = ["#####", "#...#", "#####"];
 
-it("drives by the network's proxy where Node is told to use it", async () => {
+it("drives through the network's proxy if Node is configured to use it", async () => {
   const relay = await startRelayProcess();
   const registration = await registerRobot(relay.origin, fetch);
   const robot = new GridRobot(relay.origin, registration, CORRIDOR);
   onTestFinished(() => robot.link.close());
   const proxy = await startForwardProxy(relay.origin);
   const { pathname, hash } = new URL(registration.address);
-  const words = [SCRIPT, `${proxy.service}${pathname}${hash}`, "--until-cells", "3"];
+  const args = [SCRIPT, `${proxy.service}${pathname}${hash}`, "--until-cells", "3"];
   const env = { ...process.env, ...proxy.env };
-  const { stdout } = await promisify(execFile)(process.execPath, words, { env });
+  const { stdout } = await promisify(execFile)(process.execPath, args, { env });
   expect(stdout).toMatch(/3 cells visited after \d+ moves\.\n$/);
   expect(robot.visited.size).toBe(3);
-  expect(proxy.passed).toBeGreaterThan(0);
+  expect(proxy.forwarded).toBeGreaterThan(0);
 });

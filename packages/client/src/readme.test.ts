@@ -1,4 +1,4 @@
-/** Runs the examples of the READMEs and of /docs/commands at a real relay, as published. */
+/** Runs the code in the READMEs and in /docs/commands, with a real relay. */
 import { execFile, spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { createServer, type IncomingMessage, type ServerResponse } from "node:http";
@@ -16,17 +16,17 @@ const node = [process.execPath, "--input-type=module", "-e"];
 const python = ["python3", "-c"];
 const bash = ["bash", "-c"];
 
-/** The one block of a README in which this stands. */
-function shown(readme: string, words: string): string {
+/** The only code block of a README that contains `excerpt`. */
+function blockIn(readme: string, excerpt: string): string {
   const text = readFileSync(join(ROOT, readme), "utf8");
   const blocks = [...text.matchAll(/^( *)```(?:ts|js|python|sh|bash)\n([^]*?)^ *```$/gm)];
-  const found = blocks.filter(([, , block]) => block?.includes(words));
+  const found = blocks.filter(([, , block]) => block?.includes(excerpt));
   expect(found).toHaveLength(1);
   const [[, indent = "", block = ""] = []] = found;
   return block.replaceAll(new RegExp(`^${indent}`, "gm"), "");
 }
 
-/** The same with this robot in place of the one in the README. */
+/** Replaces the placeholder address and code. */
 function withRobot(program: string, { origin, registration, code }: RobotWithCode): string {
   return program
     .replaceAll(/http:\/\/(?:HOST|localhost:8080)\/r\/ID#KEY/g, registration.address)
@@ -34,48 +34,47 @@ function withRobot(program: string, { origin, registration, code }: RobotWithCod
     .replaceAll(/BCDF ?GHJK/g, code);
 }
 
-/** @returns what it wrote on its standard output */
-async function run([program = "", ...words]: readonly string[], text: string): Promise<string> {
+/** @returns the standard output */
+async function run([program = "", ...args]: readonly string[], code: string): Promise<string> {
   const env = { ...process.env, PYTHONPATH: LIBRARY };
-  const { stdout } = await promisify(execFile)(program, [...words, text], { cwd: ROOT, env });
+  const { stdout } = await promisify(execFile)(program, [...args, code], { cwd: ROOT, env });
   return stdout;
 }
 
-/** Whether it is on this machine. */
 const hasCurl = spawnSync("curl", ["--version"]).status === 0;
 
-describe("what a README shows", () => {
+describe("the code in the documentation", () => {
   it.each([
-    { readme: "packages/client/README.md", words: "finally", by: node },
-    { readme: "packages/client-python/README.md", words: "while robot.sensor.front", by: python },
-    { readme: "packages/client-python/README.md", words: "asyncio.run", by: python },
-  ])("$readme drives by an address: $words", async ({ readme, words, by }) => {
-    const scene = await robotWithCode(["#####", "#...#", "#####"]);
-    const script = await RobotClient.connect(scene.registration.address);
+    { readme: "packages/client/README.md", excerpt: "finally", by: node },
+    { readme: "packages/client-python/README.md", excerpt: "while robot.sensor.front", by: python },
+    { readme: "packages/client-python/README.md", excerpt: "asyncio.run", by: python },
+  ])("$readme drives by an address: $excerpt", async ({ readme, excerpt, by }) => {
+    const testBed = await robotWithCode(["#####", "#...#", "#####"]);
+    const script = await RobotClient.connect(testBed.registration.address);
     await script.right90();
     script.close();
-    await run(by, withRobot(shown(readme, words), scene));
-    expect(scene.robot.done[1]).toMatchObject({ action: "move", distance: 100 });
+    await run(by, withRobot(blockIn(readme, excerpt), testBed));
+    expect(testBed.robot.done[1]).toMatchObject({ action: "move", distance: 100 });
   });
 
   it.each([
-    { readme: "packages/client/README.md", words: "goalReached, bumps", by: node },
-    { readme: "packages/client-python/README.md", words: "robot.goal_reached", by: python },
-  ])("$readme follows the right wall to the goal: $words", async ({ readme, words, by }) => {
-    const scene = await robotWithCode(["#####", "#...#", "###.#", "#####"]);
-    scene.robot.goal = { column: 3, row: 2 };
-    expect(await run(by, withRobot(shown(readme, words), scene))).toMatch(
+    { readme: "packages/client/README.md", excerpt: "goalReached, bumps", by: node },
+    { readme: "packages/client-python/README.md", excerpt: "robot.goal_reached", by: python },
+  ])("$readme follows the right wall to the goal: $excerpt", async ({ readme, excerpt, by }) => {
+    const testBed = await robotWithCode(["#####", "#...#", "###.#", "#####"]);
+    testBed.robot.goal = { column: 3, row: 2 };
+    expect(await run(by, withRobot(blockIn(readme, excerpt), testBed))).toMatch(
       /^Goal reached after 0 bumps\n$/,
     );
-    expect(scene.robot.snapshot().pose).toMatchObject({ x: 350, y: 250 });
+    expect(testBed.robot.snapshot().pose).toMatchObject({ x: 350, y: 250 });
   });
 
   it.each([
-    { readme: "packages/client/README.md", words: "await robot.maze()", by: node },
-    { readme: "packages/client-python/README.md", words: "robot.maze()", by: python },
-  ])("$readme reads the maze: $words", async ({ readme, words, by }) => {
-    const scene = await robotWithCode(["####", "#..#", "####"]);
-    const { origin, registration } = scene;
+    { readme: "packages/client/README.md", excerpt: "await robot.maze()", by: node },
+    { readme: "packages/client-python/README.md", excerpt: "robot.maze()", by: python },
+  ])("$readme reads the maze: $excerpt", async ({ readme, excerpt, by }) => {
+    const testBed = await robotWithCode(["####", "#..#", "####"]);
+    const { origin, registration } = testBed;
     await fetch(`${origin}/api/v1/robots/${registration.id}/maze`, {
       method: "PUT",
       headers: {
@@ -91,27 +90,27 @@ describe("what a README shows", () => {
         goals: [{ column: 2, row: 1 }],
       }),
     });
-    const output = await run(by, withRobot(shown(readme, words), scene));
+    const output = await run(by, withRobot(blockIn(readme, excerpt), testBed));
     expect(output).toMatch(/^Two cells/);
     expect(output).toContain("Goal at 2 1\n");
   });
 
   it.for([
-    { readme: "packages/client/README.md", words: "RobotClient.pair(", by: node, turns: 1 },
-    { readme: "packages/client-python/README.md", words: "Robot.pair(", by: python, turns: 1 },
-    { readme: "examples/README.md", words: "python3 -c", by: bash, turns: 0 },
-    { readme: "examples/README.md", words: "curl -s", by: bash, turns: 0 },
+    { readme: "packages/client/README.md", excerpt: "RobotClient.pair(", by: node, turns: 1 },
+    { readme: "packages/client-python/README.md", excerpt: "Robot.pair(", by: python, turns: 1 },
+    { readme: "examples/README.md", excerpt: "python3 -c", by: bash, turns: 0 },
+    { readme: "examples/README.md", excerpt: "curl -s", by: bash, turns: 0 },
   ])(
-    "$readme gets an address by a code: $words",
-    async ({ readme, words, by, turns }, { skip }) => {
-      skip(words.startsWith("curl") && !hasCurl, "curl is not on this machine");
-      const scene = await robotWithCode(["####", "#..#", "####"]);
-      const [said] = await Promise.all([
-        run(by, withRobot(shown(readme, words), scene)),
-        scene.say(true),
+    "$readme gets an address by a code: $excerpt",
+    async ({ readme, excerpt, by, turns }, { skip }) => {
+      skip(excerpt.startsWith("curl") && !hasCurl, "curl is not installed");
+      const testBed = await robotWithCode(["####", "#..#", "####"]);
+      const [output] = await Promise.all([
+        run(by, withRobot(blockIn(readme, excerpt), testBed)),
+        testBed.answer(true),
       ]);
-      const { origin, registration, robot } = scene;
-      const address = /http:[^"\s]+/.exec(said)?.[0];
+      const { origin, registration, robot } = testBed;
+      const address = /http:[^"\s]+/.exec(output)?.[0];
       expect(address).toContain(`${origin}/r/${registration.id}#drv_`);
       expect(address).not.toBe(registration.address);
       expect(robot.done).toHaveLength(turns);
@@ -119,44 +118,44 @@ describe("what a README shows", () => {
   );
 
   it("the function in /docs/commands retries, and the robot moves once", async () => {
-    const scene = await robotWithCode(["#####", "#...#", "#####"]);
-    const script = await RobotClient.connect(scene.registration.address);
+    const testBed = await robotWithCode(["#####", "#...#", "#####"]);
+    const script = await RobotClient.connect(testBed.registration.address);
     await script.right90();
     script.close();
-    const { origin, tries } = await networkThatLosesTheFirstAnswer(scene.origin);
-    const [, key = ""] = scene.registration.address.split("#");
-    const program = shown("apps/relay/src/docs/pages/commands.md", "randomUUID")
+    const { origin, attempts } = await startProxyThatDropsFirstResponse(testBed.origin);
+    const [, key = ""] = testBed.registration.address.split("#");
+    const program = blockIn("apps/relay/src/docs/pages/commands.md", "randomUUID")
       .replace("http://HOST", origin)
-      .replace("/ID", `/${scene.registration.id}`)
+      .replace("/ID", `/${testBed.registration.id}`)
       .replace("KEY", key);
     expect(await run(node, program)).toBe("Command 2 was stored by an earlier attempt\n");
-    expect(tries).toHaveLength(2);
-    await expect.poll(() => scene.robot.done.length).toBe(2);
-    expect(scene.robot.done[1]).toMatchObject({ action: "move", distance: 100 });
+    expect(attempts).toHaveLength(2);
+    await expect.poll(() => testBed.robot.done.length).toBe(2);
+    expect(testBed.robot.done[1]).toMatchObject({ action: "move", distance: 100 });
   });
 });
 
-/** In front of the relay: the first request reaches it, and its answer is lost. */
-async function networkThatLosesTheFirstAnswer(relay: string) {
-  const tries: string[] = [];
-  const pass = async (request: IncomingMessage, response: ServerResponse): Promise<void> => {
+/** A proxy in front of the relay that drops the first response. */
+async function startProxyThatDropsFirstResponse(relay: string) {
+  const attempts: string[] = [];
+  const forward = async (request: IncomingMessage, response: ServerResponse): Promise<void> => {
     const chunks: Buffer[] = [];
     for await (const chunk of request) chunks.push(chunk as Buffer);
     const body = Buffer.concat(chunks).toString();
     const { method = "", url = "", headers } = request;
-    const passed = Object.entries(headers).filter(([name]) =>
+    const forwarded = Object.entries(headers).filter(([name]) =>
       ["authorization", "content-type", "idempotency-key"].includes(name),
     ) as [string, string][];
-    const answer = await fetch(relay + url, { method, headers: passed, body });
+    const answer = await fetch(relay + url, { method, headers: forwarded, body });
     const text = await answer.text();
-    tries.push(body);
-    if (tries.length === 1) response.destroy();
+    attempts.push(body);
+    if (attempts.length === 1) response.destroy();
     else response.writeHead(answer.status).end(text);
   };
   const server = createServer((request, response) => {
-    pass(request, response).catch(() => response.destroy());
+    forward(request, response).catch(() => response.destroy());
   });
   await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
   onTestFinished(() => void server.close());
-  return { origin: `http://127.0.0.1:${(server.address() as AddressInfo).port}`, tries };
+  return { origin: `http://127.0.0.1:${(server.address() as AddressInfo).port}`, attempts };
 }

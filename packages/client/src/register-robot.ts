@@ -1,13 +1,12 @@
-/** Asks the service for a robot: the page's first step before it opens its link. */
 import { readJson, registrationSchema, type Registration } from "@corridor/protocol";
 import type { Fetch } from "./platform.ts";
 
-const MAX_ANSWER = 4_096;
+const MAX_RESPONSE = 4_096;
 
-/** Why no robot was registered; `code` is stable, the message is a sentence for who reads logs. */
+/** A failed registration. `code` is stable, the message is for logs. */
 export class RegistrationError extends Error {
   override readonly name = "RegistrationError";
-  /** `noService`: something else than the service answers at this address; `noAnswer`: nothing does */
+  /** `noService`: another server responds at this address; `noAnswer`: no server responds */
   readonly code: "tooManyRobots" | "noService" | "noAnswer" | "refused";
 
   constructor(code: RegistrationError["code"], message: string, options?: ErrorOptions) {
@@ -19,11 +18,11 @@ export class RegistrationError extends Error {
 /**
  * Registers a new robot.
  * @param origin of the service, such as https://robots.example.org
- * @throws RegistrationError when the service does not answer as it should
+ * @throws RegistrationError
  */
 export async function registerRobot(origin: string, fetch: Fetch): Promise<Registration> {
-  const answer = await ask(`${origin}/api/v1/robots`, fetch);
-  const { status } = answer;
+  const response = await post(`${origin}/api/v1/robots`, fetch);
+  const { status } = response;
   if (status === 429) {
     throw new RegistrationError(
       "tooManyRobots",
@@ -31,28 +30,28 @@ export async function registerRobot(origin: string, fetch: Fetch): Promise<Regis
     );
   }
   if (status !== 201) {
-    // A server of files alone answers so.
+    // The statuses of static file servers.
     const isFileServer = status === 404 || status === 405 || status === 501;
     throw new RegistrationError(
       isFileServer ? "noService" : "refused",
       `The service did not register the robot (status ${status}). Try again in a minute.`,
     );
   }
-  const registration = readJson(registrationSchema, await answer.text(), MAX_ANSWER);
+  const registration = readJson(registrationSchema, await response.text(), MAX_RESPONSE);
   if (registration.ok) return registration.value;
   throw new RegistrationError(
     "noService",
-    "The service answered the registration with something else. Reload the page.",
+    "The service sent an unexpected response to the registration. Reload the page.",
   );
 }
 
-async function ask(url: string, fetch: Fetch): ReturnType<Fetch> {
+async function post(url: string, fetch: Fetch): ReturnType<Fetch> {
   try {
     return await fetch(url, { method: "POST" });
   } catch (cause) {
     throw new RegistrationError(
       "noAnswer",
-      `Nothing answers at ${url}. Check the network and that the service runs.`,
+      `No server responds at ${url}. Check the network and that the service runs.`,
       { cause },
     );
   }

@@ -1,20 +1,22 @@
 import { describe, expect, it } from "vitest";
-import { doorUrls, parseRobotAddress } from "./robot-address.ts";
+import { connectionUrls, parseRobotAddress } from "./robot-address.ts";
 import { ADDRESS } from "./testing/messages.ts";
 
 describe("parseRobotAddress", () => {
-  it("takes an address apart, with spaces of copying around it", () => {
+  it("parses an address with surrounding whitespace", () => {
     const address = parseRobotAddress(` ${ADDRESS}\n`);
     expect(address).toEqual({
       origin: "http://localhost:8080",
       id: "AAAAAAAAAAAAAAAAAAAAAA",
       key: "drv_BBBBBBBBBBBBBBBBBBBBBB",
     });
-    expect(doorUrls(address.origin, address.id)).toEqual({
+    expect(connectionUrls(address.origin, address.id)).toEqual({
       websocket: "ws://localhost:8080/api/v1/robots/AAAAAAAAAAAAAAAAAAAAAA/socket",
-      https: "http://localhost:8080/api/v1/robots/AAAAAAAAAAAAAAAAAAAAAA/long-poll",
+      "long-poll": "http://localhost:8080/api/v1/robots/AAAAAAAAAAAAAAAAAAAAAA/long-poll",
     });
-    expect(doorUrls("https://http.example", "x").websocket).toMatch(/^wss:\/\/http\.example\//);
+    expect(connectionUrls("https://http.example", "x").websocket).toMatch(
+      /^wss:\/\/http\.example\//,
+    );
   });
 
   it.each([
@@ -25,20 +27,20 @@ describe("parseRobotAddress", () => {
       hint: "HOST, ID and KEY stand for your robot's address",
     },
     {
-      name: "an address whose key the shell has eaten",
+      name: "an address whose key the shell has removed",
       text: ADDRESS.split("#")[0],
       hint: "quotes",
     },
     { name: "an address that ends with #", text: `${ADDRESS.split("#")[0]}#`, hint: "quotes" },
     { name: "an address without http", text: ADDRESS.slice(7), hint: "http://" },
     {
-      name: "an address cut in its id",
+      name: "an address with a truncated id",
       text: "http://localhost:8080/r/AAAA#drv_BBBBBBBB",
       hint: "copy it again",
     },
     { name: "another page", text: "http://localhost:8080/lessons", hint: "copy it again" },
     { name: "a very long text", text: `http://${"x".repeat(100_000)}`, hint: "copy it again" },
-  ])("says what is missing: $name", ({ text, hint }) => {
+  ])("reports what is missing: $name", ({ text, hint }) => {
     expect(() => parseRobotAddress(text ?? "")).toThrow(
       expect.objectContaining({ code: "bad-address", hint: expect.stringContaining(hint) }),
     );

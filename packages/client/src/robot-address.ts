@@ -1,6 +1,6 @@
-/** The address of a robot, `https://HOST/r/ID#KEY`: all that a script needs. */
+/** The address of a robot, `https://HOST/r/ID#KEY`: everything that a script needs. */
 import { ClientError } from "./client-error.ts";
-import type { Door } from "./transport-choice.ts";
+import type { Transport } from "./transport-choice.ts";
 
 export interface RobotAddress {
   /** such as https://robots.example.org */
@@ -13,8 +13,8 @@ const MAX_LENGTH = 400;
 const ADDRESS = /^(https?:\/\/[^/?#\s]+)\/r\/([A-Za-z0-9_-]{22})#([A-Za-z0-9_-]{8,64})$/;
 
 /**
- * Takes a robot's address apart.
- * @throws ClientError bad-address, with a hint for the usual mistakes of copying
+ * Parses a robot's address.
+ * @throws ClientError bad-address, with a hint for common mistakes
  */
 export function parseRobotAddress(text: string): RobotAddress {
   const address = text.trim();
@@ -26,10 +26,10 @@ export function parseRobotAddress(text: string): RobotAddress {
   return { origin, id, key };
 }
 
-/** Where the robot's WebSocket is, and the line by HTTPS in its place. The key is part of neither. */
-export function doorUrls(origin: string, id: string): Record<Door, string> {
+/** The URLs of the robot's connections. They do not contain the key. */
+export function connectionUrls(origin: string, id: string): Record<Transport, string> {
   const robot = `${origin}/api/v1/robots/${id}`;
-  return { websocket: `${robot.replace(/^http/, "ws")}/socket`, https: `${robot}/long-poll` };
+  return { websocket: `${robot.replace(/^http/, "ws")}/socket`, "long-poll": `${robot}/long-poll` };
 }
 
 function hintFor(address: string): string {
@@ -40,10 +40,10 @@ function hintFor(address: string): string {
     return "It is empty: copy the address from the page, under Remote.";
   }
   if (!/^https?:\/\//.test(address)) {
-    return "It begins with http:// or https://: copy the whole address from the page, under Remote.";
+    return "An address begins with http:// or https://: copy the whole address from the page, under Remote.";
   }
   if (/^https?:\/\/HOST\b/.test(address)) {
     return "HOST, ID and KEY stand for your robot's address: copy it from the page, under Remote.";
   }
-  return "It looks like http://HOST/r/ID#KEY: copy it again from the page, under Remote.";
+  return "An address looks like http://HOST/r/ID#KEY: copy it again from the page, under Remote.";
 }

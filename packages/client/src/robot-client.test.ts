@@ -16,7 +16,7 @@ const tooLate = {
 
 async function connected() {
   const platform = new FakePlatform();
-  /** of the newest state */
+  /** number of the newest state */
   let n = 0;
   const opening = RobotClient.connect(ADDRESS, { platform });
   const welcome = (stream = "k3J9x2aB", snapshot: Snapshot | null = null): void => {
@@ -25,14 +25,18 @@ async function connected() {
   };
   welcome();
   const robot = await opening;
-  /** What was sent since the greeting of the newest socket. */
+  /** The commands on the newest socket. */
   const sent = () =>
     platform.socket.sent.filter(({ type }) => type === "command") as unknown as {
       key: string;
       sentAt: number;
       command: Order;
     }[];
-  const tell = (type: "ack" | "state", seq: number, change: Partial<CommandRecord> = {}): void => {
+  const report = (
+    type: "ack" | "state",
+    seq: number,
+    change: Partial<CommandRecord> = {},
+  ): void => {
     const { key, command } = keyed.get(seq) ??
       sent().at(-1) ?? { key: "", command: { action: "stop" } };
     keyed.set(seq, { key, command });
@@ -44,7 +48,7 @@ async function connected() {
     });
   };
   const keyed = new Map<number, { key: string; command: Order }>();
-  return { platform, robot, sent, tell, welcome };
+  return { platform, robot, sent, report, welcome };
 }
 
 describe("RobotClient", () => {
@@ -56,7 +60,7 @@ describe("RobotClient", () => {
     ]);
   });
 
-  it("says that it only looks on where its key is for watching", () => {
+  it("sends the role `watch` with a watch key", () => {
     const platform = new FakePlatform();
     const address = ADDRESS.replace("#drv_", "#wch_");
     void RobotClient.connect(address, { platform }).catch(() => undefined);
@@ -64,7 +68,7 @@ describe("RobotClient", () => {
     expect(platform.socket.sent).toMatchObject([{ type: "hello", role: "watch" }]);
   });
 
-  it("says its name where it is given one", () => {
+  it("sends its name", () => {
     const platform = new FakePlatform();
     const name = "Right wall";
     void RobotClient.connect(ADDRESS, { platform, name }).catch(() => undefined);
@@ -72,7 +76,7 @@ describe("RobotClient", () => {
     expect(platform.socket.sent).toMatchObject([{ type: "hello", name }]);
   });
 
-  it("is over where its owner has sent it away, and does not come again by itself", async () => {
+  it("ends when the owner blocks it, and does not reconnect", async () => {
     const { platform, robot } = await connected();
     const move = robot.move(10);
     platform.socket.cut(4403);
@@ -85,100 +89,100 @@ describe("RobotClient", () => {
     expect(platform.socket).toBe(socket);
   });
 
-  it("keeps the promise of a manoeuvre when the robot has ended it", async () => {
-    const { robot, tell } = await connected();
+  it("resolves a manoeuvre when the robot has ended it", async () => {
+    const { robot, report } = await connected();
     const move = robot.move(120);
-    tell("ack", 1);
-    tell("state", 1, { state: "started" });
-    tell("state", 1, { state: "collided", distance: 80 });
+    report("ack", 1);
+    report("state", 1, { state: "started" });
+    report("state", 1, { state: "collided", distance: 80 });
     expect(await move).toMatchObject({ state: "collided", distance: 80 });
   });
 
-  it("keeps the promise of a motion without an end when the robot has begun", async () => {
-    const { robot, tell } = await connected();
+  it("resolves an endless motion when the robot has started it", async () => {
+    const { robot, report } = await connected();
     const forward = robot.forward();
-    tell("ack", 1);
-    tell("state", 1, { state: "started" });
+    report("ack", 1);
+    report("state", 1, { state: "started" });
     expect(await forward).toMatchObject({ state: "started" });
   });
 
-  it("sends of the velocities that came while the line was down only the newest", async () => {
-    const { platform, robot, sent, tell, welcome } = await connected();
+  it("sends only the newest of the velocities that were set while disconnected", async () => {
+    const { platform, robot, sent, report, welcome } = await connected();
     const before = robot.drive(0.1, 0.1);
     platform.socket.cut(1006);
-    const wished = [0.2, 0.3].map((power) => robot.drive(power, power));
+    const offline = [0.2, 0.3].map((power) => robot.drive(power, power));
     const turn = robot.turn(45);
     const after = [0.4, 0.5].map((power) => robot.drive(power, power));
     platform.pass(10_000);
     welcome();
     expect(sent().map(({ command }) => command)).toMatchObject([{ action: "drive", left: 0.3 }]);
-    tell("ack", 1);
-    tell("state", 1, { state: "started" });
-    for (const done of [before, ...wished]) {
+    report("ack", 1);
+    report("state", 1, { state: "started" });
+    for (const done of [before, ...offline]) {
       expect(await done).toMatchObject({ seq: 1, command: { left: 0.3 } });
     }
     expect(sent().at(-1)).toMatchObject({ command: { action: "turn" } });
-    tell("ack", 2);
+    report("ack", 2);
     expect(sent().at(-1)).toMatchObject({ command: { action: "drive", left: 0.5 } });
-    tell("state", 2, { state: "completed" });
-    tell("ack", 3, { state: "started" });
+    report("state", 2, { state: "completed" });
+    report("ack", 3, { state: "started" });
     expect(await turn).toMatchObject({ seq: 2 });
     expect(await Promise.all(after)).toMatchObject([{ seq: 3 }, { seq: 3 }]);
   });
 
   it.each(["cancelled", "superseded", "expired"] as const)(
-    "says why a manoeuvre was %s",
+    "reports why a manoeuvre was %s",
     async (state) => {
-      const { robot, tell } = await connected();
+      const { robot, report } = await connected();
       const turn = robot.turn(45);
-      tell("ack", 1);
-      tell("state", 1, { state, reason: "stopped by command 2" });
+      report("ack", 1);
+      report("state", 1, { state, reason: "stopped by command 2" });
       const error = await turn.catch((thrown: unknown) => thrown);
       expect(error).toMatchObject({ code: state, hint: "stopped by command 2" });
-      // The code is a word of the sentence already.
+      // The sentence contains the code already.
       expect(String(error).split(state)).toHaveLength(2);
     },
   );
 
-  it("sends commands one after the other, each with its own key", async () => {
-    const { robot, sent, tell } = await connected();
+  it("sends commands one at a time, each with its own key", async () => {
+    const { robot, sent, report } = await connected();
     const both = Promise.all([robot.left90(), robot.right90()]);
     expect(sent()).toHaveLength(1);
-    tell("ack", 1);
+    report("ack", 1);
     expect(sent().map(({ command }) => command.action)).toEqual(["left 90", "right 90"]);
     expect(sent()[0]?.key).not.toBe(sent()[1]?.key);
-    tell("ack", 2);
-    tell("state", 1, { state: "completed" });
-    tell("state", 2, { state: "completed" });
+    report("ack", 2);
+    report("state", 1, { state: "completed" });
+    report("state", 2, { state: "completed" });
     expect((await both).map(({ seq }) => seq)).toEqual([1, 2]);
   });
 
-  it("comes back with the last state that it was told, and goes on from there", async () => {
-    const { platform, robot, sent, tell, welcome } = await connected();
+  it("reconnects with the last state that it received, and resumes from there", async () => {
+    const { platform, robot, sent, report, welcome } = await connected();
     const left = robot.left90();
-    tell("ack", 1);
-    tell("state", 1, { state: "started" });
+    report("ack", 1);
+    report("state", 1, { state: "started" });
     platform.socket.cut(1006);
     platform.pass(10_000);
     welcome();
     expect(platform.socket.sent[0]).toMatchObject({ type: "hello", since: "k3J9x2aB-1" });
     expect(sent()).toEqual([]);
-    tell("state", 1, { state: "completed" });
+    report("state", 1, { state: "completed" });
     expect(await left).toMatchObject({ state: "completed" });
   });
 
-  it("asks again for what is open when states are not kept any more", async () => {
-    const { platform, robot, sent, tell } = await connected();
+  it("sends open commands again when states are no longer retained", async () => {
+    const { platform, robot, sent, report } = await connected();
     const left = robot.left90();
-    tell("ack", 1);
+    report("ack", 1);
     platform.socket.receive({ type: "gap", n: 2_000, open: [] });
     expect(sent()).toHaveLength(2);
     expect(sent()[0]).toEqual(sent()[1]);
-    tell("ack", 1, { state: "completed", duplicate: true });
+    report("ack", 1, { state: "completed", duplicate: true });
     expect(await left).toMatchObject({ state: "completed" });
   });
 
-  it("tells the relay what it has seen, so that no old snapshots wait for it", async () => {
+  it("acknowledges snapshots, so that no old ones queue up", async () => {
     const { platform } = await connected();
     platform.socket.receive({ type: "snapshot", snapshot: snapshotOf({ seq: 41 }) });
     expect(platform.socket.sent.at(-1)).toEqual({ type: "seen", seq: 41 });
@@ -192,7 +196,7 @@ describe("RobotClient", () => {
     ]);
   });
 
-  it("says on each new line that it has read what came with the welcome", async () => {
+  it("acknowledges the snapshot in the welcome on each new connection", async () => {
     const { platform, welcome } = await connected();
     platform.socket.receive({ type: "snapshot", snapshot: snapshotOf({ seq: 41 }) });
     platform.socket.cut(1006);
@@ -201,24 +205,24 @@ describe("RobotClient", () => {
     expect(platform.socket.sent.at(-1)).toEqual({ type: "seen", seq: 90 });
   });
 
-  it("asks again with the same keys, in order, when the relay was restarted", async () => {
-    const { platform, robot, sent, tell, welcome } = await connected();
+  it("sends commands again with the same keys, in order, after a restart of the relay", async () => {
+    const { platform, robot, sent, report, welcome } = await connected();
     const all = Promise.all([robot.left90(), robot.right90()]);
-    tell("ack", 1);
+    report("ack", 1);
     const keys = sent().map(({ key }) => key);
     platform.socket.cut(1006);
     platform.pass(10_000);
     welcome("another1");
     expect(sent().map(({ key }) => key)).toEqual([keys[0]]);
-    tell("ack", 1, { state: "completed", duplicate: true });
+    report("ack", 1, { state: "completed", duplicate: true });
     expect(sent().map(({ key }) => key)).toEqual(keys);
-    tell("ack", 2);
-    tell("state", 2, { state: "completed" });
+    report("ack", 2);
+    report("state", 2, { state: "completed" });
     expect(await all).toHaveLength(2);
   });
 
-  it("says how old a command is that it sends again, and what was wished of it", async () => {
-    const { platform, robot, sent, tell, welcome } = await connected();
+  it("sends a command again with its age and its options", async () => {
+    const { platform, robot, sent, report, welcome } = await connected();
     const drive = robot.drive(1, 1, undefined, { ttl: 2_000, replace: true, lease: 300 });
     const order = { action: "drive", left: 1, right: 1, ttl: 2_000, replace: true, lease: 300 };
     expect(sent()[0]?.command).toEqual(order);
@@ -227,11 +231,11 @@ describe("RobotClient", () => {
     platform.pass(600);
     welcome();
     expect(sent()[0]?.command).toEqual({ ...order, age: 1_000 });
-    tell("ack", 1, { state: "started" });
+    report("ack", 1, { state: "started" });
     await drive;
   });
 
-  it("says that a command is too old when the relay refuses it for that", async () => {
+  it("reports a command as expired if the relay rejects it as too late", async () => {
     const { platform, robot, sent } = await connected();
     const move = robot.move(10);
     platform.pass(10_000);
@@ -239,7 +243,7 @@ describe("RobotClient", () => {
     await expect(move).rejects.toMatchObject({ code: "expired", hint: "d" });
   });
 
-  it("adds the smallest round trip to the age of each command, for it may all have been the way there", async () => {
+  it("adds the shortest round trip to the age of each command", async () => {
     const platform = new FakePlatform();
     const opening = RobotClient.connect(ADDRESS, { platform });
     platform.pass(100);
@@ -265,8 +269,8 @@ describe("RobotClient", () => {
     expect(platform.socket.sent.at(-1)).toMatchObject({ command: { age: 40 } });
   });
 
-  it("measures each new connection anew", async () => {
-    const { platform, robot, sent, tell } = await connected();
+  it("measures the round trip of each connection", async () => {
+    const { platform, robot, sent, report } = await connected();
     const move = robot.move(10);
     platform.socket.cut(1006);
     platform.pass(10_000);
@@ -274,12 +278,12 @@ describe("RobotClient", () => {
     platform.pass(2_000);
     platform.socket.receive(WELCOME);
     expect(sent()[0]).toMatchObject({ sentAt: 12_000, command: { age: 14_000 } });
-    tell("ack", 1, { state: "completed" });
+    report("ack", 1, { state: "completed" });
     await move;
   });
 
-  it("tries a command again that was refused as too late although it is not, then by a new connection", async () => {
-    const { platform, robot, sent, tell, welcome } = await connected();
+  it("retries a command that was wrongly rejected as too late, then reconnects", async () => {
+    const { platform, robot, sent, report, welcome } = await connected();
     const move = robot.move(10);
     const refuse = (): void =>
       platform.socket.receive({ type: "problem", problem: tooLate, key: sent().at(-1)?.key });
@@ -290,7 +294,7 @@ describe("RobotClient", () => {
     expect(platform.sockets).toHaveLength(2);
     welcome();
     expect(sent()).toHaveLength(1);
-    tell("ack", 1, { state: "completed" });
+    report("ack", 1, { state: "completed" });
     expect(await move).toMatchObject({ state: "completed" });
     const other = robot.move(10);
     for (let n = 0; n < 2; n++) refuse();
@@ -299,7 +303,7 @@ describe("RobotClient", () => {
     await expect(other).rejects.toMatchObject({ code: "expired" });
   });
 
-  it("lets a stop have its own time to live, however short that of the other commands is", async () => {
+  it("sends a stop without the short time to live of other commands", async () => {
     const platform = new FakePlatform();
     const opening = RobotClient.connect(ADDRESS, { platform, ttl: 200 });
     platform.socket.open();
@@ -309,8 +313,8 @@ describe("RobotClient", () => {
     expect(platform.socket.sent.at(-1)?.["command"]).toEqual({ action: "stop" });
   });
 
-  it("waits a moment and sends again when the relay is busy", async () => {
-    const { platform, robot, sent, tell } = await connected();
+  it("retries after a delay when the relay is busy", async () => {
+    const { platform, robot, sent, report } = await connected();
     const move = robot.move(10);
     const problem = { type: "/p", title: "t", status: 429, detail: "d", errors: [] };
     platform.socket.receive({ type: "problem", problem, key: sent()[0]?.key });
@@ -318,34 +322,34 @@ describe("RobotClient", () => {
     expect(sent()).toHaveLength(2);
     const [first, second] = sent();
     expect(second).toEqual({ ...first, sentAt: 500, command: { ...first?.command, age: 500 } });
-    tell("ack", 1, { state: "completed" });
+    report("ack", 1, { state: "completed" });
     await move;
   });
 
-  it("rejects what the relay refuses, and goes on with the next", async () => {
-    const { platform, robot, sent, tell } = await connected();
+  it("rejects a command that the relay refuses, and continues with the next", async () => {
+    const { platform, robot, sent, report } = await connected();
     const [first, second] = [robot.move(10), robot.move(20)];
     const problem = { type: "/p", title: "No", status: 409, detail: "Use a new key.", errors: [] };
     platform.socket.receive({ type: "problem", problem, key: sent()[0]?.key });
     await expect(first).rejects.toMatchObject({ code: "refused", hint: "Use a new key." });
-    tell("ack", 1, { state: "completed" });
+    report("ack", 1, { state: "completed" });
     await second;
   });
 
   it.each([
-    { name: "NaN", ask: (robot: RobotClient) => robot.move(Number.NaN), field: "distance" },
-    { name: "too far", ask: (robot: RobotClient) => robot.move(1e9), field: "distance" },
-    { name: "a power of 2", ask: (robot: RobotClient) => robot.drive(2, 0), field: "left" },
-  ])("refuses a wrong number before it is sent: $name", async ({ ask, field }) => {
+    { name: "NaN", send: (robot: RobotClient) => robot.move(Number.NaN), field: "distance" },
+    { name: "too far", send: (robot: RobotClient) => robot.move(1e9), field: "distance" },
+    { name: "a power of 2", send: (robot: RobotClient) => robot.drive(2, 0), field: "left" },
+  ])("rejects an invalid number before sending it: $name", async ({ send, field }) => {
     const { robot, sent } = await connected();
-    await expect(ask(robot)).rejects.toMatchObject({
+    await expect(send(robot)).rejects.toMatchObject({
       code: "bad-command",
       hint: expect.stringContaining(field),
     });
     expect(sent()).toEqual([]);
   });
 
-  it("gives each report once: sensors() waits for a newer one", async () => {
+  it("returns each report once: sensors() waits for a newer one", async () => {
     const { platform, robot } = await connected();
     const first = robot.sensors();
     platform.socket.receive({ type: "snapshot", snapshot: snapshotOf({ seq: 1 }) });
@@ -357,7 +361,7 @@ describe("RobotClient", () => {
     expect((await robot.snapshot()).seq).toBe(3);
   });
 
-  it("says that the robot is gone when no report comes", async () => {
+  it("reports the robot as gone if it sends no snapshot", async () => {
     const { platform, robot } = await connected();
     const sensors = robot.sensors();
     platform.pass(20_000);
@@ -378,7 +382,7 @@ describe("RobotClient", () => {
     expect(seen).toEqual([1, 2, 3]);
   });
 
-  it("reads that the page is closed, which comes with the last snapshot once more", async () => {
+  it("receives the last snapshot again when the page closes", async () => {
     const { platform, robot } = await connected();
     const send = (state: "running" | "gone", seq: number): void =>
       platform.socket.receive({ type: "snapshot", snapshot: snapshotOf({ seq, state }) });
@@ -396,7 +400,7 @@ describe("RobotClient", () => {
     expect(seen).toEqual(["running 1", "gone 1", "running 2"]);
   });
 
-  it("gives up in time when nobody answers", async () => {
+  it("times out if there is no response", async () => {
     const platform = new FakePlatform();
     const opening = RobotClient.connect(ADDRESS, { platform, answerTimeout: 5_000 });
     platform.pass(5_000);
@@ -411,7 +415,7 @@ describe("RobotClient", () => {
     { code: 4401, error: "not-authorised" },
     { code: 4404, error: "no-robot" },
     { code: 4410, error: "no-robot" },
-  ])("tells close code $code as $error, to everyone who waits", async ({ code, error }) => {
+  ])("reports close code $code as $error, to everyone who waits", async ({ code, error }) => {
     const { platform, robot } = await connected();
     const move = robot.move(10);
     const sensors = robot.sensors();
@@ -421,7 +425,7 @@ describe("RobotClient", () => {
     await expect(robot.move(10)).rejects.toMatchObject({ code: error });
   });
 
-  it("rejects what is open when it is closed", async () => {
+  it("rejects open commands when it is closed", async () => {
     const { platform, robot } = await connected();
     const move = robot.move(10);
     robot.close();

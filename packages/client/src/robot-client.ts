@@ -1,9 +1,3 @@
-/**
- * A robot that a script drives.
- *
- * Commands are sent one after the other; a manoeuvre's promise resolves when the robot has finished it, that of a
- * motion without an end when the robot has started it.
- */
 import {
   decodeFrame,
   describeProblem,
@@ -29,96 +23,103 @@ import { Connection, type ConnectionStatus } from "./connection.ts";
 import { EventInbox, type RobotEvent } from "./event-inbox.ts";
 import { pairRobot } from "./pairing.ts";
 import { globalPlatform, type Platform } from "./platform.ts";
-import { parseRobotAddress, doorUrls } from "./robot-address.ts";
+import { parseRobotAddress, connectionUrls } from "./robot-address.ts";
 import { readMaze, type RobotMaze } from "./robot-maze.ts";
-import { SeenPace } from "./delayed-acknowledgements.ts";
+import { DelayedAcknowledgements } from "./delayed-acknowledgements.ts";
 import { SnapshotInbox } from "./snapshot-inbox.ts";
 
-/** Further terms of a command. */
-export interface CommandWish {
+/** Options of a command. */
+export interface CommandOptions {
   /**
-   * ms within which the command must start, or it ends as `expired`: 200 to 60000; default: `ttl` of the robot. It
-   * must be longer than the way to the robot and back
+   * time to live: ms within which the command must start, or it ends as `expired`. 200 to 60000;
+   * default: `ttl` of the robot. It must be longer than the round trip to the robot
    */
   ttl?: number;
-  /** `true` ends every command that was sent before as `superseded`, and starts this one at once */
+  /** `true` ends all earlier commands as `superseded`, and starts this one at once */
   replace?: boolean;
 }
 
-/** Further terms of a `drive`. */
-export interface DriveWish extends CommandWish {
-  /** ms for which the robot goes on when no other `drive` follows: 100 to 2000; default 500 */
+/** Options of `drive`. */
+export interface DriveOptions extends CommandOptions {
+  /** ms after which the robot stops unless another `drive` follows: 100 to 2000; default 500 */
   lease?: number;
 }
 
-/** What `connect` and `pair` take. */
+/** Options of `connect` and `pair`. */
 export interface RobotClientOptions {
-  /** ms within which a command must start, where it has no `ttl` of its own; default 10 s. Not for `stop` */
+  /** default `ttl` of commands except `stop`, in ms; default 10 s */
   ttl?: number;
-  /** what this script calls itself, for the robot's owner; 40 characters are shown */
+  /** name of this script, which the robot's owner sees; at most 40 characters are displayed */
   name?: string;
-  /** ms to wait for the relay's answer, reconnecting included; default 30 s */
+  /** timeout for responses of the relay in ms, including reconnects; default 30 s */
   answerTimeout?: number;
-  /** ms to wait until the robot has finished a command; default 10 minutes */
+  /** timeout for the robot to finish a command in ms; default 10 minutes */
   finishTimeout?: number;
-  /** WebSocket, HTTP, clock and chance, to replace in tests; default: those of the browser or of Node */
+  /**
+   * WebSocket, HTTP, clock and random numbers, to replace in tests; default: those of the browser
+   * or Node
+   */
   platform?: Platform;
 }
 
 interface Pending {
   key: string;
   order: Order;
-  /** when it was sent for the first time */
-  triedAt: number | null;
-  /** how often it was refused as too late although the answer came in time */
-  doubts: number;
-  /** what keeps the promise */
+  /** time of the first attempt */
+  firstSentAt: number | null;
+  /** how often the relay rejected it as too late although it was not */
+  falseExpiries: number;
+  /** the state that resolves the promise */
   until: "started" | "ended";
   resolve: (record: CommandRecord) => void;
   reject: (error: ClientError) => void;
   cancelTimer(): void;
 }
 
-const DEFAULT_ANSWER_MS = 30_000;
+const DEFAULT_RESPONSE_MS = 30_000;
 const DEFAULT_FINISH_MS = 600_000;
-/** The relay refuses a hello with a longer name; it shows less than that. */
+/** The relay rejects longer names. */
 const MAX_SENT_NAME = 200;
-/** Pause before a command is sent again that the relay could not take yet. */
-const BUSY_PAUSE_MS = 500;
+/** Delay before a command is sent again after the relay was busy. */
+const BUSY_DELAY_MS = 500;
 
 /**
- * A robot on the network, in a page or on a table.
+ * A robot on the network, simulated or physical.
  *
- * Methods that drive resolve with the record of their command. `completed` and `collided` (a wall was in the way) are
- * both no error. They reject with a `ClientError`: `bad-command` for a number out of its range, `refused` where the relay
- * refused the command, `cancelled`, `superseded` or `expired` where it did not come to its end, `timeout` where the relay
- * or the robot took too long, and `closed`.
+ * Commands are sent one at a time, in order. Their methods resolve with the record of the command:
+ * for a manoeuvre when the robot has finished it, for an endless motion when the robot has started
+ * it. The states `completed` and `collided` (the robot met a wall) are not errors.
  *
- * After a lost connection a command is sent again with its idempotency key and its age, so none is done twice or late.
+ * They reject with a `ClientError`: `bad-command` if a number is out of range, `refused` if the
+ * relay refused the command, `cancelled`, `superseded` or `expired` if it ended early, `timeout` if
+ * the relay or the robot took too long, and `closed`.
+ *
+ * After a reconnect the client sends a command again with its idempotency key and its age, so that
+ * the robot never executes it twice or late.
  */
 export class RobotClient {
-  /** the whole address, with its key, for the next time. Keep it private */
+  /** the whole address with its key, to connect again. Keep it private */
   readonly address: string;
   readonly #key: string;
-  /** where the robot's calls begin */
+  /** base URL of the robot's API */
   readonly #api: string;
   readonly #platform: Platform;
-  readonly #answerMs: number;
+  readonly #responseMs: number;
   readonly #finishMs: number;
-  readonly #wish: CommandWish;
+  readonly #defaults: CommandOptions;
   readonly #name: { name?: string };
   readonly #connection: Connection<RelayToDriver>;
   readonly #inbox: SnapshotInbox;
   readonly #events = new Set<EventInbox>();
-  readonly #seen = new SeenPace();
+  readonly #acknowledgements = new DelayedAcknowledgements();
   readonly #times: CommandTimes;
   #welcomed: () => void = () => undefined;
   #notWelcomed: (reason: ClientError) => void = () => undefined;
-  /** not yet acknowledged on this line, in order; only the first is on its way */
+  /** not yet acknowledged on this connection, in order; only the first was sent */
   #queue: Pending[] = [];
-  /** acknowledged and not yet done, by seq */
+  /** acknowledged and not yet ended, by seq */
   readonly #running = new Map<number, Pending>();
-  /** the last state that was told: this series of numbers, and the number */
+  /** the last received state: its stream, and the value for `since` */
   #stream = "";
   #since: string | null = null;
   #cancelRetry: () => void = () => undefined;
@@ -130,16 +131,16 @@ export class RobotClient {
     this.address = `${origin}/r/${id}#${key}`;
     this.#api = `${origin}/api/v1/robots/${id}`;
     this.#platform = options.platform ?? globalPlatform();
-    this.#answerMs = options.answerTimeout ?? DEFAULT_ANSWER_MS;
+    this.#responseMs = options.answerTimeout ?? DEFAULT_RESPONSE_MS;
     this.#finishMs = options.finishTimeout ?? DEFAULT_FINISH_MS;
-    this.#wish = options.ttl === undefined ? {} : { ttl: options.ttl };
+    this.#defaults = options.ttl === undefined ? {} : { ttl: options.ttl };
     this.#name = options.name === undefined ? {} : { name: options.name.slice(0, MAX_SENT_NAME) };
     this.#inbox = new SnapshotInbox(this.#platform.clock);
     this.#times = new CommandTimes(this.#platform.clock);
     this.#connection = new Connection({
-      urls: doorUrls(origin, id),
+      urls: connectionUrls(origin, id),
       platform: this.#platform,
-      greeting: () => [this.#hello()],
+      firstMessages: () => [this.#hello()],
       decode: (text) => decodeFrame(relayToDriverSchema, text),
       received: (message) => this.#received(message),
       changed: (status) => this.#changed(status),
@@ -149,7 +150,7 @@ export class RobotClient {
   /**
    * Connects to a robot.
    * @param address `http://HOST/r/ID#KEY`, as the robot's page shows it under Remote
-   * @param options time limits and a name
+   * @param options timeouts and a name
    * @returns the robot, once the relay has accepted the key
    * @throws ClientError bad-address, not-authorised, blocked, no-robot or timeout
    */
@@ -160,11 +161,11 @@ export class RobotClient {
   }
 
   /**
-   * Connects by a code of 8 letters, and waits until the robot's owner accepts this script. `address` of the robot
-   * works the next time without a code.
-   * @param service where the robot's page is, such as `http://HOST`
-   * @param code the code that the page shows under Remote; spaces and small letters are accepted
-   * @param options time limits and a name, which the page shows in its question to the owner
+   * Connects by a pairing code, and waits until the robot's owner accepts this script. Use
+   * `address` of the robot to connect again without a code.
+   * @param service the origin of the robot's page, such as `http://HOST`
+   * @param code the 8 letters that the page shows under Remote; spaces and lower case are accepted
+   * @param options timeouts and a name, which the owner sees
    * @returns the robot, once it is connected
    * @throws ClientError wrong-code, pairing-refused, pairing-over, too-many-tries, or as `connect`
    */
@@ -173,130 +174,131 @@ export class RobotClient {
     code: string,
     options: RobotClientOptions = {},
   ): Promise<RobotClient> {
-    const { platform = globalPlatform(), answerTimeout = DEFAULT_ANSWER_MS, name } = options;
-    const wish = { service, code, name: name?.slice(0, MAX_SENT_NAME) ?? null };
-    const address = await pairRobot(platform, wish, answerTimeout);
+    const { platform = globalPlatform(), answerTimeout = DEFAULT_RESPONSE_MS, name } = options;
+    const request = { service, code, name: name?.slice(0, MAX_SENT_NAME) ?? null };
+    const address = await pairRobot(platform, request, answerTimeout);
     return RobotClient.connect(address, { ...options, platform });
   }
 
   /**
-   * Drives forward until another command comes. The robot stops by itself within 3 s after this client was closed.
-   * @param wish further terms of this command
+   * Drives forward until the next command. The robot stops within 3 s after this client was closed.
+   * @param options options of this command
    * @returns the record, once the robot has started
    */
-  forward(wish: CommandWish = {}): Promise<CommandRecord> {
-    return this.#do({ action: "forward", ...wish }, "started");
+  forward(options: CommandOptions = {}): Promise<CommandRecord> {
+    return this.#do({ action: "forward", ...options }, "started");
   }
 
   /**
-   * Drives backward until another command comes, as `forward` does.
-   * @param wish further terms of this command
+   * Drives backward until the next command, as `forward` does.
+   * @param options options of this command
    * @returns the record, once the robot has started
    */
-  reverse(wish: CommandWish = {}): Promise<CommandRecord> {
-    return this.#do({ action: "reverse", ...wish }, "started");
+  reverse(options: CommandOptions = {}): Promise<CommandRecord> {
+    return this.#do({ action: "reverse", ...options }, "started");
   }
 
   /**
    * Stops at once: cancels the running command and all waiting ones, from every script.
-   * @param wish further terms of this command; it has a `ttl` of 10 s where none is given
-   * @returns the record, once the robot stands
+   * @param options options of this command; the default `ttl` is always 10 s
+   * @returns the record, once the robot has stopped
    */
-  stop(wish: CommandWish = {}): Promise<CommandRecord> {
-    return this.#do({ action: "stop", ...wish }, "ended");
+  stop(options: CommandOptions = {}): Promise<CommandRecord> {
+    return this.#do({ action: "stop", ...options }, "ended");
   }
 
   /**
    * Turns left by 90 degrees on the spot.
-   * @param wish further terms of this command
+   * @param options options of this command
    * @returns the record, once the robot has finished
    */
-  left90(wish: CommandWish = {}): Promise<CommandRecord> {
-    return this.#do({ action: "left 90", ...wish }, "ended");
+  left90(options: CommandOptions = {}): Promise<CommandRecord> {
+    return this.#do({ action: "left 90", ...options }, "ended");
   }
 
   /**
    * Turns right by 90 degrees on the spot.
-   * @param wish further terms of this command
+   * @param options options of this command
    * @returns the record, once the robot has finished
    */
-  right90(wish: CommandWish = {}): Promise<CommandRecord> {
-    return this.#do({ action: "right 90", ...wish }, "ended");
+  right90(options: CommandOptions = {}): Promise<CommandRecord> {
+    return this.#do({ action: "right 90", ...options }, "ended");
   }
 
   /**
    * Turns by 180 degrees on the spot.
-   * @param wish further terms of this command
+   * @param options options of this command
    * @returns the record, once the robot has finished
    */
-  turn180(wish: CommandWish = {}): Promise<CommandRecord> {
-    return this.#do({ action: "turn 180", ...wish }, "ended");
+  turn180(options: CommandOptions = {}): Promise<CommandRecord> {
+    return this.#do({ action: "turn 180", ...options }, "ended");
   }
 
   /**
-   * Drives on 50 cm, turns left, drives 60 cm out of the junction.
-   * @param wish further terms of this command
+   * Drives 50 cm forward, turns left, and drives 60 cm out of the junction.
+   * @param options options of this command
    * @returns the record, once the robot has finished
    */
-  delayedLeft90(wish: CommandWish = {}): Promise<CommandRecord> {
-    return this.#do({ action: "delayed left 90", ...wish }, "ended");
+  delayedLeft90(options: CommandOptions = {}): Promise<CommandRecord> {
+    return this.#do({ action: "delayed left 90", ...options }, "ended");
   }
 
   /**
-   * Drives on 50 cm, turns right, drives 60 cm out of the junction.
-   * @param wish further terms of this command
+   * Drives 50 cm forward, turns right, and drives 60 cm out of the junction.
+   * @param options options of this command
    * @returns the record, once the robot has finished
    */
-  delayedRight90(wish: CommandWish = {}): Promise<CommandRecord> {
-    return this.#do({ action: "delayed right 90", ...wish }, "ended");
+  delayedRight90(options: CommandOptions = {}): Promise<CommandRecord> {
+    return this.#do({ action: "delayed right 90", ...options }, "ended");
   }
 
   /**
-   * Drives straight on.
+   * Drives straight ahead.
    * @param distance cm, -25600 to 25600; negative is backward
-   * @param wish further terms of this command
-   * @returns the record, once the robot has finished; `state` is `collided` where a wall was in the way
+   * @param options options of this command
+   * @returns the record, once the robot has finished; `state` is `collided` if the robot met a wall
    */
-  move(distance: number, wish: CommandWish = {}): Promise<CommandRecord> {
-    return this.#do({ action: "move", distance, ...wish }, "ended");
+  move(distance: number, options: CommandOptions = {}): Promise<CommandRecord> {
+    return this.#do({ action: "move", distance, ...options }, "ended");
   }
 
   /**
    * Turns on the spot.
    * @param degrees -3600 to 3600; negative is left
-   * @param wish further terms of this command
+   * @param options options of this command
    * @returns the record, once the robot has finished
    */
-  turn(degrees: number, wish: CommandWish = {}): Promise<CommandRecord> {
-    return this.#do({ action: "turn", degrees, ...wish }, "ended");
+  turn(degrees: number, options: CommandOptions = {}): Promise<CommandRecord> {
+    return this.#do({ action: "turn", degrees, ...options }, "ended");
   }
 
   /**
    * Sets the power of the two wheels.
    *
-   * Without a time it is a velocity: the robot stops after half a second unless another one follows. Of velocities that
-   * could not be sent yet only the newest is sent, and all of them resolve with it.
+   * Without a time it is a velocity: the robot stops after half a second unless another one
+   * follows. Of several unsent velocities, only the newest is sent, and all of them resolve with
+   * it.
    * @param left power of the left wheel, -1 to 1; negative is backward
    * @param right power of the right wheel, -1 to 1
-   * @param milliseconds 1 to 60000; left out: a velocity
-   * @param wish further terms of this command; `lease` is for velocities
-   * @returns the record, once the time is over; for a velocity, once the robot has started
+   * @param milliseconds 1 to 60000; omit it for a velocity
+   * @param options options of this command; `lease` only applies to velocities
+   * @returns the record, once the time has passed; for a velocity, once the robot has started
    */
   drive(
     left: number,
     right: number,
     milliseconds?: number,
-    wish: DriveWish = {},
+    options: DriveOptions = {},
   ): Promise<CommandRecord> {
-    const order: Order = { action: "drive", left, right, ...wish };
+    const order: Order = { action: "drive", left, right, ...options };
     if (milliseconds === undefined) return this.#do(order, "started");
     return this.#do({ ...order, milliseconds }, "ended");
   }
 
   /**
-   * Reads the four distances.
+   * Reads the four range sensors.
    * @returns the distances in cm, all of one tick, newer than those of the last call
-   * @throws ClientError robot-gone when the robot stays silent
+   * @throws ClientError robot-gone if the robot does not report
    */
   async sensors(): Promise<SensorReadings> {
     return (await this.snapshot()).sensors;
@@ -305,16 +307,16 @@ export class RobotClient {
   /**
    * Reads everything that the robot reports.
    * @returns a newer snapshot than at the last call, never from before the end of the last command
-   * @throws ClientError robot-gone when the robot stays silent
+   * @throws ClientError robot-gone if the robot does not report
    */
   snapshot(): Promise<Snapshot> {
-    return this.#inbox.next(this.#answerMs);
+    return this.#inbox.next(this.#responseMs);
   }
 
   /**
    * Follows the robot until `close`: `for await (const snapshot of robot.snapshots())`.
-   * @returns one snapshot after the other, about 20 a second; a slow reader gets the newest each time. When the page
-   * is closed or sleeps, the last one comes again with the state `gone` or `paused`
+   * @returns about 20 snapshots a second; a slow reader gets only the newest. When the page closes
+   * or sleeps, the last snapshot is repeated with the state `gone` or `paused`
    */
   async *snapshots(): AsyncGenerator<Snapshot, void, void> {
     let read: Snapshot | null = null;
@@ -327,7 +329,7 @@ export class RobotClient {
 
   /**
    * Follows the robot and the commands of all scripts until `close`.
-   * @returns events in their order; a slow reader gets the newest snapshot, and every state of a command
+   * @returns events in order; a slow reader gets the newest snapshot, and every state of a command
    */
   events(): AsyncGenerator<RobotEvent, void, void> {
     const inbox = new EventInbox();
@@ -339,9 +341,9 @@ export class RobotClient {
   }
 
   /**
-   * Reads the maze that the robot is in.
+   * Reads the robot's maze.
    * @returns its blocks, its start and its goals
-   * @throws ClientError no-maze where the robot's host does not publish it
+   * @throws ClientError no-maze if the robot's host does not publish it
    */
   async maze(): Promise<RobotMaze> {
     if (this.#end !== null) throw this.#end;
@@ -349,25 +351,25 @@ export class RobotClient {
       platform: this.#platform,
       api: this.#api,
       key: this.#key,
-      answerMs: this.#answerMs,
+      timeoutMs: this.#responseMs,
     });
   }
 
   /**
-   * Closes the connection. Commands that have not ended are rejected with the code `closed`; what the robot has, it
-   * finishes, and motions without an end stop within 3 s.
+   * Closes the connection. Unfinished commands reject with the code `closed`. The robot finishes
+   * the commands that it has received; endless motions stop within 3 s.
    */
   close(): void {
-    this.#finish(new ClientError("closed", "The client was closed", "Connect again to go on."));
+    this.#finish(new ClientError("closed", "The client was closed", "Connect again to continue."));
   }
 
   async #open(): Promise<void> {
-    const cancelTimer = this.#platform.clock.after(this.#answerMs, () =>
+    const cancelTimer = this.#platform.clock.after(this.#responseMs, () =>
       this.#finish(
         new ClientError(
           "timeout",
-          "The service does not answer",
-          "Check that it runs, that the address is right and that this computer has a network.",
+          "The service does not respond",
+          "Check that it runs, that the address is correct and that this computer is online.",
         ),
       ),
     );
@@ -382,13 +384,13 @@ export class RobotClient {
     }
   }
 
-  #do(wished: Order, until: Pending["until"]): Promise<CommandRecord> {
-    // A stop is wished for all the more where the network is slow.
-    const order = wished.action === "stop" ? wished : { ...this.#wish, ...wished };
+  #do(requested: Order, until: Pending["until"]): Promise<CommandRecord> {
+    // A stop must not expire early on a slow network.
+    const order = requested.action === "stop" ? requested : { ...this.#defaults, ...requested };
     const checked = readValue(orderSchema, order);
     if (!checked.ok) {
-      const hint = `Mend this: ${checked.problems.map(describeProblem).join("; ")}.`;
-      return Promise.reject(new ClientError("bad-command", "The command is wrong", hint));
+      const hint = `Fix: ${checked.problems.map(describeProblem).join("; ")}.`;
+      return Promise.reject(new ClientError("bad-command", "Invalid command", hint));
     }
     if (this.#end !== null) return Promise.reject(this.#end);
     return new Promise((resolve, reject) => {
@@ -396,14 +398,14 @@ export class RobotClient {
       const pending: Pending = {
         key,
         order,
-        triedAt: null,
-        doubts: 0,
+        firstSentAt: null,
+        falseExpiries: 0,
         until,
         resolve,
         reject,
         cancelTimer: () => undefined,
       };
-      this.#limit(pending, this.#answerMs, "The relay does not answer");
+      this.#limit(pending, this.#responseMs, "The relay does not respond");
       this.#queue.push(pending);
       if (this.#queue.length === 1) this.#sendFirst();
     });
@@ -412,29 +414,29 @@ export class RobotClient {
   #hello(): string {
     const key = this.#key;
     const since = this.#since === null ? {} : { since: this.#since };
-    // A watch key reads all there is; commands are refused by the service.
+    // A watch key permits reading only.
     const role = key.startsWith("wch_") ? "watch" : "drive";
-    const greeting = { type: "hello", version: PROTOCOL_VERSION, role, key } as const;
-    return encodeFrame({ ...greeting, ...since, ...this.#name, sentAt: this.#times.begin() });
+    const hello = { type: "hello", version: PROTOCOL_VERSION, role, key } as const;
+    return encodeFrame({ ...hello, ...since, ...this.#name, sentAt: this.#times.start() });
   }
 
   #sendFirst(): void {
     if (!this.#connection.isConnected) return;
-    this.#passOverOldVelocities();
+    this.#dropOldVelocities();
     const [first] = this.#queue;
     if (first === undefined) return;
     const { clock } = this.#platform;
-    const triedAt = (first.triedAt ??= clock.now());
+    const firstSentAt = (first.firstSentAt ??= clock.now());
     const { key, order } = first;
     this.#connection.send(() => {
-      const { sentAt, age } = this.#times.leaves(triedAt);
+      const { sentAt, age } = this.#times.next(firstSentAt);
       const command = age === 0 ? order : { ...order, age };
       return encodeFrame({ type: "command", key, sentAt, command });
     });
   }
 
-  /** What was wished while the line was down must not move the robot bit by bit once it is back. */
-  #passOverOldVelocities(): void {
+  /** After a reconnect, the robot must not execute outdated velocities one by one. */
+  #dropOldVelocities(): void {
     for (;;) {
       const [older, newer] = this.#queue;
       if (newer === undefined || older === undefined) return;
@@ -457,13 +459,13 @@ export class RobotClient {
   #limit(pending: Pending, ms: number, what: string): void {
     pending.cancelTimer();
     pending.cancelTimer = this.#platform.clock.after(ms, () => {
-      this.#forget(pending);
+      this.#remove(pending);
       const hint = "Check that the robot's page is open, connected and not paused.";
       pending.reject(new ClientError("timeout", what, hint));
     });
   }
 
-  #forget(pending: Pending): void {
+  #remove(pending: Pending): void {
     pending.cancelTimer();
     const wasFirst = this.#queue[0] === pending;
     this.#queue = this.#queue.filter((other) => other !== pending);
@@ -475,11 +477,12 @@ export class RobotClient {
     switch (message.type) {
       case "welcome":
         this.#times.answered();
-        // A relay that counts anew has forgotten what this client was told; one that goes on tells the rest.
-        if (message.stream !== this.#stream) this.#askAgain();
+        // In a new stream earlier states are lost; in the same one the relay sends the missed
+        // states.
+        if (message.stream !== this.#stream) this.#sendAgain();
         this.#stream = message.stream;
-        if (message.n !== null) this.#told(message.n);
-        this.#seen.begin();
+        if (message.n !== null) this.#setSince(message.n);
+        this.#acknowledgements.reset();
         if (message.snapshot !== null) this.#read(message.snapshot);
         return;
       case "snapshot":
@@ -487,13 +490,13 @@ export class RobotClient {
       case "ack":
         return this.#acknowledged(message.record);
       case "state":
-        this.#told(message.n);
+        this.#setSince(message.n);
         this.#publish({ kind: "command", command: message.record });
         return this.#progressed(message.record);
       case "gap":
-        this.#told(message.n);
+        this.#setSince(message.n);
         this.#publish({ kind: "gap" });
-        this.#askAgain();
+        this.#sendAgain();
         return this.#sendFirst();
       case "problem":
         return this.#refused(message.problem, message.key);
@@ -506,9 +509,9 @@ export class RobotClient {
   #read(snapshot: Snapshot): void {
     this.#inbox.put(snapshot);
     this.#publish({ kind: "snapshot", snapshot });
-    // By HTTPS the next request says it already.
-    if (this.#connection.door === "https") return;
-    if (!this.#seen.read(this.#platform.clock.now())) return;
+    // The next long poll acknowledges it.
+    if (this.#connection.transport === "long-poll") return;
+    if (!this.#acknowledgements.read(this.#platform.clock.now())) return;
     this.#connection.send(encodeFrame({ type: "seen", seq: snapshot.seq }));
   }
 
@@ -528,12 +531,12 @@ export class RobotClient {
     for (const inbox of this.#events) inbox.put(event);
   }
 
-  #told(n: number): void {
+  #setSince(n: number): void {
     this.#since = sinceOf(this.#stream, n);
   }
 
-  /** States were missed: asking again with the same key gives each record as it is now. */
-  #askAgain(): void {
+  /** States were missed: sending a command again with the same key returns its current record. */
+  #sendAgain(): void {
     this.#queue = [...this.#running.values(), ...this.#queue];
     this.#running.clear();
   }
@@ -543,7 +546,7 @@ export class RobotClient {
     if (first === undefined || first.key !== record.key) return;
     this.#times.answered();
     this.#queue.shift();
-    this.#limit(first, this.#finishMs, "The robot does not finish");
+    this.#limit(first, this.#finishMs, "The robot did not finish");
     this.#running.set(record.seq, first);
     this.#progressed(record);
     this.#sendFirst();
@@ -553,16 +556,16 @@ export class RobotClient {
     const pending = this.#running.get(record.seq);
     if (pending === undefined) return;
     const { state } = record;
-    const isLost = state === "cancelled" || state === "expired";
-    if (isLost || (state === "superseded" && pending.until === "ended")) {
-      this.#forget(pending);
+    const isFailed = state === "cancelled" || state === "expired";
+    if (isFailed || (state === "superseded" && pending.until === "ended")) {
+      this.#remove(pending);
       const ended = state === "expired" ? state : `was ${state}`;
       const what = `Command ${record.seq} (${record.action}) ${ended}`;
-      const hint = record.reason ?? "Somebody else drives this robot too.";
+      const hint = record.reason ?? "Another script drives this robot as well.";
       return pending.reject(new ClientError(state, what, hint));
     }
     if (hasEnded(state) || (state === "started" && pending.until === "started")) {
-      this.#forget(pending);
+      this.#remove(pending);
       pending.resolve(record);
     }
   }
@@ -573,29 +576,30 @@ export class RobotClient {
     if (key !== null) this.#times.answered();
     if (problem.status === 429 || problem.status >= 500) {
       this.#cancelRetry();
-      this.#cancelRetry = this.#platform.clock.after(BUSY_PAUSE_MS, () => this.#sendFirst());
+      this.#cancelRetry = this.#platform.clock.after(BUSY_DELAY_MS, () => this.#sendFirst());
       return;
     }
     const isLate = problem.type === "/problems/too-late";
-    if (isLate && this.#isInTime(first)) return this.#doubt(first);
-    this.#forget(first);
+    if (isLate && this.#isInTime(first)) return this.#retryLate(first);
+    this.#remove(first);
     const code = isLate ? "expired" : "refused";
     first.reject(new ClientError(code, problem.title, problem.detail));
   }
 
-  /** Whether a command is younger than its time to live, whatever the relay thinks. */
-  #isInTime({ triedAt, order, doubts }: Pending): boolean {
-    const passed = this.#platform.clock.now() - (triedAt ?? 0);
-    return doubts < 2 && passed < (order.ttl ?? TTL_MS.default);
+  /** Whether a command is younger than its time to live by this computer's clock. */
+  #isInTime({ firstSentAt, order, falseExpiries }: Pending): boolean {
+    const age = this.#platform.clock.now() - (firstSentAt ?? 0);
+    return falseExpiries < 2 && age < (order.ttl ?? TTL_MS.default);
   }
 
   /**
-   * The relay thought a command too old that is not: its answer has shown a quicker way, or this computer has slept
-   * and its clock stood still. Then a new connection measures anew.
+   * The relay rejected a command that has not expired. Either the response has shown a shorter
+   * round trip, or the clock stopped while this computer slept; then a new connection measures
+   * anew.
    */
-  #doubt(first: Pending): void {
-    first.doubts += 1;
-    if (first.doubts === 1) return this.#sendFirst();
+  #retryLate(first: Pending): void {
+    first.falseExpiries += 1;
+    if (first.falseExpiries === 1) return this.#sendFirst();
     this.#connection.close();
     this.#connection.open();
   }
@@ -604,7 +608,8 @@ export class RobotClient {
     if (status.kind === "over") return this.#finish(closeError(status.reason, this.#key));
     if (status.kind !== "connected") return;
     this.#welcomed();
-    // The answer to what was on its way may be lost. What was acknowledged is told from `since` on.
+    // The response to the first command may be lost; states of acknowledged ones follow after
+    // `since`.
     this.#sendFirst();
   }
 
@@ -625,7 +630,7 @@ export class RobotClient {
   }
 }
 
-/** Of which only the newest value counts: a drive without a time. */
+/** A drive without a time. */
 function isVelocity(order: Order): boolean {
   return order.action === "drive" && order.milliseconds === undefined;
 }

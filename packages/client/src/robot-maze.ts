@@ -1,13 +1,12 @@
-/** The maze that a robot is in, as its host publishes it. */
 import { problemSchema, readJson } from "@corridor/protocol";
 import { ClientError } from "./client-error.ts";
 import type { Platform } from "./platform.ts";
 
-/** A square of the maze, 100 cm wide, counted from 0 at the top left. */
+/** A square of the maze, 100 cm wide. */
 export interface MazeCell {
-  /** from the left */
+  /** from the left, from 0 */
   column: number;
-  /** from the top */
+  /** from the top, from 0 */
   row: number;
 }
 
@@ -15,42 +14,47 @@ export interface MazeCell {
 export interface RobotMaze {
   /** its title */
   name: string;
-  /** one text for each row, from the top: `#` is a block, `.` is open */
+  /** one string per row, from the top: `#` is a block, `.` is open */
   blocks: readonly string[];
-  /** where the robot starts, and where it faces */
+  /** where the robot starts, and its direction */
   start: MazeCell & { heading: "north" | "east" | "south" | "west" };
   /** the squares that are goals */
   goals: readonly MazeCell[];
 }
 
-/** Pause before a maze is requested again that the host could not give. */
-const AGAIN_MS = 1_000;
+/** Delay before a failed request is repeated. */
+const RETRY_MS = 1_000;
 const MAX_PROBLEM = 4_096;
 
 export interface MazeRequest {
   platform: Platform;
-  /** where the robot's calls begin */
+  /** base URL of the robot's API */
   api: string;
   key: string;
-  /** ms for which the host may be silent */
-  answerMs: number;
+  /** ms until the request is given up */
+  timeoutMs: number;
 }
 
-/** @throws ClientError no-maze, no-robot, not-authorised or timeout */
-export async function readMaze({ platform, api, key, answerMs }: MazeRequest): Promise<RobotMaze> {
-  const { ask, clock } = platform;
-  const end = clock.now() + answerMs;
-  while (ask !== undefined && clock.now() < end) {
-    const asked = ask({ method: "GET", url: `${api}/maze`, key, body: null });
-    const cancelTimer = clock.after(end - clock.now(), () => asked.cancel());
-    const answer = await asked.answer.catch(() => null);
+/**
+ * Requests the maze of a robot.
+ * @throws ClientError no-maze, no-robot, not-authorised or timeout
+ */
+export async function readMaze({ platform, api, key, timeoutMs }: MazeRequest): Promise<RobotMaze> {
+  const { request, clock } = platform;
+  const end = clock.now() + timeoutMs;
+  while (request !== undefined && clock.now() < end) {
+    const pending = request({ method: "GET", url: `${api}/maze`, key, body: null });
+    const cancelTimer = clock.after(end - clock.now(), () => pending.cancel());
+    const response = await pending.response.catch(() => null);
     cancelTimer();
-    if (answer?.status === 200) return mazeOf(answer.body);
-    if (answer !== null && answer.status < 500 && answer.status !== 429) throw refusal(answer);
-    await new Promise<void>((resolve) => clock.after(AGAIN_MS, resolve));
+    if (response?.status === 200) return mazeOf(response.body);
+    if (response !== null && response.status < 500 && response.status !== 429) {
+      throw errorOf(response);
+    }
+    await new Promise<void>((resolve) => clock.after(RETRY_MS, resolve));
   }
-  const hint = "Check the network, and that the address is where the robot is.";
-  throw new ClientError("timeout", "The robot's host does not give the maze", hint);
+  const hint = "Check the network and the robot's address.";
+  throw new ClientError("timeout", "The robot's host did not send the maze", hint);
 }
 
 function mazeOf(body: string): RobotMaze {
@@ -59,23 +63,23 @@ function mazeOf(body: string): RobotMaze {
     const isMaze = Array.isArray(blocks) && Array.isArray(goals) && Number.isInteger(start.column);
     if (isMaze) return { name, blocks, start, goals };
   } catch {
-    // No JSON, or none of a maze.
+    // Not JSON, or not a maze.
   }
-  const hint = "Copy the whole address again; a network with a sign-in page wants that done first.";
-  throw new ClientError("bad-address", "Something else than a robot's host answers", hint);
+  const hint = "Copy the whole address again. If the network has a sign-in page, sign in first.";
+  throw new ClientError("bad-address", "The response does not come from a robot's host", hint);
 }
 
-function refusal({ status, body }: { status: number; body: string }): ClientError {
+function errorOf({ status, body }: { status: number; body: string }): ClientError {
   const problem = readJson(problemSchema, body, MAX_PROBLEM);
-  const hint = problem.ok ? problem.value.detail : `It answered with status ${status}.`;
+  const hint = problem.ok ? problem.value.detail : `The response has the status ${status}.`;
   if (problem.ok && problem.value.type === "/problems/no-maze") {
-    return new ClientError("no-maze", "The maze of this robot is not known", hint);
+    return new ClientError("no-maze", "The maze of this robot is unknown", hint);
   }
   if (status === 401 || status === 403) {
-    return new ClientError("not-authorised", "The robot does not take this key", hint);
+    return new ClientError("not-authorised", "The robot rejects this key", hint);
   }
   if (status === 404) {
     return new ClientError("no-robot", "There is no robot with this address", hint);
   }
-  return new ClientError("refused", "The robot's host does not give the maze", hint);
+  return new ClientError("refused", "The robot's host refused to send the maze", hint);
 }

@@ -1,17 +1,17 @@
-/** The newest snapshot of a robot, and whoever waits for a newer one. */
 import type { Snapshot } from "@corridor/protocol";
 import { ClientError } from "./client-error.ts";
 import type { Clock } from "./platform.ts";
 
 interface Waiter {
-  isNews: (snapshot: Snapshot) => boolean;
+  isNewer: (snapshot: Snapshot) => boolean;
   resolve(snapshot: Snapshot | null): void;
 }
 
+/** Holds the newest snapshot of a robot, and resolves calls that wait for a newer one. */
 export class SnapshotInbox {
   readonly #clock: Clock;
   #newest: Snapshot | null = null;
-  #given = -1;
+  #lastReturned = -1;
   #waiters: Waiter[] = [];
   #end: ClientError | null = null;
 
@@ -19,29 +19,32 @@ export class SnapshotInbox {
     this.#clock = clock;
   }
 
-  /** null until there is one */
+  /** null before the first */
   get newest(): Snapshot | null {
     return this.#newest;
   }
 
   put(snapshot: Snapshot): void {
     this.#newest = snapshot;
-    const due = this.#waiters.filter(({ isNews }) => isNews(snapshot));
+    const due = this.#waiters.filter(({ isNewer }) => isNewer(snapshot));
     this.#waiters = this.#waiters.filter((waiter) => !due.includes(waiter));
     for (const waiter of due) waiter.resolve(snapshot);
   }
 
   /**
-   * A snapshot that no earlier call of this method has given.
-   * @param patience ms to wait for it
-   * @throws ClientError robot-gone when none comes, or the reason why the client has ended
+   * A snapshot that no earlier call has returned.
+   * @param timeout in ms
+   * @throws ClientError robot-gone after the timeout, or the reason why the client was closed
    */
-  async next(patience: number): Promise<Snapshot> {
+  async next(timeout: number): Promise<Snapshot> {
     let cancelTimer: () => void = () => undefined;
-    const tooLate = new Promise<null>((resolve) => {
-      cancelTimer = this.#clock.after(patience, () => resolve(null));
+    const timedOut = new Promise<null>((resolve) => {
+      cancelTimer = this.#clock.after(timeout, () => resolve(null));
     });
-    const snapshot = await Promise.race([this.#once(({ seq }) => seq > this.#given), tooLate]);
+    const snapshot = await Promise.race([
+      this.#once(({ seq }) => seq > this.#lastReturned),
+      timedOut,
+    ]);
     cancelTimer();
     if (this.#end !== null) throw this.#end;
     if (snapshot === null) {
@@ -51,13 +54,14 @@ export class SnapshotInbox {
         "Check that its page is open, connected under Remote, and not asleep.",
       );
     }
-    this.#given = Math.max(this.#given, snapshot.seq);
+    this.#lastReturned = Math.max(this.#lastReturned, snapshot.seq);
     return snapshot;
   }
 
   /**
-   * The newest snapshot once it says something else than one that was read; null when the client has ended. A robot whose
-   * page is closed or asleep reports nothing newer: the relay sends its last snapshot again, with another `state`.
+   * The next snapshot that is newer than `read` or has another `state`; null once the client is
+   * closed. If the page is closed or sleeps, the relay sends the last snapshot again, with another
+   * `state`.
    */
   changedFrom(read: Snapshot | null): Promise<Snapshot | null> {
     return this.#once(
@@ -66,13 +70,13 @@ export class SnapshotInbox {
     );
   }
 
-  #once(isNews: Waiter["isNews"]): Promise<Snapshot | null> {
+  #once(isNewer: Waiter["isNewer"]): Promise<Snapshot | null> {
     if (this.#end !== null) return Promise.resolve(null);
-    if (this.#newest !== null && isNews(this.#newest)) return Promise.resolve(this.#newest);
-    return new Promise((resolve) => this.#waiters.push({ isNews, resolve }));
+    if (this.#newest !== null && isNewer(this.#newest)) return Promise.resolve(this.#newest);
+    return new Promise((resolve) => this.#waiters.push({ isNewer, resolve }));
   }
 
-  /** Lets everyone go who waits. */
+  /** Ends all waiting calls. */
   close(reason: ClientError): void {
     this.#end = reason;
     for (const waiter of this.#waiters) waiter.resolve(null);

@@ -1,61 +1,61 @@
+/** Maximum error: of a round trip, at most this much counts as the way to the relay. */
+const MAX_ERROR_MS = 50;
+
 /**
- * How long a message of the relay was on its way: held up in the net, or unread because the page was
- * frozen. The clocks of relay and page are never compared, only how each goes on since the relay
- * answered the page.
+ * Measures the transit time of the relay's messages: the delay in the network, and the time that
+ * they waited in a frozen page. The clocks of page and relay need not agree; only differences
+ * matter.
  *
- * An answer shows two bounds: the relay gave it after the page had asked, and before it came. What lies
- * between them counts as the way back, for nobody knows how much of it was: so a command may be thought
- * older than it is, never much younger. The page asks again until an answer was quick.
+ * The relay sends a response after the page has sent its request and before the page receives it.
+ * The rest of the round trip counts as the way back, so a command may seem older than it is, but
+ * never much younger. The page requests the time again until a round trip was short.
  */
 
-/** Where an answer takes no longer, its halves are as good as equal: what a command may be late by. */
-const LARGEST_DOUBT_MS = 50;
-
 export class TransitClock {
-  /** when the page asked what is not answered yet; null: nothing */
-  #askedAt: number | null = null;
-  /** the page's clock minus the relay's, as far as is known; null before the first answer */
+  /** send time of the unanswered request; null: none */
+  #requestedAt: number | null = null;
+  /** estimate of the page's clock minus the relay's; null before the first response */
   #offset: number | null = null;
-  /** ms that the quickest answer took */
-  #quickest = Infinity;
+  /** ms */
+  #shortestRoundTrip = Infinity;
 
-  /** The page has sent its greeting: another relay may answer, by another clock. */
-  greeted(now: number): void {
-    this.#askedAt = now;
+  /** The page has sent `hello`, perhaps to another relay with another clock. */
+  helloSent(now: number): void {
+    this.#requestedAt = now;
     this.#offset = null;
-    this.#quickest = Infinity;
+    this.#shortestRoundTrip = Infinity;
   }
 
-  /** Whether to ask the relay for its time, for no answer was quick and none is to come. */
-  get isVague(): boolean {
-    return this.#askedAt === null && this.#quickest > 2 * LARGEST_DOUBT_MS;
+  /** Whether to request the relay's time: no round trip was short, and none is pending. */
+  get isImprecise(): boolean {
+    return this.#requestedAt === null && this.#shortestRoundTrip > 2 * MAX_ERROR_MS;
   }
 
-  /** The page has asked again. */
-  asked(now: number): void {
-    this.#askedAt = now;
+  /** The page has requested the time. */
+  timeRequested(now: number): void {
+    this.#requestedAt = now;
   }
 
-  /** The answer to the greeting, or to what was asked since. */
+  /** The response to `hello` or `time`. @param at send time by the relay's clock */
   answered(at: number, now: number): void {
-    if (this.#askedAt === null) return;
-    const took = now - this.#askedAt;
-    this.#askedAt = null;
-    if (took >= this.#quickest) return;
-    this.#quickest = took;
-    const wayThere = Math.min(LARGEST_DOUBT_MS, took / 2);
-    this.#offset = now - took + wayThere - at;
+    if (this.#requestedAt === null) return;
+    const roundTrip = now - this.#requestedAt;
+    this.#requestedAt = null;
+    if (roundTrip >= this.#shortestRoundTrip) return;
+    this.#shortestRoundTrip = roundTrip;
+    const toRelay = Math.min(MAX_ERROR_MS, roundTrip / 2);
+    this.#offset = now - roundTrip + toRelay - at;
   }
 
   /**
-   * A message came.
-   * @param at when the relay sent it, by the relay's clock
-   * @returns ms that it was on its way
+   * A message was received.
+   * @param at send time by the relay's clock
+   * @returns its transit time in ms
    */
-  came(at: number, now: number): number {
-    // Before the answer to its greeting the page knows only that it did not listen before.
-    if (this.#offset === null) return now - (this.#askedAt ?? now);
-    // A message that came faster than was thought possible shows that the answer took longer back.
+  transitMs(at: number, now: number): number {
+    // Before the first response, the message can be as old as the connection.
+    if (this.#offset === null) return now - (this.#requestedAt ?? now);
+    // A message with a negative transit time proves that the way back of the response took longer.
     this.#offset = Math.min(this.#offset, now - at);
     return now - at - this.#offset;
   }

@@ -1,47 +1,50 @@
 import { describe, expect, it } from "vitest";
-import { DoorChoice, type LineEnd } from "./transport-choice.ts";
+import { TransportChoice, type ConnectionEnd } from "./transport-choice.ts";
 
-const never: LineEnd = { livedMs: null, isDeliberate: false };
-const after = (livedMs: number, isDeliberate = false): LineEnd => ({ livedMs, isDeliberate });
+const never: ConnectionEnd = { lifetimeMs: null, isDeliberate: false };
+const after = (lifetimeMs: number, isDeliberate = false): ConnectionEnd => ({
+  lifetimeMs,
+  isDeliberate,
+});
 
-describe("the choice of a way to the relay", () => {
-  it("goes by HTTPS at once where a WebSocket never said welcome", () => {
-    const choice = new DoorChoice();
+describe("TransportChoice", () => {
+  it("falls back to long polling at once if a WebSocket received no welcome", () => {
+    const choice = new TransportChoice();
     expect(choice.lost(never)).toBe(true);
-    expect(choice.door).toBe("https");
+    expect(choice.transport).toBe("long-poll");
   });
 
-  it("tries a WebSocket again where nothing answers at all", () => {
-    const choice = new DoorChoice();
+  it("returns to WebSockets if long polling fails as well", () => {
+    const choice = new TransportChoice();
     choice.lost(never);
     expect(choice.lost(never)).toBe(false);
-    expect(choice.door).toBe("websocket");
+    expect(choice.transport).toBe("websocket");
   });
 
-  it("stays with HTTPS where that has worked", () => {
-    const choice = new DoorChoice();
+  it("stays with long polling if that has worked", () => {
+    const choice = new TransportChoice();
     choice.lost(never);
     expect(choice.lost(after(50_000))).toBe(false);
-    expect(choice.door).toBe("https");
+    expect(choice.transport).toBe("long-poll");
   });
 
-  it("takes a WebSocket that is cut soon, twice, for one that a filter cuts", () => {
-    const choice = new DoorChoice();
+  it("falls back after two short-lived WebSockets", () => {
+    const choice = new TransportChoice();
     expect([choice.lost(after(20_000)), choice.lost(after(20_000))]).toEqual([false, true]);
-    expect(choice.door).toBe("https");
+    expect(choice.transport).toBe("long-poll");
   });
 
-  it("stays with WebSockets that live long, or that the relay itself closes", () => {
-    const choice = new DoorChoice();
+  it("stays with WebSockets that are long-lived or were closed by the relay", () => {
+    const choice = new TransportChoice();
     for (const end of [after(90_000), after(10_000), after(90_000), after(10_000)]) {
       expect(choice.lost(end)).toBe(false);
     }
     for (let n = 0; n < 5; n++) expect(choice.lost(after(100, true))).toBe(false);
-    expect(choice.door).toBe("websocket");
+    expect(choice.transport).toBe("websocket");
   });
 
-  it("is patient with a relay that restarts, where WebSockets have worked", () => {
-    const choice = new DoorChoice();
+  it("retries WebSockets that have worked, because the relay may be restarting", () => {
+    const choice = new TransportChoice();
     choice.lost(after(90_000));
     expect([choice.lost(never), choice.lost(never), choice.lost(never)]).toEqual([
       false,
@@ -50,15 +53,15 @@ describe("the choice of a way to the relay", () => {
     ]);
   });
 
-  it("looks for a WebSocket more and more rarely", () => {
-    const choice = new DoorChoice();
-    const pauses = Array.from({ length: 10 }, () => {
+  it("probes for WebSockets less and less often", () => {
+    const choice = new TransportChoice();
+    const intervals = Array.from({ length: 10 }, () => {
       choice.websocketFailed();
       return choice.probeMs;
     });
-    expect(pauses).toEqual(pauses.toSorted((a, b) => a - b));
-    expect(pauses.at(-1)).toBe(pauses.at(-2));
+    expect(intervals).toEqual(intervals.toSorted((a, b) => a - b));
+    expect(intervals.at(-1)).toBe(intervals.at(-2));
     choice.websocketOpened();
-    expect(choice.door).toBe("websocket");
+    expect(choice.transport).toBe("websocket");
   });
 });

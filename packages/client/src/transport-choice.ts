@@ -1,88 +1,93 @@
-/**
- * Which way to the relay to try next: a WebSocket where the network lets it through, else plain HTTPS.
- * Only what happened to the lines before tells; a network says nothing of its filters.
- */
-export type Door = "websocket" | "https";
+/** A WebSocket if the network permits it, else long polling over HTTPS. */
+export type Transport = "websocket" | "long-poll";
 
-/** How a line ended. */
-export interface LineEnd {
-  /** ms since the relay had said welcome on it; null when it never did */
-  livedMs: number | null;
-  /** the relay itself closed it, or the client: nothing on the way is to blame */
+/** How a connection ended. */
+export interface ConnectionEnd {
+  /** ms since the relay's welcome; null if there was none */
+  lifetimeMs: number | null;
+  /** whether relay or client closed the connection, so that no network filter is to blame */
   isDeliberate: boolean;
 }
 
-/** A filter that cuts WebSockets does so soon, and again and again. */
-const SHORT_LIFE_MS = 60_000;
-const AT_ONCE_MS = 5_000;
-const SHORT_LIVES = 2;
-/** Where WebSockets have worked, a relay that restarts is likelier than a new filter. */
-const PATIENT_TRIES = 3;
+/** A filter that closes WebSockets does so early and repeatedly. */
+const SHORT_LIFETIME_MS = 60_000;
+const IMMEDIATELY_MS = 5_000;
+const SHORT_LIFETIMES = 2;
+/**
+ * Attempts before the fallback on a network where WebSockets worked: the relay may be restarting.
+ */
+const ATTEMPTS = 3;
 const FIRST_PROBE_MS = 15_000;
-const LONGEST_PROBE_MS = 600_000;
+const MAX_PROBE_MS = 600_000;
 
-export class DoorChoice {
-  #door: Door = "websocket";
-  #shortLives = 0;
+/**
+ * Chooses the transport of the next connection. Only the ends of earlier connections reveal whether
+ * a network blocks WebSockets.
+ */
+export class TransportChoice {
+  #transport: Transport = "websocket";
+  #shortLifetimes = 0;
   #hasWorked = false;
   #failedInARow = 0;
   #probeMs = FIRST_PROBE_MS;
 
-  /** The way to try now. */
-  get door(): Door {
-    return this.#door;
+  /** The transport of the current or next connection. */
+  get transport(): Transport {
+    return this.#transport;
   }
 
-  /** Pause until a WebSocket is tried again, while the line by HTTPS works. */
+  /** ms until the next probe for a WebSocket, while a long-poll connection works. */
   get probeMs(): number {
     return this.#probeMs;
   }
 
-  /** The relay has said welcome on the line. */
+  /** The relay has sent its welcome on the connection. */
   welcomed(): void {
     this.#failedInARow = 0;
   }
 
   /**
-   * A line is lost.
-   * @returns whether the other way is tried at once, without a pause
+   * A connection was lost.
+   * @returns whether to connect by the other transport at once, without a delay
    */
-  lost({ livedMs, isDeliberate }: LineEnd): boolean {
-    if (this.#door === "https") {
-      // Neither way works: the net or the relay is down, and a WebSocket may be what comes back first.
-      if (livedMs === null) this.#door = "websocket";
+  lost({ lifetimeMs, isDeliberate }: ConnectionEnd): boolean {
+    if (this.#transport === "long-poll") {
+      // Both transports fail: network or relay are down, and a WebSocket may work after that.
+      if (lifetimeMs === null) this.#transport = "websocket";
       return false;
     }
     if (isDeliberate) return false;
-    if (livedMs === null) {
+    if (lifetimeMs === null) {
       this.#failedInARow += 1;
-      const isPatient = this.#hasWorked && this.#failedInARow < PATIENT_TRIES;
-      return isPatient ? false : this.#fallBack();
+      const isRetried = this.#hasWorked && this.#failedInARow < ATTEMPTS;
+      return isRetried ? false : this.#fallBack();
     }
-    if (livedMs >= AT_ONCE_MS) this.#hasWorked = true;
+    if (lifetimeMs >= IMMEDIATELY_MS) this.#hasWorked = true;
     else if (!this.#hasWorked) return this.#fallBack();
-    this.#shortLives = livedMs < SHORT_LIFE_MS ? this.#shortLives + 1 : 0;
-    return this.#shortLives >= SHORT_LIVES ? this.#fallBack() : false;
+    this.#shortLifetimes = lifetimeMs < SHORT_LIFETIME_MS ? this.#shortLifetimes + 1 : 0;
+    return this.#shortLifetimes >= SHORT_LIFETIMES ? this.#fallBack() : false;
   }
 
-  /** A WebSocket could be opened while HTTPS is in use: it is tried again, more rarely each time. */
+  /**
+   * A probe has opened a WebSocket: the next connection uses one. Later probes are less frequent.
+   */
   websocketOpened(): void {
-    this.#door = "websocket";
-    this.#notYet();
+    this.#transport = "websocket";
+    this.#doubleProbeInterval();
   }
 
-  /** A WebSocket could not be opened. */
+  /** A probe has failed. */
   websocketFailed(): void {
-    this.#notYet();
+    this.#doubleProbeInterval();
   }
 
-  #notYet(): void {
-    this.#probeMs = Math.min(LONGEST_PROBE_MS, this.#probeMs * 2);
+  #doubleProbeInterval(): void {
+    this.#probeMs = Math.min(MAX_PROBE_MS, this.#probeMs * 2);
   }
 
   #fallBack(): boolean {
-    this.#door = "https";
-    this.#shortLives = 0;
+    this.#transport = "long-poll";
+    this.#shortLifetimes = 0;
     this.#failedInARow = 0;
     return true;
   }

@@ -9,59 +9,59 @@ const ID = "A".repeat(22);
 const KEY = `wch_${"A".repeat(22)}`;
 const VERSION = "k3J9x2aBk3J9x2aBk3J9x2";
 
-/** Somebody who looks on, at a relay that answers as it is told. */
+/** A viewer, and a relay whose responses the test controls. */
 function watching() {
   const platform = new FakePlatform();
-  const asked: HttpRequest[] = [];
-  const answers: ((status: number, body?: string) => Promise<void>)[] = [];
-  const told: string[] = [];
-  const ask = (request: HttpRequest) => {
-    asked.push(request);
+  const requests: HttpRequest[] = [];
+  const respond: ((status: number, body?: string) => Promise<void>)[] = [];
+  const log: string[] = [];
+  const request = (sent: HttpRequest) => {
+    requests.push(sent);
     const { promise, resolve } = Promise.withResolvers<{ status: number; body: string }>();
-    answers.push(async (status, body = "") => {
+    respond.push(async (status, body = "") => {
       resolve({ status, body });
       await promise;
       await Promise.resolve();
     });
-    return { answer: promise, cancel: () => told.push("called off") };
+    return { response: promise, cancel: () => log.push("cancelled") };
   };
   const link = new WatchLink({
     origin: "https://host",
     id: ID,
     key: KEY,
-    onSnapshot: ({ seq }) => told.push(`snapshot ${seq}`),
-    onMaze: (text) => told.push(`maze ${text}`),
-    onStatus: ({ kind }) => told.push(kind),
-    platform: Object.assign(platform, { ask }),
+    onSnapshot: ({ seq }) => log.push(`snapshot ${seq}`),
+    onMaze: (text) => log.push(`maze ${text}`),
+    onStatus: ({ kind }) => log.push(kind),
+    platform: Object.assign(platform, { request }),
   });
   const welcome = (): void => {
     platform.socket.open();
     const start = { stream: "AAAAAAAA", n: 0, snapshot: snapshotOf({ seq: 7 }) };
     platform.socket.receive({ type: "welcome", version: 1, ...start });
   };
-  return { platform, asked, answers, told, link, welcome };
+  return { platform, requests, respond, log, link, welcome };
 }
 
-describe("who looks on", () => {
-  it("says so, is told where the robot is, and asks for its maze with the key in the header", () => {
-    const { platform, told, asked, welcome } = watching();
+describe("a viewer", () => {
+  it("sends its role, receives the snapshot, and requests the maze with the key in the header", () => {
+    const { platform, log, requests, welcome } = watching();
     welcome();
     expect(platform.socket.sent).toEqual([
       { type: "hello", version: 1, role: "watch", key: KEY },
       { type: "seen", seq: 7 },
     ]);
-    expect(told).toEqual(["connecting", "snapshot 7", "connected"]);
+    expect(log).toEqual(["connecting", "snapshot 7", "connected"]);
     const url = `https://host/api/v1/robots/${ID}/maze`;
-    expect(asked).toEqual([{ method: "GET", url, key: KEY, body: null }]);
+    expect(requests).toEqual([{ method: "GET", url, key: KEY, body: null }]);
   });
 
-  it("gets every snapshot, and says of every second one that all were read", () => {
-    const { platform, told, welcome } = watching();
+  it("receives every snapshot, and acknowledges every second one", () => {
+    const { platform, log, welcome } = watching();
     welcome();
     for (const seq of [8, 9]) {
       platform.pass(50);
       platform.socket.receive({ type: "snapshot", snapshot: snapshotOf({ seq }) });
-      expect(told.at(-1)).toBe(`snapshot ${seq}`);
+      expect(log.at(-1)).toBe(`snapshot ${seq}`);
     }
     expect(platform.socket.sent.slice(1)).toEqual([
       { type: "seen", seq: 7 },
@@ -69,57 +69,57 @@ describe("who looks on", () => {
     ]);
   });
 
-  it("gets the maze, and another one when the robot is in it", async () => {
-    const { platform, told, answers, asked, welcome } = watching();
+  it("receives the maze, and the next one after a change", async () => {
+    const { platform, log, respond, requests, welcome } = watching();
     welcome();
-    await answers[0]?.(200, "first");
-    expect(told.at(-1)).toBe("maze first");
+    await respond[0]?.(200, "first");
+    expect(log.at(-1)).toBe("maze first");
     platform.socket.receive({ type: "maze", version: VERSION });
     platform.socket.receive({ type: "maze", version: VERSION.toUpperCase() });
-    expect(asked).toHaveLength(3);
-    // Of two that were asked for only the newer one counts, whichever comes first.
-    await answers[1]?.(200, "second");
-    await answers[2]?.(200, "third");
-    expect(told.filter((words) => words.startsWith("maze"))).toEqual(["maze first", "maze third"]);
+    expect(requests).toHaveLength(3);
+    // Of two requests only the newer one counts.
+    await respond[1]?.(200, "second");
+    await respond[2]?.(200, "third");
+    expect(log.filter((entry) => entry.startsWith("maze"))).toEqual(["maze first", "maze third"]);
   });
 
-  it("is told where nobody knows the maze, and asks again where the relay cannot say", async () => {
-    const { platform, told, answers, asked, welcome } = watching();
+  it("receives null if the maze is unknown, and retries if the relay fails", async () => {
+    const { platform, log, respond, requests, welcome } = watching();
     welcome();
-    await answers[0]?.(503);
-    expect(told.at(-1)).toBe("connected");
+    await respond[0]?.(503);
+    expect(log.at(-1)).toBe("connected");
     platform.pass(2_000);
-    expect(asked).toHaveLength(2);
-    await answers[1]?.(404);
-    expect(told.at(-1)).toBe("maze null");
+    expect(requests).toHaveLength(2);
+    await respond[1]?.(404);
+    expect(log.at(-1)).toBe("maze null");
     platform.pass(10_000);
-    expect(asked).toHaveLength(2);
+    expect(requests).toHaveLength(2);
   });
 
-  it("asks for the maze anew with each line, since it may have missed another one", () => {
-    const { platform, asked, welcome } = watching();
+  it("requests the maze again after each reconnect, because it may have changed", () => {
+    const { platform, requests, welcome } = watching();
     welcome();
     platform.socket.cut(1012);
     platform.pass(1_000);
     welcome();
-    expect(asked).toHaveLength(2);
+    expect(requests).toHaveLength(2);
   });
 
-  it("ends for good when its key is revoked", () => {
-    const { platform, told, welcome } = watching();
+  it("ends permanently when its key is revoked", () => {
+    const { platform, log, welcome } = watching();
     welcome();
     platform.socket.cut(closeReasons.notAuthorised.code);
     platform.pass(60_000);
-    expect(told.slice(-2)).toEqual(["called off", "over"]);
+    expect(log.slice(-2)).toEqual(["cancelled", "over"]);
     expect(platform.sockets).toHaveLength(1);
   });
 
-  it("is left without a word", () => {
-    const { platform, told, link, welcome } = watching();
+  it("closes without a status, and opens again", () => {
+    const { platform, log, link, welcome } = watching();
     welcome();
     link.close();
     platform.pass(60_000);
-    expect(told.slice(-2)).toEqual(["connected", "called off"]);
+    expect(log.slice(-2)).toEqual(["connected", "cancelled"]);
     link.open();
     expect(platform.sockets).toHaveLength(2);
   });

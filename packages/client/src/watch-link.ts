@@ -1,7 +1,3 @@
-/**
- * The line of whoever looks on at a robot: its snapshots, and the maze that it is in. It can run in a
- * worker.
- */
 import {
   decodeFrame,
   encodeFrame,
@@ -13,16 +9,16 @@ import {
 } from "@corridor/protocol";
 import { Connection } from "./connection.ts";
 import { globalPlatform, type Platform } from "./platform.ts";
-import { doorUrls } from "./robot-address.ts";
-import { SeenPace } from "./delayed-acknowledgements.ts";
+import { connectionUrls } from "./robot-address.ts";
+import { DelayedAcknowledgements } from "./delayed-acknowledgements.ts";
 
-/** Pause before the maze is asked for again that the relay could not tell. */
-const AGAIN_MS = 2_000;
+/** Delay before a failed request for the maze is repeated. */
+const RETRY_MS = 2_000;
 
 export type WatchStatus =
   | { kind: "connecting" }
   | { kind: "connected" }
-  /** it is tried again by itself */
+  /** it reconnects automatically */
   | { kind: "lost"; reason: CloseReason }
   /** the key or the robot is gone */
   | { kind: "over"; reason: CloseReason };
@@ -34,63 +30,68 @@ export interface WatchLinkOptions {
   /** a watch key */
   key: string;
   onSnapshot(snapshot: Snapshot): void;
-  /** The maze as JSON; null: nobody knows it. Told with each connection, and when it changes. */
+  /**
+   * The maze as JSON; null if it is unknown. Called after each connection and when it changes.
+   */
   onMaze(text: string | null): void;
   onStatus(status: WatchStatus): void;
-  /** default: what browsers, workers and Node offer */
+  /** default: the platform of browsers, workers and Node */
   platform?: Omit<Platform, "uniqueText">;
 }
 
+/**
+ * A viewer's connection: receives the snapshots and the maze of a robot. It can run in a worker.
+ */
 export class WatchLink {
   readonly #options: WatchLinkOptions;
   readonly #platform: Omit<Platform, "uniqueText">;
   readonly #connection: Connection<RelayToDriver>;
-  readonly #seen = new SeenPace();
-  /** calls off what is asked of the maze now, or is to be asked later */
-  #forgetAsking: () => void = () => undefined;
+  readonly #acknowledgements = new DelayedAcknowledgements();
+  /** cancels the current or next request for the maze */
+  #cancelMaze: () => void = () => undefined;
 
-  /** Opens the line at once. */
+  /** Connects at once. */
   constructor(options: WatchLinkOptions) {
     const { origin, id, key, platform = globalPlatform() } = options;
     this.#options = options;
     this.#platform = platform;
     this.#connection = new Connection({
-      urls: doorUrls(origin, id),
+      urls: connectionUrls(origin, id),
       platform,
-      greeting: () => [
+      firstMessages: () => [
         encodeFrame({ type: "hello", version: PROTOCOL_VERSION, role: "watch", key }),
       ],
       decode: (text) => decodeFrame(relayToDriverSchema, text),
       received: (message) => this.#received(message),
       changed: (status) => {
-        if (status.kind === "connected") this.#askForMaze();
-        else this.#forgetAsking();
+        if (status.kind === "connected") this.#requestMaze();
+        else this.#cancelMaze();
         options.onStatus(status);
       },
     });
     this.#connection.open();
   }
 
-  /** Tries at once where it waits to try again. */
+  /** Reconnects at once instead of waiting for the next attempt. */
   open(): void {
     this.#connection.open();
   }
 
   close(): void {
-    this.#forgetAsking();
+    this.#cancelMaze();
     this.#connection.close();
   }
 
   #received(message: RelayToDriver): void {
     switch (message.type) {
       case "welcome":
-        this.#seen.begin();
+        this.#acknowledgements.reset();
         if (message.snapshot !== null) this.#read(message.snapshot);
         return;
       case "snapshot":
         return this.#read(message.snapshot);
       case "maze":
-        return this.#askForMaze();
+        return this.#requestMaze();
       case "ack":
       case "state":
       case "gap":
@@ -102,35 +103,35 @@ export class WatchLink {
 
   #read(snapshot: Snapshot): void {
     this.#options.onSnapshot(snapshot);
-    // By HTTPS the next request says it already.
-    if (this.#connection.door === "https") return;
-    if (!this.#seen.read(this.#platform.clock.now())) return;
+    // The next long poll acknowledges it.
+    if (this.#connection.transport === "long-poll") return;
+    if (!this.#acknowledgements.read(this.#platform.clock.now())) return;
     this.#connection.send(encodeFrame({ type: "seen", seq: snapshot.seq }));
   }
 
-  #askForMaze(): void {
-    this.#forgetAsking();
+  #requestMaze(): void {
+    this.#cancelMaze();
     const { origin, id, key } = this.#options;
-    const { ask, clock } = this.#platform;
-    if (ask === undefined) return;
-    let isWanted = true;
+    const { request, clock } = this.#platform;
+    if (request === undefined) return;
+    let isCancelled = false;
     const url = `${origin}/api/v1/robots/${id}/maze`;
-    const asked = ask({ method: "GET", url, key, body: null });
+    const pending = request({ method: "GET", url, key, body: null });
     let cancelTimer = (): void => undefined;
-    const later = (): void => {
-      if (isWanted) cancelTimer = clock.after(AGAIN_MS, () => this.#askForMaze());
+    const retry = (): void => {
+      if (!isCancelled) cancelTimer = clock.after(RETRY_MS, () => this.#requestMaze());
     };
-    this.#forgetAsking = () => {
-      isWanted = false;
+    this.#cancelMaze = () => {
+      isCancelled = true;
       cancelTimer();
-      asked.cancel();
+      pending.cancel();
     };
-    asked.answer.then(({ status, body }) => {
-      if (!isWanted) return;
+    pending.response.then(({ status, body }) => {
+      if (isCancelled) return;
       if (status === 200) this.#options.onMaze(body);
       else if (status === 404) this.#options.onMaze(null);
-      // Who may not look on any more is told by the line itself.
-      else if (status === 429 || status >= 500) later();
-    }, later);
+      // The connection itself reports a revoked key.
+      else if (status === 429 || status >= 500) retry();
+    }, retry);
   }
 }

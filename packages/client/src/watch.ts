@@ -1,2 +1,2 @@
-/** Entry "@corridor/client/watch": for a page that shows a robot to those who look on. */
+/** Entry "@corridor/client/watch": for the page of viewers. */
 export { WatchLink, type WatchStatus } from "./watch-link.ts";

@@ -1,4 +1,4 @@
-/** Both ends of the client against the real relay, and the examples as their users run them. */
+/** Host and script with a real relay, and the examples as users run them. */
 import { execFile } from "node:child_process";
 import { join } from "node:path";
 import { promisify } from "node:util";
@@ -40,7 +40,7 @@ async function scriptFor(address: string): Promise<RobotClient> {
   return script;
 }
 
-describe("a script and a robot at the real relay", () => {
+describe("a script and a robot at a real relay", () => {
   it("drives, reads and stops", async () => {
     const { robot, registration } = await robotIn(CORRIDOR);
     const script = await scriptFor(registration.address);
@@ -52,7 +52,7 @@ describe("a script and a robot at the real relay", () => {
     expect(robot.done.map(({ action }) => action)).toEqual(["right 90", "move"]);
   });
 
-  it("loses, doubles and reorders nothing when the relay is killed under way", async () => {
+  it("neither loses, duplicates nor reorders commands when the relay is killed", async () => {
     const { relay, robot, registration } = await robotIn(CORRIDOR);
     const script = await scriptFor(registration.address);
     await script.right90();
@@ -100,7 +100,7 @@ describe("a script and a robot at the real relay", () => {
     const driver = await scriptFor(registration.address);
     const events = watcher.events();
     let x = 0;
-    /** Reads on until a command is done, or until a gap where none is named. */
+    /** Reads until a command is completed, or until a gap. */
     const follow = async (seq: number | "gap"): Promise<void> => {
       for (;;) {
         const { value: event } = await events.next();
@@ -112,13 +112,13 @@ describe("a script and a robot at the real relay", () => {
       }
     };
     await Promise.all([driver.right90(), follow(1)]);
-    // Where the watcher came back only after the next command, the gap alone would stand for it.
+    // If the watcher reconnected after the next command, the gap would replace its states.
     await Promise.all([relay.killAndRestart(), follow("gap")]);
     await Promise.all([driver.move(100), follow(2)]);
     expect(x).toBe(250);
   });
 
-  it("lets commands wait while the page is away, and cancels what a reload has lost", async () => {
+  it("retains commands while the page is disconnected, and cancels those that a reload has lost", async () => {
     const { relay, robot, registration } = await robotIn(CORRIDOR);
     const script = await scriptFor(registration.address);
     await script.right90();
@@ -144,13 +144,13 @@ describe("a script and a robot at the real relay", () => {
       onTestFinished(() => link.close());
       return link;
     };
-    const begun = Promise.withResolvers<void>();
+    const started = Promise.withResolvers<void>();
     const first = host(false, (seq, link) => {
       link.started(seq);
-      begun.resolve();
+      started.resolve();
     });
-    await begun.promise;
-    // The relay has to hear of it before the page goes.
+    await started.promise;
+    // The relay must have received `started` before the page disconnects.
     for await (const { command } of log(relay.origin, registration))
       if (command === "started") break;
     first.close();
@@ -161,7 +161,7 @@ describe("a script and a robot at the real relay", () => {
     });
   });
 
-  it("tells a script whose command a pause of the owner ended what to press before the next one", async () => {
+  it("explains to a script whose command a pause ended how to continue", async () => {
     const { relay, robot, registration } = await robotIn(CORRIDOR);
     const script = await scriptFor(registration.address);
     await script.right90();
@@ -183,7 +183,7 @@ describe("a script and a robot at the real relay", () => {
     await expect(script.move(100)).rejects.toMatchObject({ code: "refused", hint });
   });
 
-  it("tells a script at once when its key was revoked, and not to try again", async () => {
+  it("ends a script at once when its key is revoked", async () => {
     const { relay, registration } = await robotIn(CORRIDOR);
     const robot = await RobotClient.connect(registration.address);
     const made = await fetch(`${relay.origin}/api/v1/robots/${registration.id}/keys`, {
@@ -205,7 +205,7 @@ describe("a script and a robot at the real relay", () => {
     next.close();
   });
 
-  it("tells a script with a wrong key and one without a robot apart", async () => {
+  it("distinguishes a wrong key from a missing robot", async () => {
     const { relay, registration } = await robotIn(CORRIDOR);
     const wrongKey = `${relay.origin}/r/${registration.id}#drv_AAAAAAAAAAAAAAAAAAAAAA`;
     await expect(RobotClient.connect(wrongKey)).rejects.toMatchObject({ code: "not-authorised" });
@@ -214,7 +214,7 @@ describe("a script and a robot at the real relay", () => {
   });
 });
 
-/** The states of the newest command, asked again and again. */
+/** Polls the state of the newest command. */
 async function* log(origin: string, robot: { id: string; driverKey: string }) {
   for (;;) {
     const answer = await fetch(`${origin}/api/v1/robots/${robot.id}/commands`, {
@@ -246,7 +246,7 @@ describe("the examples", () => {
   it.each([
     { name: "Python", program: "python3", file: "python/right_wall.py" },
     { name: "JavaScript", program: process.execPath, file: "javascript/right-wall.ts" },
-  ])("the $name program says in one sentence what is wrong with an address", async (example) => {
+  ])("the $name program reports an invalid address in one sentence", async (example) => {
     const failed = run(example.program, [join(EXAMPLES, example.file), "http://localhost/r/abc"]);
     await expect(failed).rejects.toMatchObject({
       code: 1,
@@ -254,7 +254,7 @@ describe("the examples", () => {
     });
   });
 
-  it("the Python program goes on after the relay was killed", async () => {
+  it("the Python program continues after the relay was killed", async () => {
     const { relay, robot, registration } = await robotIn(TREE);
     const cells = String(robot.openCells);
     const file = join(EXAMPLES, "python/right_wall.py");

@@ -254,7 +254,7 @@ export class RemoteHost implements RemoteDriverEvents {
   async #register(client: typeof ClientLibrary, attempt: number): Promise<RemoteSession | null> {
     const { origin, fetch, platform } = this.#ports;
     const { clock, random } = platform ?? client.globalPlatform();
-    const pauses = new client.RetryPauses();
+    const backoff = new client.Backoff();
     while (attempt === this.#attempt) {
       try {
         return { ...(await client.registerRobot(origin, fetch)), lastApplied: 0 };
@@ -268,7 +268,7 @@ export class RemoteHost implements RemoteDriverEvents {
       }
       this.#tell({ kind: "lost", reason: "lineLost" });
       const pause = Promise.withResolvers<void>();
-      clock.after(pauses.next(clock.now(), random()), pause.resolve);
+      clock.after(backoff.next(clock.now(), random()), pause.resolve);
       await pause.promise;
       if (attempt === this.#attempt) this.#tell({ kind: "connecting" });
     }

@@ -1,4 +1,4 @@
-/** Relays in processes of their own that share a real Redis, behind a balancer. */
+/** Relay processes that share a real Redis, behind a load balancer. */
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -8,11 +8,11 @@ import { startRedis } from "../../../../scripts/redis-server.ts";
 import { killRelay, startRelayChild } from "./relay-child.ts";
 
 export interface Cluster {
-  /** of the balancer */
+  /** origin of the balancer */
   origin: string;
-  /** Starts one more relay; the balancer does not know of it yet. */
+  /** Starts another relay, without adding it to the balancer. */
   startRelay(): Promise<{ port: number; kill(): Promise<void> }>;
-  /** From now on, new connections go to these relays in turn. */
+  /** Sets the relays for new connections, in turn. */
   sendTo(...relays: { port: number }[]): void;
 }
 

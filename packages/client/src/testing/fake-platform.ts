@@ -1,17 +1,16 @@
-/** A platform without network and time: tests open, feed and cut the sockets themselves. */
 import type { SocketEvents } from "@corridor/protocol";
 import type { Platform } from "../platform.ts";
 
 export interface FakeSocket {
   url: string;
-  /** messages that the client has sent, parsed */
+  /** parsed messages of the client */
   sent: Record<string, unknown>[];
   /** whether the client has closed it */
   isClosed: boolean;
   open(): void;
   receive(message: unknown): void;
   receiveText(text: string): void;
-  /** The other side or the net closes it. */
+  /** The relay or the network closes it. */
   cut(code: number): void;
 }
 
@@ -20,9 +19,10 @@ interface Timer {
   call(): void;
 }
 
+/** A platform with virtual time, whose sockets the test controls. */
 export class FakePlatform implements Platform {
   readonly sockets: FakeSocket[] = [];
-  /** what `random` gives */
+  /** the value of `random` */
   luck = 0.5;
   #now = 0;
   #keys = 0;
@@ -68,7 +68,7 @@ export class FakePlatform implements Platform {
     return socket;
   }
 
-  /** Lets so many ms pass; due timers run in their order. */
+  /** Advances the time by `ms`, and runs due timers in order. */
   pass(ms: number): void {
     const end = this.#now + ms;
     for (;;) {

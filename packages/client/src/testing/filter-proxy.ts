@@ -1,42 +1,42 @@
-/** What may stand between a school and a relay: a proxy that forwards requests and does harm to some. */
 import { createServer, request, type IncomingMessage } from "node:http";
 import { connect, type AddressInfo, type Socket } from "node:net";
 import type { Duplex } from "node:stream";
 
-export type Harm =
-  /** none: everything passes */
+export type FilterMode =
+  /** forwards everything */
   | "none"
-  /** the header Upgrade is taken off, so that the relay sees an ordinary request */
+  /** removes the header Upgrade, so that the relay receives an ordinary request */
   | "stripped"
-  /** upgrades are cut off */
+  /** closes the connections of upgrades */
   | "blocked"
-  /** an upgrade is answered, and then nothing passes */
+  /** forwards the response to an upgrade, and then nothing */
   | "silent"
-  /** a WebSocket is cut a moment after it was opened */
+  /** closes each WebSocket shortly after it was opened */
   | "cut early"
-  /** what is silent for a moment is cut: sockets and requests that wait */
+  /** closes idle sockets and aborts waiting requests after a short time */
   | "impatient"
-  /** answers are kept back until they have ended; upgrades are answered with a page of words */
+  /** delays responses until they have ended; responds to upgrades with a web page */
   | "buffering";
 
+/** A proxy as schools use them, which interferes with some requests. */
 export interface FilterProxy {
   origin: string;
-  harm: Harm;
-  /** WebSockets that were opened through it */
+  mode: FilterMode;
+  /** number of opened WebSockets */
   upgrades: number;
-  /** requests that were made through it */
+  /** number of requests */
   requests: number;
   close(): void;
 }
 
 /**
  * Starts a proxy in front of a relay.
- * @param momentMs after which it cuts what is early or silent
+ * @param timeoutMs for `cut early` and `impatient`
  */
 export async function openFilterProxy(
   relay: string,
-  harm: Harm,
-  momentMs: number,
+  mode: FilterMode,
+  timeoutMs: number,
 ): Promise<FilterProxy> {
   const target = new URL(relay);
   const close = (): void => {
@@ -44,7 +44,7 @@ export async function openFilterProxy(
     server.closeAllConnections();
     server.close();
   };
-  const proxy: FilterProxy = { origin: "", harm, upgrades: 0, requests: 0, close };
+  const proxy: FilterProxy = { origin: "", mode, upgrades: 0, requests: 0, close };
   const sockets = new Set<Duplex>();
 
   const server = createServer((incoming, answer) => {
@@ -58,7 +58,7 @@ export async function openFilterProxy(
         headers: headersFor(incoming),
       },
       (got) => {
-        if (proxy.harm === "buffering") {
+        if (proxy.mode === "buffering") {
           const parts: Buffer[] = [];
           got.on("data", (part: Buffer) => parts.push(part));
           got.on("end", () => answer.writeHead(got.statusCode ?? 502).end(Buffer.concat(parts)));
@@ -70,14 +70,14 @@ export async function openFilterProxy(
     );
     const cut = (): void => void incoming.socket.destroy();
     outgoing.on("error", cut);
-    if (proxy.harm === "impatient") outgoing.setTimeout(momentMs, cut);
+    if (proxy.mode === "impatient") outgoing.setTimeout(timeoutMs, cut);
     answer.on("close", () => outgoing.destroy());
     incoming.pipe(outgoing);
   });
 
   server.on("upgrade", (incoming: IncomingMessage, socket: Socket, head: Buffer) => {
-    if (proxy.harm === "blocked") return void socket.destroy();
-    if (proxy.harm === "buffering") return void socket.end("HTTP/1.1 200 OK\r\n\r\nNot here.");
+    if (proxy.mode === "blocked") return void socket.destroy();
+    if (proxy.mode === "buffering") return void socket.end("HTTP/1.1 200 OK\r\n\r\nNot here.");
     const upstream = connect(Number(target.port), target.hostname);
     for (const end of [socket, upstream]) {
       sockets.add(end);
@@ -86,18 +86,18 @@ export async function openFilterProxy(
     socket.on("close", () => upstream.destroy());
     upstream.on("close", () => socket.destroy());
     const headers = Object.entries(incoming.headers).filter(
-      ([name]) => proxy.harm !== "stripped" || (name !== "upgrade" && name !== "connection"),
+      ([name]) => proxy.mode !== "stripped" || (name !== "upgrade" && name !== "connection"),
     );
     const lines = headers.map(([name, value]) => `${name}: ${String(value)}`);
     upstream.write(`GET ${incoming.url} HTTP/1.1\r\n${lines.join("\r\n")}\r\n\r\n`);
     upstream.write(head);
-    if (proxy.harm === "silent") {
+    if (proxy.mode === "silent") {
       upstream.once("data", (data: Buffer) => socket.write(data));
       return undefined;
     }
-    if (proxy.harm !== "stripped") proxy.upgrades += 1;
-    if (proxy.harm === "cut early") setTimeout(() => socket.destroy(), momentMs).unref();
-    if (proxy.harm === "impatient") socket.setTimeout(momentMs, () => socket.destroy());
+    if (proxy.mode !== "stripped") proxy.upgrades += 1;
+    if (proxy.mode === "cut early") setTimeout(() => socket.destroy(), timeoutMs).unref();
+    if (proxy.mode === "impatient") socket.setTimeout(timeoutMs, () => socket.destroy());
     socket.pipe(upstream);
     return void upstream.pipe(socket);
   });
@@ -107,7 +107,7 @@ export async function openFilterProxy(
   return proxy;
 }
 
-/** The headers as they came, but those of the one connection. */
+/** The headers without those of the connection. */
 function headersFor({ headers }: IncomingMessage): Record<string, string | string[]> {
   const { connection: _connection, upgrade: _upgrade, host: _host, ...rest } = headers;
   return rest as Record<string, string | string[]>;

@@ -1,4 +1,3 @@
-/** The proxy of a school's network: a service outside is reached by it alone, under a name that nobody else knows. */
 import { once } from "node:events";
 import { createServer, request } from "node:http";
 import { connect, type AddressInfo, type Socket } from "node:net";
@@ -6,35 +5,37 @@ import { onTestFinished } from "vitest";
 
 const NAME = "robots.invalid";
 
+/** An obligatory proxy: only the proxy can resolve the name of the service. */
 export interface ForwardProxy {
-  /** by which the service is known behind the proxy */
+  /** origin of the service through the proxy */
   readonly service: string;
-  /** settings of the environment that lead to the proxy, as each language reads them */
+  /** environment variables that configure the proxy in each language */
   readonly env: Record<string, string>;
-  /** requests that were passed on, and tunnels that were opened */
-  readonly passed: number;
+  /** number of forwarded requests and opened tunnels */
+  readonly forwarded: number;
 }
 
-/** Starts one; it ends with the test. @param target origin of the service */
+/** Starts a proxy; it stops with the test. @param target origin of the service */
 export async function startForwardProxy(target: string): Promise<ForwardProxy> {
   const { hostname, port } = new URL(target);
   const sockets = new Set<Socket>();
-  let passed = 0;
-  const proxy = createServer((asked, answer) => {
-    const { host, pathname, search } = new URL(asked.url ?? "", target);
-    if (host !== NAME) return void answer.writeHead(502).end();
-    passed += 1;
-    const { method, headers } = asked;
-    const ask = request({ hostname, port, path: pathname + search, method, headers }, (got) => {
-      answer.writeHead(got.statusCode ?? 502, got.headers);
-      got.pipe(answer);
+  let forwarded = 0;
+  const proxy = createServer((incoming, outgoing) => {
+    const { host, pathname, search } = new URL(incoming.url ?? "", target);
+    if (host !== NAME) return void outgoing.writeHead(502).end();
+    forwarded += 1;
+    const { method, headers } = incoming;
+    const options = { hostname, port, path: pathname + search, method, headers };
+    const sent = request(options, (response) => {
+      outgoing.writeHead(response.statusCode ?? 502, response.headers);
+      response.pipe(outgoing);
     });
-    ask.on("error", () => answer.destroy());
-    asked.pipe(ask);
+    sent.on("error", () => outgoing.destroy());
+    incoming.pipe(sent);
   });
-  proxy.on("connect", (asked, client: Socket, head: Buffer) => {
-    if (asked.url !== `${NAME}:80`) return void client.end("HTTP/1.1 502 Bad Gateway\r\n\r\n");
-    passed += 1;
+  proxy.on("connect", (incoming, client: Socket, head: Buffer) => {
+    if (incoming.url !== `${NAME}:80`) return void client.end("HTTP/1.1 502 Bad Gateway\r\n\r\n");
+    forwarded += 1;
     const service = connect(Number(port), hostname);
     for (const [from, to] of [
       [client, service],
@@ -61,12 +62,12 @@ export async function startForwardProxy(target: string): Promise<ForwardProxy> {
     env: {
       http_proxy: `http://127.0.0.1:${own}`,
       no_proxy: "",
-      // Node and Java look there only where they are told to.
+      // Node and Java use the proxy only with these variables.
       NODE_USE_ENV_PROXY: "1",
       JAVA_TOOL_OPTIONS: `-Dhttp.proxyHost=127.0.0.1 -Dhttp.proxyPort=${own}`,
     },
-    get passed() {
-      return passed;
+    get forwarded() {
+      return forwarded;
     },
   };
 }

@@ -1,11 +1,7 @@
-/**
- * A robot for tests: it stands on a grid of cells, does every command at once, and hosts itself at a
- * relay as a page does. It counts what it was told, so that a doubled command is noticed.
- */
 import type { Command, DeliveredCommand, Pose, Registration, Snapshot } from "@corridor/protocol";
 import { HostLink, type HostStatus } from "../host-link.ts";
 
-/** x and y by quarter turns from north */
+/** x and y by quarter turns clockwise from north */
 const STEPS = [
   [0, -1],
   [1, 0],
@@ -13,11 +9,15 @@ const STEPS = [
   [-1, 0],
 ] as const;
 
+/**
+ * A robot for tests that hosts itself at a relay, as a page does. It stands on a grid of cells and
+ * executes every command at once. It records all commands, so that tests notice duplicates.
+ */
 export class GridRobot {
   readonly link: HostLink;
   readonly done: Command[] = [];
   readonly visited = new Set<string>();
-  /** the cell that `goalReached` is about; null: there is none */
+  /** null: there is none */
   goal: { column: number; row: number } | null = null;
   readonly statuses: HostStatus["kind"][] = [];
   readonly #rows: readonly string[];
@@ -27,7 +27,7 @@ export class GridRobot {
   #seq = 0;
   #bumps = 0;
 
-  /** @param rows `#` block, `.` open; it starts in the first open cell and faces north */
+  /** @param rows `#` block, `.` open. The robot starts in the first open cell and faces north */
   constructor(origin: string, credentials: Registration, rows: readonly string[]) {
     this.#rows = rows;
     this.#row = rows.findIndex((row) => row.includes("."));
@@ -39,7 +39,7 @@ export class GridRobot {
       lastApplied: 0,
       fresh: true,
       snapshot: () => this.snapshot(),
-      onCommand: (command) => this.#take(command),
+      onCommand: (command) => this.#execute(command),
       onStop: () => undefined,
       onCancel: () => undefined,
       onGiveBack: () => undefined,
@@ -89,10 +89,10 @@ export class GridRobot {
     };
   }
 
-  #take({ seq, command }: DeliveredCommand): void {
+  #execute({ seq, command }: DeliveredCommand): void {
     this.done.push(command);
     this.link.started(seq);
-    const isFree = this.#do(command);
+    const isFree = this.#move(command);
     this.#visit();
     this.link.ended(seq, {
       state: isFree ? "completed" : "collided",
@@ -102,7 +102,7 @@ export class GridRobot {
     });
   }
 
-  #do(command: Command): boolean {
+  #move(command: Command): boolean {
     if (command.action === "left 90") this.#quarter = (this.#quarter + 3) % 4;
     if (command.action === "right 90") this.#quarter = (this.#quarter + 1) % 4;
     if (command.action !== "move") return true;
@@ -117,7 +117,10 @@ export class GridRobot {
     return true;
   }
 
-  /** cm from the centre to the first block, so many quarter turns from the heading */
+  /**
+   * cm from the centre to the first block.
+   * @param turned quarter turns clockwise from the heading
+   */
   #distance(turned: number): number {
     const [x, y] = STEPS[(this.#quarter + turned) % 4] ?? STEPS[0];
     let cells = 0;

@@ -3,7 +3,6 @@ import type { Command, CommandRecord } from "@corridor/protocol";
 
 export const ADDRESS = "http://localhost:8080/r/AAAAAAAAAAAAAAAAAAAAAA#drv_BBBBBBBBBBBBBBBBBBBBBB";
 
-/** The record of a command. */
 export function record(
   seq: number,
   key: string,

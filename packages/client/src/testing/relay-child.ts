@@ -1,4 +1,3 @@
-/** The real relay in a process of its own, for whoever ends it by hand. */
 import { spawn, type ChildProcess } from "node:child_process";
 import { once } from "node:events";
 import { join } from "node:path";
@@ -7,8 +6,8 @@ const MAIN = join(import.meta.dirname, "../../../../apps/relay/src/main.ts");
 const READY = /Corridor is ready: http:\/\/localhost:(\d+)/;
 
 /**
- * Starts a relay and waits until it listens.
- * @param port 0 for any that is free
+ * Starts a relay process and waits until it listens.
+ * @param port 0 for any free one
  */
 export async function startRelayChild(
   dataDir: string,
@@ -28,7 +27,7 @@ export async function startRelayChild(
   throw new Error(`The relay did not start: ${text}`);
 }
 
-/** Ends it as a power cut would. */
+/** Kills the process without a clean shutdown. */
 export async function killRelay(child: ChildProcess): Promise<void> {
   if (child.exitCode !== null || child.signalCode !== null) return;
   child.kill("SIGKILL");

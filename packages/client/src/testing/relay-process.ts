@@ -1,4 +1,3 @@
-/** The real relay, in a process of its own, that can be killed and started again on the same port. */
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -7,11 +6,11 @@ import { killRelay, startRelayChild } from "./relay-child.ts";
 
 export interface RelayProcess {
   origin: string;
-  /** Ends it as a power cut would, and starts it again with the same data. */
+  /** Kills the relay, and restarts it with the same data and port. */
   killAndRestart(): Promise<void>;
 }
 
-/** Starts a relay with an empty store; it is ended with the test. */
+/** Starts a relay process with an empty store; it stops with the test. */
 export async function startRelayProcess(): Promise<RelayProcess> {
   const dataDir = mkdtempSync(join(tmpdir(), "corridor-"));
   let { child, port } = await startRelayChild(dataDir, 0);

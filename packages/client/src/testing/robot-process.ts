@@ -1,12 +1,15 @@
 /**
- * A relay and a robot on a grid for tests that are not written in TypeScript.
+ * Runs a relay and a grid robot, for tests in other languages.
  *
  *     node robot-process.ts ROWS
  *
  * ROWS is the maze as JSON, a list of strings. The first line on standard output is
- * `{"address","origin","openCells","ownerKey"}`. Each line on standard input is a word, answered by one line:
- * `kill` (the relay, without a goodbye), `start` (it again), `leave` and `come` (the robot's page),
- * `state` (what the robot has done). It ends with its standard input.
+ * `{"address","origin","openCells","ownerKey"}`. Each line on standard input is an instruction, and
+ * results in one line of output. The process exits at the end of its standard input.
+ *
+ * - `kill`, `start`: kills and restarts the relay
+ * - `disconnect`, `connect`: the robot's page
+ * - `state`: what the robot has done
  */
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -24,16 +27,16 @@ const origin = `http://127.0.0.1:${port}`;
 const registration = await registerRobot(origin, fetch);
 const robot = new GridRobot(origin, registration, rows);
 
-const words: Record<string, () => unknown> = {
+const instructions: Record<string, () => unknown> = {
   kill: async () => killRelay(child),
   start: async () => {
     ({ child, port } = await startRelayChild(dataDir, port));
   },
-  leave: async () => {
+  disconnect: async () => {
     robot.link.close();
     await untilGone();
   },
-  come: () => robot.link.open(),
+  connect: () => robot.link.open(),
   state: () => ({
     done: robot.done,
     visited: robot.visited.size,
@@ -42,25 +45,25 @@ const words: Record<string, () => unknown> = {
   }),
 };
 
-/** The relay hears a moment later that the page has gone; until then it says rightly that it is there. */
+/** Waits until the relay has noticed that the page is gone. */
 async function untilGone(): Promise<void> {
   const headers = { authorization: `Bearer ${registration.ownerKey}` };
   for (;;) {
-    const answer = await fetch(`${origin}/api/v1/robots/${registration.id}`, { headers });
-    const { snapshot } = (await answer.json()) as { snapshot: { state: string } | null };
+    const response = await fetch(`${origin}/api/v1/robots/${registration.id}`, { headers });
+    const { snapshot } = (await response.json()) as { snapshot: { state: string } | null };
     if (snapshot === null || snapshot.state === "gone") return;
     await setTimeout(10);
   }
 }
 
-function say(answer: unknown): void {
-  process.stdout.write(`${JSON.stringify(answer)}\n`);
+function print(value: unknown): void {
+  process.stdout.write(`${JSON.stringify(value)}\n`);
 }
 
 const { address, ownerKey } = registration;
-say({ address, origin, openCells: robot.openCells, ownerKey });
-for await (const word of createInterface({ input: process.stdin })) {
-  say((await words[word]?.()) ?? null);
+print({ address, origin, openCells: robot.openCells, ownerKey });
+for await (const instruction of createInterface({ input: process.stdin })) {
+  print((await instructions[instruction]?.()) ?? null);
 }
 robot.link.close();
 await killRelay(child);

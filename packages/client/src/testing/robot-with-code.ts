@@ -1,17 +1,17 @@
-/** A robot at the real relay, a pairing code for it, and an owner who answers as the test says. */
 import { createdPairingSchema, pairingSchema, type Registration } from "@corridor/protocol";
 import { onTestFinished } from "vitest";
 import { registerRobot } from "../register-robot.ts";
 import { GridRobot } from "./grid-robot.ts";
 import { startRelayProcess } from "./relay-process.ts";
 
+/** A robot at a real relay with a pairing code. */
 export interface RobotWithCode {
   origin: string;
   registration: Registration;
   robot: GridRobot;
   code: string;
-  /** Waits for the question, and says yes or no. */
-  say: (accept: boolean) => Promise<void>;
+  /** Waits for a script's request, and accepts or refuses it as the owner. */
+  answer: (accept: boolean) => Promise<void>;
 }
 
 export async function robotWithCode(maze: readonly string[]): Promise<RobotWithCode> {
@@ -23,18 +23,18 @@ export async function robotWithCode(maze: readonly string[]): Promise<RobotWithC
     Authorization: `Bearer ${registration.ownerKey}`,
     "Content-Type": "application/json",
   };
-  const own = async (method: string, query = "", body?: unknown): Promise<unknown> => {
-    const got = await fetch(`${origin}/api/v1/robots/${registration.id}/pairing${query}`, {
+  const pairing = async (method: string, query = "", body?: unknown): Promise<unknown> => {
+    const response = await fetch(`${origin}/api/v1/robots/${registration.id}/pairing${query}`, {
       method,
       headers,
       ...(body !== undefined && { body: JSON.stringify(body) }),
     });
-    return got.status === 204 ? null : got.json();
+    return response.status === 204 ? null : response.json();
   };
-  const { code } = createdPairingSchema.parse(await own("POST"));
-  const say = async (accept: boolean): Promise<void> => {
-    const { question } = pairingSchema.parse(await own("GET", "?wait=20"));
-    await own("PUT", "", { id: question?.id, accept });
+  const { code } = createdPairingSchema.parse(await pairing("POST"));
+  const answer = async (accept: boolean): Promise<void> => {
+    const { question } = pairingSchema.parse(await pairing("GET", "?wait=20"));
+    await pairing("PUT", "", { id: question?.id, accept });
   };
-  return { origin, registration, robot, code, say };
+  return { origin, registration, robot, code, answer };
 }

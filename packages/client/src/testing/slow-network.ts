@@ -1,26 +1,25 @@
-/** A platform whose WebSockets lead over a long line: what is said on them arrives so much later. */
 import type { SocketPort } from "@corridor/protocol";
 import { globalPlatform, type Platform } from "../platform.ts";
 
-export interface LongLine {
+export interface SlowNetwork {
   platform: Platform;
-  /** messages that came and that were sent, by type */
-  came: Map<string, number>;
+  /** numbers of received and sent messages by type */
+  received: Map<string, number>;
   sent: Map<string, number>;
 }
 
-/** @param wayMs in each direction */
-export function longLine(wayMs: number): LongLine {
+/** A platform that delays all messages of its WebSockets. @param delayMs in each direction */
+export function slowNetwork(delayMs: number): SlowNetwork {
   const platform = globalPlatform();
-  const came = new Map<string, number>();
+  const received = new Map<string, number>();
   const sent = new Map<string, number>();
   const connect: Platform["connect"] = (url, events) => {
-    const later = (call: () => void): void => void platform.clock.after(wayMs, call);
+    const later = (call: () => void): void => void platform.clock.after(delayMs, call);
     const socket: SocketPort = platform.connect(url, {
       ...events,
       received: (text) =>
         later(() => {
-          count(came, text);
+          count(received, text);
           events.received(text);
         }),
     });
@@ -36,7 +35,7 @@ export function longLine(wayMs: number): LongLine {
       waitingBytes: 0,
     };
   };
-  return { platform: { ...platform, connect }, came, sent };
+  return { platform: { ...platform, connect }, received, sent };
 }
 
 function count(counts: Map<string, number>, text: string): void {

@@ -1,11 +1,11 @@
-/** A filter in front of a relay that ends with the test. */
 import { onTestFinished } from "vitest";
-import { openFilterProxy, type FilterProxy, type Harm } from "./filter-proxy.ts";
+import { openFilterProxy, type FilterProxy, type FilterMode } from "./filter-proxy.ts";
 
-const MOMENT_MS = 1_200;
+const TIMEOUT_MS = 1_200;
 
-export async function startFilterProxy(relay: string, harm: Harm): Promise<FilterProxy> {
-  const proxy = await openFilterProxy(relay, harm, MOMENT_MS);
+/** Starts a filter proxy; it stops with the test. */
+export async function startFilterProxy(relay: string, mode: FilterMode): Promise<FilterProxy> {
+  const proxy = await openFilterProxy(relay, mode, TIMEOUT_MS);
   onTestFinished(() => proxy.close());
   return proxy;
 }

@@ -1,27 +1,30 @@
-/** A stretch of network that loses the end of some answers: their status says that all is well. */
+/** A proxy that truncates some responses; their status still reports success. */
 import { once } from "node:events";
 import { connect, createServer, type AddressInfo, type Socket } from "node:net";
 import { onTestFinished } from "vitest";
 
-/** So many bytes at the end of an answer never come. */
+/** Number of bytes that are missing at the end. */
 const LOST_BYTES = 10;
 
-export interface CuttingProxy {
+export interface TruncatingProxy {
   origin: string;
-  /** how many answers were cut */
-  readonly cuts: number;
+  /** number of truncated responses */
+  readonly truncated: number;
 }
 
 /**
- * Starts one; it ends with the test.
+ * Starts a proxy; it stops with the test.
  * @param target origin of the service
- * @param every so many answers the next one is cut
+ * @param every interval of truncated responses
  */
-export async function startCuttingProxy(target: string, every: number): Promise<CuttingProxy> {
+export async function startTruncatingProxy(
+  target: string,
+  every: number,
+): Promise<TruncatingProxy> {
   const { hostname, port } = new URL(target);
   const sockets = new Set<Socket>();
-  let answers = 0;
-  let cuts = 0;
+  let responses = 0;
+  let truncated = 0;
   const proxy = createServer((client) => {
     const service = connect(Number(port), hostname);
     for (const socket of [client, service]) {
@@ -33,10 +36,11 @@ export async function startCuttingProxy(target: string, every: number): Promise<
     client.on("close", () => service.destroy());
     service.on("end", () => client.end());
     service.on("data", (data: Buffer) => {
-      answers += 1;
-      const isCut = answers % every === 0 && data.toString("latin1").startsWith("HTTP/1.1 2");
-      if (!isCut) return void client.write(data);
-      cuts += 1;
+      responses += 1;
+      const isTruncated =
+        responses % every === 0 && data.toString("latin1").startsWith("HTTP/1.1 2");
+      if (!isTruncated) return void client.write(data);
+      truncated += 1;
       client.end(data.subarray(0, -LOST_BYTES));
       service.destroy();
     });
@@ -49,8 +53,8 @@ export async function startCuttingProxy(target: string, every: number): Promise<
   });
   return {
     origin: `http://127.0.0.1:${(proxy.address() as AddressInfo).port}`,
-    get cuts() {
-      return cuts;
+    get truncated() {
+      return truncated;
     },
   };
 }
