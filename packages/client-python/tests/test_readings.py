@@ -6,7 +6,7 @@ from typing import Any, List
 from corridor.actions import go_forward
 from corridor.reports import Event
 from corridor.requests import Answer
-from test_talk import Scene, record, snapshot
+from test_protocol import Scene, record, snapshot
 
 
 def read(scene: Scene, side: str) -> float:

@@ -17,13 +17,13 @@ from .actions import (
     turn_right,
 )
 from .address import parse_address
-from .async_line import run_async
+from .async_transport import run_async
 from .errors import RobotError
-from .line import Line
+from .transport import Line
 from .pairing import pair
 from .reports import Command, Event, Maze, Sensors, Snapshot
 from .requests import T, Talk
-from .talk import RobotTalk
+from .protocol import RobotTalk
 
 
 class AsyncRobot:

@@ -16,7 +16,7 @@ from urllib.parse import urlsplit
 from .errors import AddressError, NoAnswerError, PairingError
 from .problems import error_of, kind_of, may_pass, reason_of
 from .requests import Answer, Json, Pause, Request, Talk
-from .talk import USER_AGENT
+from .protocol import USER_AGENT
 
 _pairing_log = logging.getLogger("corridor")
 

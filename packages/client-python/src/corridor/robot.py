@@ -18,12 +18,12 @@ from .actions import (
 )
 from .address import parse_address
 from .errors import RobotError
-from .line import Line, run
+from .transport import Line, run
 from .live_sensor import LiveSensor
 from .pairing import pair
 from .reports import Command, Event, Maze, Sensors, Snapshot
 from .requests import T, Talk
-from .talk import RobotTalk
+from .protocol import RobotTalk
 
 
 class Robot:

@@ -17,7 +17,7 @@ from corridor.actions import go_forward
 from corridor.address import parse_address
 from corridor.reports import Command, Sensors
 from corridor.requests import Answer, Pause, Request, T, Talk
-from corridor.talk import RobotTalk
+from corridor.protocol import RobotTalk
 
 KEY = "drv_AAAAAAAAAAAAAAAAAAAAAA"
 LOST = Answer(0, lost="connection refused")

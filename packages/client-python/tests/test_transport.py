@@ -6,7 +6,7 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Callable, Dict, Iterator, List
 
 import pytest
-from corridor.line import Line
+from corridor.transport import Line
 from corridor.requests import Answer, Request
 
 Serve = Callable[[Callable[[BaseHTTPRequestHandler], None]], str]

@@ -8,7 +8,7 @@ from __future__ import annotations
 import asyncio
 import threading
 
-from .line import Line
+from .transport import Line
 from .requests import Answer, Pause, Request, T, Talk
 
 
