@@ -172,6 +172,13 @@ describe("a change in free play", () => {
     const numbers = found?.fixes.flatMap((fix) => (fix.kind === "number" ? [fix.number] : []));
     expect(numbers).toEqual([450]);
   });
+
+  it("is no number with which the line only stays false until the next bump", () => {
+    const what = program("forward", rule(front(">", 50), "left 90"));
+    const found = diagnosed(toSide, what, 1800);
+    expect(found?.cause).toMatchObject({ kind: "comparison", line: 0 });
+    expect(found?.fixes.map(({ kind }) => kind)).not.toContain("number");
+  });
 });
 
 const sensors = ["front", "back", "left", "right"] as const;

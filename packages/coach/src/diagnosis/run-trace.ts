@@ -184,12 +184,13 @@ export class RunTrace {
     return null;
   }
 
-  /** Whether a condition holds for the readings of any tick from `from` on. */
+  /** Whether a condition holds for the readings of any tick from `from` on for which the program decides. */
   isEverTrue(when: Condition, from: number = this.from): boolean {
     const asked = new CompiledProgram({ ...this.program, rules: [{ when, do: "stop" }] });
     const readings = new Float64Array(4);
-    for (let at = (from - this.from) * 4; at < (this.until - this.from) * 4; at += 4) {
-      readings.set(this.#readings.subarray(at, at + 4));
+    for (let at = from - this.from; at < this.until - this.from; at++) {
+      if (this.#rules[at] === NO_DECISION) continue;
+      readings.set(this.#readings.subarray(at * 4, at * 4 + 4));
       if (asked.decide(readings) === 0) return true;
     }
     return false;
