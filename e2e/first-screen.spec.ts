@@ -8,8 +8,8 @@ import { CorridorPage } from "./pages/corridor-page.ts";
 
 const KIB = 1024;
 /** the goals of docs/performance.md */
-const SCRIPT_BUDGET = 152.7 * KIB;
-const WHOLE_BUDGET = 223.1 * KIB;
+const SCRIPT_BUDGET = 155 * KIB;
+const WHOLE_BUDGET = 225.4 * KIB;
 
 interface Loaded {
   path: string;

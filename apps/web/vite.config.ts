@@ -7,7 +7,6 @@ import { firstScript } from "./build/first-script.ts";
 import { layerOrder } from "./build/layer-order.ts";
 import { leanClasses } from "./build/lean-classes.ts";
 import { leanIcons } from "./build/lean-icons.ts";
-import { leanWords } from "./build/lean-words.ts";
 import { precompress } from "./build/precompress.ts";
 import { publish } from "./build/publish.ts";
 
@@ -77,7 +76,6 @@ export default defineConfig({
     leanClasses(),
     leanIcons(),
     layerOrder(),
-    leanWords(),
     shellClasses(),
     englishWords(),
     firstScript(),
