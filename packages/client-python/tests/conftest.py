@@ -1,4 +1,4 @@
-"""The real relay with a robot on a grid behind it, in processes of their own."""
+"""Fixtures with a real relay and a grid robot, in their own processes."""
 
 import json
 import os
@@ -27,7 +27,7 @@ CORRIDOR = ["#" * 42, "#" + "." * 40 + "#", "#" * 42]
 
 
 class Host:
-    """A relay and its robot, which obey the test."""
+    """A relay process and its robot, controlled by the test."""
 
     def __init__(self, maze: List[str]) -> None:
         self._process = subprocess.Popen(
@@ -36,18 +36,18 @@ class Host:
             stdout=subprocess.PIPE,
             text=True,
         )
-        said = self._hear()
-        self.address: str = said["address"]
-        self.origin: str = said["origin"]
-        self.owner_key: str = said["ownerKey"]
-        self.open_cells: int = said["openCells"]
+        started = self._read()
+        self.address: str = started["address"]
+        self.origin: str = started["origin"]
+        self.owner_key: str = started["ownerKey"]
+        self.open_cells: int = started["openCells"]
 
-    def tell(self, word: str) -> Any:
-        """One of kill, start, leave, come, state."""
+    def send(self, instruction: str) -> Any:
+        """Sends one of kill, start, disconnect, connect, state. Returns the result."""
         assert self._process.stdin is not None
-        self._process.stdin.write(word + "\n")
+        self._process.stdin.write(instruction + "\n")
         self._process.stdin.flush()
-        return self._hear()
+        return self._read()
 
     def close(self) -> None:
         assert self._process.stdin is not None
@@ -57,18 +57,18 @@ class Host:
         finally:
             self._process.kill()
 
-    def _hear(self) -> Any:
+    def _read(self) -> Any:
         assert self._process.stdout is not None
         line = self._process.stdout.readline()
-        assert line, "the relay and its robot did not start, or ended"
+        assert line, "The relay process did not start, or has exited"
         return json.loads(line)
 
 
 def _node() -> str:
-    """Node 26, which npm has installed into the project."""
+    """The Node of the project, or the installed one."""
     own = PROJECT / "node_modules/.bin/node"
     found = str(own) if own.exists() else shutil.which("node")
-    assert found, "There is no Node: run `npm ci` in the project first."
+    assert found, "Node is missing: run `npm ci` in the project first."
     return found
 
 
@@ -76,18 +76,18 @@ def _node() -> str:
 def start() -> Iterator[Callable[[List[str]], Host]]:
     hosts: List[Host] = []
 
-    def begin(maze: List[str]) -> Host:
+    def start_host(maze: List[str]) -> Host:
         hosts.append(Host(maze))
         return hosts[-1]
 
-    yield begin
+    yield start_host
     for host in hosts:
         host.close()
 
 
 @pytest.fixture
 def corridor(start: Callable[[List[str]], Host]) -> Host:
-    """Forty cells in a row, from west to east; the robot stands in the first and faces north."""
+    """Forty cells from west to east. The robot stands in the first one and faces north."""
     return start(CORRIDOR)
 
 
@@ -97,8 +97,8 @@ def tree(start: Callable[[List[str]], Host]) -> Host:
 
 
 @pytest.fixture(autouse=True)
-def no_proxy_of_the_machine(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What the machine says of proxies is no part of a test."""
+def without_proxy(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Tests ignore the proxy settings of the machine."""
     for name in list(os.environ):
         if name.lower().endswith("_proxy"):
             monkeypatch.delenv(name)

@@ -1,4 +1,4 @@
-"""Makes REFERENCE.md from the docstrings: `npm run reference` writes it.
+"""Generates REFERENCE.md from the docstrings (`npm run reference`).
 
 It parses the sources and does not import them, so every version of Python makes the same text.
 """
@@ -17,7 +17,7 @@ REFERENCE = PACKAGE / "REFERENCE.md"
 
 Function = Union[ast.FunctionDef, ast.AsyncFunctionDef]
 
-#: The classes in the order in which a reader needs them.
+#: The classes by group, in reading order.
 GROUPS: Dict[str, Tuple[str, ...]] = {
     "Robots": ("Robot", "LiveSensor", "AsyncRobot"),
     "What a robot reports": (
@@ -53,7 +53,7 @@ docstrings, which an editor shows as well. [The Python library](README.md) shows
 
 @dataclass
 class Doc:
-    """A docstring in its parts."""
+    """The sections of a docstring."""
 
     text: str
     args: Dict[str, str] = field(default_factory=dict)
@@ -76,7 +76,7 @@ def reference() -> str:
 
 
 def public_names() -> List[str]:
-    """What `__all__` lists."""
+    """The names in `__all__`."""
     for node in ast.parse((SOURCES / "__init__.py").read_text()).body:
         if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__":
             names: List[str] = ast.literal_eval(node.value)
@@ -85,7 +85,7 @@ def public_names() -> List[str]:
 
 
 def public_classes() -> Dict[str, Tuple[ast.ClassDef, List[str]]]:
-    """Each public class with the lines of its file."""
+    """The public classes, with the lines of their files."""
     found: Dict[str, Tuple[ast.ClassDef, List[str]]] = {}
     for file in SOURCES.glob("*.py"):
         text = file.read_text()
@@ -96,7 +96,7 @@ def public_classes() -> Dict[str, Tuple[ast.ClassDef, List[str]]]:
 
 
 def methods(node: ast.ClassDef) -> Iterator[Function]:
-    """The public ones, properties too."""
+    """The public methods and properties."""
     for each in node.body:
         if isinstance(each, (ast.FunctionDef, ast.AsyncFunctionDef)) and each.name[0] != "_":
             yield each
@@ -110,7 +110,7 @@ def constructor(node: ast.ClassDef) -> Optional[Function]:
 
 
 def fields(node: ast.ClassDef, lines: List[str]) -> Iterator[Tuple[str, str, str]]:
-    """Name, type and the comment above, `#: ...`."""
+    """Name, type and `#:` comment of each field."""
     for each in node.body:
         if not isinstance(each, ast.AnnAssign):
             continue
@@ -132,7 +132,7 @@ def is_property(function: Function) -> bool:
 
 
 def read_doc(node: Union[ast.ClassDef, Function]) -> Doc:
-    """A docstring by its sections `Args:`, `Returns:` and `Raises:`."""
+    """Parses the sections `Args:`, `Returns:` and `Raises:`."""
     text, *rest = re.split(r"^(Args|Returns|Raises):\n", ast.get_docstring(node) or "", flags=re.M)
     doc = Doc(text.strip())
     for name, body in zip(rest[::2], rest[1::2]):

@@ -1,4 +1,4 @@
-"""The words, as they travel; and what is told about a number that cannot be."""
+"""The JSON of commands, and errors of invalid numbers."""
 
 import math
 from typing import Any, Callable
@@ -9,7 +9,7 @@ from corridor.actions import (
     Action,
     go_forward,
     go_reverse,
-    has_no_end,
+    is_endless,
     power_wheels,
     turn_by,
     turn_left,
@@ -18,7 +18,7 @@ from corridor.actions import (
 
 
 @pytest.mark.parametrize(
-    ("action", "travels"),
+    ("action", "expected"),
     [
         (go_forward(None), {"action": "forward"}),
         (go_forward(100), {"action": "move", "distance": 100}),
@@ -37,31 +37,31 @@ from corridor.actions import (
         ),
     ],
 )
-def test_each_word_travels_as_the_service_takes_it(action: Action, travels: Action) -> None:
-    assert action == travels
+def test_each_method_creates_the_command_of_the_service(action: Action, expected: Action) -> None:
+    assert action == expected
 
 
-def test_a_motion_without_a_number_has_no_end() -> None:
-    assert has_no_end(go_forward(None))
-    assert has_no_end(power_wheels(1, 1, None))
-    assert not has_no_end(power_wheels(1, 1, 500))
-    assert not has_no_end(go_reverse(10))
+def test_a_motion_without_a_number_is_endless() -> None:
+    assert is_endless(go_forward(None))
+    assert is_endless(power_wheels(1, 1, None))
+    assert not is_endless(power_wheels(1, 1, 500))
+    assert not is_endless(go_reverse(10))
 
 
 @pytest.mark.parametrize(
-    ("word", "found", "says"),
+    ("method", "found", "message"),
     [
-        (go_forward, "ten", r"forward\(\) cannot take 'ten' as distance .* -25600 to 25600 cm"),
-        (go_reverse, True, r"reverse\(\) cannot take True"),
-        (turn_left, math.nan, r"left\(\) cannot take nan as degrees"),
-        (turn_right, 3601, r"right\(\) cannot take 3601 .* -3600 to 3600 degrees"),
-        (lambda power: power_wheels(power, 0, None), 1.5, r"cannot take 1.5 as left"),
-        (lambda time: power_wheels(0, 0, time), math.inf, r"cannot take inf as milliseconds"),
+        (go_forward, "ten", r"forward\(\) does not accept 'ten' as distance .* -25600 to 25600 cm"),
+        (go_reverse, True, r"reverse\(\) does not accept True"),
+        (turn_left, math.nan, r"left\(\) does not accept nan as degrees"),
+        (turn_right, 3601, r"right\(\) does not accept 3601 .* -3600 to 3600 degrees"),
+        (lambda power: power_wheels(power, 0, None), 1.5, r"does not accept 1.5 as left"),
+        (lambda time: power_wheels(0, 0, time), math.inf, r"does not accept inf as milliseconds"),
     ],
 )
-def test_a_number_that_cannot_be_is_told_before_it_travels(
-    word: Callable[[Any], Action], found: Any, says: str
+def test_an_invalid_number_is_rejected_locally(
+    method: Callable[[Any], Action], found: Any, message: str
 ) -> None:
-    with pytest.raises(CommandError, match=says) as error:
-        word(found)
+    with pytest.raises(CommandError, match=message) as error:
+        method(found)
     assert error.value.code == "bad-command"

@@ -1,4 +1,4 @@
-"""What a reader is told about an address that is not whole, and that no key shows in it."""
+"""Errors of invalid addresses, which never contain the key."""
 
 import pytest
 from corridor import AddressError
@@ -7,13 +7,13 @@ from corridor.address import parse_address
 KEY = "drv_AAAAAAAAAAAAAAAAAAAAAA"
 
 
-def test_the_address_of_the_page_is_taken_apart() -> None:
+def test_the_address_of_the_page_is_parsed() -> None:
     address = parse_address(f"  http://localhost:8080/r/blue-otter-42#{KEY}\n")
     assert address.api == "http://localhost:8080/api/v1/robots/blue-otter-42"
     assert address.key == KEY
 
 
-def test_the_key_may_be_given_by_itself() -> None:
+def test_the_key_may_be_a_separate_argument() -> None:
     assert parse_address("https://host.example/r/abc", f" {KEY} ").key == KEY
     assert parse_address("https://host.example/r/abc#drv_of_somebody_else", KEY).key == KEY
 
@@ -32,7 +32,7 @@ def test_the_key_may_be_given_by_itself() -> None:
         ("http://localhost/r/abc#" + "k" * 500, "looks like http://HOST/r/ID#KEY"),
     ],
 )
-def test_a_wrong_address_is_told_with_the_usual_mistake(text: str, hint: str) -> None:
+def test_an_invalid_address_is_explained(text: str, hint: str) -> None:
     with pytest.raises(AddressError, match=hint) as error:
         parse_address(text)
     assert error.value.code == "bad-address"
@@ -40,10 +40,10 @@ def test_a_wrong_address_is_told_with_the_usual_mistake(text: str, hint: str) ->
     assert "secret" not in str(error.value)
 
 
-def test_something_else_than_text_is_no_address() -> None:
+def test_only_text_is_an_address() -> None:
     with pytest.raises(AddressError, match="text in quotes"):
         parse_address(None)  # type: ignore[arg-type]
 
 
-def test_the_key_shows_in_no_picture_of_the_address() -> None:
+def test_the_repr_does_not_contain_the_key() -> None:
     assert KEY not in repr(parse_address(f"http://localhost/r/abc#{KEY}"))

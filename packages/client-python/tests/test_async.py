@@ -1,4 +1,4 @@
-"""The same words with asyncio, at the real relay."""
+"""AsyncRobot at a real relay."""
 
 import asyncio
 import time
@@ -26,7 +26,7 @@ def test_a_script_drives_reads_and_stops(corridor: Host) -> None:
     asyncio.run(script())
 
 
-def test_others_go_on_while_one_waits_for_its_robot(corridor: Host) -> None:
+def test_other_tasks_run_while_one_waits(corridor: Host) -> None:
     async def script() -> int:
         ticks = 0
         driver = await AsyncRobot.connect(corridor.address)
@@ -47,21 +47,21 @@ def test_others_go_on_while_one_waits_for_its_robot(corridor: Host) -> None:
     assert asyncio.run(script()) == 3
 
 
-def test_a_script_that_is_ended_does_not_wait_for_its_long_poll(corridor: Host) -> None:
-    corridor.tell("leave")
+def test_a_script_exits_without_waiting_for_its_long_poll(corridor: Host) -> None:
+    corridor.send("disconnect")
 
     async def script() -> None:
         robot = await AsyncRobot.connect(corridor.address)
         with pytest.raises(asyncio.TimeoutError):
             await asyncio.wait_for(robot.right(), 0.3)
 
-    began = time.monotonic()
+    start = time.monotonic()
     asyncio.run(script())
-    # Its long poll would have come back after 10 s.
-    assert time.monotonic() - began < 8
+    # The long poll would last 10 s.
+    assert time.monotonic() - start < 8
 
 
-def test_a_wrong_key_is_told_where_it_is_given(corridor: Host) -> None:
+def test_connect_raises_for_a_wrong_key(corridor: Host) -> None:
     async def script() -> None:
         await AsyncRobot.connect(corridor.address.split("#")[0], "drv_AAAAAAAAAAAAAAAAAAAAAA")
 

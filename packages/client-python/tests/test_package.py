@@ -1,4 +1,4 @@
-"""What a reader installs: types that hold, and a wheel that builds without a network."""
+"""The package has correct types, no dependencies, and builds without a network."""
 
 import ast
 import subprocess
@@ -12,8 +12,8 @@ import pytest
 PACKAGE = Path(__file__).resolve().parents[1]
 
 
-def test_every_type_holds() -> None:
-    pytest.importorskip("mypy", reason="mypy needs a newer Python than this one")
+def test_mypy_passes() -> None:
+    pytest.importorskip("mypy", reason="mypy requires a newer Python")
     check = [sys.executable, "-m", "mypy", "--no-error-summary", "src", "tests"]
     done = subprocess.run(check, cwd=PACKAGE, capture_output=True, text=True)
     assert done.stdout + done.stderr == ""
@@ -25,9 +25,9 @@ def test_the_wheel_builds_without_a_network_and_works(tmp_path: Path) -> None:
     subprocess.run([*pip, "wheel", *offline, "-w", str(tmp_path), str(PACKAGE)], check=True)
     (wheel,) = tmp_path.glob("corridor-*-py3-none-any.whl")
     assert "corridor/py.typed" in zipfile.ZipFile(wheel).namelist()
-    says = "import corridor; print(corridor.__version__, corridor.Robot.__name__)"
+    code = "import corridor; print(corridor.__version__, corridor.Robot.__name__)"
     done = subprocess.run(
-        [sys.executable, "-I", "-c", f"import sys; sys.path.insert(0, {str(wheel)!r}); {says}"],
+        [sys.executable, "-I", "-c", f"import sys; sys.path.insert(0, {str(wheel)!r}); {code}"],
         check=True,
         capture_output=True,
         text=True,
@@ -35,7 +35,7 @@ def test_the_wheel_builds_without_a_network_and_works(tmp_path: Path) -> None:
     assert done.stdout.split() == ["0.1.0", "Robot"]
 
 
-def test_it_needs_nothing_but_python() -> None:
+def test_it_has_no_dependencies() -> None:
     for file in (PACKAGE / "src/corridor").glob("*.py"):
         for line in file.read_text().splitlines():
             if line.startswith(("import ", "from ")):
@@ -44,7 +44,7 @@ def test_it_needs_nothing_but_python() -> None:
                 assert name == "" or name in known, f"{file.name}: {line}"
 
 
-def test_no_name_is_used_twice_because_the_modules_are_served_as_one_file() -> None:
+def test_names_are_unique_because_the_modules_are_served_as_one_file() -> None:
     seen: Dict[str, str] = {}
     for file in (PACKAGE / "src/corridor").glob("*.py"):
         for node in ast.parse(file.read_text()).body:
@@ -58,8 +58,8 @@ def test_no_name_is_used_twice_because_the_modules_are_served_as_one_file() -> N
                 seen[name] = file.name
 
 
-def test_every_type_of_the_physical_robot_holds() -> None:
-    pytest.importorskip("mypy", reason="mypy needs a newer Python than this one")
+def test_mypy_passes_for_the_physical_robot() -> None:
+    pytest.importorskip("mypy", reason="mypy requires a newer Python")
     folder = PACKAGE.parents[1] / "examples/physical-robot"
     check = [sys.executable, "-m", "mypy", "--strict", "--no-error-summary", "robot_host.py"]
     done = subprocess.run(check, cwd=folder, capture_output=True, text=True)

@@ -1,4 +1,4 @@
-"""Tries, keys, pauses and errors, with a clock that only the test moves and no line at all."""
+"""Retries, keys, delays and errors, with virtual time and prepared responses."""
 
 import json
 from typing import Any, List, Optional, Union
@@ -16,15 +16,15 @@ from corridor import (
 from corridor.actions import go_forward
 from corridor.address import parse_address
 from corridor.reports import Command, Sensors
-from corridor.requests import Answer, Pause, Request, T, Talk
-from corridor.protocol import RobotTalk
+from corridor.requests import Response, Delay, Request, T, Exchange
+from corridor.protocol import RobotProtocol
 
 KEY = "drv_AAAAAAAAAAAAAAAAAAAAAA"
-LOST = Answer(0, lost="connection refused")
+LOST = Response(0, error="connection refused")
 
 
-def record(state: str, reason: Optional[str] = None, seq: int = 7) -> Answer:
-    return Answer(
+def record(state: str, reason: Optional[str] = None, seq: int = 7) -> Response:
+    return Response(
         202,
         json.dumps(
             {
@@ -45,62 +45,62 @@ def record(state: str, reason: Optional[str] = None, seq: int = 7) -> Answer:
 
 def snapshot(
     seq: int, front: float = 50, state: str = "running", right: float = 50
-) -> Answer:
+) -> Response:
     sensors = {"front": front, "right": right, "back": 50, "left": 50}
     pose = {"x": 50, "y": 50, "heading": 0}
     seen = {"seq": seq, "tick": seq, "state": state, "driver": "remote", "sensors": sensors}
     rest = {"motion": "stop", "bumps": 0, "bumping": False, "goalReached": False, "command": None}
-    return Answer(200, json.dumps({**seen, "pose": pose, **rest, "line": None}).encode())
+    return Response(200, json.dumps({**seen, "pose": pose, **rest, "line": None}).encode())
 
 
-def problem(status: int, kind: str, detail: str = "Mend it so.", **more: Any) -> Answer:
+def problem(status: int, kind: str, detail: str = "Fix it so.", **more: Any) -> Response:
     document = {"type": f"/problems/{kind}", "title": "No", "status": status, "detail": detail}
-    return Answer(status, json.dumps({**document, "errors": [], **more}).encode())
+    return Response(status, json.dumps({**document, "errors": [], **more}).encode())
 
 
-class Scene:
-    """A talk, the answers that it gets in turn, and what it asked for and waited."""
+class Harness:
+    """A protocol, its responses in order, its requests and its delays."""
 
     def __init__(
         self,
-        *answers: Union[Answer, float],
-        chance: float = 1.0,
+        *answers: Union[Response, float],
+        rand: float = 1.0,
         latency: float = 0.0,
         ttl: Optional[float] = None,
-        greeted: bool = True,
+        is_checked: bool = True,
     ) -> None:
         self.now = 100.0
         self.latency = 0.0
-        #: an answer, or how many seconds go by before the next one
+        #: responses, and numbers of seconds before the next one
         self.answers = list(answers)
         self.requests: List[Request] = []
-        self.pauses: List[float] = []
+        self.delays: List[float] = []
         address = parse_address(f"http://robots.example/r/abc#{KEY}")
-        self.talk = RobotTalk(
-            address, 30.0, 60.0, ttl, clock=lambda: self.now, chance=lambda: chance
+        self.protocol = RobotProtocol(
+            address, 30.0, 60.0, ttl, clock=lambda: self.now, rand=lambda: rand
         )
-        if greeted:
-            self.answers = [Answer(200, b"{}")]
-            self.run(self.talk.greet())
+        if is_checked:
+            self.answers = [Response(200, b"{}")]
+            self.run(self.protocol.check_access())
             self.answers, self.requests = list(answers), []
         self.latency = latency
 
-    def run(self, talk: Talk[T]) -> T:
+    def run(self, exchange: Exchange[T]) -> T:
         try:
-            step = next(talk)
+            step = next(exchange)
             while True:
-                if isinstance(step, Pause):
-                    self.pauses.append(step.seconds)
+                if isinstance(step, Delay):
+                    self.delays.append(step.seconds)
                     self.now += step.seconds
-                    step = talk.send(None)
+                    step = exchange.send(None)
                 else:
                     self.requests.append(step)
-                    step = talk.send(self._answer())
+                    step = exchange.send(self._answer())
         except StopIteration as end:
             result: T = end.value
             return result
 
-    def _answer(self) -> Answer:
+    def _answer(self) -> Response:
         self.now += self.latency
         answer = self.answers.pop(0) if len(self.answers) > 1 else self.answers[0]
         while isinstance(answer, float):
@@ -109,198 +109,198 @@ class Scene:
         return answer
 
     def move(self) -> Command:
-        return self.run(self.talk.do(go_forward(100)))
+        return self.run(self.protocol.execute(go_forward(100)))
 
 
 def test_a_move_waits_until_the_robot_has_finished_it() -> None:
-    scene = Scene(record("accepted"), record("started"), record("completed"))
-    command = scene.move()
+    harness = Harness(record("accepted"), record("started"), record("completed"))
+    command = harness.move()
     assert command.state == "completed" and command.distance == 100 and command
-    assert [request.url.split("/abc")[1] for request in scene.requests] == [
+    assert [request.url.split("/abc")[1] for request in harness.requests] == [
         "/commands",
         "/commands/7?wait=10",
         "/commands/7?wait=10",
     ]
-    assert json.loads(scene.requests[0].body or b"") == {"action": "move", "distance": 100}
+    assert json.loads(harness.requests[0].body or b"") == {"action": "move", "distance": 100}
 
 
-def test_a_wall_in_the_way_is_an_outcome_not_an_error() -> None:
-    command = Scene(record("collided")).move()
+def test_a_collision_is_not_an_error() -> None:
+    command = Harness(record("collided")).move()
     assert command.collided
     assert not command
 
 
-def test_a_motion_without_an_end_waits_until_it_has_begun() -> None:
-    scene = Scene(record("accepted"), record("delivered"), record("started"))
-    assert scene.run(scene.talk.do(go_forward(None))).state == "started"
-    assert scene.talk.drives_on
-    assert scene.requests[1].url.endswith("/commands/7?wait=0.1")
-    scene.answers = [record("completed")]
-    scene.run(scene.talk.stop())
-    assert not scene.talk.drives_on
+def test_an_endless_motion_waits_until_it_has_started() -> None:
+    harness = Harness(record("accepted"), record("delivered"), record("started"))
+    assert harness.run(harness.protocol.execute(go_forward(None))).state == "started"
+    assert harness.protocol.has_endless_motion
+    assert harness.requests[1].url.endswith("/commands/7?wait=0.1")
+    harness.answers = [record("completed")]
+    harness.run(harness.protocol.stop())
+    assert not harness.protocol.has_endless_motion
 
 
 def test_a_lost_command_is_sent_again_with_its_key() -> None:
-    scene = Scene(LOST, problem(503, "restarting"), record("completed"))
-    scene.move()
-    keys = [request.headers["Idempotency-Key"] for request in scene.requests]
+    harness = Harness(LOST, problem(503, "restarting"), record("completed"))
+    harness.move()
+    keys = [request.headers["Idempotency-Key"] for request in harness.requests]
     assert len(keys) == 3 and len(set(keys)) == 1
-    ages = [json.loads(request.body or b"").get("age") for request in scene.requests]
+    ages = [json.loads(request.body or b"").get("age") for request in harness.requests]
     assert ages == [None, 250, 750]
-    other = Scene(record("completed"))
+    other = Harness(record("completed"))
     other.move()
     assert other.requests[0].headers["Idempotency-Key"] != keys[0]
 
 
-def test_a_name_goes_with_every_request_in_letters_that_a_header_can_hold() -> None:
-    scene = Scene(record("completed"))
-    scene.run(scene.talk.do(go_forward(100)))
-    assert "Script-Name" not in scene.requests[0].headers
+def test_every_request_contains_the_encoded_name() -> None:
+    harness = Harness(record("completed"))
+    harness.run(harness.protocol.execute(go_forward(100)))
+    assert "Script-Name" not in harness.requests[0].headers
     address = parse_address(f"http://robots.example/r/abc#{KEY}")
-    talk = RobotTalk(address, 30.0, 60.0, name="Größe 5 ✓" + "x" * 400)
-    step = next(talk.greet())
+    protocol = RobotProtocol(address, 30.0, 60.0, name="Größe 5 ✓" + "x" * 400)
+    step = next(protocol.check_access())
     assert isinstance(step, Request)
     assert step.headers["Script-Name"].startswith("Gr%C3%B6%C3%9Fe 5 %E2%9C%93xxx")
     assert len(step.headers["Script-Name"]) < 100
 
 
-def test_a_script_that_was_blocked_reads_so_and_does_not_try_again() -> None:
-    scene = Scene(problem(403, "blocked", "The robot's owner has sent this script away."))
+def test_a_blocked_script_gets_an_error_without_retries() -> None:
+    harness = Harness(problem(403, "blocked", "The robot's owner has blocked this script."))
     with pytest.raises(NotAuthorisedError) as caught:
-        scene.run(scene.talk.do(go_forward(100)))
-    assert "owner has sent this script away" in str(caught.value)
+        harness.run(harness.protocol.execute(go_forward(100)))
+    assert "owner has blocked this script" in str(caught.value)
     assert caught.value.code == "blocked"
-    assert len(scene.requests) == 1
+    assert len(harness.requests) == 1
 
 
-def test_a_time_to_live_goes_with_every_command_in_ms() -> None:
-    scene = Scene(record("completed"), ttl=0.5)
-    scene.move()
-    assert json.loads(scene.requests[0].body or b"")["ttl"] == 500
+def test_every_command_contains_the_time_to_live_in_ms() -> None:
+    harness = Harness(record("completed"), ttl=0.5)
+    harness.move()
+    assert json.loads(harness.requests[0].body or b"")["ttl"] == 500
 
 
-def test_a_stop_keeps_its_own_time_to_live() -> None:
-    scene = Scene(record("completed"), ttl=0.2)
-    scene.run(scene.talk.stop())
-    assert "ttl" not in json.loads(scene.requests[0].body or b"")
+def test_a_stop_has_its_own_time_to_live() -> None:
+    harness = Harness(record("completed"), ttl=0.2)
+    harness.run(harness.protocol.stop())
+    assert "ttl" not in json.loads(harness.requests[0].body or b"")
 
 
-def times_of(scene: Scene) -> List[List[str]]:
+def times_of(harness: Harness) -> List[List[str]]:
     """The clock and the time of each request."""
-    return [request.headers["Script-Clock"].split(" ") for request in scene.requests]
+    return [request.headers["Script-Clock"].split(" ") for request in harness.requests]
 
 
-def test_each_try_says_by_one_clock_when_it_is_sent() -> None:
-    scene = Scene(LOST, LOST, record("accepted"), 1.5, record("completed"), record("completed"))
-    scene.move()
-    times = times_of(scene)
+def test_each_attempt_contains_its_send_time_by_one_clock() -> None:
+    harness = Harness(LOST, LOST, record("accepted"), 1.5, record("completed"), record("completed"))
+    harness.move()
+    times = times_of(harness)
     assert [int(at) for _clock, at in times] == [0, 250, 750, 750]
     assert len({clock for clock, _at in times}) == 1 and len(times[0][0]) == 32
-    other = Scene(record("completed"))
+    other = Harness(record("completed"))
     other.move()
     assert times_of(other)[0][0] != times[0][0]
 
 
-def ages_of(scene: Scene) -> List[Optional[int]]:
-    sent = [request.body for request in scene.requests if request.method == "POST"]
+def ages_of(harness: Harness) -> List[Optional[int]]:
+    sent = [request.body for request in harness.requests if request.method == "POST"]
     return [json.loads(body or b"").get("age") for body in sent]
 
 
-def test_the_smallest_round_trip_is_added_to_the_age_of_each_command() -> None:
-    scene = Scene(record("completed"), latency=3.0, greeted=False)
-    scene.move()
-    assert [request.method for request in scene.requests] == ["GET", "POST"]
-    scene.latency = 0.05
-    scene.move()
-    scene.latency = 1.0
-    scene.move()
-    scene.move()
-    assert ages_of(scene) == [3_000, 3_000, 50, 50]
+def test_the_shortest_round_trip_is_added_to_the_age_of_each_command() -> None:
+    harness = Harness(record("completed"), latency=3.0, is_checked=False)
+    harness.move()
+    assert [request.method for request in harness.requests] == ["GET", "POST"]
+    harness.latency = 0.05
+    harness.move()
+    harness.latency = 1.0
+    harness.move()
+    harness.move()
+    assert ages_of(harness) == [3_000, 3_000, 50, 50]
 
 
-def test_a_long_poll_shows_no_round_trip() -> None:
-    scene = Scene(Answer(200, b"{}"), latency=0.2, greeted=False)
-    scene.run(scene.talk.greet())
-    scene.latency = 0.001
-    scene.answers = [snapshot(4)]
-    scene.run(scene.talk.look())
-    scene.answers = [record("completed")]
-    scene.move()
-    assert ages_of(scene) == [200]
+def test_a_long_poll_is_not_measured() -> None:
+    harness = Harness(Response(200, b"{}"), latency=0.2, is_checked=False)
+    harness.run(harness.protocol.check_access())
+    harness.latency = 0.001
+    harness.answers = [snapshot(4)]
+    harness.run(harness.protocol.next_snapshot())
+    harness.answers = [record("completed")]
+    harness.move()
+    assert ages_of(harness) == [200]
 
 
-def test_a_command_that_came_too_late_reads_so_in_plain_words() -> None:
-    scene = Scene(3.0, problem(422, "too-late", "It is 3000 ms old."), ttl=0.4)
+def test_a_command_that_arrived_too_late_is_reported_as_expired() -> None:
+    harness = Harness(3.0, problem(422, "too-late", "It is 3000 ms old."), ttl=0.4)
     with pytest.raises(CommandEndedError) as error:
-        scene.move()
+        harness.move()
     assert error.value.code == "expired"
-    assert "The command came too late, so the robot did not do it" in str(error.value)
-    assert len(scene.requests) == 1
+    assert "The command arrived too late and was not executed" in str(error.value)
+    assert len(harness.requests) == 1
 
 
-def test_a_command_that_is_not_too_late_is_tried_again_then_by_another_clock() -> None:
+def test_a_command_that_is_not_too_late_is_retried_then_with_another_clock() -> None:
     late = problem(422, "too-late")
-    scene = Scene(late, record("completed"), latency=0.01, ttl=0.4)
-    scene.move()
-    assert len(scene.requests) == 2
-    slept = Scene(late, late, Answer(200, b"{}"), record("completed"), latency=0.01, ttl=0.4)
+    harness = Harness(late, record("completed"), latency=0.01, ttl=0.4)
+    harness.move()
+    assert len(harness.requests) == 2
+    slept = Harness(late, late, Response(200, b"{}"), record("completed"), latency=0.01, ttl=0.4)
     slept.move()
     assert [request.method for request in slept.requests] == ["POST", "POST", "GET", "POST"]
     (first, _), (second, _), (third, at), (fourth, _) = times_of(slept)
     assert first == second != third == fourth and at == "0"
-    hopeless = Scene(late, latency=0.01, ttl=0.4)
+    hopeless = Harness(late, latency=0.01, ttl=0.4)
     with pytest.raises(CommandEndedError):
         hopeless.move()
     assert len([1 for request in hopeless.requests if request.method == "POST"]) <= 3
 
 
-def test_the_pauses_double_from_a_quarter_second_to_ten_and_are_drawn_by_lot() -> None:
-    scene = Scene(LOST)
+def test_random_delays_double_from_a_quarter_second_to_ten() -> None:
+    harness = Harness(LOST)
     with pytest.raises(NoAnswerError, match="connection refused"):
-        scene.move()
-    assert scene.pauses == [0.25, 0.5, 1, 2, 4, 8, 10]
-    lucky = Scene(LOST, LOST, LOST, record("completed"), chance=0.5)
+        harness.move()
+    assert harness.delays == [0.25, 0.5, 1, 2, 4, 8, 10]
+    lucky = Harness(LOST, LOST, LOST, record("completed"), rand=0.5)
     lucky.move()
-    assert lucky.pauses == [0.125, 0.125, 0.25]
+    assert lucky.delays == [0.125, 0.125, 0.25]
 
 
-def test_many_short_pauses_after_a_short_cut_lead_to_no_long_one() -> None:
-    scene = Scene(LOST, LOST, LOST, LOST, LOST, LOST, record("completed"), chance=0.1)
-    scene.move()
-    assert sum(scene.pauses) < 0.25
-    assert max(scene.pauses) < 0.05
+def test_many_short_delays_after_a_short_outage_lead_to_no_long_one() -> None:
+    harness = Harness(LOST, LOST, LOST, LOST, LOST, LOST, record("completed"), rand=0.1)
+    harness.move()
+    assert sum(harness.delays) < 0.25
+    assert max(harness.delays) < 0.05
 
 
-def test_a_host_that_says_when_to_come_back_is_taken_at_its_word() -> None:
-    scene = Scene(Answer(429, b"{}", retry_after=3.0), record("completed"))
-    scene.move()
-    assert scene.pauses == [3.0]
+def test_retry_after_is_respected() -> None:
+    harness = Harness(Response(429, b"{}", retry_after=3.0), record("completed"))
+    harness.move()
+    assert harness.delays == [3.0]
 
 
-def test_a_host_that_was_never_heard_is_given_up_sooner() -> None:
-    scene = Scene(LOST)
-    with pytest.raises(NoAnswerError, match="http://robots.example is where the robot is"):
-        scene.run(scene.talk.greet())
-    assert scene.now <= 110
+def test_the_first_request_has_a_shorter_timeout() -> None:
+    harness = Harness(LOST)
+    with pytest.raises(NoAnswerError, match="the robot is at http://robots.example"):
+        harness.run(harness.protocol.check_access())
+    assert harness.now <= 110
 
 
-def test_a_refusal_says_a_field_once_that_its_detail_names() -> None:
+def test_an_error_names_each_field_once() -> None:
     errors = [{"path": "action", "found": '"fly"', "expected": "one of forward, reverse"}]
     detail = "The command is wrong. action: found 'fly', expected one of forward, reverse."
-    scene = Scene(problem(400, "bad-request", detail, errors=errors))
+    harness = Harness(problem(400, "bad-request", detail, errors=errors))
     with pytest.raises(CommandError) as error:
-        scene.move()
+        harness.move()
     assert str(error.value).count("expected one of forward") == 1
 
 
-def test_a_refusal_says_which_field_is_wrong_and_what_was_expected() -> None:
+def test_an_error_names_the_invalid_field_and_the_expected_value() -> None:
     errors = [{"path": "distance", "found": "text", "expected": "a distance in cm"}]
-    scene = Scene(problem(400, "bad-request", "The command is wrong.", errors=errors))
+    harness = Harness(problem(400, "bad-request", "The command is wrong.", errors=errors))
     with pytest.raises(CommandError) as error:
-        scene.move()
+        harness.move()
     assert error.value.code == "refused"
     assert "The command is wrong. distance: found text, expected a distance in cm." in str(error.value)
-    assert len(scene.requests) == 1
+    assert len(harness.requests) == 1
 
 
 @pytest.mark.parametrize(
@@ -313,100 +313,100 @@ def test_a_refusal_says_which_field_is_wrong_and_what_was_expected() -> None:
         (problem(409, "no-snapshot"), RobotGoneError, "robot-gone"),
         (problem(409, "key-conflict"), CommandError, "refused"),
         (problem(404, "no-command"), CommandError, "refused"),
-        (Answer(407, b"<html>"), Exception, "refused"),
-        (Answer(302), AddressError, "bad-address"),
-        (Answer(200, b"<html>sign in</html>"), AddressError, "bad-address"),
-        (Answer(200, b"[]"), AddressError, "bad-address"),
-        (Answer(0, lost="self-signed", is_untrusted=True), AddressError, "bad-address"),
+        (Response(407, b"<html>"), Exception, "refused"),
+        (Response(302), AddressError, "bad-address"),
+        (Response(200, b"<html>sign in</html>"), AddressError, "bad-address"),
+        (Response(200, b"[]"), AddressError, "bad-address"),
+        (Response(0, error="self-signed", is_untrusted=True), AddressError, "bad-address"),
     ],
 )
-def test_what_no_retry_mends_is_told_at_once(answer: Answer, kind: Any, code: str) -> None:
-    scene = Scene(answer)
+def test_permanent_failures_are_not_retried(answer: Response, kind: Any, code: str) -> None:
+    harness = Harness(answer)
     with pytest.raises(kind) as error:
-        scene.move()
+        harness.move()
     assert error.value.code == code
     assert error.value.hint.endswith((".", ".)"))
     assert KEY not in str(error.value)
-    assert len(scene.requests) == 1
+    assert len(harness.requests) == 1
 
 
 @pytest.mark.parametrize("state", ["cancelled", "superseded", "expired"])
-def test_a_command_that_was_taken_away_is_an_error_with_its_reason(state: str) -> None:
-    scene = Scene(record("accepted"), record(state, "the page was reloaded"))
+def test_a_command_that_ended_early_is_an_error_with_its_reason(state: str) -> None:
+    harness = Harness(record("accepted"), record(state, "the page was reloaded"))
     with pytest.raises(CommandEndedError, match="The page was reloaded.") as error:
-        scene.move()
+        harness.move()
     assert error.value.code == state
     assert str(error.value).count(state) == 1
 
 
-def test_another_command_after_a_motion_without_an_end_is_no_error() -> None:
-    scene = Scene(record("superseded"))
-    assert scene.run(scene.talk.do(go_forward(None))).state == "superseded"
+def test_replacing_an_endless_motion_is_not_an_error() -> None:
+    harness = Harness(record("superseded"))
+    assert harness.run(harness.protocol.execute(go_forward(None))).state == "superseded"
 
 
-def test_a_robot_that_does_not_finish_is_told_after_the_time_for_it() -> None:
-    scene = Scene(record("accepted"), 25.0, record("started"), 45.0, record("started"))
-    with pytest.raises(NoAnswerError, match="does not finish command 7"):
-        scene.move()
+def test_a_robot_that_does_not_finish_is_reported_after_the_timeout() -> None:
+    harness = Harness(record("accepted"), 25.0, record("started"), 45.0, record("started"))
+    with pytest.raises(NoAnswerError, match="did not finish command 7"):
+        harness.move()
 
 
-def test_each_reading_asks_for_a_newer_one() -> None:
-    scene = Scene(snapshot(4), snapshot(6))
-    assert scene.run(scene.talk.look()).seq == 4
-    assert scene.run(scene.talk.look()).seq == 6
-    assert [request.url.split("/abc")[1] for request in scene.requests] == [
+def test_each_reading_requests_a_newer_snapshot() -> None:
+    harness = Harness(snapshot(4), snapshot(6))
+    assert harness.run(harness.protocol.next_snapshot()).seq == 4
+    assert harness.run(harness.protocol.next_snapshot()).seq == 6
+    assert [request.url.split("/abc")[1] for request in harness.requests] == [
         "/sensors?wait=10",
         "/sensors?after=4&wait=0.05",
     ]
 
 
-def test_readings_of_a_robot_whose_page_is_away_are_not_passed_off_as_new() -> None:
-    back = Scene(snapshot(4, state="gone"), 1.0, snapshot(4, state="gone"), snapshot(1))
-    assert back.run(back.talk.look()).state == "running"
-    away = Scene(31.0, snapshot(4, state="gone"))
+def test_the_last_snapshot_of_a_closed_page_is_not_returned_as_new() -> None:
+    back = Harness(snapshot(4, state="gone"), 1.0, snapshot(4, state="gone"), snapshot(1))
+    assert back.run(back.protocol.next_snapshot()).state == "running"
+    away = Harness(31.0, snapshot(4, state="gone"))
     with pytest.raises(RobotGoneError, match="page is closed or not connected.*press Connect") as error:
-        away.run(away.talk.look())
+        away.run(away.protocol.next_snapshot())
     assert error.value.code == "robot-gone"
 
 
-def test_waiting_for_a_reading_ends_with_it_or_with_the_time() -> None:
+def test_wait_until_ends_with_the_condition_or_the_timeout() -> None:
     near: Any = lambda sensor: sensor.front < 60  # noqa: E731
-    scene = Scene(snapshot(1, front=250), snapshot(2, front=70), snapshot(3, front=50))
-    assert scene.run(scene.talk.wait_until(near, 5)) == Sensors(50, 50, 50, 50)
-    late = Scene(snapshot(1, front=250), latency=1.0)
+    harness = Harness(snapshot(1, front=250), snapshot(2, front=70), snapshot(3, front=50))
+    assert harness.run(harness.protocol.wait_until(near, 5)) == Sensors(50, 50, 50, 50)
+    late = Harness(snapshot(1, front=250), latency=1.0)
     with pytest.raises(NoAnswerError, match="front=250"):
-        late.run(late.talk.wait_until(near, 5))
+        late.run(late.protocol.wait_until(near, 5))
 
 
-def test_a_script_that_waits_gives_signs_of_life_more_often_than_the_lease_runs_out() -> None:
-    scene = Scene(Answer(200, b'{"commands": []}'))
-    scene.run(scene.talk.wait(2.5))
-    assert scene.pauses == [1, 1, 0.5]
-    assert len(scene.requests) == 3
+def test_wait_sends_requests_more_often_than_the_robot_requires() -> None:
+    harness = Harness(Response(200, b'{"commands": []}'))
+    harness.run(harness.protocol.wait(2.5))
+    assert harness.delays == [1, 1, 0.5]
+    assert len(harness.requests) == 3
 
 
-def test_the_log_is_read_to_its_end() -> None:
-    def page(first: int, count: int) -> Answer:
+def test_all_pages_of_the_log_are_read() -> None:
+    def page(first: int, count: int) -> Response:
         records = [json.loads(record("completed", seq=first + n).body) for n in range(count)]
-        return Answer(200, json.dumps({"commands": records}).encode())
+        return Response(200, json.dumps({"commands": records}).encode())
 
-    scene = Scene(page(1, 200), page(201, 3))
-    assert [command.seq for command in scene.run(scene.talk.log())] == list(range(1, 204))
-    assert scene.requests[1].url.endswith("/commands?after=200")
+    harness = Harness(page(1, 200), page(201, 3))
+    assert [command.seq for command in harness.run(harness.protocol.log())] == list(range(1, 204))
+    assert harness.requests[1].url.endswith("/commands?after=200")
 
 
-def test_a_closed_robot_asks_for_nothing_more() -> None:
-    scene = Scene(record("completed"))
-    scene.talk.is_closed = True
+def test_a_closed_robot_sends_no_requests() -> None:
+    harness = Harness(record("completed"))
+    harness.protocol.is_closed = True
     with pytest.raises(ClosedError):
-        scene.move()
-    assert scene.requests == []
+        harness.move()
+    assert harness.requests == []
 
 
-def test_the_key_is_in_a_header_and_in_no_address() -> None:
-    scene = Scene(record("accepted"), record("completed"), snapshot(1))
-    scene.move()
-    scene.run(scene.talk.look())
-    for request in scene.requests:
+def test_the_key_is_in_a_header_and_never_in_a_url() -> None:
+    harness = Harness(record("accepted"), record("completed"), snapshot(1))
+    harness.move()
+    harness.run(harness.protocol.next_snapshot())
+    for request in harness.requests:
         assert request.headers["Authorization"] == f"Bearer {KEY}"
         assert KEY not in request.url

@@ -1,4 +1,4 @@
-"""The reference is what the docstrings say, and they say everything."""
+"""The reference is up to date, and every public name has a docstring."""
 
 import ast
 from typing import List
@@ -18,17 +18,17 @@ from library_reference import (
 )
 
 
-def test_it_is_what_the_docstrings_say() -> None:
+def test_it_matches_the_docstrings() -> None:
     assert REFERENCE.read_text(encoding="utf-8") == reference(), (
         "Run `npm run reference`, and commit REFERENCE.md."
     )
 
 
-def test_it_has_every_public_class_once() -> None:
+def test_it_contains_every_public_class_once() -> None:
     assert sorted(name for names in GROUPS.values() for name in names) == sorted(public_names())
 
 
-def test_every_method_property_and_parameter_has_its_words() -> None:
+def test_every_method_property_and_parameter_is_documented() -> None:
     without: List[str] = []
     for name, (node, lines) in public_classes().items():
         if not read_doc(node).text:
@@ -37,7 +37,7 @@ def test_every_method_property_and_parameter_has_its_words() -> None:
         for method in methods(node):
             if not read_doc(method).text:
                 without.append(f"{name}.{method.name}")
-            # Those of AsyncRobot are described at Robot: the test below holds them together.
+            # The parameters of AsyncRobot are documented at Robot.
             if name == "AsyncRobot":
                 continue
             doc = read_doc(method)
@@ -52,7 +52,7 @@ def test_every_method_property_and_parameter_has_its_words() -> None:
     assert without == []
 
 
-def test_the_constructors_have_the_words_of_their_parameters() -> None:
+def test_the_parameters_of_constructors_are_documented() -> None:
     classes = public_classes()
     for name in ("Robot", "RobotError"):
         init = constructor(classes[name][0])
@@ -60,7 +60,7 @@ def test_the_constructors_have_the_words_of_their_parameters() -> None:
         assert list(read_doc(classes[name][0]).args) == parameters(init)
 
 
-def test_the_asynchronous_robot_takes_what_the_other_one_takes() -> None:
+def test_the_asynchronous_robot_has_the_same_methods_and_parameters() -> None:
     classes = public_classes()
     own = {each.name: parameters(each) for each in methods(classes["AsyncRobot"][0])}
     other = {each.name: parameters(each) for each in methods(classes["Robot"][0])}

@@ -1,4 +1,4 @@
-"""The line itself, against small servers of the test: proxies, redirects, cuts."""
+"""The transport with local servers: proxies, redirects, failures."""
 
 import socket
 import threading
@@ -6,8 +6,8 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Callable, Dict, Iterator, List
 
 import pytest
-from corridor.transport import Line
-from corridor.requests import Answer, Request
+from corridor.transport import HttpTransport
+from corridor.requests import Response, Request
 
 Serve = Callable[[Callable[[BaseHTTPRequestHandler], None]], str]
 
@@ -16,7 +16,7 @@ Serve = Callable[[Callable[[BaseHTTPRequestHandler], None]], str]
 def serve() -> Iterator[Serve]:
     servers: List[ThreadingHTTPServer] = []
 
-    def begin(answer: Callable[[BaseHTTPRequestHandler], None]) -> str:
+    def start(answer: Callable[[BaseHTTPRequestHandler], None]) -> str:
         class Handler(BaseHTTPRequestHandler):
             def do_GET(self) -> None:
                 answer(self)
@@ -29,15 +29,15 @@ def serve() -> Iterator[Serve]:
         threading.Thread(target=server.serve_forever, daemon=True).start()
         return f"http://127.0.0.1:{server.server_port}"
 
-    yield begin
+    yield start
     for server in servers:
         server.shutdown()
         server.server_close()
 
 
-def get(url: str, timeout: float = 5.0) -> Answer:
+def get(url: str, timeout: float = 5.0) -> Response:
     headers = {"Authorization": "Bearer drv_secret"}
-    return Line().send(Request("GET", url, headers, None, timeout))
+    return HttpTransport().send(Request("GET", url, headers, None, timeout))
 
 
 def plain(handler: BaseHTTPRequestHandler, status: int, headers: Dict[str, str], body: bytes) -> None:
@@ -48,7 +48,7 @@ def plain(handler: BaseHTTPRequestHandler, status: int, headers: Dict[str, str],
     handler.wfile.write(body)
 
 
-def test_the_proxy_of_the_environment_carries_the_request(
+def test_requests_use_the_proxy_of_the_environment(
     serve: Serve, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     proxy = serve(lambda handler: plain(handler, 200, {}, handler.path.encode()))
@@ -58,7 +58,7 @@ def test_the_proxy_of_the_environment_carries_the_request(
     assert get("http://robots.invalid/r/1").status == 0
 
 
-def test_a_robot_on_this_machine_needs_no_proxy(
+def test_local_robots_are_reached_without_a_proxy(
     serve: Serve, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     here = serve(lambda handler: plain(handler, 200, {}, b"here"))
@@ -67,40 +67,40 @@ def test_a_robot_on_this_machine_needs_no_proxy(
     assert get(here.replace("127.0.0.1", "localhost")).body == b"here"
 
 
-def test_the_key_does_not_follow_a_redirect(serve: Serve) -> None:
-    asked: List[str] = []
-    elsewhere = serve(lambda handler: asked.append(handler.path))
+def test_the_key_is_not_sent_to_the_target_of_a_redirect(serve: Serve) -> None:
+    requested: List[str] = []
+    elsewhere = serve(lambda handler: requested.append(handler.path))
     here = serve(lambda handler: plain(handler, 302, {"Location": elsewhere}, b""))
     assert get(here).status == 302
-    assert asked == []
+    assert requested == []
 
 
-def test_when_to_come_back_is_read_where_it_is_a_number(serve: Serve) -> None:
+def test_a_numeric_retry_after_is_read(serve: Serve) -> None:
     busy = serve(lambda handler: plain(handler, 429, {"Retry-After": "7"}, b"{}"))
-    assert get(busy) == Answer(429, b"{}", retry_after=7.0)
+    assert get(busy) == Response(429, b"{}", retry_after=7.0)
     late = serve(lambda handler: plain(handler, 503, {"Retry-After": "Mon, 1 Jan"}, b"{}"))
     assert get(late).retry_after is None
 
 
-def test_an_answer_that_is_cut_short_counts_as_lost(serve: Serve) -> None:
+def test_an_incomplete_response_is_a_failure(serve: Serve) -> None:
     cut = serve(lambda handler: plain(handler, 200, {"Content-Length": "100"}, b"{"))
     assert get(cut).status == 0
 
 
-def test_an_answer_that_is_none_of_http_counts_as_lost() -> None:
+def test_a_response_that_is_not_http_is_a_failure() -> None:
     with socket.create_server(("127.0.0.1", 0)) as server:
         threading.Thread(target=lambda: server.accept()[0].sendall(b"SSH-2.0\r\n"), daemon=True).start()
         answer = get(f"http://127.0.0.1:{server.getsockname()[1]}")
-    assert answer.status == 0 and answer.lost
+    assert answer.status == 0 and answer.error
 
 
-def test_silence_counts_as_lost_after_a_while() -> None:
+def test_silence_is_a_failure_after_the_timeout() -> None:
     with socket.create_server(("127.0.0.1", 0)) as server:
         answer = get(f"http://127.0.0.1:{server.getsockname()[1]}", timeout=0.2)
-    assert answer == Answer(0, lost="no answer in time")
+    assert answer == Response(0, error="no response in time")
 
 
-def test_nobody_there_is_said_in_words_without_the_key() -> None:
+def test_a_refused_connection_is_reported_without_the_key() -> None:
     answer = get("http://127.0.0.1:9")
     assert answer.status == 0
-    assert "refused" in answer.lost and "secret" not in answer.lost
+    assert "refused" in answer.error and "secret" not in answer.error

@@ -1,4 +1,4 @@
-"""What a beginner reads when a script ends with an error that it does not catch."""
+"""The output of a script with an uncaught error."""
 
 import subprocess
 import sys
@@ -42,14 +42,14 @@ def run(tmp_path: Path) -> Callable[..., "subprocess.CompletedProcess[str]"]:
 
 
 def pause(host: Host) -> None:
-    place = host.address.split("#")[0].replace("/r/", "/api/v1/robots/")
+    url = host.address.split("#")[0].replace("/r/", "/api/v1/robots/")
     headers = {"Authorization": f"Bearer {host.owner_key}"}
-    request = urllib.request.Request(f"{place}/pause", headers=headers, method="PUT")
+    request = urllib.request.Request(f"{url}/pause", headers=headers, method="PUT")
     urllib.request.urlopen(request).close()
 
 
 @pytest.mark.parametrize("text, line", [(SYNC, "3: robot.right()"), (ASYNC, "6: await robot.right()")])
-def test_the_script_ends_with_its_line_and_a_sentence(
+def test_it_is_the_line_of_the_script_and_a_sentence(
     corridor: Host,
     run: Callable[..., "subprocess.CompletedProcess[str]"],
     text: str,
@@ -64,7 +64,7 @@ def test_the_script_ends_with_its_line_and_a_sentence(
     assert corridor.address.split("#")[1] not in done.stderr
 
 
-def test_a_wrong_address_is_told_without_repeating_it(
+def test_it_does_not_repeat_an_invalid_address(
     run: Callable[..., "subprocess.CompletedProcess[str]"],
 ) -> None:
     done = run("from corridor import Robot\nRobot('http://localhost/r/abc')\n")
@@ -72,7 +72,7 @@ def test_a_wrong_address_is_told_without_repeating_it(
     assert "Traceback" not in done.stderr
 
 
-def test_developers_and_other_errors_get_the_traceback(
+def test_it_is_a_traceback_in_development_mode_and_for_other_errors(
     run: Callable[..., "subprocess.CompletedProcess[str]"],
 ) -> None:
     wrong = "from corridor import Robot\nRobot('http://localhost/r/abc')\n"

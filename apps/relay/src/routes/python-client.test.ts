@@ -37,7 +37,7 @@ except CommandError as error:
     const [place] = address.split("#");
     expect(stdout.split("\n").slice(0, 2)).toEqual([
       `[<Robot ${place}>, [], 'AsyncRobot']`,
-      "left() cannot take 'far' as degrees (bad-command). Give a number from -3600 to 3600 degrees.",
+      "left() does not accept 'far' as degrees (bad-command). Pass a number from -3600 to 3600 degrees.",
     ]);
   });
 

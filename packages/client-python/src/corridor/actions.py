@@ -1,4 +1,4 @@
-"""The robot's words as the service takes them, with their numbers checked before they travel."""
+"""Creates and validates the commands of the service."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from typing import Any, Dict, Optional
 
 from .errors import CommandError
 
-#: A command as it travels: `{"action": "move", "distance": 100}`.
+#: The JSON of a command: `{"action": "move", "distance": 100}`.
 Action = Dict[str, Any]
 
-_FARTHEST = 25_600
-_MOST_DEGREES = 3_600
-_LONGEST_DRIVE = 60_000
+_MAX_DISTANCE = 25_600
+_MAX_DEGREES = 3_600
+_MAX_DRIVE_MS = 60_000
 
 
 def plain(action: str) -> Action:
@@ -30,8 +30,8 @@ def go_reverse(distance: Optional[float]) -> Action:
     return {**command, "distance": -command["distance"]}
 
 
-def go(distance: float, word: str) -> Action:
-    number = _number(word, "distance", distance, -_FARTHEST, _FARTHEST, "cm")
+def go(distance: float, method: str) -> Action:
+    number = _number(method, "distance", distance, -_MAX_DISTANCE, _MAX_DISTANCE, "cm")
     return {"action": "move", "distance": number}
 
 
@@ -45,8 +45,8 @@ def turn_right(degrees: float) -> Action:
     return plain("right 90") if degrees == 90 else command
 
 
-def turn_by(degrees: float, word: str = "turn") -> Action:
-    number = _number(word, "degrees", degrees, -_MOST_DEGREES, _MOST_DEGREES, "degrees")
+def turn_by(degrees: float, method: str = "turn") -> Action:
+    number = _number(method, "degrees", degrees, -_MAX_DEGREES, _MAX_DEGREES, "degrees")
     return {"action": "turn", "degrees": number}
 
 
@@ -58,25 +58,25 @@ def power_wheels(left_power: float, right_power: float, milliseconds: Optional[f
     }
     if milliseconds is not None:
         action["milliseconds"] = _number(
-            "drive", "milliseconds", milliseconds, 1, _LONGEST_DRIVE, "ms"
+            "drive", "milliseconds", milliseconds, 1, _MAX_DRIVE_MS, "ms"
         )
     return action
 
 
 def check_ttl(seconds: Optional[float]) -> Optional[float]:
-    """The time to live in seconds, in which a command must have begun."""
+    """Validates a time to live in seconds."""
     return None if seconds is None else _number("Robot", "ttl", seconds, 0.2, 60, "seconds")
 
 
-def has_no_end(action: Action) -> bool:
-    """Whether the robot goes on with it until something else is chosen."""
+def is_endless(action: Action) -> bool:
+    """Whether the motion continues until the next command."""
     name = action["action"]
     return name in ("forward", "reverse") or (name == "drive" and "milliseconds" not in action)
 
 
-def _number(word: str, name: str, found: Any, least: float, most: float, unit: str) -> float:
+def _number(method: str, name: str, found: Any, minimum: float, maximum: float, unit: str) -> float:
     is_number = isinstance(found, (int, float)) and not isinstance(found, bool)
-    if is_number and math.isfinite(found) and least <= found <= most:
+    if is_number and math.isfinite(found) and minimum <= found <= maximum:
         return float(found) if isinstance(found, float) else int(found)
-    what = f"{word}() cannot take {found!r:.40} as {name}"
-    raise CommandError("bad-command", what, f"Give a number from {least} to {most} {unit}.")
+    what = f"{method}() does not accept {found!r:.40} as {name}"
+    raise CommandError("bad-command", what, f"Pass a number from {minimum} to {maximum} {unit}.")

@@ -1,4 +1,4 @@
-"""The address of a robot, `https://HOST/r/ID#KEY`: all that a script needs."""
+"""The address of a robot, `https://HOST/r/ID#KEY`: everything that a script needs."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Optional
 
 from .errors import AddressError
 
-_LONGEST = 400
+_MAX_ADDRESS = 400
 _ADDRESS = re.compile(r"(https?://[^/?#\s@]+)/r/([A-Za-z0-9_-]{1,64})(?:#([A-Za-z0-9_-]{8,64}))?")
 _KEY = re.compile(r"[A-Za-z0-9_-]{8,64}")
 _COPY = "copy the whole address from the page, under Remote"
@@ -16,7 +16,7 @@ _COPY = "copy the whole address from the page, under Remote"
 
 @dataclass(frozen=True)
 class Address:
-    """Where a robot is. The key shows in no text that is made from this."""
+    """A parsed address. Its `repr` does not contain the key."""
 
     origin: str
     id: str
@@ -24,32 +24,32 @@ class Address:
 
     @property
     def api(self) -> str:
-        """Where the robot's calls begin."""
+        """Base URL of the robot's API."""
         return f"{self.origin}/api/v1/robots/{self.id}"
 
     @property
     def whole(self) -> str:
-        """The address as it is copied, with its key."""
+        """The complete address with its key."""
         return f"{self.origin}/r/{self.id}#{self.key}"
 
 
 def parse_address(text: str, key: Optional[str] = None) -> Address:
-    """Takes a robot's address apart; the key may be given by itself.
+    """Parses a robot's address; `key` replaces the key in it.
 
-    Raises AddressError with a hint for the usual mistakes of copying. The text is not repeated in
-    it, because it holds the key.
+    Raises AddressError with a hint for common mistakes. The error does not repeat the text, because it
+    contains the key.
     """
     if not isinstance(text, str):
-        raise _wrong(f"It is a text in quotes: {_COPY}.")
+        raise _wrong(f"An address is a text in quotes: {_COPY}.")
     text = text.strip()
-    match = _ADDRESS.fullmatch(text) if len(text) <= _LONGEST else None
+    match = _ADDRESS.fullmatch(text) if len(text) <= _MAX_ADDRESS else None
     if match is None:
-        raise _wrong(_hint_for(text[:_LONGEST]))
+        raise _wrong(_hint_for(text[:_MAX_ADDRESS]))
     origin, robot_id, own_key = match.groups()
     if key is not None:
         own_key = key.strip().lstrip("#")
     if own_key is None or _KEY.fullmatch(own_key) is None:
-        raise _wrong(f'The key after the # is missing or not whole: {_COPY}, and put it in "quotes".')
+        raise _wrong(f'The key after the # is missing or incomplete: {_COPY}, and put it in "quotes".')
     return Address(origin, robot_id, own_key)
 
 
@@ -61,11 +61,11 @@ def _hint_for(text: str) -> str:
     if text == "":
         return f"It is empty: {_COPY}."
     if not re.match(r"https?://", text):
-        return f"It begins with http:// or https://: {_COPY}."
+        return f"An address begins with http:// or https://: {_COPY}."
     if re.match(r"https?://[^/]*@", text):
-        return f"It holds a user's name before the @: {_COPY}."
+        return f"It contains a user name before the @: {_COPY}."
     if re.fullmatch(r"https?://[^/]+/r/[^#]+#?", text):
         return f'The key after the # is missing: {_COPY}, and put it in "quotes" on a command line.'
     if re.match(r"https?://HOST\b", text):
         return f"HOST, ID and KEY stand for your robot's address: {_COPY}."
-    return f"It looks like http://HOST/r/ID#KEY: {_COPY}."
+    return f"An address looks like http://HOST/r/ID#KEY: {_COPY}."

@@ -1,4 +1,4 @@
-"""The same robot for asyncio: the same words, each of them awaited."""
+"""The robot for asyncio: the methods of `Robot` as coroutines."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ from .actions import (
 from .address import parse_address
 from .async_transport import run_async
 from .errors import RobotError
-from .transport import Line
+from .transport import HttpTransport
 from .pairing import pair
 from .reports import Command, Event, Maze, Sensors, Snapshot
-from .requests import T, Talk
-from .protocol import RobotTalk
+from .requests import T, Exchange
+from .protocol import RobotProtocol
 
 
 class AsyncRobot:
-    """A robot for scripts that do several things at once, with asyncio.
+    """A robot for scripts with asyncio.
 
     Use it as `async with AsyncRobot(ADDRESS) as robot:` or `robot = await AsyncRobot.connect(ADDRESS)`.
-    Parameters, results and errors are those of `Robot` and of its methods with the same names. `sensor`,
-    `goal_reached` and `bumps` are missing: read them from `await robot.snapshot()`.
+    Parameters, results and errors are those of `Robot` and of its methods with the same names. Use
+    `await robot.snapshot()` instead of `sensor`, `goal_reached` and `bumps`.
     """
 
     def __init__(
@@ -45,8 +45,8 @@ class AsyncRobot:
         name: Optional[str] = None,
     ) -> None:
         where = parse_address(address, key)
-        self._talk = RobotTalk(where, answer_timeout, finish_timeout, check_ttl(ttl), name=name)
-        self._line = Line()
+        self._protocol = RobotProtocol(where, answer_timeout, finish_timeout, check_ttl(ttl), name=name)
+        self._transport = HttpTransport()
 
     @classmethod
     async def connect(
@@ -59,7 +59,7 @@ class AsyncRobot:
         ttl: Optional[float] = None,
         name: Optional[str] = None,
     ) -> AsyncRobot:
-        """Makes an `AsyncRobot`, and checks that the robot is there and takes the key."""
+        """Creates an `AsyncRobot`, and checks that the robot exists and accepts the key."""
         robot = cls(
             address,
             key,
@@ -68,7 +68,7 @@ class AsyncRobot:
             ttl=ttl,
             name=name,
         )
-        await robot._run(robot._talk.greet())
+        await robot._run(robot._protocol.check_access())
         return robot
 
     @classmethod
@@ -82,8 +82,8 @@ class AsyncRobot:
         ttl: Optional[float] = None,
         name: Optional[str] = None,
     ) -> AsyncRobot:
-        """Connects by a code of 8 letters, and waits until the robot's owner accepts this script."""
-        address = await run_async(pair(service, code, name, answer_timeout), Line())
+        """Connects by a pairing code, and waits until the robot's owner accepts this script."""
+        address = await run_async(pair(service, code, name, answer_timeout), HttpTransport())
         return await cls.connect(
             address,
             answer_timeout=answer_timeout,
@@ -95,12 +95,12 @@ class AsyncRobot:
     @property
     def address(self) -> str:
         """The whole address, with its key. Keep it private."""
-        return self._talk.address.whole
+        return self._protocol.address.whole
 
-    # --- measured: they end by themselves, or at a wall ---
+    # --- driving ---
 
     async def forward(self, distance: Optional[float] = None) -> Command:
-        """Drives forward, and waits for the end; without a distance, until another command comes."""
+        """Drives forward, and waits for the end; without a distance, until the next command."""
         return await self._do(go_forward(distance))
 
     async def reverse(self, distance: Optional[float] = None) -> Command:
@@ -120,11 +120,11 @@ class AsyncRobot:
         return await self._do(turn_by(degrees))
 
     async def delayed_left(self) -> Command:
-        """Drives on 50 cm, turns left, drives 60 cm out of the junction, and waits for the end."""
+        """Drives 50 cm forward, turns left, drives 60 cm out of the junction, and waits for the end."""
         return await self._do(plain("delayed left 90"))
 
     async def delayed_right(self) -> Command:
-        """Drives on 50 cm, turns right, drives 60 cm out of the junction, and waits for the end."""
+        """Drives 50 cm forward, turns right, drives 60 cm out of the junction, and waits for the end."""
         return await self._do(plain("delayed right 90"))
 
     async def drive(self, left: float, right: float, milliseconds: Optional[float] = None) -> Command:
@@ -133,63 +133,63 @@ class AsyncRobot:
 
     async def stop(self) -> Command:
         """Stops at once: cancels the running command and all waiting ones, from every script."""
-        return await self._run(self._talk.stop())
+        return await self._run(self._protocol.stop())
 
     # --- reading and waiting ---
 
     async def sensors(self) -> Sensors:
-        """Reads the four distances: `(await robot.sensors()).front`."""
+        """Reads the four range sensors: `(await robot.sensors()).front`."""
         return (await self.snapshot()).sensors
 
     async def snapshot(self) -> Snapshot:
         """Reads everything that the robot reports."""
-        return await self._run(self._talk.look())
+        return await self._run(self._protocol.next_snapshot())
 
     async def snapshots(self) -> AsyncIterator[Snapshot]:
-        """Follows the robot without an end: `async for snapshot in robot.snapshots():`."""
+        """Follows the robot until the loop ends: `async for snapshot in robot.snapshots():`."""
         while True:
-            yield await self._run(self._talk.look(1.0))
+            yield await self._run(self._protocol.next_snapshot(1.0))
 
     async def events(self) -> AsyncIterator[Event]:
-        """Follows the robot and the commands of all scripts, without an end."""
+        """Follows the robot and the commands of all scripts, until the loop ends."""
         since: Optional[str] = None
         newest: Optional[Snapshot] = None
         while True:
             after = 0 if newest is None else newest.seq
-            since, events = await self._run(self._talk.events(since, after))
+            since, events = await self._run(self._protocol.events(since, after))
             for event in events:
-                # Each answer has the newest report, also where only a command has changed.
+                # Each response repeats the newest snapshot, even if only a command has changed.
                 if event.snapshot is not None and event.snapshot == newest:
                     continue
                 newest = event.snapshot or newest
                 yield event
 
     async def maze(self) -> Maze:
-        """Reads the maze that the robot is in."""
-        return await self._run(self._talk.maze())
+        """Reads the robot's maze."""
+        return await self._run(self._protocol.maze())
 
     async def wait_until(
         self, condition: Callable[[Sensors], object], timeout: Optional[float] = None
     ) -> Sensors:
-        """Waits until a condition holds: `await robot.wait_until(lambda sensor: sensor.front < 60)`."""
-        return await self._run(self._talk.wait_until(condition, timeout))
+        """Waits until a condition is true: `await robot.wait_until(lambda sensor: sensor.front < 60)`."""
+        return await self._run(self._protocol.wait_until(condition, timeout))
 
     async def wait(self, seconds: float) -> None:
-        """Waits, and lets the robot go on with what it does, unlike `asyncio.sleep`."""
-        await self._run(self._talk.wait(seconds))
+        """Waits while the robot continues its motion, unlike `asyncio.sleep`."""
+        await self._run(self._protocol.wait(seconds))
 
     async def commands(self) -> List[Command]:
         """Reads the log: the record of every command that the robot's host stores, oldest first."""
-        return await self._run(self._talk.log())
+        return await self._run(self._protocol.log())
 
     # --- the end ---
 
     def close(self) -> None:
-        """Ends the use of this object. The robot goes on with what it does."""
-        self._talk.is_closed = True
+        """Closes this object. The robot continues its motion."""
+        self._protocol.is_closed = True
 
     async def __aenter__(self) -> AsyncRobot:
-        await self._run(self._talk.greet())
+        await self._run(self._protocol.check_access())
         return self
 
     async def __aexit__(
@@ -198,23 +198,23 @@ class AsyncRobot:
         _error: Optional[BaseException],
         _trace: Optional[TracebackType],
     ) -> None:
-        """Stops the robot if it would drive on by itself, and leaves it."""
+        """Stops an endless motion, and closes this object."""
         try:
-            if self._talk.drives_on and not self._talk.is_closed:
+            if self._protocol.has_endless_motion and not self._protocol.is_closed:
                 await self.stop()
         except RobotError:
-            # What went wrong first is what the reader has to know.
+            # Do not hide the first error.
             if kind is None:
                 raise
         finally:
             self.close()
 
     def __repr__(self) -> str:
-        address = self._talk.address
+        address = self._protocol.address
         return f"<AsyncRobot {address.origin}/r/{address.id}>"
 
     async def _do(self, action: Action) -> Command:
-        return await self._run(self._talk.do(action))
+        return await self._run(self._protocol.execute(action))
 
-    async def _run(self, talk: Talk[T]) -> T:
-        return await run_async(talk, self._line)
+    async def _run(self, exchange: Exchange[T]) -> T:
+        return await run_async(exchange, self._transport)

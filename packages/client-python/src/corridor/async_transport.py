@@ -1,6 +1,6 @@
-"""Has a talk without holding up the event loop: each request waits in a thread of its own.
+"""Runs exchanges without blocking the event loop: each request has its own thread.
 
-The threads are daemons, so that a script which is ended does not wait for a long poll to come back.
+The threads are daemons, so that a script can exit during a long poll.
 """
 
 from __future__ import annotations
@@ -8,40 +8,40 @@ from __future__ import annotations
 import asyncio
 import threading
 
-from .transport import Line
-from .requests import Answer, Pause, Request, T, Talk
+from .transport import HttpTransport
+from .requests import Response, Delay, Request, T, Exchange
 
 
-async def run_async(talk: Talk[T], line: Line) -> T:
-    """Has a talk from its beginning to its end, and lets others work meanwhile."""
+async def run_async(exchange: Exchange[T], transport: HttpTransport) -> T:
+    """Runs an exchange to its end, without blocking the event loop."""
     try:
-        step = next(talk)
+        step = next(exchange)
         while True:
-            if isinstance(step, Pause):
+            if isinstance(step, Delay):
                 await asyncio.sleep(step.seconds)
-                step = talk.send(None)
+                step = exchange.send(None)
             else:
-                step = talk.send(await _send(step, line))
+                step = exchange.send(await _send(step, transport))
     except StopIteration as end:
         result: T = end.value
         return result
 
 
-async def _send(request: Request, line: Line) -> Answer:
+async def _send(request: Request, transport: HttpTransport) -> Response:
     loop = asyncio.get_running_loop()
-    answered: asyncio.Future[Answer] = loop.create_future()
+    future: asyncio.Future[Response] = loop.create_future()
 
-    def take(answer: Answer) -> None:
-        if not answered.done():
-            answered.set_result(answer)
+    def complete(response: Response) -> None:
+        if not future.done():
+            future.set_result(response)
 
     def work() -> None:
-        answer = line.send(request)
+        response = transport.send(request)
         try:
-            loop.call_soon_threadsafe(take, answer)
+            loop.call_soon_threadsafe(complete, response)
         except RuntimeError:
-            # The loop was closed meanwhile: nobody waits any more.
+            # The loop is closed: nothing waits for the response.
             return
 
     threading.Thread(target=work, name="corridor request", daemon=True).start()
-    return await answered
+    return await future

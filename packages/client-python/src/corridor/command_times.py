@@ -1,4 +1,4 @@
-"""The times that go with a command, so that the robot never starts it late on a slow network."""
+"""Send times and ages of commands, so that the robot never starts a command late."""
 
 from __future__ import annotations
 
@@ -6,44 +6,44 @@ import math
 import uuid
 from typing import Callable, Dict, Optional
 
-#: The robot's host takes no larger age.
-_LARGEST_AGE = 3_600_000
+#: The largest age that the robot's host accepts, in ms.
+_MAX_AGE = 3_600_000
 
 
 class CommandTimes:
-    """The clock of one script, and what it has measured with it.
+    """The clock of one script, and its measurements.
 
-    Each request says when it was sent, so that the host sees how much longer it took than the
-    quickest one. How long the quickest one took the host cannot see; it was at most the smallest
-    round trip, so that is added to the age of each command. A command may be thought older than it
-    is, by the way back, and never younger.
+    Each request contains its send time. By this the host computes how much longer the request took
+    than the fastest one. The fastest one took at most the shortest round trip, which this class adds
+    to the age of each command. The age may be too high, by up to the time of the response, and never
+    too low.
     """
 
     def __init__(self, clock: Callable[[], float]) -> None:
         self._clock = clock
-        self.begin_anew()
+        self.reset()
 
-    def begin_anew(self) -> None:
-        """Another clock for the host, which forgets what it has measured: this one may have stood still."""
+    def reset(self) -> None:
+        """Starts a new clock without measurements: the old one may have stopped during sleep."""
         self._id = uuid.uuid4().hex
-        self._zero = self._clock()
-        self._smallest: Optional[float] = None
+        self._start = self._clock()
+        self._shortest_round_trip: Optional[float] = None
 
     @property
     def is_measured(self) -> bool:
-        """Whether a request was answered since the clock began."""
-        return self._smallest is not None
+        """Whether a request was answered since the clock started."""
+        return self._shortest_round_trip is not None
 
     def answered(self, seconds: float) -> None:
-        """A request that waits for nothing was answered by the host after so long."""
-        if self._smallest is None or seconds < self._smallest:
-            self._smallest = seconds
+        """Records the round trip of a request without a long poll."""
+        if self._shortest_round_trip is None or seconds < self._shortest_round_trip:
+            self._shortest_round_trip = seconds
 
     def header(self) -> Dict[str, str]:
-        """When the request is sent, for the host."""
-        return {"Script-Clock": f"{self._id} {math.floor((self._clock() - self._zero) * 1_000)}"}
+        """The header with the send time of a request."""
+        return {"Script-Clock": f"{self._id} {math.floor((self._clock() - self._start) * 1_000)}"}
 
-    def age(self, began: float) -> int:
-        """ms since the first try of a command, and what it may take on its way at most."""
-        seconds = self._clock() - began + (self._smallest or 0.0)
-        return min(_LARGEST_AGE, math.ceil(round(seconds * 1_000, 3)))
+    def age(self, first_sent_at: float) -> int:
+        """ms since the first attempt of a command, plus the maximum transit time."""
+        seconds = self._clock() - first_sent_at + (self._shortest_round_trip or 0.0)
+        return min(_MAX_AGE, math.ceil(round(seconds * 1_000, 3)))

@@ -1,24 +1,24 @@
-"""What can go wrong for a script: each error says what, and what to do."""
+"""The exceptions of the library."""
 
 from __future__ import annotations
 
 
 class RobotError(Exception):
-    """The base of all errors here. The text of an error has `what`, `code` and `hint`, and never the key.
+    """The base class of all errors. The text contains `what`, `code` and `hint`, and never the key.
 
-    Uncaught, it ends the script and prints the script's line, `what` and `hint` in place of a traceback.
+    Uncaught, it prints the script's line, `what` and `hint` instead of a traceback.
 
     Args:
-        code: a stable word for scripts, such as `timeout`.
-        what: what went wrong, for people.
-        hint: what to do.
+        code: a stable code for scripts, such as `timeout`.
+        what: what went wrong, as a sentence.
+        hint: how to fix it.
     """
 
-    #: a stable word for scripts, such as `timeout`; each error below names its own
+    #: a stable code for scripts, such as `timeout`
     code: str
-    #: what went wrong, for people
+    #: what went wrong, as a sentence
     what: str
-    #: what to do
+    #: how to fix it
     hint: str
 
     def __init__(self, code: str, what: str, hint: str) -> None:
@@ -30,7 +30,7 @@ class RobotError(Exception):
 
 
 class AddressError(RobotError, ValueError):
-    """The robot's address cannot be read, or leads to something else (`bad-address`)."""
+    """The robot's address is invalid, or another server responds there (`bad-address`)."""
 
 
 class CommandError(RobotError, ValueError):
@@ -44,20 +44,23 @@ class NotAuthorisedError(RobotError):
 class PairingError(RobotError):
     """Pairing failed.
 
-    No page shows the code (`wrong-code`), the owner refused (`pairing-refused`), nobody answered or the
-    code is over (`pairing-over`), or too many codes were typed (`too-many-tries`).
+    No page shows the code (`wrong-code`), the owner refused (`pairing-refused`), the owner did not answer
+    or the code has expired (`pairing-over`), or too many codes were entered (`too-many-tries`).
     """
 
 
 class RobotGoneError(RobotError):
-    """There is no such robot (`no-robot`), as after 2 hours without use, or its page is closed (`robot-gone`)."""
+    """There is no such robot (`no-robot`), or its page is closed (`robot-gone`).
+
+    The relay deletes robots after 2 hours without use.
+    """
 
 
 class CommandEndedError(RobotError):
-    """The command did not come to its end.
+    """The command ended early.
 
     A stop, the owner or a reload ended it (`cancelled`), a newer one replaced it (`superseded`), or it
-    could not start within its `ttl` (`expired`). A wall is no error: see `Command.collided`.
+    could not start within its `ttl` (`expired`). A wall is not an error: see `Command.collided`.
     """
 
 
@@ -66,7 +69,7 @@ class NoMazeError(RobotError):
 
 
 class NoAnswerError(RobotError, TimeoutError):
-    """The host did not answer, or the robot did not finish, in time (`timeout`)."""
+    """The host did not respond in time, or the robot did not finish in time (`timeout`)."""
 
 
 class ClosedError(RobotError):

@@ -1,4 +1,4 @@
-"""`robot.sensor.front`: a reading where a script needs one."""
+"""`robot.sensor.front`: readings on demand."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from .reports import Snapshot
 
 
 class LiveSensor:
-    """`robot.sensor`: the four distances in cm from the robot's centre, read when they are asked for.
+    """`robot.sensor`: the four distances in cm from the robot's centre, read on access.
 
-    Different sides that are read within 0.1 s are of one snapshot, so the readings of one decision
-    belong together. A new snapshot is taken for a side that is read again, after any other call of
-    the robot, and after 0.1 s. `robot.sensors()` gives four readings that do not change.
+    Different sides that are read within 0.1 s come from the same snapshot, so that the readings of one
+    decision are consistent. Reading a side again, calling any other method, or 0.1 s start a new
+    snapshot. `robot.sensors()` returns four readings that do not change.
     """
 
     def __init__(self, read: Callable[[str], Snapshot]) -> None:

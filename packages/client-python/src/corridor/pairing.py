@@ -1,6 +1,6 @@
-"""Pairing: a code of 8 letters, typed by hand, in place of a robot's address.
+"""Pairing by a code of 8 letters instead of a robot's address.
 
-The robot's page shows the code, and its owner says yes or no to the script that asks by it.
+The robot's page shows the code, and its owner accepts or refuses the script that uses it.
 """
 
 from __future__ import annotations
@@ -14,24 +14,24 @@ from typing import Callable, Dict, Optional
 from urllib.parse import urlsplit
 
 from .errors import AddressError, NoAnswerError, PairingError
-from .problems import error_of, kind_of, may_pass, reason_of
-from .requests import Answer, Json, Pause, Request, Talk
+from .problems import error_of, problem_type, is_temporary, reason_of
+from .requests import Response, Json, Delay, Request, Exchange
 from .protocol import USER_AGENT
 
 _pairing_log = logging.getLogger("corridor")
 
-_FIRST_TRY_PAUSE = 0.25
-_LONGEST_TRY_PAUSE = 10.0
-_ANSWER_POLL = 10.0
-_LINE_GRACE = 10.0
-#: Beside many wrong codes of the same network, the service checks a code after so long at most.
-_LONGEST_CHECK = 10.0
+_FIRST_PAIRING_DELAY = 0.25
+_MAX_PAIRING_DELAY = 10.0
+_PAIRING_POLL = 10.0
+_PAIRING_TIMEOUT = 10.0
+#: Seconds by which the service may delay a check after many wrong codes from the same network.
+_MAX_CHECK = 10.0
 _LETTERS = re.compile(r"[BCDFGHJKLMNPQRSTVWXZ]{8}")
-#: Whoever types wrong so often has another problem than a slip of the hand.
-_MOST_WRONG_CODES = 10
+#: Maximum number of wrong codes per process.
+_MAX_WRONG_CODES = 10
 
 
-class _Tries:
+class _Attempts:
     """The wrong codes of this process."""
 
     wrong = 0
@@ -43,84 +43,84 @@ def pair(
     name: Optional[str],
     answer_timeout: float,
     clock: Callable[[], float] = time.monotonic,
-    chance: Callable[[], float] = random.random,
-) -> Talk[str]:
-    """Asks by a code, and waits for the owner's yes. Gives the robot's address."""
+    rand: Callable[[], float] = random.random,
+) -> Exchange[str]:
+    """Requests access by a code, and waits until the owner accepts. Returns the robot's address."""
     url = f"{_origin_of(service)}/api/v1/pairing"
-    if _Tries.wrong >= _MOST_WRONG_CODES:
+    if _Attempts.wrong >= _MAX_WRONG_CODES:
         raise PairingError(
             "too-many-tries",
-            f"{_MOST_WRONG_CODES} wrong codes were typed",
-            "Look at the code on the robot's page, and start the script again.",
+            f"{_MAX_WRONG_CODES} wrong codes were entered",
+            "Check the code on the robot's page, and start the script again.",
         )
     letters = re.sub(r"[\s-]", "", code).upper()
     if _LETTERS.fullmatch(letters) is None:
-        _Tries.wrong += 1
-        raise _wrong_code("It has 8 letters, such as BCDF GHJK, and no vowel.")
-    wish = json.dumps({"code": letters, "name": name or None}).encode()
-    asking = Request("POST", url, _headers(), wish, _LONGEST_CHECK + _LINE_GRACE)
-    asked = yield from _tried(asking, answer_timeout, clock, chance)
-    ends = clock() + float(asked["endsInSeconds"])
+        _Attempts.wrong += 1
+        raise _wrong_code("A code has 8 letters, such as BCDF GHJK, and no vowels.")
+    body = json.dumps({"code": letters, "name": name or None}).encode()
+    request = Request("POST", url, _headers(), body, _MAX_CHECK + _PAIRING_TIMEOUT)
+    requested = yield from _with_retries(request, answer_timeout, clock, rand)
+    ends = clock() + float(requested["endsInSeconds"])
     _pairing_log.warning("Waiting for 'Yes, let it drive' on the robot's page.")
-    waiting = Request(
+    poll = Request(
         "GET",
-        f"{url}?wait={_ANSWER_POLL:g}",
-        {**_headers(), "Authorization": f"Bearer {asked['key']}"},
+        f"{url}?wait={_PAIRING_POLL:g}",
+        {**_headers(), "Authorization": f"Bearer {requested['key']}"},
         None,
-        _ANSWER_POLL + _LINE_GRACE,
+        _PAIRING_POLL + _PAIRING_TIMEOUT,
     )
     while True:
-        said = yield from _tried(waiting, answer_timeout, clock, chance)
-        if said["address"] is not None:
-            return str(said["address"])
+        answer = yield from _with_retries(poll, answer_timeout, clock, rand)
+        if answer["address"] is not None:
+            return str(answer["address"])
         if clock() >= ends:
             raise PairingError(
                 "pairing-over",
-                "Nobody has answered",
-                "Make a new code in the robot's page, and watch for the question there.",
+                "The owner did not answer",
+                "Create a new code on the robot's page, and accept this script there.",
             )
 
 
-def _tried(
-    request: Request, limit: float, clock: Callable[[], float], chance: Callable[[], float]
-) -> Talk[Json]:
-    """One request, tried again while the network or the service has a bad moment."""
-    began = clock()
-    tries = 0
+def _with_retries(
+    request: Request, limit: float, clock: Callable[[], float], rand: Callable[[], float]
+) -> Exchange[Json]:
+    """Sends a request, and repeats it after temporary failures."""
+    start = clock()
+    attempts = 0
     while True:
-        answer = yield request
-        if answer is None:
-            raise TypeError("whoever runs a talk answers its requests")
-        if 200 <= answer.status < 300:
-            return _said(answer)
-        if not may_pass(answer):
-            raise _refusal_of(request, answer)
-        pause = chance() * min(_LONGEST_TRY_PAUSE, _FIRST_TRY_PAUSE * 2**tries)
-        pause = max(pause, answer.retry_after or 0.0)
-        tries += 1
-        if clock() - began + pause > limit:
-            if answer.status == 429:
-                raise _refusal_of(request, answer)
+        response = yield request
+        if response is None:
+            raise TypeError("The runner must send a response to each request")
+        if 200 <= response.status < 300:
+            return _parse_pairing(response)
+        if not is_temporary(response):
+            raise _pairing_error(request, response)
+        delay = rand() * min(_MAX_PAIRING_DELAY, _FIRST_PAIRING_DELAY * 2**attempts)
+        delay = max(delay, response.retry_after or 0.0)
+        attempts += 1
+        if clock() - start + delay > limit:
+            if response.status == 429:
+                raise _pairing_error(request, response)
             raise NoAnswerError(
                 "timeout",
-                f"The service does not answer: {reason_of(answer)}",
-                "Check the network, and the address of the page.",
+                f"The service does not respond: {reason_of(response)}",
+                "Check the network and the address of the page.",
             )
-        yield Pause(pause)
+        yield Delay(delay)
 
 
-def _refusal_of(request: Request, answer: Answer) -> Exception:
-    kind, reason = kind_of(answer), reason_of(answer)
+def _pairing_error(request: Request, response: Response) -> Exception:
+    kind, reason = problem_type(response), reason_of(response)
     if kind == "pairing-refused":
         return PairingError("pairing-refused", "The robot's owner declined", reason)
     if kind == "too-fast":
-        return PairingError("too-many-tries", "Too many codes come from this network", reason)
+        return PairingError("too-many-tries", "Too many codes were sent from this network", reason)
     if kind == "no-pairing" and request.method == "GET":
         return PairingError("pairing-over", "The pairing code is no longer valid", reason)
     if kind in ("no-pairing", "code-used"):
-        _Tries.wrong += 1
+        _Attempts.wrong += 1
         return _wrong_code(reason)
-    return error_of(Answer(200)) if kind == "" and answer.status == 404 else error_of(answer)
+    return error_of(Response(200)) if kind == "" and response.status == 404 else error_of(response)
 
 
 def _wrong_code(hint: str) -> PairingError:
@@ -135,23 +135,23 @@ def _headers() -> Dict[str, str]:
     }
 
 
-def _said(answer: Answer) -> Json:
+def _parse_pairing(response: Response) -> Json:
     try:
-        said = json.loads(answer.body)
-        if "endsInSeconds" in said and ("key" in said or "address" in said):
-            return said
+        body = json.loads(response.body)
+        if "endsInSeconds" in body and ("key" in body or "address" in body):
+            return body
     except (ValueError, TypeError):
         pass
-    raise error_of(answer)
+    raise error_of(response)
 
 
 def _origin_of(service: str) -> str:
-    """Where the service is, from the address of its page."""
+    """The origin of a page's address."""
     parts = urlsplit(service.strip())
     if parts.scheme in ("http", "https") and parts.netloc and "@" not in parts.netloc:
         return f"{parts.scheme}://{parts.netloc}"
     raise AddressError(
         "bad-address",
         "This is not the address of a service",
-        "It looks like http://HOST: what the browser shows where the robot's page is open.",
+        "It looks like http://HOST. Copy it from the browser in which the robot's page is open.",
     )

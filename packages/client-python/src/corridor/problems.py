@@ -1,4 +1,4 @@
-"""From an answer that is no success to an error that a reader can act on."""
+"""Turns error responses into exceptions with a hint."""
 
 from __future__ import annotations
 
@@ -14,76 +14,76 @@ from .errors import (
     RobotError,
     RobotGoneError,
 )
-from .requests import Answer
+from .requests import Response
 
-#: The other side had a bad moment: the same request may pass the next time.
-_PASSING = (0, 408, 425, 429)
+#: Statuses of temporary failures.
+_TEMPORARY = (0, 408, 425, 429)
 
 
-def sentence(text: str) -> str:
-    """Some hosts say their reasons as a phrase."""
+def as_sentence(text: str) -> str:
+    """Capitalises and punctuates a reason."""
     text = text[:1].upper() + text[1:]
     return text if text.endswith((".", "!", "?")) else text + "."
 
 
-def may_pass(answer: Answer) -> bool:
-    return not answer.is_untrusted and (answer.status in _PASSING or answer.status >= 500)
+def is_temporary(response: Response) -> bool:
+    return not response.is_untrusted and (response.status in _TEMPORARY or response.status >= 500)
 
 
-def reason_of(answer: Answer) -> str:
-    """What the service says is wrong, each field once."""
-    if answer.status == 0:
-        return answer.lost
+def reason_of(response: Response) -> str:
+    """The problem's detail and its field errors, without repetition."""
+    if response.status == 0:
+        return response.error
     try:
-        problem: Any = json.loads(answer.body)
+        problem: Any = json.loads(response.body)
         detail = str(problem["detail"])
         fields = [
             f"{error['path'] or 'document'}: found {error['found']}, expected {error['expected']}."
             for error in problem["errors"]
         ]
-        # The relay puts the first field into `detail`, with other quotation marks.
+        # The relay's `detail` contains the first field, with other quotation marks.
         rest = [field for field in fields if field.replace('"', "'") not in detail]
         return " ".join([detail, *rest])[:1_000]
     except (ValueError, KeyError, TypeError):
-        return f"It answered with status {answer.status} and gave no reason."
+        return f"The response has the status {response.status} and no reason."
 
 
-def error_of(answer: Answer) -> RobotError:
-    """The error behind a refusal that no retry mends."""
-    if answer.is_untrusted:
+def error_of(response: Response) -> RobotError:
+    """The exception for a permanent failure."""
+    if response.is_untrusted:
         return AddressError(
             "bad-address",
-            f"The certificate of this address is not trusted here: {answer.lost}",
-            "Where the network has a certificate of its own, set SSL_CERT_FILE to its file.",
+            f"The certificate of this address is not trusted here: {response.error}",
+            "If the network has its own certificate, set SSL_CERT_FILE to its file.",
         )
-    reason = reason_of(answer)
-    status, kind = answer.status, kind_of(answer)
+    reason = reason_of(response)
+    status, kind = response.status, problem_type(response)
     if 200 <= status < 400:
         return AddressError(
             "bad-address",
-            "Something else than a robot's host answers at this address",
-            "Copy the whole address again; a network with a sign-in page wants that done first.",
+            "The response does not come from a robot's host",
+            "Copy the whole address again. If the network has a sign-in page, sign in first.",
         )
     if kind == "blocked":
         return NotAuthorisedError("blocked", "This script is blocked", reason)
     if status in (401, 403):
-        return NotAuthorisedError("not-authorised", "The robot does not take this key", reason)
+        return NotAuthorisedError("not-authorised", "The robot rejects this key", reason)
     if status == 407:
-        return RobotError("refused", "The network's proxy wants a name and a password", reason)
+        return RobotError("refused", "The network's proxy requires a user name and a password", reason)
     if kind == "no-snapshot":
         return RobotGoneError("robot-gone", "The robot has not reported yet", reason)
     if kind == "no-maze":
-        return NoMazeError("no-maze", "The maze of this robot is not known", reason)
+        return NoMazeError("no-maze", "The maze of this robot is unknown", reason)
     if kind == "too-late":
-        return CommandEndedError("expired", "The command came too late, so the robot did not do it", reason)
+        return CommandEndedError("expired", "The command arrived too late and was not executed", reason)
     if status in (404, 410) and kind != "no-command":
         return RobotGoneError("no-robot", "There is no robot with this address", reason)
-    return CommandError("refused", "The robot's host did not take this", reason)
+    return CommandError("refused", "The robot's host refused the request", reason)
 
 
-def kind_of(answer: Answer) -> str:
-    """The last part of a problem's type; nothing where there is none."""
+def problem_type(response: Response) -> str:
+    """The last part of a problem's type; empty if there is none."""
     try:
-        return str(json.loads(answer.body)["type"]).rsplit("/", 1)[-1]
+        return str(json.loads(response.body)["type"]).rsplit("/", 1)[-1]
     except (ValueError, KeyError, TypeError):
         return ""

@@ -1,4 +1,4 @@
-"""What the robot's host says: readings, snapshots and the records of commands."""
+"""The values that a robot's host sends: readings, snapshots, records of commands, events, mazes."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ ENDINGS = ("completed", "collided", "cancelled", "superseded", "expired")
 
 
 class Cell(NamedTuple):
-    """A square of the maze, 100 cm wide, counted from 0 at the top left."""
+    """A square of the maze, 100 cm wide."""
 
-    #: from the left
+    #: from the left, from 0
     column: int
-    #: from the top
+    #: from the top, from 0
     row: int
 
 
@@ -44,7 +44,7 @@ class Pose:
 
     @property
     def cell(self) -> Cell:
-        """The square of the maze in which the centre is."""
+        """The square that contains the centre."""
         return Cell(int(self.x // _CELL), int(self.y // _CELL))
 
 
@@ -52,9 +52,9 @@ class Pose:
 class Snapshot:
     """Everything that the robot reports, of one tick."""
 
-    #: number of this snapshot; it rises
+    #: number of this snapshot, increasing
     seq: int
-    #: 1/60 s since the robot was put at its start
+    #: ticks of 1/60 s since the robot was placed at its start
     tick: int
     #: `running`, `paused` (the robot stands still) or `gone` (its page is closed)
     state: str
@@ -66,36 +66,36 @@ class Snapshot:
     pose: Pose
     #: the action that moves the robot now, such as `forward` or `stop`
     motion: str
-    #: number of walls that the robot has met since its start
+    #: number of bumps since the robot's start
     bumps: int
     #: whether the robot touches a wall now
     bumping: bool
     #: whether the robot has reached a goal since its start
     goal_reached: bool
-    #: the deciding line of its program, counted from 0, `"default"` for "otherwise", or `None`
+    #: the program line that decides, from 0, `"default"` for the default action, or `None`
     line: Union[int, str, None]
-    #: `seq` of the command that runs, or `None`
+    #: `seq` of the running command, or `None`
     command: Optional[int]
 
 
 @dataclass(frozen=True)
 class Command:
-    """The record of one command. It counts as true unless a wall was in the way."""
+    """The record of one command. It is falsy if a wall ended the command."""
 
-    #: number of the command at its robot: 1, 2, 3
+    #: number of the command of its robot: 1, 2, 3, ...
     seq: int
     #: such as `move` or `left 90`
     action: str
     #: `accepted`, `delivered`, `started`, or an ending: `completed`, `collided`, `cancelled`,
     #: `superseded` or `expired`
     state: str
-    #: why it ended as it did, or `None`
+    #: why it ended, as a sentence, or `None`
     reason: Optional[str]
-    #: cm driven by this command, never below 0; `None` until it has ended
+    #: cm driven by this command, 0 or more; `None` before its end
     distance: Optional[float]
-    #: where the robot was when the command ended; `None` before
+    #: where the robot was when the command ended; `None` before that
     pose: Optional[Pose]
-    #: the whole request, with its numbers
+    #: the command with its parameters
     request: Mapping[str, Any]
 
     @property
@@ -114,19 +114,19 @@ class Command:
 
 @dataclass(frozen=True)
 class Event:
-    """One thing that happened. `kind` says what, and which of the two fields is set."""
+    """An event. `kind` names its type, and determines which of the two fields is set."""
 
-    #: `snapshot` (a newer one), `command` (the state of one changed) or `gap` (events were missed)
+    #: `snapshot` (a newer one), `command` (a command has a new state) or `gap` (events were missed)
     kind: str
-    #: set where `kind` is `snapshot`
+    #: set if `kind` is `snapshot`
     snapshot: Optional[Snapshot] = None
-    #: set where `kind` is `command`
+    #: set if `kind` is `command`
     command: Optional[Command] = None
 
 
 @dataclass(frozen=True)
 class Start:
-    """Where the robot starts, and where it faces."""
+    """Where the robot starts, and its direction."""
 
     #: the square
     cell: Cell
@@ -140,7 +140,7 @@ class Maze:
 
     #: its title
     name: str
-    #: one text for each row, from the top: `#` is a block, `.` is open
+    #: one string per row, from the top: `#` is a block, `.` is open
     blocks: Tuple[str, ...]
     #: where the robot starts
     start: Start
@@ -171,59 +171,59 @@ class Maze:
         return is_inside and self.blocks[row][column] != "#"
 
 
-# What a newer host adds is left aside; what is missing is told as an answer of something else.
+# Readers ignore unknown fields. A missing field raises an error: another server has responded.
 
 
-def read_snapshot(answer: Any) -> Snapshot:
+def read_snapshot(json: Any) -> Snapshot:
     return Snapshot(
-        seq=answer["seq"],
-        tick=answer["tick"],
-        state=answer["state"],
-        driver=answer["driver"],
-        sensors=Sensors(**{name: answer["sensors"][name] for name in _SENSORS}),
-        pose=_pose(answer["pose"]),
-        motion=answer["motion"],
-        bumps=answer["bumps"],
-        bumping=answer["bumping"],
-        goal_reached=answer["goalReached"],
-        line=answer["line"],
-        command=answer["command"],
+        seq=json["seq"],
+        tick=json["tick"],
+        state=json["state"],
+        driver=json["driver"],
+        sensors=Sensors(**{name: json["sensors"][name] for name in _SENSORS}),
+        pose=_pose(json["pose"]),
+        motion=json["motion"],
+        bumps=json["bumps"],
+        bumping=json["bumping"],
+        goal_reached=json["goalReached"],
+        line=json["line"],
+        command=json["command"],
     )
 
 
-def read_command(answer: Any) -> Command:
+def read_command(json: Any) -> Command:
     return Command(
-        seq=answer["seq"],
-        action=answer["action"],
-        state=answer["state"],
-        reason=answer["reason"],
-        distance=answer["distance"],
-        pose=None if answer["pose"] is None else _pose(answer["pose"]),
-        request=answer.get("command") or {"action": answer["action"]},
+        seq=json["seq"],
+        action=json["action"],
+        state=json["state"],
+        reason=json["reason"],
+        distance=json["distance"],
+        pose=None if json["pose"] is None else _pose(json["pose"]),
+        request=json.get("command") or {"action": json["action"]},
     )
 
 
 def read_events(page: Any) -> Tuple[Event, ...]:
-    """What a page of events tells, the snapshot before the endings that it belongs to."""
+    """The events of a page; the snapshot precedes the states."""
     gap = () if page["gap"] is None else (Event("gap"),)
     snapshot = page["snapshot"]
-    seen = () if snapshot is None else (Event("snapshot", snapshot=read_snapshot(snapshot)),)
+    snapshots = () if snapshot is None else (Event("snapshot", snapshot=read_snapshot(snapshot)),)
     states = (Event("command", command=read_command(each["record"])) for each in page["states"])
-    return (*gap, *seen, *states)
+    return (*gap, *snapshots, *states)
 
 
-def read_maze(answer: Any) -> Maze:
-    start = answer["start"]
+def read_maze(json: Any) -> Maze:
+    start = json["start"]
     return Maze(
-        name=answer["name"],
-        blocks=tuple(answer["blocks"]),
+        name=json["name"],
+        blocks=tuple(json["blocks"]),
         start=Start(Cell(start["column"], start["row"]), start["heading"]),
-        goals=tuple(Cell(goal["column"], goal["row"]) for goal in answer["goals"]),
+        goals=tuple(Cell(goal["column"], goal["row"]) for goal in json["goals"]),
     )
 
 
-def _pose(answer: Any) -> Pose:
-    return Pose(answer["x"], answer["y"], answer["heading"])
+def _pose(json: Any) -> Pose:
+    return Pose(json["x"], json["y"], json["heading"])
 
 
 _CELL = 100

@@ -1,7 +1,7 @@
-"""What goes over the line and comes back, without the line: the talk is written on these.
+"""Requests and responses, independent of the transport.
 
-A talk is a generator. It yields a Request or a Pause and is given the Answer; whoever runs it
-decides how to wait, so that one talk serves scripts with and without asyncio.
+An Exchange is a generator that yields each Request or Delay and receives the Response. Its runner
+decides how to wait, so that the same exchanges serve scripts with and without asyncio.
 """
 
 from __future__ import annotations
@@ -16,28 +16,28 @@ class Request:
     url: str
     headers: Mapping[str, str]
     body: Optional[bytes]
-    #: seconds until the line counts as lost
+    #: seconds until the request is given up
     timeout: float
 
 
 @dataclass(frozen=True)
-class Pause:
+class Delay:
     seconds: float
 
 
 @dataclass(frozen=True)
-class Answer:
-    """What came back. `status` 0: nothing did, and `lost` says why."""
+class Response:
+    """A response. `status` 0: there is none, and `error` has the reason."""
 
     status: int
     body: bytes = b""
     retry_after: Optional[float] = None
-    lost: str = ""
-    #: the other side could not prove who it is
+    error: str = ""
+    #: whether the server's certificate is not trusted
     is_untrusted: bool = False
 
 
 T = TypeVar("T")
-Talk = Generator[Union[Request, Pause], Optional[Answer], T]
-#: The answer of one call, as JSON says it.
+Exchange = Generator[Union[Request, Delay], Optional[Response], T]
+#: A parsed JSON body.
 Json = Any

@@ -1,4 +1,4 @@
-"""A robot that a script drives. Every method waits until the robot has done it."""
+"""The robot for scripts without asyncio."""
 
 from __future__ import annotations
 
@@ -18,35 +18,35 @@ from .actions import (
 )
 from .address import parse_address
 from .errors import RobotError
-from .transport import Line, run
+from .transport import HttpTransport, run
 from .live_sensor import LiveSensor
 from .pairing import pair
 from .reports import Command, Event, Maze, Sensors, Snapshot
-from .requests import T, Talk
-from .protocol import RobotTalk
+from .requests import T, Exchange
+from .protocol import RobotProtocol
 
 
 class Robot:
-    """A robot on the network, in a page or on a table. Each method waits until the robot has done it.
+    """A robot on the network, simulated or physical. Each method waits until the robot has finished.
 
-    A failed request is sent again, with the same idempotency key and its age, so no command is done
-    twice or late. Every method that asks the robot's host raises `NotAuthorisedError`, `RobotGoneError`,
-    `NoAnswerError` or `ClosedError` where it does not get what it asked for.
+    A failed request is repeated with the same idempotency key and its age, so that the robot never
+    executes a command twice or late. Every method that sends a request may raise `NotAuthorisedError`,
+    `RobotGoneError`, `NoAnswerError` or `ClosedError`.
 
-    Used as `with Robot(ADDRESS) as robot:`, it stops a robot that would drive on at the end of the block.
+    Used as `with Robot(ADDRESS) as robot:`, it stops an endless motion at the end of the block.
 
     Args:
         address: `http://HOST/r/ID#KEY`, as the robot's page shows it under Remote.
-        key: the key, where the address comes without it.
-        answer_timeout: seconds that the host may stay silent, reconnecting included.
-        finish_timeout: seconds that the robot may take for one command.
-        ttl: seconds within which a command must start, or it ends as `expired`: 0.2 to 60. `None` is
-            the host's default, 10. `stop()` always has 10. It must be longer than the way to the host
-            and back.
-        name: what this script calls itself, for the robot's owner. 40 characters are shown.
+        key: the key, if the address does not contain it.
+        answer_timeout: timeout for responses of the host in seconds, including retries.
+        finish_timeout: timeout for the robot to finish a command in seconds.
+        ttl: time to live: seconds within which a command must start, or it ends as `expired`. 0.2 to 60.
+            `None` is the host's default, 10. `stop()` always has 10. It must be longer than the round
+            trip to the host.
+        name: name of this script, which the robot's owner sees. At most 40 characters are displayed.
 
     Raises:
-        AddressError: the address is not complete, or leads to something else.
+        AddressError: the address is incomplete, or another server responds there.
         CommandError: `ttl` is out of its range.
     """
 
@@ -61,10 +61,10 @@ class Robot:
         name: Optional[str] = None,
     ) -> None:
         where = parse_address(address, key)
-        self._talk = RobotTalk(where, answer_timeout, finish_timeout, check_ttl(ttl), name=name)
-        self._line = Line()
+        self._protocol = RobotProtocol(where, answer_timeout, finish_timeout, check_ttl(ttl), name=name)
+        self._transport = HttpTransport()
         self._sensor = LiveSensor(self._read)
-        self._run(self._talk.greet())
+        self._run(self._protocol.check_access())
 
     @classmethod
     def pair(
@@ -77,22 +77,22 @@ class Robot:
         ttl: Optional[float] = None,
         name: Optional[str] = None,
     ) -> Robot:
-        """Connects by a code of 8 letters, and waits until the robot's owner accepts this script.
+        """Connects by a pairing code, and waits until the robot's owner accepts this script.
 
-        `robot.address` has a key of its own and works the next time without a code.
+        Use `robot.address`, which has its own key, to connect again without a code.
 
         Args:
-            service: where the robot's page is, such as `http://HOST`.
-            code: the code that the page shows under Remote. Spaces and small letters are accepted.
+            service: the origin of the robot's page, such as `http://HOST`.
+            code: the 8 letters that the page shows under Remote. Spaces and lower case are accepted.
             answer_timeout: as in `Robot`.
             finish_timeout: as in `Robot`.
             ttl: as in `Robot`.
-            name: as in `Robot`. The page shows it in its question to the owner.
+            name: as in `Robot`.
 
         Raises:
-            PairingError: the code is wrong or over, or the owner refused.
+            PairingError: the code is wrong or has expired, or the owner refused.
         """
-        address = run(pair(service, code, name, answer_timeout), Line())
+        address = run(pair(service, code, name, answer_timeout), HttpTransport())
         return cls(
             address,
             answer_timeout=answer_timeout,
@@ -104,21 +104,21 @@ class Robot:
     @property
     def address(self) -> str:
         """The whole address, with its key. Keep it private."""
-        return self._talk.address.whole
+        return self._protocol.address.whole
 
-    # --- measured: they end by themselves, or at a wall ---
+    # --- driving ---
 
     def forward(self, distance: Optional[float] = None) -> Command:
-        """Drives forward, and waits for the end; without a distance, until another command comes.
+        """Drives forward, and waits for the end; without a distance, until the next command.
 
-        Without a distance it returns once the robot has started. The robot stops by itself 3 s after
-        the last request of this script.
+        Without a distance it returns once the robot has started. The robot stops 3 s after the last
+        request of this script.
 
         Args:
-            distance: cm, -25600 to 25600. Negative is backward. `None`: no end.
+            distance: cm, -25600 to 25600. Negative is backward. `None`: endless.
 
         Returns:
-            The record. It counts as false where a wall ended the move.
+            The record. It is falsy if a wall ended the move.
 
         Raises:
             CommandError: the distance is out of its range, or the host refused the command.
@@ -130,10 +130,10 @@ class Robot:
         """Drives backward, as `forward` drives forward.
 
         Args:
-            distance: cm, -25600 to 25600. Negative is forward. `None`: no end.
+            distance: cm, -25600 to 25600. Negative is forward. `None`: endless.
 
         Returns:
-            The record. It counts as false where a wall ended the move.
+            The record. It is falsy if a wall ended the move.
 
         Raises:
             CommandError: as in `forward`.
@@ -187,7 +187,7 @@ class Robot:
         return self._do(turn_by(degrees))
 
     def delayed_left(self) -> Command:
-        """Drives on 50 cm, turns left, drives 60 cm out of the junction, and waits for the end.
+        """Drives 50 cm forward, turns left, drives 60 cm out of the junction, and waits for the end.
 
         Returns:
             The record.
@@ -199,7 +199,7 @@ class Robot:
         return self._do(plain("delayed left 90"))
 
     def delayed_right(self) -> Command:
-        """Drives on 50 cm, turns right, drives 60 cm out of the junction, and waits for the end.
+        """Drives 50 cm forward, turns right, drives 60 cm out of the junction, and waits for the end.
 
         Returns:
             The record.
@@ -213,8 +213,8 @@ class Robot:
     def drive(self, left: float, right: float, milliseconds: Optional[float] = None) -> Command:
         """Sets the power of the two wheels, for a time, and waits for the end.
 
-        Without a time it returns once the robot has started, and the robot stops by itself half a
-        second later unless another `drive` follows.
+        Without a time it returns once the robot has started, and the robot stops half a second later
+        unless another `drive` follows.
 
         Args:
             left: power of the left wheel, -1 to 1. Negative is backward.
@@ -222,7 +222,7 @@ class Robot:
             milliseconds: 1 to 60000. `None`: half a second, and no waiting.
 
         Returns:
-            The record. It counts as false where a wall ended the drive.
+            The record. It is falsy if a wall ended the drive.
 
         Raises:
             CommandError: as in `forward`.
@@ -234,29 +234,29 @@ class Robot:
         """Stops at once: cancels the running command and all waiting ones, from every script.
 
         Returns:
-            The record, once the robot stands.
+            The record, once the robot has stopped.
         """
-        return self._run(self._talk.stop())
+        return self._run(self._protocol.stop())
 
     # --- reading and waiting ---
 
     @property
     def sensor(self) -> LiveSensor:
-        """The four distances, read when they are asked for: `robot.sensor.front`."""
+        """The four distances, read on access: `robot.sensor.front`."""
         return self._sensor
 
     @property
     def goal_reached(self) -> bool:
-        """Whether the robot has reached a goal since its start. It is read like a side of `sensor`."""
+        """Whether the robot has reached a goal since its start. Read on access, like `sensor`."""
         return self._read("goal_reached").goal_reached
 
     @property
     def bumps(self) -> int:
-        """Number of walls that the robot has met since its start. It is read like a side of `sensor`."""
+        """Number of bumps since the robot's start. Read on access, like `sensor`."""
         return self._read("bumps").bumps
 
     def sensors(self) -> Sensors:
-        """Reads the four distances.
+        """Reads the four range sensors.
 
         Returns:
             The distances of one tick. The object does not change later.
@@ -269,38 +269,38 @@ class Robot:
         Returns:
             The newest snapshot. It is never from before the end of the last command.
         """
-        return self._run(self._talk.look())
+        return self._run(self._protocol.next_snapshot())
 
     def snapshots(self) -> Iterator[Snapshot]:
-        """Follows the robot without an end: `for snapshot in robot.snapshots():`.
+        """Follows the robot until the loop ends: `for snapshot in robot.snapshots():`.
 
         Returns:
-            One snapshot after the other, about 20 a second. A slow reader gets the newest each time.
+            About 20 snapshots a second. A slow reader gets only the newest.
         """
         while True:
-            yield self._run(self._talk.look(1.0))
+            yield self._run(self._protocol.next_snapshot(1.0))
 
     def events(self) -> Iterator[Event]:
-        """Follows the robot and the commands of all scripts, without an end.
+        """Follows the robot and the commands of all scripts, until the loop ends.
 
         Returns:
-            Events in their order. The first one is a snapshot. A slow reader gets the newest snapshot,
-            and every change of a command.
+            Events in order. The first one is a snapshot. A slow reader gets the newest snapshot, and every
+            state of a command.
         """
         since: Optional[str] = None
         newest: Optional[Snapshot] = None
         while True:
             after = 0 if newest is None else newest.seq
-            since, events = self._run(self._talk.events(since, after))
+            since, events = self._run(self._protocol.events(since, after))
             for event in events:
-                # Each answer has the newest report, also where only a command has changed.
+                # Each response repeats the newest snapshot, even if only a command has changed.
                 if event.snapshot is not None and event.snapshot == newest:
                     continue
                 newest = event.snapshot or newest
                 yield event
 
     def maze(self) -> Maze:
-        """Reads the maze that the robot is in.
+        """Reads the robot's maze.
 
         Returns:
             Its blocks, its start and its goals.
@@ -308,47 +308,47 @@ class Robot:
         Raises:
             NoMazeError: the robot's host does not publish its maze.
         """
-        return self._run(self._talk.maze())
+        return self._run(self._protocol.maze())
 
     def wait_until(
         self, condition: Callable[[Sensors], object], timeout: Optional[float] = None
     ) -> Sensors:
-        """Waits until a condition holds: `robot.wait_until(lambda sensor: sensor.front < 60)`.
+        """Waits until a condition is true: `robot.wait_until(lambda sensor: sensor.front < 60)`.
 
-        The robot goes on with what it does.
+        The robot continues its motion.
 
         Args:
-            condition: is called with each new reading.
-            timeout: seconds to wait at most. `None`: `finish_timeout` of the robot.
+            condition: called with each new reading.
+            timeout: in seconds. `None`: `finish_timeout` of the robot.
 
         Returns:
-            The reading for which the condition holds.
+            The reading for which the condition is true.
 
         Raises:
-            NoAnswerError: the condition did not hold in time.
+            NoAnswerError: the condition did not become true in time.
         """
-        return self._run(self._talk.wait_until(condition, timeout))
+        return self._run(self._protocol.wait_until(condition, timeout))
 
     def wait(self, seconds: float) -> None:
-        """Waits, and lets the robot go on with what it does.
+        """Waits while the robot continues its motion.
 
         Unlike `time.sleep`, it sends a request each second, so that the robot does not stop.
 
         Args:
-            seconds: how long.
+            seconds: duration.
         """
-        self._run(self._talk.wait(seconds))
+        self._run(self._protocol.wait(seconds))
 
     @property
     def commands(self) -> List[Command]:
         """The log: the record of every command that the robot's host stores, oldest first."""
-        return self._run(self._talk.log())
+        return self._run(self._protocol.log())
 
     # --- the end ---
 
     def close(self) -> None:
-        """Ends the use of this object. The robot goes on with what it does."""
-        self._talk.is_closed = True
+        """Closes this object. The robot continues its motion."""
+        self._protocol.is_closed = True
 
     def __enter__(self) -> Robot:
         return self
@@ -359,26 +359,26 @@ class Robot:
         _error: Optional[BaseException],
         _trace: Optional[TracebackType],
     ) -> None:
-        """Stops the robot if it would drive on by itself, and leaves it."""
+        """Stops an endless motion, and closes this object."""
         try:
-            if self._talk.drives_on and not self._talk.is_closed:
+            if self._protocol.has_endless_motion and not self._protocol.is_closed:
                 self.stop()
         except RobotError:
-            # What went wrong first is what the reader has to know.
+            # Do not hide the first error.
             if kind is None:
                 raise
         finally:
             self.close()
 
     def __repr__(self) -> str:
-        address = self._talk.address
+        address = self._protocol.address
         return f"<Robot {address.origin}/r/{address.id}>"
 
     def _do(self, action: Action) -> Command:
-        return self._run(self._talk.do(action))
+        return self._run(self._protocol.execute(action))
 
     def _read(self, name: str) -> Snapshot:
-        return self._run(self._talk.read(name))
+        return self._run(self._protocol.snapshot_for(name))
 
-    def _run(self, talk: Talk[T]) -> T:
-        return run(talk, self._line)
+    def _run(self, exchange: Exchange[T]) -> T:
+        return run(exchange, self._transport)

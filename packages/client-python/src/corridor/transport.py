@@ -1,4 +1,4 @@
-"""The line itself: HTTPS by the standard library, through the proxy that the machine names."""
+"""HTTP by the standard library, through the proxy of the environment or the system."""
 
 from __future__ import annotations
 
@@ -12,72 +12,72 @@ import urllib.parse
 import urllib.request
 from typing import Any, Optional
 
-from .requests import Answer, Pause, Request, T, Talk
+from .requests import Response, Delay, Request, T, Exchange
 
-_LONGEST_ANSWER = 4 * 1024 * 1024
+_MAX_RESPONSE = 4 * 1024 * 1024
 
 
 class _NoRedirect(urllib.request.HTTPRedirectHandler):
-    """The key goes to the host of the address and to no other."""
+    """Follows no redirects, so that the key is sent only to the host of the address."""
 
     def redirect_request(self, *_arguments: Any, **_named: Any) -> None:
         return None
 
 
-class Line:
-    """Sends requests; holds nothing open between them."""
+class HttpTransport:
+    """Sends requests, each with its own connection."""
 
     def __init__(self) -> None:
-        # HTTP_PROXY, HTTPS_PROXY and no_proxy, or what the system's settings say.
-        self._through_proxy = urllib.request.build_opener(_NoRedirect)
-        self._straight = urllib.request.build_opener(urllib.request.ProxyHandler({}), _NoRedirect)
+        # HTTP_PROXY, HTTPS_PROXY and no_proxy, or the system's settings.
+        self._proxied = urllib.request.build_opener(_NoRedirect)
+        self._direct = urllib.request.build_opener(urllib.request.ProxyHandler({}), _NoRedirect)
 
-    def send(self, request: Request) -> Answer:
-        """One try. Never raises: a line that is lost is an answer, too."""
+    def send(self, request: Request) -> Response:
+        """Sends a request once. Never raises: a failed connection is a response with status 0."""
         host = urllib.parse.urlsplit(request.url).hostname or ""
-        # A proxy would look for a robot of this machine on its own.
-        opener = self._straight if _is_here(host) else self._through_proxy
+        # A proxy would resolve a local address to itself.
+        opener = self._direct if _is_local(host) else self._proxied
         sent = urllib.request.Request(
             request.url, request.body, dict(request.headers), method=request.method
         )
         try:
-            with opener.open(sent, timeout=request.timeout) as answer:
-                return _taken_in(answer.status, answer)
+            with opener.open(sent, timeout=request.timeout) as response:
+                return _read_response(response.status, response)
         except urllib.error.HTTPError as error:
             with error:
-                return _taken_in(error.code, error)
+                return _read_response(error.code, error)
         except urllib.error.URLError as error:
-            return _lost(error.reason)
+            return _failure(error.reason)
         except (OSError, http.client.HTTPException) as error:
-            return _lost(error)
+            return _failure(error)
 
 
-def _taken_in(status: int, answer: Any) -> Answer:
+def _read_response(status: int, response: Any) -> Response:
     try:
-        body = answer.read(_LONGEST_ANSWER + 1)
+        body = response.read(_MAX_RESPONSE + 1)
     except (OSError, http.client.HTTPException) as error:
-        return _lost(error)
-    if len(body) > _LONGEST_ANSWER:
-        return Answer(0, lost="its answer does not end")
-    # Reading up to a limit does not tell by itself that the rest is missing.
-    if len(body) < (_number_in(answer.headers.get("Content-Length")) or 0):
-        return Answer(0, lost="its answer was cut short")
-    return Answer(status, body, _number_in(answer.headers.get("Retry-After")))
+        return _failure(error)
+    if len(body) > _MAX_RESPONSE:
+        return Response(0, error="the response is too long")
+    # read() does not raise if the body is shorter than Content-Length.
+    if len(body) < (_number_in(response.headers.get("Content-Length")) or 0):
+        return Response(0, error="the response is incomplete")
+    return Response(status, body, _number_in(response.headers.get("Retry-After")))
 
 
-def _lost(error: object) -> Answer:
+def _failure(error: object) -> Response:
     is_untrusted = isinstance(error, ssl.SSLCertVerificationError)
-    # One and the same only since Python 3.10.
+    # They are the same class only since Python 3.10.
     if isinstance(error, (TimeoutError, socket.timeout)):
-        return Answer(0, lost="no answer in time")
-    return Answer(0, lost=str(error)[:200] or "the line was cut", is_untrusted=is_untrusted)
+        return Response(0, error="no response in time")
+    return Response(0, error=str(error)[:200] or "connection lost", is_untrusted=is_untrusted)
 
 
 def _number_in(header: Optional[str]) -> Optional[float]:
     return float(header) if header is not None and header.isdigit() and len(header) < 9 else None
 
 
-def _is_here(host: str) -> bool:
+def _is_local(host: str) -> bool:
     if host == "localhost":
         return True
     try:
@@ -86,16 +86,16 @@ def _is_here(host: str) -> bool:
         return False
 
 
-def run(talk: Talk[T], line: Line) -> T:
-    """Has a talk from its beginning to its end, and waits meanwhile."""
+def run(exchange: Exchange[T], transport: HttpTransport) -> T:
+    """Runs an exchange to its end."""
     try:
-        step = next(talk)
+        step = next(exchange)
         while True:
-            if isinstance(step, Pause):
+            if isinstance(step, Delay):
                 time.sleep(step.seconds)
-                step = talk.send(None)
+                step = exchange.send(None)
             else:
-                step = talk.send(line.send(step))
+                step = exchange.send(transport.send(step))
     except StopIteration as end:
         result: T = end.value
         return result

@@ -1,4 +1,4 @@
-"""What `python3 script.py` prints for an error that the script does not catch: its line and a sentence."""
+"""Prints uncaught errors as the script's line and a sentence."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from .errors import RobotError
 
 
 def explain(error: RobotError, trace: Optional[TracebackType]) -> str:
-    """The line of the script, then what went wrong and what to do."""
+    """The line of the script, then the cause and the hint."""
     line = ""
     while trace is not None:
         frame = trace.tb_frame
-        # The last frame outside of the library is the script's.
+        # The last frame outside of the library belongs to the script.
         if frame.f_globals.get("__name__", "").split(".")[0] != __name__.split(".")[0]:
             file, number = frame.f_code.co_filename, trace.tb_lineno
             code = linecache.getline(file, number).strip()
@@ -26,7 +26,7 @@ def explain(error: RobotError, trace: Optional[TracebackType]) -> str:
 
 
 def explain_uncaught() -> None:
-    """Replaces the traceback of an uncaught RobotError; `python3 -X dev` prints it as usual."""
+    """Replaces the traceback of an uncaught RobotError, except with `python3 -X dev`."""
     previous = sys.excepthook
 
     def hook(
