@@ -21,8 +21,8 @@ async function delayScript(page: Page): Promise<() => void> {
 function reportedTick(page: Page): Promise<number> {
   return page.evaluate(() => {
     type Message = { type: string; frame?: { snapshot: { tick: number } } };
-    const { heard } = Reflect.get(window, "corridorSimulator") as { heard: Message[] };
-    return heard.findLast(({ frame }) => frame !== undefined)?.frame?.snapshot.tick ?? 0;
+    const { queue } = Reflect.get(window, "corridorSimulator") as { queue: Message[] };
+    return queue.findLast(({ frame }) => frame !== undefined)?.frame?.snapshot.tick ?? 0;
   });
 }
 

@@ -16,7 +16,7 @@ const shellStyles: Readonly<Record<string, string>> = {
   bar: source("app/top-bar"),
   brand: source("app/brand"),
   failure: source("app/failure"),
-  house: source("app/empty-house"),
+  house: source("app/loading-page"),
   panel: source("app/side-panel"),
   sheet: source("app/phone-sheet"),
   transport: source("features/transport/transport"),

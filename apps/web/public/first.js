@@ -78,7 +78,7 @@
   // Whoever looks on at another page's robot needs none here.
   const isWatch = location.pathname.startsWith("/r/");
   const worker = isWatch ? {} : new Worker(simulator, { type: "module", name });
-  const early = { worker, heard: [], failure: null };
+  const early = { worker, queue: [], failure: null };
   window.corridorSimulator = early;
   let isPressed = false;
   // A script is read as soon as it arrives, which takes a core away from the worker that starts meanwhile:
@@ -104,7 +104,7 @@
   };
   const buttons = () => [...document.querySelectorAll("[data-early] > * > button")];
   worker.onmessage = ({ data }) => {
-    early.heard.push(data);
+    early.queue.push(data);
     if (data.type !== "frame") return;
     const { state, tick } = data.frame.snapshot;
     const hadFocus = buttons().includes(document.activeElement);

@@ -9,14 +9,14 @@ import { browserLanguage } from "./app/browser-language.ts";
 import type { LanguageChoice } from "./app/language.ts";
 import { LanguageProvider } from "./app/language-context.ts";
 import { guardLeaving } from "./app/guard-leaving.ts";
-import { keepSwitches } from "./app/kept-switches.ts";
+import { storeSwitches } from "./app/stored-switches.ts";
 import { createServices, ServicesProvider, type Services } from "./app/services.ts";
-import { whenSettled } from "./app/settled.ts";
-import { heardBefore, onSimulatorFailure, startSimulator } from "./app/simulator-start.ts";
-import { takeOver } from "./app/take-over.ts";
+import { whenIdle } from "./app/page-idle.ts";
+import { earlyMessages, onSimulatorFailure, startSimulator } from "./app/simulator-start.ts";
+import { replaceStaticPage } from "./app/replace-static-page.ts";
 import { startTheme } from "./app/theme.ts";
-import { WorkReader } from "./app/work-reader.ts";
-import { storageOrNone, WorkShelf } from "./app/works.ts";
+import { ProjectReader } from "./app/project-reader.ts";
+import { storageOrNone, ProjectStorage } from "./app/project-storage.ts";
 import { RACE_KEY } from "./stores/race-store.ts";
 import { createScreenStore, showMessage } from "./stores/screen-store.ts";
 import { englishWords } from "./text/english-words.ts";
@@ -36,7 +36,7 @@ const FRAME_MS = 17;
 const device = storageOrNone(() => localStorage);
 const tab = storageOrNone(() => sessionStorage);
 const worker = startSimulator();
-const reader = new WorkReader();
+const reader = new ProjectReader();
 const screen = createScreenStore();
 
 const house = requireHouse();
@@ -58,7 +58,7 @@ async function start(): Promise<void> {
   }
   // What this visit needs before anything is shown: most first visits need nothing.
   try {
-    if (!new WorkShelf(device, () => null).isEmpty) await reader.load();
+    if (!new ProjectStorage(device, () => null).isEmpty) await reader.load();
   } catch {
     // Without its reader all stored work would be out of sight: better no page than an empty one.
     const { t } = words;
@@ -80,9 +80,9 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
     words,
     screen,
     reader,
-    nextFrame: (work) => setTimeout(work, FRAME_MS),
+    nextFrame: (task) => setTimeout(task, FRAME_MS),
   });
-  services.simulator.catchUp(heardBefore());
+  services.simulator.catchUp(earlyMessages());
 
   onSimulatorFailure(worker, (reason) => {
     services.simulator.fail(reason || words.t("shell.failure.notLoaded"));
@@ -95,10 +95,10 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
     systemContrast: matchMedia("(prefers-contrast: more)"),
     apply: (shown) => Object.assign(document.documentElement.dataset, shown),
   });
-  keepSwitches(screen, device);
+  storeSwitches(screen, device);
   const flush = () => {
-    services.works.autosave.flush();
-    services.runKeeper.flush();
+    services.projects.autosave.flush();
+    services.restorer.flush();
   };
   const life: PageLife = {
     isHidden: () => document.visibilityState === "hidden",
@@ -119,7 +119,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
     follow(isLoad).catch(() => {
       showMessage(screen, { tone: "bad", text: words.t("offline.linkFailed") });
     });
-  window.addEventListener("online", () => services.connection.networkIsBack());
+  window.addEventListener("online", () => services.connection.reconnect());
   window.addEventListener("hashchange", () => void followOrTell(false));
 
   screen.setState({ isOpening: isAsked() });
@@ -133,20 +133,20 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
     </I18nextProvider>
   );
   // In pieces of 5 ms, between which the house of index.html answers.
-  await takeOver(house, () => startTransition(() => root.render(page)));
+  await replaceStaticPage(house, () => startTransition(() => root.render(page)));
 
   // The page stands before what its address asks for: a link may take long, or never come to an end.
   void followOrTell(true).finally(() => {
     screen.setState({ isOpening: false });
-    void services.runKeeper.resume().then(() => {
-      services.connection.goOn();
+    void services.restorer.resume().then(() => {
+      services.connection.resume();
       void services.lessons.handOver();
       if ((device.getItem("corridor.sound") ?? tab.getItem(RACE_KEY)) !== null)
         void resume(services, words);
     });
   });
 
-  await whenSettled(services.run);
+  await whenIdle(services.run);
   await Promise.allSettled([reader.load(), preloadParts()]);
   if (!import.meta.env.PROD) return;
   try {

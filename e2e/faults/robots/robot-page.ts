@@ -4,7 +4,7 @@
  */
 import { decodeFrame, relayToPageSchema } from "@corridor/protocol";
 import { RemoteDriver } from "../../../apps/web/src/drivers/remote-driver.ts";
-import { firstMaze, firstProgram } from "../../../apps/web/src/worker/first-work.ts";
+import { firstMaze, firstProgram } from "../../../apps/web/src/worker/first-project.ts";
 import { RemoteHost } from "../../../apps/web/src/worker/remote-host.ts";
 import { RunLoop } from "../../../apps/web/src/worker/run-loop.ts";
 import { machineNow } from "../clock.ts";
@@ -44,9 +44,9 @@ export class RobotPage {
       },
       onDelivery: (delivery) => this.#loop.accept(delivery),
       cancel: (reason) => this.#loop.cancelRemote(reason),
-      takeBack: (seq) => this.#loop.remote?.takeBack(seq),
-      giveBack: () => this.#loop.remote?.giveBack(),
-      hear: (alive) => this.#loop.remote?.hear(alive),
+      takeBack: (seq) => this.#loop.remote?.cancelOne(seq),
+      giveBack: () => this.#loop.remote?.reset(),
+      hear: (alive) => this.#loop.remote?.renew(alive),
       fetch: () => Promise.reject(new Error("The robot is registered already.")),
       platform: withListener(platformFor(transports), (direction, text) => {
         if (direction === "down") this.#onReceived(text);

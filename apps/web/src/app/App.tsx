@@ -1,4 +1,6 @@
-/** Layout of the page: bar, stage, panel and transport; on phones bar, stage, transport and sheet. */
+/**
+ * Layout of the page: bar, stage, panel and transport; on phones bar, stage, transport and sheet.
+ */
 import "../ui/base.css";
 import "../ui/fonts/inter.css";
 import { useEffect, useState } from "react";
@@ -19,9 +21,9 @@ import { Deferred } from "../ui/Deferred.tsx";
 import { lazyDialog } from "../ui/lazy-part.tsx";
 import { useMediaQuery } from "../ui/use-media-query.ts";
 import styles from "./app.module.css";
-import { EmptyHouse } from "./EmptyHouse.tsx";
+import { LoadingPage } from "./LoadingPage.tsx";
 import { ErrorBoundary } from "./ErrorBoundary.tsx";
-import { keepFocusLater } from "./keep-focus-later.ts";
+import { lazyRestoreFocus } from "./lazy-restore-focus.ts";
 import { PhoneSheet } from "./PhoneSheet.tsx";
 import { useServices } from "./services.ts";
 import { SidePanel } from "./SidePanel.tsx";
@@ -36,16 +38,16 @@ const ShortcutsDialog = lazyDialog(
 );
 
 export function App() {
-  const { works, screen } = useServices();
+  const { projects, screen } = useServices();
   const isOpening = useStore(screen, (state) => state.isOpening);
   return (
-    <ErrorBoundary onError={() => works.autosave.flush()}>
-      <FileDoor>{isOpening ? <EmptyHouse /> : <Page />}</FileDoor>
+    <ErrorBoundary onError={() => projects.autosave.flush()}>
+      <FileDoor>{isOpening ? <LoadingPage /> : <Page />}</FileDoor>
     </ErrorBoundary>
   );
 }
 
-/** The order of the regions is the order of the Tab key; the stage keeps its place in every layout. */
+/** The order of the regions is the tab order. The stage has the same position in every layout. */
 function Page() {
   const { t } = useTranslation();
   const isPhone = useMediaQuery("(max-width: 37.49em)");
@@ -56,7 +58,7 @@ function Page() {
   const isNow = useStore(run, ({ view }) => view === "now");
   const hold = useKeyboard(() => setOpened("keys"));
   const close = () => setOpened(null);
-  useEffect(keepFocusLater, []);
+  useEffect(lazyRestoreFocus, []);
   return (
     <div className={styles["page"]}>
       <TopBar
@@ -78,7 +80,8 @@ function Page() {
       </main>
       {isPhone ? (
         <>
-          {/* The Drive tab needs the room; in the past there must be a way back to now. */}
+          {/* The Drive tab needs the room, but an earlier tick always needs a way back to the
+              newest. */}
           {(!isDriving || !isNow) && (
             <div className={styles["footer"]}>
               <Transport />
@@ -113,7 +116,7 @@ function Page() {
   );
 }
 
-/** Opens and closes without the page around it being drawn again. */
+/** Opens and closes without rendering the page around it. */
 function OtherMazes() {
   const { screen } = useServices();
   const isOpen = useStore(screen, (state) => state.isTryingMazes);
@@ -122,7 +125,10 @@ function OtherMazes() {
   );
 }
 
-/** The simulator stopped for good: what is on the screen is saved, a reload starts a new one. */
+/**
+ * Shown after the simulator stopped for good: the project is stored, and a reload starts a new
+ * simulator.
+ */
 function FaultNotice() {
   const { t } = useTranslation();
   const { run } = useServices();

@@ -1,4 +1,6 @@
-/** The word mark, drawn in index.html, where it stands before any script; on phones only its C, the mark. */
+/**
+ * The logo, defined in index.html, where it is displayed before any script; on phones only its C.
+ */
 import styles from "./brand.module.css";
 
 export function Brand() {

@@ -1,16 +1,16 @@
-/** What stands on the screen when drawing it failed: the work is saved, and how to go on. */
+/** Displayed if rendering fails: the project is stored, with a button to reload. */
 import { Component, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { Button } from "../ui/Button.tsx";
 import styles from "./failure.module.css";
 
 interface ErrorBoundaryProps {
-  /** saves the documents now, before the reader reloads */
+  /** stores the documents before the user reloads */
   onError: () => void;
   children: ReactNode;
 }
 
-/** Stays quiet until a component below fails. */
+/** Renders its children until one of them fails. */
 export class ErrorBoundary extends Component<ErrorBoundaryProps, { reason: string | null }> {
   override state: { reason: string | null } = { reason: null };
 

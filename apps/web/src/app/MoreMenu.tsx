@@ -1,4 +1,7 @@
-/** What a narrow bar has no room for; a phone's has no panel with "Who drives?" either. */
+/**
+ * Items that do not fit into a narrow bar. On a phone, they include Remote, which has no panel
+ * there.
+ */
 import { Keyboard, RadioTower, Target } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { FileMenuItems } from "../features/files/FileMenuItems.tsx";

@@ -1,4 +1,4 @@
-/** The sheet of the phone: Drive, Program and Presets behind tabs, as far open as the reader wants. */
+/** The sheet of the phone: Drive, Program and Presets as tabs, with three positions. */
 import type { Rights } from "@corridor/challenge";
 import { LayoutGrid, List, User } from "lucide-react";
 import { useEffect, useLayoutEffect, useRef, useState, type ReactNode } from "react";
@@ -16,7 +16,7 @@ import { Tabs } from "../ui/Tabs.tsx";
 import styles from "./phone-sheet.module.css";
 import { useServices } from "./services.ts";
 import { sheetTabs, type SheetTab } from "../stores/screen-store.ts";
-import { dragged, pressed, type SheetPosition } from "./sheet.ts";
+import { afterDrag, afterPress, type SheetPosition } from "./sheet.ts";
 
 const icons: Readonly<Record<SheetTab, ReactNode>> = {
   drive: <User aria-hidden="true" />,
@@ -33,7 +33,7 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
   const { challenge, camera, cardDock, screen } = useServices();
   const rights = useRights();
   const isMission = rights !== null;
-  // A mission opens where it is to be done, whatever was chosen before it.
+  // A mission opens in the tab where it is solved, whatever tab was open before.
   const chosenTab = useStore(screen, (state) => state.sheetTab);
   const tab = chosenTab ?? tabFor(rights);
   useEffect(
@@ -45,7 +45,8 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
     [challenge, screen],
   );
   const [chosen, setPosition] = useState<SheetPosition>("half");
-  // What explains the run is to be read, however far the sheet was open; then it is as it was.
+  // An explanation of the run must be readable: it opens the sheet, whose own position is restored
+  // after it.
   const need = useStore(cardDock, (state) => state.need);
   const isOwn = need === null || chosen === "open";
   const position = isOwn ? chosen : "half";
@@ -109,7 +110,10 @@ interface GrabBarProps {
   onChange: (position: SheetPosition) => void;
 }
 
-/** A button as well as a handle: a press goes to the next position, a drag one step its way. */
+/**
+ * A handle that is also a button: a press goes to the next position, a drag one step in its
+ * direction.
+ */
 function GrabBar({ position, onChange }: GrabBarProps) {
   const { t } = useTranslation();
   const startY = useRef<number | null>(null);
@@ -126,14 +130,14 @@ function GrabBar({ position, onChange }: GrabBarProps) {
       }}
       onPointerUp={(event) => {
         if (startY.current === null) return;
-        const next = dragged(position, event.clientY - startY.current);
+        const next = afterDrag(position, event.clientY - startY.current);
         startY.current = null;
         wasDragged.current = next !== position;
         if (wasDragged.current) onChange(next);
       }}
       onPointerCancel={() => (startY.current = null)}
       onClick={() => {
-        if (!wasDragged.current) onChange(pressed(position));
+        if (!wasDragged.current) onChange(afterPress(position));
         wasDragged.current = false;
       }}
     />

@@ -1,4 +1,6 @@
-/** The list of keys, with the switches for those that work without Ctrl and for the spoken run. */
+/**
+ * The list of keys, with switches for single-key shortcuts and for spoken messages about the run.
+ */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { Checkbox } from "../ui/Checkbox.tsx";
@@ -8,7 +10,7 @@ import styles from "./shortcuts-dialog.module.css";
 import { capsOf } from "./key-caps.ts";
 import { useServices } from "./services.ts";
 
-/** Each row: its words, and the keys that do the same (see key-caps.ts). */
+/** Each row: its label, and keys with the same function (see key-caps.ts). */
 const rows = [
   ["runDetails:keys.tab", ["Tab", "Shift+Tab"]],
   ["runDetails:keys.drive", ["W", "A", "S", "D", "↑", "←", "↓", "→"]],

@@ -1,4 +1,4 @@
-/** The panel beside the stage: who drives, what they drive with, sensors and keys at its foot. */
+/** The panel beside the stage: driver, program or remote, sensors and drive keys. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { CardDock } from "../features/cards/CardDock.tsx";

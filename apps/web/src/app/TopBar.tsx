@@ -1,4 +1,4 @@
-/** The bar at the top: the mark, the maze, and what can be done with it. */
+/** The bar at the top: logo, maze, and actions. */
 import { Ellipsis, Keyboard } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { LanguageButton } from "../features/language/LanguageButton.tsx";
@@ -50,7 +50,10 @@ export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
   );
 }
 
-/** What a narrow bar has no room for; a phone's has no panel with "Who drives?" either. */
+/**
+ * Items that do not fit into a narrow bar. On a phone, they include Remote, which has no panel
+ * there.
+ */
 function More({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
   const { t } = useTranslation();
   const menu = usePopover();

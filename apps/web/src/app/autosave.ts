@@ -1,32 +1,32 @@
 /**
- * Saves every edit: within 300 ms, and at once when the page is hidden or left. Says on the screen
- * whether the newest edit is safe.
+ * Stores every edit: within 300 ms, and at once when the page is hidden or left. Reports whether
+ * the newest edit is stored.
  */
 import type { ScreenStore } from "../stores/screen-store.ts";
 import type { WorkspaceStore } from "../stores/workspace-store.ts";
-import type { CurrentWork } from "./current-work.ts";
+import type { CurrentProject } from "./current-project.ts";
 
-/** The first of several quick edits starts the clock, so that long strokes are saved too. */
+/** The first of several quick edits starts the timer, so that long strokes are stored, too. */
 const SAVE_AFTER_MS = 250;
 
 export interface AutosavePorts {
-  current: CurrentWork;
+  current: CurrentProject;
   workspace: WorkspaceStore;
   screen: ScreenStore;
-  /** runs a function later, such as `setTimeout` */
+  /** calls a function later, such as `setTimeout` */
   later: (run: () => void, milliseconds: number) => void;
-  /** another tab had changed the work: this tab's version is a work of its own now */
+  /** another tab had changed the project: this tab's version is a new project now */
   onFork: () => void;
-  /** the storage refused, for the first time since it last took something */
+  /** the storage refused a write for the first time since the last successful one */
   onBlocked: () => void;
 }
 
 export interface Autosave {
-  /** saves now what is not saved yet */
+  /** stores pending edits now */
   flush: () => void;
 }
 
-/** Starts to watch the workspace. */
+/** Starts to observe the workspace. */
 export function startAutosave(ports: AutosavePorts): Autosave {
   const { current, workspace, screen } = ports;
   let isScheduled = false;
@@ -51,7 +51,7 @@ export function startAutosave(ports: AutosavePorts): Autosave {
   workspace.subscribe(({ maze, program }) => {
     if (current.has(maze, program) || isScheduled) return;
     isScheduled = true;
-    // A refusal stays in sight until something could be saved again.
+    // A refusal stays visible until a write succeeds.
     if (screen.getState().saved === "saved") screen.setState({ saved: "saving" });
     ports.later(() => {
       isScheduled = false;
@@ -61,13 +61,15 @@ export function startAutosave(ports: AutosavePorts): Autosave {
   return { flush };
 }
 
-/** As much of the window and its document as tells that the page goes out of sight. */
+/** The parts of window and document that report that the page is hidden. */
 export interface PageLife {
   listen: (type: "pagehide" | "visibilitychange", listener: () => void) => void;
   isHidden: () => boolean;
 }
 
-/** Saves when the page may not come back: some browsers end a hidden page without a word. */
+/**
+ * Stores edits when the page may not come back: some browsers end a hidden page without an event.
+ */
 export function flushWhenHidden(autosave: Autosave, page: PageLife): void {
   page.listen("pagehide", autosave.flush);
   page.listen("visibilitychange", () => {

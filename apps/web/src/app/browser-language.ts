@@ -1,9 +1,9 @@
-/** The choice of the language on the real browser: its address, its languages, its document. */
+/** Language choice with the dependencies of a real browser: address, languages, document. */
 import type { i18n } from "i18next";
 import type { ScreenStore } from "../stores/screen-store.ts";
 import { offeredLanguages } from "../text/languages.ts";
 import { LanguageChoice } from "./language.ts";
-import type { KeyValueStorage } from "./works.ts";
+import type { KeyValueStorage } from "./project-storage.ts";
 
 export function browserLanguage(
   words: i18n,

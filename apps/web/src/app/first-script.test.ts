@@ -5,9 +5,9 @@ import { createScreenStore } from "../stores/screen-store.ts";
 import { en } from "../text/en/index.ts";
 import { createI18n, showLanguage, shownLanguage } from "../text/i18n.ts";
 import { languages } from "../text/languages.ts";
-import { earlyWork } from "../worker/first-work.ts";
+import { earlyWork } from "../worker/first-project.ts";
 import { firstWords } from "../../build/first-script.ts";
-import { firstWork } from "./first-visit.ts";
+import { firstProject } from "./first-visit.ts";
 import { LanguageChoice } from "./language.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
 
@@ -16,7 +16,7 @@ interface Visit {
   search?: string;
   hash?: string;
   /** on the device */
-  kept?: Record<string, string>;
+  stored?: Record<string, string>;
   /** in the tab */
   tab?: Record<string, string>;
   preferred?: readonly string[];
@@ -25,16 +25,12 @@ interface Visit {
 const script = readFileSync(new URL("../../public/first.js", import.meta.url), "utf8");
 const words = Object.fromEntries(languages.map(({ tag }) => [tag, firstWords(tag)]));
 
-/**
- * Runs `public/first.js` as index.html does, until the house is there.
- * @returns what it made of the page, the worker's name, what the house says by the names of its words, and
- *   when it lets the page's script be fetched
- */
+/** Runs `public/first.js` as index.html does, until the static page is complete. */
 function open({
   pathname = "/",
   search = "",
   hash = "",
-  kept = {},
+  stored = {},
   tab = {},
   preferred = ["en"],
 }: Visit) {
@@ -68,7 +64,7 @@ function open({
     setTimeout: (action: () => void) => timers.push(action),
     location: { pathname, search, hash },
     navigator: { languages: preferred },
-    localStorage: storage(kept),
+    localStorage: storage(stored),
     sessionStorage: storage(tab),
     matchMedia: () => ({ matches: false }),
     URLSearchParams,
@@ -92,15 +88,18 @@ function open({
 }
 
 describe("a first visit", () => {
-  it.each(languages)("begins in the worker with the page's own work, in $name", async ({ tag }) => {
-    const i18n = createI18n(en);
-    await showLanguage(i18n, tag);
-    expect(earlyWork(open({ search: `?lang=${tag}` }).name)).toEqual(firstWork(i18n));
-  });
+  it.each(languages)(
+    "starts in the worker with the page's own project, in $name",
+    async ({ tag }) => {
+      const i18n = createI18n(en);
+      await showLanguage(i18n, tag);
+      expect(earlyWork(open({ search: `?lang=${tag}` }).name)).toEqual(firstProject(i18n));
+    },
+  );
 
   it.each<Visit & { what: string }>([
-    { what: "a work is kept", kept: { "corridor.work.a": "{}" } },
-    { what: "a work that cannot be read is kept", kept: { "corridor.aside.a": "{}" } },
+    { what: "a work is stored", stored: { "corridor.work.a": "{}" } },
+    { what: "a work that cannot be read is stored", stored: { "corridor.aside.a": "{}" } },
     { what: "a run was reloaded", tab: { "corridor.run": "12" } },
     { what: "the address has a link", hash: "#abc" },
     { what: "the address is a robot's", pathname: "/r/robot" },
@@ -115,12 +114,12 @@ describe("a first visit", () => {
   });
 
   it("is one for who only chose a theme", () => {
-    expect(earlyWork(open({ kept: { "corridor.theme": "dark" } }).name)).not.toBeNull();
+    expect(earlyWork(open({ stored: { "corridor.theme": "dark" } }).name)).not.toBeNull();
   });
 });
 
 describe("the invitation before the page's script", () => {
-  it.each(languages)("says what the page will say, in $name", async ({ tag }) => {
+  it.each(languages)("shows the same text as the page, in $name", async ({ tag }) => {
     const i18n = createI18n(en);
     await showLanguage(i18n, tag);
     const { root, said } = open({ search: `?lang=${tag}` });
@@ -132,10 +131,10 @@ describe("the invitation before the page's script", () => {
   });
 
   it("is not shown to who dismissed it, or has been in the lessons", () => {
-    expect(open({ kept: { "corridor.lessons": "{}" } }).root.dataset.first).toBe("");
+    expect(open({ stored: { "corridor.lessons": "{}" } }).root.dataset.first).toBe("");
   });
 
-  it.each<Visit>([{ kept: { "corridor.work.a": "{}" } }, { hash: "#abc" }])(
+  it.each<Visit>([{ stored: { "corridor.work.a": "{}" } }, { hash: "#abc" }])(
     "is not shown where the visit is not the first: %o",
     (visit) => {
       const { root, said } = open(visit);
@@ -156,15 +155,15 @@ describe("the language before the page's script", () => {
     { preferred: ["nl", "pt-BR"] },
     { preferred: ["nl"] },
     { preferred: ["not a tag", "ja"] },
-    { preferred: ["fr"], kept: { "corridor.language": "es" } },
-    { preferred: ["fr"], kept: { "corridor.language": "klingon" } },
-    { preferred: ["fr"], search: "?lang=ar", kept: { "corridor.language": "es" } },
+    { preferred: ["fr"], stored: { "corridor.language": "es" } },
+    { preferred: ["fr"], stored: { "corridor.language": "klingon" } },
+    { preferred: ["fr"], search: "?lang=ar", stored: { "corridor.language": "es" } },
     { preferred: ["fr"], search: "?lang=nonsense" },
-  ])("is the page's own: $preferred, $kept, $search", async (visit) => {
-    const { preferred = [], search = "", kept = {} } = visit;
+  ])("is the page's own: $preferred, $stored, $search", async (visit) => {
+    const { preferred = [], search = "", stored = {} } = visit;
     const i18n = createI18n(en);
     const storage = new MemoryStorage();
-    for (const [key, text] of Object.entries(kept)) storage.setItem(key, text);
+    for (const [key, text] of Object.entries(stored)) storage.setItem(key, text);
     const applied: { tag: string; dir: string }[] = [];
     await new LanguageChoice({
       words: i18n,

@@ -1,7 +1,7 @@
-/** The work of a first visit, with its names in the reader's language. */
+/** The project of a first visit, with translated names. */
 import type { i18n } from "i18next";
-import { firstWork as work, type FirstWork } from "../worker/first-work.ts";
+import { firstProject as projectNamed, type FirstProject } from "../worker/first-project.ts";
 
-export function firstWork(words: Pick<i18n, "t">): FirstWork {
-  return work(words.t("presets.long-way-round.title"), words.t("program.example"));
+export function firstProject(words: Pick<i18n, "t">): FirstProject {
+  return projectNamed(words.t("presets.long-way-round.title"), words.t("program.example"));
 }

@@ -1,4 +1,7 @@
-/** Follows the browser's own address: `url-sync.ts` on the real page. Comes only where the address asks for something. */
+/**
+ * Follows the browser's address: `url-sync.ts` on the real page. Loaded only for an address with a
+ * request.
+ */
 import type { i18n } from "i18next";
 import { missionHash } from "../features/lessons/mission-address.ts";
 import { programForMaze } from "../features/program/own-program.ts";
@@ -8,7 +11,9 @@ import { dismiss, showMessage } from "../stores/screen-store.ts";
 import type { Services } from "./services.ts";
 import { followAddress } from "./url-sync.ts";
 
-/** @param isLoad whether the page has just opened; otherwise the reader went to another address of it */
+/**
+ * @param isLoad whether the page has just opened; otherwise the user navigated to another fragment
+ */
 export async function followPageAddress(
   services: Services,
   words: Pick<i18n, "t">,

@@ -3,7 +3,7 @@ import { createScreenStore } from "../stores/screen-store.ts";
 import { guardLeaving } from "./guard-leaving.ts";
 
 describe("leaving the page", () => {
-  it("asks only while the device does not keep the newest edits", () => {
+  it("asks only while the newest edits are not stored", () => {
     const screen = createScreenStore();
     const page = new EventTarget();
     guardLeaving(screen, page);

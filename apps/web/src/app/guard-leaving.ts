@@ -1,6 +1,7 @@
 /**
- * Asks before the page is left while the device does not keep the newest edits: closing the tab, a
- * reload, another address. Only then, since a page that asks cannot be put aside and brought back.
+ * Asks before the page is left while the newest edits are not stored: closing the tab, a reload,
+ * another address. Only then, because a page with this listener cannot enter the back/forward
+ * cache.
  */
 import type { ScreenStore } from "../stores/screen-store.ts";
 
@@ -10,7 +11,7 @@ interface Leaving {
 }
 
 export function guardLeaving(screen: ScreenStore, page: Leaving): void {
-  // The browser asks in its own words.
+  // The browser shows its own text.
   const ask = (event: Event): void => event.preventDefault();
   screen.subscribe(({ saved }, before) => {
     if ((saved === "blocked") === (before.saved === "blocked")) return;

@@ -1,4 +1,4 @@
-/** Keys as they are printed: "Ctrl" is "Strg" on a German keyboard, and ⌘ does its work on a Mac. */
+/** Labels of keys: "Ctrl" is "Strg" on a German keyboard, and ⌘ on a Mac. */
 import type { TFunction } from "i18next";
 
 const worded = {
@@ -16,7 +16,7 @@ const worded = {
   "Page Down": "pageDown",
 } as const;
 
-/** Signs that a Mac's keyboard has in every language. */
+/** Symbols on a Mac's keyboard in every language. */
 const macSigns: Readonly<Record<string, string>> = {
   Ctrl: "⌘",
   Shift: "⇧",
@@ -25,8 +25,8 @@ const macSigns: Readonly<Record<string, string>> = {
 };
 
 /**
- * @param keys "Ctrl+Shift+Z": a plus joins keys that are pressed together; letters, signs and arrows are
- *   the same everywhere
+ * @param keys "Ctrl+Shift+Z": a plus joins keys that are pressed together; letters, symbols and
+ *   arrows are the same everywhere
  */
 export function capsOf(t: TFunction, keys: string, isMac: boolean): string {
   return keys

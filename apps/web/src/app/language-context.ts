@@ -1,4 +1,4 @@
-/** Hands the choice of the language to the components that offer it. */
+/** Provides the language choice to components. */
 import { createContext, useContext } from "react";
 import type { LanguageChoice } from "./language.ts";
 

@@ -5,9 +5,9 @@ import { createI18n } from "../text/i18n.ts";
 import { LanguageChoice, sharedSearch } from "./language.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
 
-function openPage({ search = "", kept = "", preferred = ["en"] }) {
+function openPage({ search = "", stored = "", preferred = ["en"] }) {
   const storage = new MemoryStorage();
-  if (kept !== "") storage.setItem("corridor.language", kept);
+  if (stored !== "") storage.setItem("corridor.language", stored);
   const words = createI18n(en);
   const screen = createScreenStore();
   const location = { pathname: "/", search, hash: "#1maze" };
@@ -31,11 +31,16 @@ function openPage({ search = "", kept = "", preferred = ["en"] }) {
 
 describe("the language at the start", () => {
   it.each([
-    { name: "the address", search: "?lang=de", kept: "en", preferred: ["ar"], tag: "de" },
-    { name: "the device's choice", search: "", kept: "de", preferred: ["ar"], tag: "de" },
+    { name: "the address", search: "?lang=de", stored: "en", preferred: ["ar"], tag: "de" },
+    { name: "the device's choice", search: "", stored: "de", preferred: ["ar"], tag: "de" },
     { name: "the browser's first that there is", preferred: ["tlh", "de-CH", "ar"], tag: "de" },
     { name: "English for want of better", preferred: ["tlh"], tag: "en" },
-    { name: "the browser's if what was kept is none", kept: "xx", preferred: ["de"], tag: "de" },
+    {
+      name: "the browser's if what was stored is none",
+      stored: "xx",
+      preferred: ["de"],
+      tag: "de",
+    },
   ])("is $name", async ({ tag, ...given }) => {
     const page = openPage(given);
     await page.choice.start();
@@ -44,7 +49,7 @@ describe("the language at the start", () => {
     expect(page.messages()).toEqual([]);
   });
 
-  it("says so when the address asks for a language that there is not, and cleans it", async () => {
+  it("reports a language in the address that does not exist, and removes it", async () => {
     const page = openPage({ search: "?lang=tlh&x=1", preferred: ["en"] });
     await page.choice.start();
     expect(page.messages()).toEqual([
@@ -53,15 +58,15 @@ describe("the language at the start", () => {
     expect(page.location).toMatchObject({ search: "?x=1", hash: "#1maze" });
   });
 
-  it("stays out of the address until the reader chooses", async () => {
-    const page = openPage({ kept: "de" });
+  it("stays out of the address until the user chooses a language", async () => {
+    const page = openPage({ stored: "de" });
     await page.choice.start();
     expect(page.location.search).toBe("");
   });
 });
 
 describe("a chosen language", () => {
-  it("is shown, kept, and in the address beside what stands there", async () => {
+  it("is displayed, stored, and in the address beside other parameters", async () => {
     const page = openPage({ search: "?x=1" });
     await page.choice.start();
     await page.choice.choose("ar");
@@ -71,7 +76,7 @@ describe("a chosen language", () => {
     expect(page.location).toMatchObject({ search: "?x=1&lang=ar", hash: "#1maze" });
   });
 
-  it("is the newest one, whichever arrives last", async () => {
+  it("is the newest one, in every order of arrival", async () => {
     const page = openPage({});
     await page.choice.start();
     await Promise.all([page.choice.choose("ar"), page.choice.choose("de")]);
@@ -80,7 +85,7 @@ describe("a chosen language", () => {
     expect(page.location.search).toBe("?lang=de");
   });
 
-  it("sets a value apart where the sentence runs the other way", async () => {
+  it("isolates a value in a sentence of the other direction", async () => {
     const page = openPage({});
     await page.choice.choose("ar");
     expect(page.words.t("language.unknown", { tag: "de-1" })).toContain("\u2068de-1\u2069");
@@ -89,7 +94,7 @@ describe("a chosen language", () => {
   });
 });
 
-it("writes numbers inside of sentences as the language does", async () => {
+it("formats numbers in sentences by the language", async () => {
   const page = openPage({});
   const read = () => page.words.t("remote.quiet", { seconds: "12.5" });
   expect(read()).toContain("12.5");

@@ -1,12 +1,12 @@
 /**
- * The language of the page: the one in the address (`?lang=de`, for sharing), else the one that was
- * chosen on this device, else the first of the browser's that there is, else English.
+ * The language of the page: the one in the address (`?lang=de`, for sharing), or the one stored on
+ * this device, or the first available one of the browser's, or English.
  */
 import type { i18n } from "i18next";
 import { showLanguage, shownLanguage } from "../text/i18n.ts";
 import { languageOf, languages, matchLanguage, type LanguageTag } from "../text/languages.ts";
 import { showMessage, type ScreenStore } from "../stores/screen-store.ts";
-import type { KeyValueStorage } from "./works.ts";
+import type { KeyValueStorage } from "./project-storage.ts";
 
 const LANGUAGE_KEY = "corridor.language";
 const PARAMETER = "lang";
@@ -15,36 +15,39 @@ export interface LanguagePorts {
   words: i18n;
   screen: ScreenStore;
   storage: KeyValueStorage;
-  /** the languages that are complete */
+  /** languages with complete texts */
   offered: readonly LanguageTag[];
-  /** navigator.languages, the dearest first */
+  /** navigator.languages, most preferred first */
   preferred: readonly string[];
   location: Pick<Location, "pathname" | "search" | "hash">;
   /** replaces the address without a reload: history.replaceState */
   replaceAddress: (address: string) => void;
-  /** shows it outside of React: `lang`, `dir` and the title of the document */
+  /** applies it outside of React: `lang`, `dir` and the title of the document */
   apply: (shown: { tag: LanguageTag; dir: "ltr" | "rtl"; title: string }) => void;
 }
 
 export class LanguageChoice {
   readonly #ports: LanguagePorts;
-  /** the newest wish; one that comes later than another is not overtaken by it */
-  #wished: LanguageTag;
+  /** the newest requested language; an earlier request that loads later does not replace it */
+  #requested: LanguageTag;
 
   constructor(ports: LanguagePorts) {
     this.#ports = ports;
-    this.#wished = shownLanguage(ports.words);
+    this.#requested = shownLanguage(ports.words);
     ports.words.on("languageChanged", () => this.#apply());
   }
 
-  /** Shows what the address, the device or the browser asks for. Never fails: English is there. */
+  /**
+   * Displays the language of the address, the device or the browser. Never fails: English is
+   * bundled.
+   */
   async start(): Promise<void> {
     const { storage, offered, preferred, location, screen, words } = this.#ports;
     const asked = new URLSearchParams(location.search).get(PARAMETER);
     const all = languages.map(({ tag }) => tag);
     const inAddress = asked === null ? null : matchLanguage([asked], all);
-    const kept = offered.find((tag) => tag === storage.getItem(LANGUAGE_KEY));
-    await this.#show(inAddress ?? kept ?? matchLanguage(preferred, offered) ?? "en");
+    const stored = offered.find((tag) => tag === storage.getItem(LANGUAGE_KEY));
+    await this.#show(inAddress ?? stored ?? matchLanguage(preferred, offered) ?? "en");
     this.#apply();
     if (asked !== null && inAddress === null) {
       this.#writeAddress(null);
@@ -52,7 +55,10 @@ export class LanguageChoice {
     }
   }
 
-  /** The reader's own choice: kept on the device, and in the address, so that copying it shares it. */
+  /**
+   * The user's own choice: stored on the device, and in the address, so that copying the address
+   * shares it.
+   */
   async choose(tag: LanguageTag): Promise<void> {
     if (!(await this.#show(tag))) return;
     this.#writeAddress(tag);
@@ -63,14 +69,17 @@ export class LanguageChoice {
     }
   }
 
-  /** @returns whether it is shown now; if not, the reader was told why, or has chosen another since */
+  /**
+   * @returns whether it is displayed now; if not, a message says why, or the user has chosen
+   *   another one
+   */
   async #show(tag: LanguageTag): Promise<boolean> {
     const { words, screen } = this.#ports;
-    this.#wished = tag;
+    this.#requested = tag;
     try {
-      await showLanguage(words, tag, () => this.#wished === tag);
+      await showLanguage(words, tag, () => this.#requested === tag);
     } catch {
-      this.#wished = shownLanguage(words);
+      this.#requested = shownLanguage(words);
       const language = languageOf(tag).name;
       showMessage(screen, { tone: "bad", text: words.t("language.notLoaded", { language }) });
     }
@@ -94,8 +103,8 @@ export class LanguageChoice {
 }
 
 /**
- * What a shared link says of the language: nothing unless this page's own address does.
- * @param search of the page's address
+ * Search part of a shared link: the language parameter of this page's own address, if any.
+ * @param search search part of the page's address
  * @returns "?lang=de" or ""
  */
 export function sharedSearch(search: string): string {

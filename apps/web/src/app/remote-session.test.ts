@@ -25,7 +25,7 @@ function openPage(tab = new MemoryStorage()) {
 }
 
 describe("RemoteConnection", () => {
-  it("asks for a new robot when remote drives for the first time, and not again", () => {
+  it("requests a new robot when remote drives for the first time, and not again", () => {
     const page = openPage();
     page.drive("program");
     expect(page.sent).toEqual([]);
@@ -37,7 +37,7 @@ describe("RemoteConnection", () => {
     expect(page.sent).toEqual([{ type: "remote-open", session: null, fresh: true }]);
   });
 
-  it("lets Remote drive when the reader connects while another driver has the robot", () => {
+  it("lets Remote drive when the user connects while another driver has the robot", () => {
     const page = openPage();
     page.drive("program");
     page.connection.connect();
@@ -48,7 +48,7 @@ describe("RemoteConnection", () => {
     ]);
   });
 
-  it("stays off after the reader disconnected, until remote is chosen again", () => {
+  it("stays off after the user disconnected, until remote is chosen again", () => {
     const page = openPage();
     page.drive("remote");
     page.remote.setState({ status: { kind: "waiting" }, session });
@@ -69,19 +69,19 @@ describe("RemoteConnection", () => {
     page.drive("remote");
     page.remote.setState({ status: { kind: "lost", reason: "lineLost" } });
     page.drive(driver);
-    page.connection.networkIsBack();
+    page.connection.reconnect();
     expect(page.sent.filter(({ type }) => type === "remote-open")).toHaveLength(opened);
   });
 
-  it("does not connect anew what is connected when a network comes", () => {
+  it("does not reconnect what is connected when the network returns", () => {
     const page = openPage();
     page.drive("remote");
     page.remote.setState({ status: { kind: "waiting" }, session });
-    page.connection.networkIsBack();
+    page.connection.reconnect();
     expect(page.sent).toHaveLength(1);
   });
 
-  it("keeps the robot's address over a reload, with the newest command that was started", () => {
+  it("retains the robot's address over a reload, with the newest command that was started", () => {
     const page = openPage();
     page.remote.setState({ status: { kind: "waiting" }, session });
     page.remote.setState({ session: { ...session, lastApplied: 7 } });
@@ -93,16 +93,16 @@ describe("RemoteConnection", () => {
     ]);
   });
 
-  it("goes on by itself after a reload in the middle of remote driving", () => {
+  it("resumes by itself after a reload during remote driving", () => {
     const page = openPage();
     page.drive("remote");
     page.remote.setState({ status: { kind: "waiting" }, session });
-    // Twice, and the second page's worker begins with its own driver.
+    // Twice, and the second page's worker starts with its own driver.
     for (let reload = 0; reload < 2; reload++) {
       const reloaded = openPage(page.tab);
       reloaded.drive("program");
       expect(reloaded.sent).toEqual([]);
-      reloaded.connection.goOn();
+      reloaded.connection.resume();
       reloaded.drive("remote");
       expect(reloaded.sent).toEqual([
         { type: "remote-open", session, fresh: true },
@@ -111,13 +111,13 @@ describe("RemoteConnection", () => {
     }
   });
 
-  it("leaves the robot to the hand that took it while the run of before was brought back", () => {
+  it("leaves the robot to the user who took it while the previous run was restored", () => {
     const page = openPage();
     page.drive("remote");
     page.remote.setState({ status: { kind: "waiting" }, session });
     const reloaded = openPage(page.tab);
     reloaded.drive("me");
-    reloaded.connection.goOn();
+    reloaded.connection.resume();
     expect(reloaded.sent).toEqual([]);
   });
 
@@ -127,11 +127,11 @@ describe("RemoteConnection", () => {
     page.remote.setState({ status: { kind: "waiting" }, session });
     page.drive(driver);
     const reloaded = openPage(page.tab);
-    reloaded.connection.goOn();
+    reloaded.connection.resume();
     expect(reloaded.sent).toEqual([]);
   });
 
-  it("asks for another robot once the session is over", () => {
+  it("requests another robot once the session is over", () => {
     const page = openPage();
     page.remote.setState({ status: { kind: "waiting" }, session });
     page.remote.setState({ status: { kind: "over", reason: "over" } });
@@ -140,7 +140,7 @@ describe("RemoteConnection", () => {
     expect(page.sent).toEqual([{ type: "remote-open", session: null, fresh: true }]);
   });
 
-  it("works without an address to keep where storage is full", () => {
+  it("works without a stored address if the storage is full", () => {
     const tab = new MemoryStorage();
     tab.isFull = true;
     const page = openPage(tab);
@@ -158,7 +158,7 @@ describe("readSession", () => {
     { name: "a huge address", text: JSON.stringify({ ...session, address: "x".repeat(9_999) }) },
     { name: "a negative count", text: JSON.stringify({ ...session, lastApplied: -1 }) },
     { name: "a count that is no number", text: JSON.stringify({ ...session, lastApplied: null }) },
-  ])("takes $name for no session", ({ text }) => {
+  ])("treats $name as no session", ({ text }) => {
     const tab = new MemoryStorage();
     tab.setItem("corridor.remote", text);
     expect(readSession(tab)).toBeNull();

@@ -1,8 +1,8 @@
-/** What was on when the page was left, besides the run: sounds, and the ghosts of a race. Comes only where there was some. */
+/** Resumes sounds and the ghosts of a race after a reload. Loaded only if there were any. */
 import type { i18n } from "i18next";
 import { RACE_KEY } from "../stores/race-store.ts";
 import type { Services } from "./services.ts";
-import type { KeyValueStorage } from "./works.ts";
+import type { KeyValueStorage } from "./project-storage.ts";
 
 export async function resumeExtras(
   services: Services,

@@ -2,7 +2,7 @@ import type { RunDocument } from "@corridor/recording";
 import { describe, expect, it } from "vitest";
 import { SimulatorClient, type WorkerPort } from "../worker/simulator-client.ts";
 import type { FromWorker, ToWorker } from "../worker/worker-messages.ts";
-import { firstMaze, firstProgram } from "../worker/first-work.ts";
+import { firstMaze, firstProgram } from "../worker/first-project.ts";
 import { loadRun, saveRun } from "./run-requests.ts";
 
 const run: RunDocument = {
@@ -21,41 +21,41 @@ function newWorker() {
   const sent: ToWorker[] = [];
   const port: WorkerPort = { postMessage: (message) => void sent.push(message), onmessage: null };
   const simulator = new SimulatorClient(port);
-  const hear = (data: FromWorker) => port.onmessage?.({ data } as MessageEvent<FromWorker>);
+  const receive = (data: FromWorker) => port.onmessage?.({ data } as MessageEvent<FromWorker>);
   const ids = () => sent.flatMap((each) => ("id" in each ? [each.id] : []));
-  return { simulator, sent, hear, ids };
+  return { simulator, sent, receive, ids };
 }
 
-describe("what is asked of the worker", () => {
-  it("takes no other's answer", async () => {
-    const { simulator, hear, ids } = newWorker();
+describe("requests to the worker", () => {
+  it("receive only their own answer", async () => {
+    const { simulator, receive, ids } = newWorker();
     const one = loadRun(simulator, run);
     const other = loadRun(simulator, run);
     const texts: string[] = [];
     saveRun(simulator, (saved) => texts.push(saved.ok ? saved.text : saved.reason));
     const [first = 0, second = 0, third = 0] = ids();
-    hear({ type: "run-saved", id: third + 1, saved: { ok: true, text: "another", ticks: 1 } });
-    hear({ type: "run-saved", id: third, saved: { ok: true, text: "mine", ticks: 1 } });
-    hear({
+    receive({ type: "run-saved", id: third + 1, saved: { ok: true, text: "another", ticks: 1 } });
+    receive({ type: "run-saved", id: third, saved: { ok: true, text: "mine", ticks: 1 } });
+    receive({
       type: "run-loaded",
       id: second,
       loaded: { ok: false, reason: "refused", problems: [] },
     });
-    hear({ type: "run-loaded", id: first, loaded: { ok: false, reason: "cancelled" } });
+    receive({ type: "run-loaded", id: first, loaded: { ok: false, reason: "cancelled" } });
     expect(await one.loaded).toMatchObject({ reason: "cancelled" });
     expect(await other.loaded).toMatchObject({ reason: "refused" });
     expect(texts).toEqual(["mine"]);
   });
 
-  it("is not waited for when the simulator breaks, and not opened behind the reader's back", async () => {
-    const { simulator, sent, hear, ids } = newWorker();
+  it("fail when the simulator breaks, and open nothing later", async () => {
+    const { simulator, sent, receive, ids } = newWorker();
     const { loaded } = loadRun(simulator, run);
-    hear({ type: "fault", reason: "broken" });
+    receive({ type: "fault", reason: "broken" });
     expect(await loaded).toEqual({ ok: false, reason: "fault" });
     expect(sent.at(-1)).toEqual({ type: "cancel-load", id: ids()[0] });
   });
 
-  it("is answered at once where the worker never came", async () => {
+  it("fail at once if the worker never loaded", async () => {
     const { simulator } = newWorker();
     const { loaded } = loadRun(simulator, run);
     simulator.fail("its file is missing");

@@ -1,6 +1,6 @@
 /**
- * What the page asks the worker about whole runs, each with an answer of its own: several may ask at the
- * same time, and nobody waits for a worker that is gone.
+ * Requests to the worker about whole runs, each with its own answer: several may be pending at the
+ * same time, and all fail if the worker is gone.
  */
 import type { RunDocument } from "@corridor/recording";
 import type { SimulatorClient } from "../worker/simulator-client.ts";
@@ -8,11 +8,11 @@ import type { LoadedRun, LoadRun, RestoreRun, SavedRun } from "../worker/worker-
 
 type Simulator = Pick<SimulatorClient, "send" | "listen" | "isGone">;
 
-/** A run on its way to the screen. */
+/** A run that is loading. */
 export interface RunLoad {
-  /** what came of it; never rejected */
+  /** the result; never rejects */
   loaded: Promise<LoadedRun>;
-  /** gives it up: it is answered as cancelled, unless it is there already */
+  /** cancels the request, which fails as cancelled unless it is complete */
   cancel: () => void;
 }
 
@@ -20,7 +20,7 @@ let lastId = 0;
 
 /**
  * Opens a run where it ended.
- * @param onPart told now and then how much of a long one is done, from 0 to 1
+ * @param onPart receives the progress of a long run from time to time, from 0 to 1
  */
 export function loadRun(
   simulator: Simulator,
@@ -30,7 +30,7 @@ export function loadRun(
   return request(simulator, (id) => ({ type: "load-run", id, run }), onPart);
 }
 
-/** Restores the run that this tab had before a reload: see `RestoreRun`. */
+/** Restores this tab's run from before a reload: see `RestoreRun`. */
 export function restoreRun(simulator: Simulator, key: string, isSameProject: boolean): RunLoad {
   return request(simulator, (id) => ({ type: "restore-run", id, key, isSameProject }));
 }
@@ -49,7 +49,7 @@ function request(
       const isAnswer = message.type === "run-loaded" && message.id === id;
       if (!isAnswer && message.type !== "fault") return;
       end();
-      // What broke may go on: then it must not open a run that nobody waits for any more.
+      // The simulator may still recover: then it must not open a run that nobody waits for.
       if (!isAnswer) cancel();
       resolve(isAnswer ? message.loaded : { ok: false, reason: "fault" });
     });
@@ -59,9 +59,9 @@ function request(
 }
 
 /**
- * Asks for the run so far as the text of a document.
+ * Requests the run so far as the text of a document.
  * @param take called once, unless the worker breaks
- * @returns a function that ends the waiting
+ * @returns a function that cancels the request
  */
 export function saveRun(simulator: Simulator, take: (saved: SavedRun) => void): () => void {
   const id = ++lastId;

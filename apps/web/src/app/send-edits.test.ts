@@ -4,7 +4,7 @@ import { createWorkspaceStore, openProject, setMaze, undo } from "../stores/work
 import { RunLoop } from "../worker/run-loop.ts";
 import { loadRun } from "../worker/testing/load-run.ts";
 import type { ToWorker } from "../worker/worker-messages.ts";
-import { firstMaze, firstProgram } from "../worker/first-work.ts";
+import { firstMaze, firstProgram } from "../worker/first-project.ts";
 import { sendEdits } from "./send-edits.ts";
 
 const maze = { ...firstMaze, name: "Recorded" };
@@ -22,7 +22,7 @@ function recorded(): RunDocument {
   return written.run;
 }
 
-/** A page whose messages reach the real run when the test says so. */
+/** A page whose messages reach the real run when the test delivers them. */
 function newPage() {
   const workspace = createWorkspaceStore(firstMaze, firstProgram);
   const loop = new RunLoop(firstMaze, firstProgram, () => 0);
@@ -44,7 +44,7 @@ function newPage() {
     const written = loop.saveRun();
     return written.ok ? written.run.inputs : null;
   };
-  /** what the worker's run is in now */
+  /** the documents of the worker's run */
   const known = () => {
     loop.now();
     const written = loop.saveRun();
@@ -55,8 +55,8 @@ function newPage() {
   return { workspace, loop, sent, deliver, inputs, known };
 }
 
-describe("what is edited", () => {
-  it("goes to the worker, and only that", () => {
+describe("an edit", () => {
+  it("reaches the worker, and nothing else does", () => {
     const { workspace, sent } = newPage();
     setMaze(workspace, maze);
     expect(sent).toEqual(["edit-maze"]);
@@ -64,7 +64,7 @@ describe("what is edited", () => {
     expect(sent).toEqual(["edit-maze", "edit-maze", "edit-program"]);
   });
 
-  it("is no edit of a run that was just opened with it: the run keeps its inputs", () => {
+  it("is none if its run was just opened with it: the run retains its inputs", () => {
     const { workspace, loop, deliver, inputs } = newPage();
     const run = recorded();
     loadRun(loop, run);
@@ -79,7 +79,7 @@ describe("what is edited", () => {
 
   it.each([
     { name: "before the run was there", isEarly: true },
-    { name: "before the page heard of the run", isEarly: false },
+    { name: "before the page received the run", isEarly: false },
   ])("while a run was opened, $name, leaves page and worker with one maze", ({ isEarly }) => {
     const { workspace, loop, deliver, known } = newPage();
     setMaze(workspace, edited);
@@ -92,7 +92,7 @@ describe("what is edited", () => {
     expect(known()).toBe("Recorded");
   });
 
-  it("equal to a run's document that was never shown reaches the worker all the same", () => {
+  it("equal to a run's document that was never displayed still reaches the worker", () => {
     const { workspace, loop, deliver, known } = newPage();
     loadRun(loop, recorded());
     setMaze(workspace, edited);

@@ -1,12 +1,12 @@
 /**
- * Every change of the documents on the screen goes to the worker. Those that it told itself, with a run
- * that was just opened, go back to it as well: it knows by their content that they are no edit, whatever
- * else was edited while they were on their way.
+ * Sends every change of the workspace's documents to the worker. Documents that came from the
+ * worker with an opened run are sent back, too: the worker compares their content and ignores them,
+ * whatever else was edited meanwhile.
  */
 import type { WorkspaceStore } from "../stores/workspace-store.ts";
 import type { SimulatorClient } from "../worker/simulator-client.ts";
 
-/** Begins with the next change; the first documents are the `load` message's. */
+/** Starts with the next change; the first documents are part of the `load` message. */
 export function sendEdits(
   workspace: WorkspaceStore,
   simulator: Pick<SimulatorClient, "send">,

@@ -9,7 +9,7 @@ import { momentAt } from "../worker/testing/moment-at.ts";
 import type { FromWorker, ToWorker } from "../worker/worker-messages.ts";
 import { createServices } from "./services.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
-import { WorkReader } from "./work-reader.ts";
+import { ProjectReader } from "./project-reader.ts";
 
 /** The page's services, and the worker's end of them. */
 function openPage() {
@@ -21,49 +21,49 @@ function openPage() {
     tab: new MemoryStorage(),
     words: createI18n(en),
     screen: createScreenStore(),
-    reader: new WorkReader(),
+    reader: new ProjectReader(),
     nextFrame: (work) => work(),
   });
-  const hear = (data: FromWorker) => worker.onmessage?.({ data } as MessageEvent<FromWorker>);
-  return { ...services, hear, sent };
+  const receive = (data: FromWorker) => worker.onmessage?.({ data } as MessageEvent<FromWorker>);
+  return { ...services, receive, sent };
 }
 
-it("displays the numbers of one tick everywhere: the stage writes those that the page has written", () => {
-  const { hear, run, sent } = openPage();
+it("displays the numbers of one tick everywhere: the stage writes those that the page has displayed", () => {
+  const { receive, run, sent } = openPage();
   const snapshot = snapshotOf({ tick: 77, state: "running", line: 0 });
   let written = -1;
   run.subscribe((state) => {
     written = state.snapshot?.tick ?? -1;
     expect(sent.some(({ type }) => type === "stage-numbers")).toBe(false);
   });
-  hear({ type: "frame", frame: frameOf({ snapshot }), timeline: null });
+  receive({ type: "frame", frame: frameOf({ snapshot }), timeline: null });
   expect(written).toBe(77);
   expect(sent).toContainEqual({ type: "stage-numbers", snapshot });
 });
 
-describe("a run that went on from an earlier moment", () => {
+describe("a run that continued from an earlier tick", () => {
   it("leaves nothing on the page that came after it", () => {
-    const { hear, run, cards } = openPage();
-    hear({ type: "event", event: momentAt("bump", 316) });
-    hear({ type: "event", event: momentAt("goal", 400) });
-    hear({ type: "forgotten", after: 350 });
+    const { receive, run, cards } = openPage();
+    receive({ type: "event", event: momentAt("bump", 316) });
+    receive({ type: "event", event: momentAt("goal", 400) });
+    receive({ type: "truncated", after: 350 });
     expect(run.getState().event).toBeNull();
     expect(cards.getState().goal).toBeNull();
     expect(cards.getState().bump?.event.tick).toBe(316);
   });
 
-  it("keeps what came before it", () => {
-    const { hear, run, cards } = openPage();
-    hear({ type: "event", event: momentAt("goal", 400) });
-    hear({ type: "forgotten", after: 400 });
+  it("retains what came before it", () => {
+    const { receive, run, cards } = openPage();
+    receive({ type: "event", event: momentAt("goal", 400) });
+    receive({ type: "truncated", after: 400 });
     expect(run.getState().event?.tick).toBe(400);
     expect(cards.getState().goal?.event.tick).toBe(400);
   });
 
-  it("is nothing at all when another run is shown", () => {
-    const { hear, run, cards } = openPage();
-    hear({ type: "event", event: momentAt("goal", 0) });
-    hear({ type: "forgotten", after: -1 });
+  it("is empty when another run is displayed", () => {
+    const { receive, run, cards } = openPage();
+    receive({ type: "event", event: momentAt("goal", 0) });
+    receive({ type: "truncated", after: -1 });
     expect(run.getState().event).toBeNull();
     expect(cards.getState()).toEqual({ bump: null, goal: null });
   });

@@ -1,6 +1,6 @@
 /**
- * Composition root of the page: the only place that builds the stores and the worker.
- * Components reach them through `useServices`.
+ * Composition root of the page: the only place that creates the stores and the worker. Components
+ * access them through `useServices`.
  */
 import type { i18n } from "i18next";
 import { createContext, useContext } from "react";
@@ -32,115 +32,115 @@ import { RunTrace } from "../stores/run-trace.ts";
 import { createWorkspaceStore, type WorkspaceStore } from "../stores/workspace-store.ts";
 import { SimulatorClient, type WorkerPort } from "../worker/simulator-client.ts";
 import type { RunEvent } from "../worker/worker-messages.ts";
-import { CurrentWork } from "./current-work.ts";
-import { firstWork } from "./first-visit.ts";
+import { CurrentProject } from "./current-project.ts";
+import { firstProject } from "./first-visit.ts";
 import { RemoteConnection } from "./remote-session.ts";
-import { RunKeeper } from "./run-keeper.ts";
-import { whenSettled } from "./settled.ts";
-import type { WorkReader } from "./work-reader.ts";
+import { RunRestorer } from "./run-restorer.ts";
+import { whenIdle } from "./page-idle.ts";
+import type { ProjectReader } from "./project-reader.ts";
 import { sendEdits } from "./send-edits.ts";
-import { WorksService } from "./works-service.ts";
-import { WorkShelf, type KeyValueStorage } from "./works.ts";
+import { ProjectService } from "./project-service.ts";
+import { ProjectStorage, type KeyValueStorage } from "./project-storage.ts";
 
-/** What the page is given by the browser; tests give other ones. */
+/** Dependencies from the browser; tests inject others. */
 export interface Browser {
-  /** does something one frame later, whether or not there is anything to draw until then */
+  /** runs a task one frame later, whether or not there is anything to draw */
   nextFrame: (work: () => void) => void;
   worker: WorkerPort;
-  /** localStorage: what stays on the device */
+  /** localStorage: per device */
   device: KeyValueStorage;
-  /** sessionStorage: what stays in this tab */
+  /** sessionStorage: per tab */
   tab: KeyValueStorage;
-  /** already in the reader's language */
+  /** already translated */
   words: Pick<i18n, "t" | "on" | "language" | "loadNamespaces">;
   screen: ScreenStore;
-  /** reads stored works; loaded already where something is stored */
-  reader: WorkReader;
+  /** parser of stored projects; already loaded if something is stored */
+  reader: ProjectReader;
 }
 
 export interface Services {
   simulator: SimulatorClient;
   workspace: WorkspaceStore;
   run: RunStore;
-  /** the run for what is not urgent and has no numbers: see late-run.ts */
-  lateRun: RunStore;
-  /** what there is to explain of the run */
+  /** the run for output that is not urgent and has no numbers: see deferred-run.ts */
+  deferred: RunStore;
+  /** explanations of the run */
   cards: CardStore;
   cardDock: CardDock;
   timeline: TimelineStore;
   remote: RemoteStore;
   race: RaceStore;
   screen: ScreenStore;
-  /** the run as the screen shows it, with its trail */
-  shownRun: RunTrace;
-  works: WorksService;
-  /** keeps the run over a reload */
-  runKeeper: RunKeeper;
-  /** ready-made mazes that were solved on this device */
+  /** the displayed run with its trail */
+  runTrace: RunTrace;
+  projects: ProjectService;
+  /** restores the run after a reload */
+  restorer: RunRestorer;
+  /** presets that were solved on this device */
   solved: SolvedStore;
-  /** what the coach says about the program's lines */
+  /** advice of the coach for the program's lines */
   advice: AdviceStore;
   connection: RemoteConnection;
-  /** the challenge that is open, if any */
+  /** the open challenge, if any */
   challenge: ChallengeStore;
   lessons: LessonsGate;
-  /** how the stage looks at the maze */
+  /** camera of the stage */
   camera: CameraStore;
-  /** the one voice for those who listen */
+  /** the live region for screen readers */
   speech: Speech;
 }
 
-/** Builds everything and connects it: documents flow to the worker, what it tells flows to the stores. */
+/** Creates and connects everything: documents flow to the worker, its messages to the stores. */
 export function createServices(browser: Browser): Services {
   const { worker, device, tab, words, screen, reader, nextFrame } = browser;
-  const shelf = new WorkShelf(device, () => reader.read);
-  const first = firstWork(words);
-  const current = new CurrentWork(
-    { shelf, tab, now: Date.now, newId: newTextId },
+  const store = new ProjectStorage(device, () => reader.read);
+  const first = firstProject(words);
+  const current = new CurrentProject(
+    { store, tab, now: Date.now, newId: newTextId },
     first.maze,
     first.program,
   );
-  const { maze, program } = current.work;
+  const { maze, program } = current.project;
   const simulator = new SimulatorClient(worker);
   const workspace = createWorkspaceStore(maze, program, (before, after) =>
     namedAfterEdit(before, after, words),
   );
   const run = createRunStore();
   followLanguage({ workspace, run }, words);
-  const late = new DeferredRun(run, nextFrame);
+  const deferredRun = new DeferredRun(run, nextFrame);
   const cards = createCardStore();
   const cardDock = createCardDock();
   const challenge = createChallengeStore();
   const camera = createCameraStore();
   const remote = createRemoteStore();
-  const shownRun = new RunTrace();
+  const runTrace = new RunTrace();
 
   const now = () => performance.now();
   const later = (action: () => void, milliseconds: number) => setTimeout(action, milliseconds);
   const show = (event: RunEvent | null) => run.setState({ event });
-  const moments = createEventThrottle({ show, now, later });
+  const events = createEventThrottle({ show, now, later });
   const timeline = new TimelineStore();
   simulator.listen((message) => {
     switch (message.type) {
       case "frame": {
         const { snapshot, progress, view, nowTick, waited, nowDriver } = message.frame;
-        shownRun.add(message.frame);
+        runTrace.add(message.frame);
         run.setState({ snapshot, progress, view, nowTick, waited, nowDriver });
         simulator.send({ type: "stage-numbers", snapshot });
-        const news = message.timeline;
-        if (news !== null) late.with(() => timeline.add(news));
+        const delta = message.timeline;
+        if (delta !== null) deferredRun.with(() => timeline.add(delta));
         return;
       }
-      case "forgotten":
-        moments.truncate(message.after);
+      case "truncated":
+        events.truncate(message.after);
         truncateCards(cards, message.after);
         return;
       case "event":
-        moments.push(message.event);
+        events.push(message.event);
         explain(cards, message.event, workspace.getState().program);
         return;
       case "diagnosed":
-        // In a challenge its own card says it.
+        // In a challenge, its own card shows the diagnosis.
         if (challenge.getState().challenge !== null) return;
         void import("../features/cards/tell-diagnosis.ts").then(
           ({ tellDiagnosis }) =>
@@ -172,8 +172,8 @@ export function createServices(browser: Browser): Services {
 
   simulator.send({ type: "load", maze, program });
   sendEdits(workspace, simulator);
-  const works = new WorksService({
-    shelf,
+  const projects = new ProjectService({
+    store,
     current,
     workspace,
     screen,
@@ -181,7 +181,7 @@ export function createServices(browser: Browser): Services {
     words,
     later,
   });
-  const runKeeper = new RunKeeper({
+  const restorer = new RunRestorer({
     simulator,
     workspace,
     tab,
@@ -190,10 +190,10 @@ export function createServices(browser: Browser): Services {
   });
   const connection = new RemoteConnection({ simulator, remote, run, tab });
   const solved = createSolvedStore({ run, workspace, device });
-  // The program of a first visit needs no advice, and the first tick needs the line.
-  const settled = whenSettled(run);
+  // The program of a first visit needs no advice, and the first tick needs the bandwidth.
+  const idle = whenIdle(run);
   const load = async () => {
-    await settled;
+    await idle;
     return import("../features/program/coach.ts");
   };
   const advice = createAdviceStore({
@@ -209,7 +209,7 @@ export function createServices(browser: Browser): Services {
     simulator,
     workspace,
     screen,
-    works,
+    works: projects,
     challenge,
     storage,
     words,
@@ -222,14 +222,14 @@ export function createServices(browser: Browser): Services {
     simulator,
     workspace,
     run,
-    lateRun: late.words,
+    deferred: deferredRun.words,
     timeline,
     remote,
     race: createRaceStore(),
     screen,
-    shownRun,
-    works,
-    runKeeper,
+    runTrace,
+    projects,
+    restorer,
     solved,
     connection,
     challenge,
@@ -238,7 +238,7 @@ export function createServices(browser: Browser): Services {
   };
 }
 
-/** A random id. Not crypto.randomUUID: pages that are not secure do not have it. */
+/** A random id. crypto.randomUUID is not available in insecure contexts. */
 function newTextId(): string {
   const bytes = crypto.getRandomValues(new Uint8Array(12));
   return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");

@@ -1,11 +1,11 @@
 import { describe, expect, it } from "vitest";
-import { dragged, pressed } from "./sheet.ts";
+import { afterDrag, afterPress } from "./sheet.ts";
 
 describe("the phone's sheet", () => {
   it("goes through all positions by presses", () => {
-    expect(pressed("closed")).toBe("half");
-    expect(pressed("half")).toBe("open");
-    expect(pressed("open")).toBe("closed");
+    expect(afterPress("closed")).toBe("half");
+    expect(afterPress("half")).toBe("open");
+    expect(afterPress("open")).toBe("closed");
   });
 
   it.each([
@@ -17,6 +17,6 @@ describe("the phone's sheet", () => {
     ["closed", 100, "closed"],
     ["half", 10, "half"],
   ] as const)("from %s, a drag by %d px leads to %s", (from, by, to) => {
-    expect(dragged(from, by)).toBe(to);
+    expect(afterDrag(from, by)).toBe(to);
   });
 });

@@ -19,11 +19,11 @@ const answers = (status: number, body: unknown) => () =>
 it.each([
   { what: "a maze", document: maze, value: { maze } },
   { what: "a program", document: program, value: { program } },
-])("brings $what", async ({ document, value }) => {
+])("loads $what", async ({ document, value }) => {
   expect(await readShortLink(id, answers(200, document), pause)).toEqual({ ok: true, value });
 });
 
-it("tells what was deleted or forgotten from what cannot be read", async () => {
+it("distinguishes deleted documents from unreadable ones", async () => {
   const gone = { ok: false, sentence: "share.shortLink.gone" };
   expect(await readShortLink(id, answers(404, {}), pause)).toEqual(gone);
   const unknown = { ok: false, sentence: "share.linkProblems.unknown-version" };
@@ -32,7 +32,7 @@ it("tells what was deleted or forgotten from what cannot be read", async () => {
   }
 });
 
-it("asks the service for nothing that can be no short link", async () => {
+it("sends no request for an invalid short link", async () => {
   const get = vi.fn<ReturnType<typeof answers>>(answers(200, maze));
   for (const wrong of ["", "short", "../../healthz", "AAAAAAAAAAAA/x", "é".repeat(12)]) {
     expect(await readShortLink(wrong, get, pause)).toMatchObject({
@@ -42,7 +42,7 @@ it("asks the service for nothing that can be no short link", async () => {
   expect(get).not.toHaveBeenCalled();
 });
 
-it("throws where the service does not answer, so that it can be tried again", async () => {
+it("throws if the service does not respond, so that it can be retried", async () => {
   await expect(readShortLink(id, answers(503, ""), pause)).rejects.toThrow("503");
   await expect(
     readShortLink(id, () => Promise.reject(new Error("offline")), pause),

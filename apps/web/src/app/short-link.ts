@@ -1,11 +1,11 @@
-/** Fetches what a short link leads to, and reads it as strictly as any file. */
+/** Loads the document of a short link, and parses it as strictly as any file. */
 import { readChallenge } from "@corridor/challenge/document";
 import type { ChallengeDocument } from "@corridor/challenge";
 import { readMaze, type MazeDocument } from "@corridor/maze";
 import { readProgram, type ProgramDocument } from "@corridor/program";
 import { MAX_DOCUMENT_BYTES, shortLinkIdSchema, type ReadResult } from "@corridor/protocol";
 
-/** One of the three. */
+/** Exactly one of the three. */
 export interface ShortLinkContent {
   maze?: MazeDocument;
   program?: ProgramDocument;
@@ -14,12 +14,12 @@ export interface ShortLinkContent {
 
 export type ShortLinkResult =
   | { ok: true; value: ShortLinkContent }
-  /** what is told about it, as a key of the words */
+  /** the message to display, as a translation key */
   | { ok: false; sentence: "share.shortLink.gone" | "share.linkProblems.unknown-version" }
   /** too many wrong codes came from this network: the same link may open later */
   | { ok: false; sentence: "share.shortLink.wait" };
 
-/** As much of an answer as is needed. */
+/** The part of a Response that is used. */
 interface Answer {
   ok: boolean;
   status: number;
@@ -32,23 +32,24 @@ const readers = new Map<string, (text: string) => ReadResult<ShortLinkContent>>(
   ["corridor/challenge", (text) => under("challenge", readChallenge(text))],
 ]);
 
-/** Tries while the codes of the whole network wait to be checked. */
+/** Attempts while the service delays checks for this network. */
 const MAX_TRIES = 10;
 
 /**
- * @param pause waits a second, which the service asks for when too many codes of the network wait
- * @throws Error when the service does not answer, or not now
+ * @param wait waits a second, which the service requests when too many checks of this network are
+ *   pending
+ * @throws Error if the service does not respond, or responds with another error
  */
 export async function readShortLink(
   id: string,
   get: (url: string) => Promise<Answer>,
-  pause: () => Promise<void>,
+  wait: () => Promise<void>,
 ): Promise<ShortLinkResult> {
   if (!shortLinkIdSchema.safeParse(id).success)
     return { ok: false, sentence: "share.shortLink.gone" };
   let answer = await get(`/api/v1/mazes/${id}`);
   for (let tries = 1; answer.status === 429 && tries < MAX_TRIES; tries++) {
-    await pause();
+    await wait();
     answer = await get(`/api/v1/mazes/${id}`);
   }
   if (answer.status === 404) return { ok: false, sentence: "share.shortLink.gone" };
@@ -61,7 +62,7 @@ export async function readShortLink(
   return { ok: false, sentence: "share.linkProblems.unknown-version" };
 }
 
-/** The service writes the format first, as all that Corridor writes. */
+/** The service writes the format first, like all Corridor documents. */
 function formatOf(text: string): string {
   return /^\{"format":"([a-z/]{1,40})"/.exec(text)?.[1] ?? "";
 }

@@ -32,7 +32,7 @@ describe("shortcutOf", () => {
     expect(shortcutOf(press(key), "page", true)).toEqual({ kind: "drive", key: drive });
   });
 
-  it("drives by the place of the keys on a keyboard without Latin letters", () => {
+  it("drives by the physical position of the keys on a keyboard without Latin letters", () => {
     expect(shortcutOf(press("ц", { code: "KeyW" }), "page", true)).toEqual({
       kind: "drive",
       key: "forward",
@@ -76,7 +76,7 @@ describe("shortcutOf", () => {
     expect(shortcutOf(press("Escape"), place, false)).toEqual({ kind: "escape" });
   });
 
-  it("takes back and redoes, but leaves a text field its own undo", () => {
+  it("undoes and redoes, but leaves a text field its own undo", () => {
     expect(shortcutOf(press("z", { command: true }), "grid", true)).toEqual({ kind: "undo" });
     expect(shortcutOf(press("Z", { command: true, shift: true }), "page", true)).toEqual({
       kind: "redo",
@@ -88,7 +88,7 @@ describe("shortcutOf", () => {
     expect(shortcutOf(press(key), "page", false)).toBeNull();
   });
 
-  it("opens the list with ? wherever nothing is typed", () => {
+  it("opens the list with ? unless a text is typed", () => {
     expect(shortcutOf(press("?", { shift: true }), "grid", true)).toEqual({ kind: "help" });
   });
 

@@ -1,12 +1,18 @@
 /**
- * What a key press asks of the page (DESIGN-LANGUAGE: keys). Pure: the DOM is asked only what kind
- * of place has the focus.
+ * Maps key presses to shortcuts. Pure: of the DOM it needs only the kind of the focused element.
  */
 import type { DriveKey } from "../worker/worker-messages.ts";
 
 /**
- * Where the focus is. text: letters are typed; choice: arrows and letters choose (a select), grid:
- * the maze's squares; radio: arrows choose (a radio group, tabs); slider: arrows move it (the timeline); button: Space and Enter press it; page: nowhere special.
+ * Kind of the focused element:
+ *
+ * - text: letters are typed
+ * - choice: arrows and letters choose (a select)
+ * - grid: the maze's cells
+ * - radio: arrows choose (a radio group, tabs)
+ * - slider: arrows move it (the timeline)
+ * - button: Space and Enter press it
+ * - page: nothing special
  */
 export type Place = "text" | "choice" | "grid" | "radio" | "slider" | "button" | "page";
 
@@ -40,15 +46,15 @@ const arrows: Readonly<Record<string, DriveKey>> = {
 
 const zooms: Readonly<Record<string, "in" | "out" | "fit">> = {
   "+": "in",
-  // The plus of many keyboards without Shift.
+  // The plus key of many keyboards without Shift.
   "=": "in",
   "-": "out",
   "0": "fit",
 };
 
 /**
- * @param singleKeys false when the user switched off the keys that work without Ctrl
- * @returns what it asks for, or null when the press belongs to the focused element or to nobody
+ * @param singleKeys false if the user switched off shortcuts without Ctrl
+ * @returns the shortcut, or null if the press belongs to the focused element or has no function
  */
 export function shortcutOf(press: KeyPress, place: Place, singleKeys: boolean): Shortcut | null {
   if (press.alt) return null;
@@ -78,7 +84,7 @@ function driveKey(press: KeyPress, place: Place): DriveKey | null {
   return letters[letterOf(press)] ?? null;
 }
 
-/** Where the keyboard has no Latin letters, the places of W, A, S and D count. */
+/** On keyboards without Latin letters, the physical positions of W, A, S and D count. */
 function letterOf({ key, code }: KeyPress): string {
   return (/^[a-z]$/i.test(key) ? key : code.replace("Key", "")).toLowerCase();
 }

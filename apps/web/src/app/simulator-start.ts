@@ -1,7 +1,7 @@
 /**
- * The simulator worker: the one that public/first.js has started while the page's script was still on
- * its way; where it has not, since Corridor is being developed, one that is started now. On a first
- * visit its robot may drive already: then the page takes over what there is.
+ * The simulator worker: the one that public/first.js started while the page's script was loading
+ * or, in development, a new one. On a first visit its robot may drive already; the page then takes
+ * over the existing run.
  */
 import type { FromWorker } from "../worker/worker-messages.ts";
 
@@ -9,9 +9,9 @@ declare global {
   interface Window {
     corridorSimulator?: {
       worker: Worker;
-      /** what the worker told until the page listens */
-      heard: readonly FromWorker[];
-      /** what the worker said when it broke before anybody could be told; "" if nothing */
+      /** messages of the worker until the page listens */
+      queue: readonly FromWorker[];
+      /** error of the worker before the page listened; "" without a message */
       failure: string | null;
     };
   }
@@ -24,14 +24,17 @@ export function startSimulator(): Worker {
   );
 }
 
-/** What the worker told before the page listened. */
-export function heardBefore(): readonly FromWorker[] {
-  return window.corridorSimulator?.heard ?? [];
+/** Messages of the worker before the page listened. */
+export function earlyMessages(): readonly FromWorker[] {
+  return window.corridorSimulator?.queue ?? [];
 }
 
-/** @param tell hears why the worker did not load or broke outside of its own care, "" if nobody knows */
-export function onSimulatorFailure(worker: Worker, tell: (reason: string) => void): void {
+/**
+ * @param report receives why the worker did not load or broke outside of its own error handling; ""
+ *   if unknown
+ */
+export function onSimulatorFailure(worker: Worker, report: (reason: string) => void): void {
   const failure = window.corridorSimulator?.failure ?? null;
-  if (failure !== null) tell(failure);
-  worker.onerror = ({ message }) => tell(message);
+  if (failure !== null) report(failure);
+  worker.onerror = ({ message }) => report(message);
 }

@@ -5,8 +5,8 @@ import { createScreenStore } from "../stores/screen-store.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
 import { startTheme } from "./theme.ts";
 
-/** A wish of the system, which tests turn on and off. */
-class Wish {
+/** A media query that tests switch. */
+class Query {
   matches: boolean;
   readonly #listeners: (() => void)[] = [];
 
@@ -25,20 +25,20 @@ class Wish {
 }
 
 interface Given {
-  kept?: string;
-  keptContrast?: string;
+  stored?: string;
+  storedContrast?: string;
   isSystemDark?: boolean;
   asksForContrast?: boolean;
 }
 
-function openPage({ kept, keptContrast, isSystemDark, asksForContrast }: Given) {
+function openPage({ stored, storedContrast, isSystemDark, asksForContrast }: Given) {
   const storage = new MemoryStorage();
-  if (kept !== undefined) storage.setItem("corridor.theme", kept);
-  if (keptContrast !== undefined) storage.setItem("corridor.contrast", keptContrast);
+  if (stored !== undefined) storage.setItem("corridor.theme", stored);
+  if (storedContrast !== undefined) storage.setItem("corridor.contrast", storedContrast);
   const screen = createScreenStore();
   const shown: string[] = [];
-  const systemDark = new Wish(isSystemDark ?? false);
-  const systemContrast = new Wish(asksForContrast ?? false);
+  const systemDark = new Query(isSystemDark ?? false);
+  const systemContrast = new Query(asksForContrast ?? false);
   startTheme({
     screen,
     storage,
@@ -52,40 +52,40 @@ function openPage({ kept, keptContrast, isSystemDark, asksForContrast }: Given) 
 const cases: (Given & { shown: string })[] = [
   { shown: "light normal" },
   { isSystemDark: true, shown: "dark normal" },
-  { kept: "light", isSystemDark: true, shown: "light normal" },
-  { kept: "dark", shown: "dark normal" },
-  { kept: "system", isSystemDark: true, shown: "dark normal" },
-  { kept: "nonsense", shown: "light normal" },
-  { keptContrast: "more", shown: "light more" },
-  { keptContrast: "more", kept: "dark", shown: "dark more" },
-  { keptContrast: "system", asksForContrast: true, shown: "light more" },
-  { keptContrast: "nonsense", shown: "light normal" },
+  { stored: "light", isSystemDark: true, shown: "light normal" },
+  { stored: "dark", shown: "dark normal" },
+  { stored: "system", isSystemDark: true, shown: "dark normal" },
+  { stored: "nonsense", shown: "light normal" },
+  { storedContrast: "more", shown: "light more" },
+  { storedContrast: "more", stored: "dark", shown: "dark more" },
+  { storedContrast: "system", asksForContrast: true, shown: "light more" },
+  { storedContrast: "nonsense", shown: "light normal" },
   { asksForContrast: true, isSystemDark: true, shown: "dark more" },
 ];
 
 describe("the theme", () => {
   it.each(cases)(
-    "is $shown, given $kept, $keptContrast, $isSystemDark, $asksForContrast",
+    "is $shown, given $stored, $storedContrast, $isSystemDark, $asksForContrast",
     (given) => {
       expect(openPage(given).shown).toEqual([given.shown]);
     },
   );
 
   it.each(cases)(
-    "is $shown before the first paint too, given $kept, $keptContrast, $isSystemDark, $asksForContrast",
+    "is $shown before the first paint too, given $stored, $storedContrast, $isSystemDark, $asksForContrast",
     ({ shown, ...given }) => {
       const dataset: Record<string, string> = {};
-      const kept: Record<string, string | undefined> = {
-        "corridor.theme": given.kept,
-        "corridor.contrast": given.keptContrast,
+      const stored: Record<string, string | undefined> = {
+        "corridor.theme": given.stored,
+        "corridor.contrast": given.storedContrast,
       };
-      const wishes: Record<string, boolean | undefined> = {
+      const requests: Record<string, boolean | undefined> = {
         "(prefers-color-scheme: dark)": given.isSystemDark,
         "(prefers-contrast: more)": given.asksForContrast,
       };
       runInNewContext(readFileSync(new URL("../../public/first.js", import.meta.url), "utf8"), {
-        localStorage: { getItem: (key: string) => kept[key] ?? null },
-        matchMedia: (query: string) => ({ matches: wishes[query] ?? false }),
+        localStorage: { getItem: (key: string) => stored[key] ?? null },
+        matchMedia: (query: string) => ({ matches: requests[query] ?? false }),
         document: { documentElement: { dataset }, currentScript: { dataset: {} } },
         window: {},
         addEventListener: () => undefined,
@@ -97,7 +97,7 @@ describe("the theme", () => {
     },
   );
 
-  it("follows the reader's choice and keeps it", () => {
+  it("follows the user's choice and stores it", () => {
     const page = openPage({});
     page.screen.setState({ theme: "dark" });
     expect(page.shown.at(-1)).toBe("dark normal");
@@ -107,7 +107,7 @@ describe("the theme", () => {
     expect(page.storage.getItem("corridor.contrast")).toBe("more");
   });
 
-  it("follows the system only while the reader has not decided", () => {
+  it("follows the system only while the user has not chosen", () => {
     const page = openPage({});
     page.systemDark.turn(true);
     expect(page.shown.at(-1)).toBe("dark normal");
@@ -117,8 +117,8 @@ describe("the theme", () => {
     expect(page.shown.at(-1)).toBe("light normal");
   });
 
-  it("gives more contrast whenever the system asks for it", () => {
-    const page = openPage({ kept: "light" });
+  it("gives more contrast whenever the system requests it", () => {
+    const page = openPage({ stored: "light" });
     page.systemContrast.turn(true);
     expect(page.shown.at(-1)).toBe("light more");
     page.systemContrast.turn(false);

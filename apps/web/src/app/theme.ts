@@ -1,10 +1,10 @@
 /**
- * Light, dark, or as the system is; with more contrast, or as the system is. The choices are kept on
+ * Light, dark, or as the system; with more contrast, or as the system. The choices are stored on
  * the device; `public/first.js` applies them before the first paint, so that the page never flashes
  * in other colours.
  */
 import type { ScreenStore, Theme } from "../stores/screen-store.ts";
-import type { KeyValueStorage } from "./works.ts";
+import type { KeyValueStorage } from "./project-storage.ts";
 
 /** Also read by `public/first.js`. */
 const THEME_KEY = "corridor.theme";
@@ -12,13 +12,13 @@ const CONTRAST_KEY = "corridor.contrast";
 
 const themes: readonly Theme[] = ["system", "light", "dark"];
 
-/** A media query that is watched. */
-interface Wish {
+/** The part of a MediaQueryList that is used. */
+interface MediaQuery {
   readonly matches: boolean;
   addEventListener: (type: "change", listener: () => void) => void;
 }
 
-export interface Shown {
+export interface ResolvedTheme {
   theme: "light" | "dark";
   contrast: "normal" | "more";
 }
@@ -27,18 +27,18 @@ export interface ThemePorts {
   screen: ScreenStore;
   storage: KeyValueStorage;
   /** the media query "(prefers-color-scheme: dark)" */
-  systemDark: Wish;
+  systemDark: MediaQuery;
   /** the media query "(prefers-contrast: more)" */
-  systemContrast: Wish;
-  /** shows it: sets data-theme and data-contrast on the document's root */
-  apply: (shown: Shown) => void;
+  systemContrast: MediaQuery;
+  /** sets data-theme and data-contrast on the document's root */
+  apply: (shown: ResolvedTheme) => void;
 }
 
-/** Reads the kept choices, then follows the reader's and the system's changes. */
+/** Reads the stored choices, then follows changes of the user and of the system. */
 export function startTheme(ports: ThemePorts): void {
   const { screen, storage, systemDark, systemContrast, apply } = ports;
-  const kept = themes.find((theme) => theme === storage.getItem(THEME_KEY));
-  if (kept !== undefined) screen.setState({ theme: kept });
+  const stored = themes.find((theme) => theme === storage.getItem(THEME_KEY));
+  if (stored !== undefined) screen.setState({ theme: stored });
   if (storage.getItem(CONTRAST_KEY) === "more") screen.setState({ contrast: "more" });
 
   function show(): void {

@@ -7,15 +7,15 @@ import { createScreenStore } from "../stores/screen-store.ts";
 import { createWorkspaceStore, setMaze, setProgram } from "../stores/workspace-store.ts";
 import { en } from "../text/en/index.ts";
 import { createI18n } from "../text/i18n.ts";
-import { CurrentWork } from "./current-work.ts";
+import { CurrentProject } from "./current-project.ts";
 import { programForMaze } from "../features/program/own-program.ts";
-import { firstMaze, firstProgram } from "../worker/first-work.ts";
-import { readWork } from "./read-work.ts";
+import { firstMaze, firstProgram } from "../worker/first-project.ts";
+import { readProject } from "./read-project.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
 import type { ShortLinkResult } from "./short-link.ts";
 import { followAddress } from "./url-sync.ts";
-import { WorksService } from "./works-service.ts";
-import { WorkShelf } from "./works.ts";
+import { ProjectService } from "./project-service.ts";
+import { ProjectStorage } from "./project-storage.ts";
 
 const sharedMaze = { ...firstMaze, name: "Shared" };
 const sharedProgram = { ...firstProgram, name: "Shared rules" };
@@ -36,31 +36,39 @@ function openPage(
   tab = new MemoryStorage(),
   loadLinks = () => Promise.resolve({ decodeLink }),
 ) {
-  const shelf = new WorkShelf(device, () => readWork);
-  const current = new CurrentWork(
-    { shelf, tab, now: () => ++lastId, newId: () => `id-${++lastId}` },
+  const store = new ProjectStorage(device, () => readProject);
+  const current = new CurrentProject(
+    { store, tab, now: () => ++lastId, newId: () => `id-${++lastId}` },
     firstMaze,
     firstProgram,
   );
-  const workspace = createWorkspaceStore(current.work.maze, current.work.program);
+  const workspace = createWorkspaceStore(current.project.maze, current.project.program);
   const screen = createScreenStore();
   const words = createI18n(en);
   const later = () => undefined;
   const simulator = { send: () => undefined };
-  const works = new WorksService({ shelf, current, workspace, screen, simulator, words, later });
+  const projects = new ProjectService({
+    store,
+    current,
+    workspace,
+    screen,
+    simulator,
+    words,
+    later,
+  });
   const addresses: string[] = [];
   const emptied: string[] = [];
   const runs: string[] = [];
   const asked: string[] = [];
   const shelved = new Map<string, ShortLinkResult>();
-  /** what the address was replaced by before the run was there */
+  /** replaced addresses before the run was opened */
   const runAddresses: string[] = [];
   const challenges: [string, string | null][] = [];
   const missions: string[] = [];
   const refused: string[] = [];
   const go = (pathname: string, hash: string) =>
     followAddress({
-      works,
+      projects,
       loadLinks,
       readShortLink: (id) => {
         asked.push(id);
@@ -94,19 +102,19 @@ function openPage(
     });
   const rename = (name: string) => {
     setMaze(workspace, { ...workspace.getState().maze, name });
-    works.autosave.flush();
+    projects.autosave.flush();
   };
   const shown = () => workspace.getState().maze.name;
   const message = () => screen.getState().messages[0];
   const names = () =>
-    works
+    projects
       .list()
       .map(({ maze }) => maze.name)
       .toSorted();
   return {
     workspace,
     screen,
-    works,
+    projects,
     addresses,
     emptied,
     runs,
@@ -126,7 +134,7 @@ function openPage(
 }
 
 describe("opening a shared link", () => {
-  it("shows the maze beside the reader's own work, and leads back", async () => {
+  it("shows the maze beside the user's own project, and leads back", async () => {
     const page = openPage(new MemoryStorage());
     page.rename("Mine");
     await page.go("/", `#${fullLink}`);
@@ -139,7 +147,7 @@ describe("opening a shared link", () => {
     expect(page.screen.getState().messages).toEqual([]);
   });
 
-  it("speaks of no own work to a reader who has none, however many links are opened", async () => {
+  it("mentions no own project to a user who has none, however many links are opened", async () => {
     const page = openPage(new MemoryStorage());
     await page.go("/", `#${fullLink}`);
     await page.go("/", `#${mazeLink}`);
@@ -148,7 +156,7 @@ describe("opening a shared link", () => {
     expect(page.message()?.action).toBeUndefined();
   });
 
-  it("counts a shared maze that the reader has changed as own work", async () => {
+  it("counts a shared maze that the user has changed as an own project", async () => {
     const page = openPage(new MemoryStorage());
     await page.go("/", `#${mazeLink}`);
     page.rename("Changed");
@@ -159,7 +167,7 @@ describe("opening a shared link", () => {
     expect(page.shown()).toBe("Changed");
   });
 
-  it("leads back to a maze that could not be saved", async () => {
+  it("leads back to a maze that could not be stored", async () => {
     const device = new MemoryStorage();
     device.isFull = true;
     const page = openPage(device);
@@ -169,16 +177,16 @@ describe("opening a shared link", () => {
     expect(page.shown()).toBe("Unsaved");
   });
 
-  it("opens with an empty program when the link has none and the reader has only the example", async () => {
+  it("opens with an empty program if the link has none and the user has only the example", async () => {
     const page = openPage(new MemoryStorage());
     await page.go("/", `#${mazeLink}`);
     expect(page.workspace.getState().program).toEqual(emptyProgram());
-    // Opened once more it is the same work.
+    // Opened again, it is the same project.
     await page.go("/", `#${mazeLink}`);
     expect(page.names()).toEqual(["Shared"]);
   });
 
-  it("keeps the program that the reader has written when the link has none", async () => {
+  it("retains the program that the user has written if the link has none", async () => {
     const page = openPage(new MemoryStorage());
     const mine = { ...firstProgram, name: "Mine" };
     setProgram(page.workspace, mine);
@@ -186,7 +194,7 @@ describe("opening a shared link", () => {
     expect(page.workspace.getState().program).toBe(mine);
   });
 
-  it("takes the link out of the address, so that a reload keeps the reader's edits", async () => {
+  it("removes the link from the address, so that a reload retains the user's edits", async () => {
     const device = new MemoryStorage();
     const page = openPage(device);
     await page.go("/", `#${mazeLink}`);
@@ -198,14 +206,14 @@ describe("opening a shared link", () => {
   it.each([
     { name: "of a maze", link: mazeLink },
     { name: "of a maze and a program", link: fullLink },
-  ])("does not pile up works when a link $name is opened again", async ({ link }) => {
+  ])("does not create more projects when a link $name is opened again", async ({ link }) => {
     const page = openPage(new MemoryStorage());
     page.rename("Mine");
     for (let time = 0; time < 3; time++) await page.go("/", `#${link}`);
     expect(page.names()).toEqual(["Mine", "Shared"]);
   });
 
-  it("opens a fresh copy when the reader has changed the first one", async () => {
+  it("opens a fresh copy if the user has changed the first one", async () => {
     const page = openPage(new MemoryStorage());
     await page.go("/", `#${mazeLink}`);
     page.rename("Changed");
@@ -214,7 +222,7 @@ describe("opening a shared link", () => {
     expect(page.names()).toEqual(["Changed", "Shared"]);
   });
 
-  it("opens a program alone in a copy of the reader's maze", async () => {
+  it("opens a program alone in a copy of the user's maze", async () => {
     const page = openPage(new MemoryStorage());
     page.rename("Mine");
     await page.go("/", `#${linkOf({ program: sharedProgram })}`);
@@ -272,13 +280,13 @@ describe("opening the link of a run", () => {
     const page = openPage(new MemoryStorage());
     await page.go("/", `#${linkOf({ run })}`);
     expect(page.runs).toEqual(["Tuesday"]);
-    // Not before it is there: a reload meanwhile begins again.
+    // Not before the run is open: a reload meanwhile starts again.
     expect(page.runAddresses).toEqual([]);
     expect(page.addresses).toEqual(["/"]);
     expect(page.message()).toBeUndefined();
   });
 
-  it("opens a challenge with what it brought, and speaks of own work only where there is some", async () => {
+  it("opens a challenge with its content, and mentions an own project only if there is one", async () => {
     const challenge: ChallengeDocument = {
       format: "corridor/challenge",
       version: 1,
@@ -309,14 +317,14 @@ describe("opening the link of a run", () => {
       ["Find the way", "Shared rules"],
     ]);
     expect(page.addresses).toEqual(["/", "/"]);
-    // One whose files did not come is not said to be open, and a reload opens it.
+    // A challenge that did not load is not reported as open, and a reload opens it.
     const messages = page.screen.getState().messages.length;
     await page.go("/", `#${linkOf({ challenge: { ...challenge, name: "Offline" } })}`);
     expect(page.addresses).toEqual(["/", "/"]);
     expect(page.screen.getState().messages).toHaveLength(messages);
   });
 
-  it("says what is wrong with a run that cannot be repeated", async () => {
+  it("reports the error of a run that cannot be repeated", async () => {
     const page = openPage(new MemoryStorage());
     await page.go("/", `#${linkOf({ run: { ...run, ticks: 0 } })}`);
     expect(page.message()).toMatchObject({
@@ -329,7 +337,7 @@ describe("opening the link of a run", () => {
 describe("opening a short link", () => {
   const address = "/m/AAAAAAAAAAAA";
 
-  it("shows the maze beside the reader's own work, and leads back", async () => {
+  it("shows the maze beside the user's own project, and leads back", async () => {
     const page = openPage(new MemoryStorage());
     page.rename("Mine");
     page.shelved.set("AAAAAAAAAAAA", { ok: true, value: { maze: sharedMaze } });
@@ -342,7 +350,7 @@ describe("opening a short link", () => {
     expect(page.shown()).toBe("Mine");
   });
 
-  it("brings a program to the reader's own maze", async () => {
+  it("opens a program in the user's own maze", async () => {
     const page = openPage(new MemoryStorage());
     page.rename("Mine");
     page.shelved.set("AAAAAAAAAAAA", { ok: true, value: { program: sharedProgram } });
@@ -351,7 +359,7 @@ describe("opening a short link", () => {
     expect(page.workspace.getState().program.name).toBe("Shared rules");
   });
 
-  it("says that it leads nowhere, keeps the work and offers an empty maze", async () => {
+  it("reports that it leads nowhere, retains the project and offers an empty maze", async () => {
     const page = openPage(new MemoryStorage());
     page.rename("Mine");
     page.shelved.set("AAAAAAAAAAAA", { ok: false, sentence: "share.shortLink.gone" });
@@ -363,7 +371,7 @@ describe("opening a short link", () => {
     expect(page.emptied).toEqual(["empty"]);
   });
 
-  it("stays in the address where the service does not answer, and can be tried again", async () => {
+  it("stays in the address if the service does not respond, and can be retried", async () => {
     const page = openPage(new MemoryStorage());
     await page.go(address, "");
     expect(page.addresses).toEqual([]);
@@ -391,26 +399,26 @@ describe("opening a short link", () => {
   });
 });
 
-describe("deleting a work", () => {
-  it("can be taken back", async () => {
+describe("deleting a project", () => {
+  it("can be reverted", async () => {
     const page = openPage(new MemoryStorage());
     page.rename("Mine");
     await page.go("/", `#${mazeLink}`);
-    const mine = page.works.list().find(({ maze }) => maze.name === "Mine");
-    if (mine === undefined) throw new Error("the work is not on the shelf");
-    page.works.remove(mine);
+    const mine = page.projects.list().find(({ maze }) => maze.name === "Mine");
+    if (mine === undefined) throw new Error("the work is not on the store");
+    page.projects.remove(mine);
     expect(page.names()).toEqual(["Shared"]);
     page.message()?.action?.run();
     expect(page.names()).toEqual(["Mine", "Shared"]);
   });
 });
 
-describe("a damaged work", () => {
-  it("is told once, with the field that is wrong", async () => {
+describe("a damaged project", () => {
+  it("is reported once, with the wrong field", async () => {
     const device = new MemoryStorage();
     device.setItem("corridor.work.x", JSON.stringify({ maze: { ...firstMaze, version: 9 } }));
     const page = openPage(device);
-    page.works.list();
+    page.projects.list();
     const texts = page.screen.getState().messages.map(({ text }) => text);
     expect(texts).toHaveLength(1);
     expect(texts[0]).toContain("maze.version: found 9");
@@ -425,13 +433,13 @@ describe("opening the address of a mission", () => {
     expect([page.addresses, page.refused]).toEqual([[], []]);
   });
 
-  it("says so where there is no such mission", async () => {
+  it("reports that there is no such mission", async () => {
     const page = openPage(new MemoryStorage());
     await page.go("/", "#mission/no-such");
     expect(page.refused).toEqual(["#mission/no-such"]);
   });
 
-  it("offers another try where the lessons do not load", async () => {
+  it("offers to retry if the lessons do not load", async () => {
     const page = openPage(new MemoryStorage());
     await page.go("/", "#mission/offline");
     expect(page.refused).toEqual([]);

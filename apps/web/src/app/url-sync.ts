@@ -1,6 +1,6 @@
 /**
- * What the address bar asks for: a shared link, long or short, a recorded run or a challenge opens as
- * a new work beside the reader's own. A robot's address opens another page: `features/watch`.
+ * Requests in the page's address: a shared link, long or short, a recorded run or a challenge opens
+ * as a new project beside the user's own. A robot's address opens another page: `features/watch`.
  */
 import type { ChallengeDocument } from "@corridor/challenge";
 import type { decodeLink, LinkContent } from "@corridor/link";
@@ -12,17 +12,17 @@ import type { i18n } from "i18next";
 import { dismiss, showMessage, type ScreenStore } from "../stores/screen-store.ts";
 import { missionOfHash } from "../features/lessons/mission-address.ts";
 import type { ShortLinkResult } from "./short-link.ts";
-import type { WorksService } from "./works-service.ts";
+import type { ProjectService } from "./project-service.ts";
 
 export interface UrlPorts {
-  works: Pick<WorksService, "beginShared" | "list">;
-  /** brings what reads links, which only an address with a link needs; may fail as files may */
+  projects: Pick<ProjectService, "beginShared" | "list">;
+  /** loads the link parser, which only an address with a link needs; may fail like any file */
   loadLinks: () => Promise<{ decodeLink: typeof decodeLink }>;
-  /** fetches what a short link leads to; may fail as files may */
+  /** loads the document of a short link; may fail like any file */
   readShortLink: (id: string) => Promise<ShortLinkResult>;
-  /** the maze on the screen, for links that bring only a program */
+  /** the displayed maze, for links with only a program */
   maze: () => MazeDocument;
-  /** the program for links that bring only a maze: empty, or null where the reader has written one */
+  /** the program for links with only a maze: empty, or null if the user has written one */
   programForMaze: () => ProgramDocument | null;
   screen: ScreenStore;
   words: Pick<i18n, "t">;
@@ -30,25 +30,25 @@ export interface UrlPorts {
   /** replaces the address without a reload: history.replaceState */
   replaceAddress: (address: string) => void;
   openEmptyMaze: () => void;
-  /** opens a recorded run; gives what is wrong with it, or nothing */
+  /** opens a recorded run; resolves with its problems */
   openRun: (run: RunDocument) => Promise<readonly FieldProblem[]>;
   /**
-   * opens a challenge; `program` is what the link brought along, if anything. Gives whether it did:
-   * where its files do not come, that is told already
+   * opens a challenge with the program of the link, if any. Resolves with whether it opened;
+   * otherwise a message has been shown
    */
   openChallenge: (
     challenge: ChallengeDocument,
     program: ProgramDocument | null,
   ) => Promise<boolean>;
-  /** opens the mission of this id; gives whether there is one; may fail as files may */
+  /** opens the mission of this id; resolves with whether it exists; may fail like any file */
   openMission: (id: string) => Promise<boolean>;
-  /** replaces an address that names no mission by that of what is open, and says so */
+  /** replaces an address without a mission by that of the open one, with a message */
   refuseMission: () => void;
 }
 
 /**
- * Does what the address asks for, once, and cleans it, so that a reload keeps the reader's edits.
- * Called when the page opens and whenever the fragment changes.
+ * Performs the request of the address once, and removes it, so that a reload retains the user's
+ * edits. Called when the page opens and whenever the fragment changes.
  */
 export async function followAddress(ports: UrlPorts): Promise<void> {
   const { location, replaceAddress, words } = ports;
@@ -62,13 +62,14 @@ export async function followAddress(ports: UrlPorts): Promise<void> {
   try {
     links = await ports.loadLinks();
   } catch {
-    // The address keeps the link, so that a reload opens it as well.
-    return tellNotLoaded(ports);
+    // The address retains the link, so that a reload opens it, too.
+    return showNotLoaded(ports);
   }
   const result = links.decodeLink(hash.slice(1));
   if (result.ok && result.value.run !== undefined) {
     await openRecorded(ports, result.value.run);
-    // A long run takes its time, and a reload meanwhile begins again; another link may have come since.
+    // A long run takes time, and a reload meanwhile starts again; another link may have been opened
+    // since.
     if (location.hash === hash) replaceAddress(pathname + search);
     return;
   }
@@ -81,7 +82,7 @@ export async function followAddress(ports: UrlPorts): Promise<void> {
   }
   replaceAddress(pathname + search);
   if (result.ok) openShared(ports, result.value);
-  else tellBadLink(ports, words.t(`share.linkProblems.${result.code}`));
+  else showBadLink(ports, words.t(`share.linkProblems.${result.code}`));
 }
 
 /** The address stays: it is that of the mission. */
@@ -90,7 +91,7 @@ async function followMission(ports: UrlPorts, id: string): Promise<void> {
   try {
     isThere = await ports.openMission(id);
   } catch {
-    return tellNotLoaded(ports);
+    return showNotLoaded(ports);
   }
   if (!isThere) ports.refuseMission();
 }
@@ -103,10 +104,10 @@ async function followShortLink(ports: UrlPorts): Promise<void> {
     const [, , id = ""] = pathname.split("/");
     result = await ports.readShortLink(id);
   } catch {
-    return tellNotLoaded(ports);
+    return showNotLoaded(ports);
   }
   if (!result.ok && result.sentence === "share.shortLink.wait") {
-    return tellNotOpened(ports, words.t(result.sentence));
+    return showNotOpened(ports, words.t(result.sentence));
   }
   const clean = () => {
     if (location.pathname === pathname) replaceAddress(`/${search}`);
@@ -116,25 +117,25 @@ async function followShortLink(ports: UrlPorts): Promise<void> {
   }
   clean();
   if (result.ok) openShared(ports, result.value);
-  else tellBadLink(ports, words.t(result.sentence));
+  else showBadLink(ports, words.t(result.sentence));
 }
 
-/** @param clean takes the link out of the address */
+/** @param clean removes the link from the address */
 async function openShownChallenge(
   ports: UrlPorts,
   challenge: ChallengeDocument,
   program: ProgramDocument | null,
   clean: () => void,
 ): Promise<void> {
-  const isOwner = hasOwnWork(ports);
-  // One that did not come stays in the address: a reload asks for it again.
+  const isOwner = hasOwnProject(ports);
+  // A challenge that did not load stays in the address: a reload tries again.
   if (!(await ports.openChallenge(challenge, program))) return;
   clean();
   const key = isOwner ? "share.openedChallengeBeside" : "share.openedChallenge";
   showMessage(ports.screen, { tone: "info", text: ports.words.t(key) });
 }
 
-function tellBadLink(ports: UrlPorts, text: string): void {
+function showBadLink(ports: UrlPorts, text: string): void {
   const { screen, words } = ports;
   const id = showMessage(screen, {
     tone: "bad",
@@ -149,12 +150,12 @@ function tellBadLink(ports: UrlPorts, text: string): void {
   });
 }
 
-function tellNotLoaded(ports: UrlPorts): void {
-  tellNotOpened(ports, ports.words.t("offline.linkFailed"));
+function showNotLoaded(ports: UrlPorts): void {
+  showNotOpened(ports, ports.words.t("offline.linkFailed"));
 }
 
-/** The address keeps the link, so that it can be tried again. */
-function tellNotOpened(ports: UrlPorts, text: string): void {
+/** The address retains the link, so that it can be retried. */
+function showNotOpened(ports: UrlPorts, text: string): void {
   const { screen, words } = ports;
   const id = showMessage(screen, {
     tone: "bad",
@@ -177,10 +178,10 @@ async function openRecorded({ openRun, screen, words }: UrlPorts, run: RunDocume
 
 function openShared(ports: UrlPorts, content: LinkContent): void {
   const { screen, words } = ports;
-  const isOwner = hasOwnWork(ports);
-  const back = ports.works.beginShared(
+  const isOwner = hasOwnProject(ports);
+  const back = ports.projects.beginShared(
     content.maze ?? ports.maze(),
-    // A maze alone is to be solved: only a program that the reader has written comes along.
+    // A maze alone is a task: only a program that the user has written is copied.
     content.program ?? ports.programForMaze(),
   );
   if (!isOwner) {
@@ -200,7 +201,7 @@ function openShared(ports: UrlPorts, content: LinkContent): void {
   });
 }
 
-/** Whether the reader has made anything here: saved by an edit, or edited and refused by the storage. */
-function hasOwnWork({ works, screen }: UrlPorts): boolean {
-  return works.list().some(({ edited }) => edited) || screen.getState().saved === "blocked";
+/** Whether the user has edited anything here, stored or refused by the storage. */
+function hasOwnProject({ projects, screen }: UrlPorts): boolean {
+  return projects.list().some(({ edited }) => edited) || screen.getState().saved === "blocked";
 }

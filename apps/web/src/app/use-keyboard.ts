@@ -1,6 +1,6 @@
 /**
- * The page's keys: driving while one is held, Run, Step, undo, Describe, help, Escape. One listener on the
- * window; what a press means is decided in `shortcuts.ts`.
+ * The page's keys: driving while one is held, Run, Step, Undo, Describe, help, Escape. One listener
+ * on the window; `shortcuts.ts` maps presses to shortcuts.
  */
 import type { i18n } from "i18next";
 import { useEffect, useEffectEvent, useState } from "react";
@@ -21,7 +21,7 @@ import { shortcutOf, type Place, type Shortcut } from "./shortcuts.ts";
 
 /**
  * @param openHelp opens the list of keys
- * @returns the drive keys that are held, for the buttons on the screen too
+ * @returns the held drive keys, also for the buttons on the screen
  */
 export function useKeyboard(openHelp: () => void): HoldStore {
   const services = useServices();
@@ -29,10 +29,10 @@ export function useKeyboard(openHelp: () => void): HoldStore {
   const [hold] = useState(() =>
     createHoldStore(
       (key) => services.simulator.send({ type: "hold", key }),
-      (key) => mayPress(services, i18n, key),
+      (key) => canPress(services, i18n, key),
     ),
   );
-  // Listening anew lets go of what is held: not each time that the page is drawn with another `openHelp`.
+  // Subscribing again would release held keys, so it must not happen with each new `openHelp`.
   const help = useEffectEvent(openHelp);
   useEffect(() => listen(services, hold, i18n, () => help()), [services, hold, i18n]);
   return hold;
@@ -48,10 +48,10 @@ function listen(
   const { signal } = end;
   const { run, screen, challenge, camera } = services;
 
-  // Arrows move between radio buttons for those who came there by Tab; after a click they drive.
+  // Arrows move between radio buttons that were focused by Tab; after a click they drive.
   let isFocusedByPointer = false;
   window.addEventListener("pointerdown", () => (isFocusedByPointer = true), { signal });
-  // A select would take letters and arrows as choices until something else is clicked.
+  // A focused select would treat letters and arrows as choices until something else is clicked.
   window.addEventListener(
     "change",
     ({ target }) => {
@@ -77,13 +77,13 @@ function listen(
         placeOf(event.target, isFocusedByPointer),
         screen.getState().singleKeys,
       );
-      // What lies on top of the page has the keys to itself; Escape closes it.
+      // A dialog on top of the page receives all keys; Escape closes it.
       if (shortcut === null || isCovered) return;
       if (shortcut.kind === "drive") {
         const { rights } = challenge.getState();
         if (handAction(shortcut.key, run.getState(), rights) === "none") return;
         event.preventDefault();
-        // A key that is still down when another driver takes over does not take the robot back.
+        // A key that is still held when another driver takes over does not take the robot back.
         if (!event.repeat) hold.press(event.code, shortcut.key);
         return;
       }
@@ -91,7 +91,7 @@ function listen(
       if (shortcut.kind === "zoom") return camera.getState().zoom(shortcut.by, null);
       if (event.repeat) return;
       if (shortcut.kind === "describe") void describeRobot(services, words);
-      else obey(services, hold, shortcut.kind, openHelp);
+      else execute(services, hold, shortcut.kind, openHelp);
     },
     { signal },
   );
@@ -108,19 +108,19 @@ function listen(
     },
     { signal },
   );
-  const endWatch = run.subscribe(({ snapshot, event }, before) => {
+  const unsubscribe = run.subscribe(({ snapshot, event }, before) => {
     if (before.snapshot?.driver === "me" && snapshot?.driver !== "me") hold.forget();
     if (event !== before.event && event?.kind === "goal" && event.driver === "me") hold.arrive();
   });
   return () => {
     end.abort();
-    endWatch();
+    unsubscribe();
     stop();
   };
 }
 
-/** Whether a press drives; says so where the hand takes over with it, or may not. */
-function mayPress(services: Services, words: i18n, key: DriveKey): boolean {
+/** Whether a press drives; shows a message if the user takes over with it, or must not. */
+function canPress(services: Services, words: i18n, key: DriveKey): boolean {
   const { simulator, run, challenge, screen } = services;
   const action = handAction(key, run.getState(), challenge.getState().rights);
   if (action === "pause") simulator.send({ type: "pause" });
@@ -128,14 +128,14 @@ function mayPress(services: Services, words: i18n, key: DriveKey): boolean {
     const driver = run.getState().snapshot?.driver ?? "program";
     void import("../features/drive/tell-take-over.ts").then(
       ({ tellTakeOver }) => tellTakeOver(screen, words, action === "refuse" ? null : driver),
-      // Without its file nothing is said; "Who drives?" shows it all the same.
+      // Without the file there is no message; "Who drives?" shows it anyway.
       () => undefined,
     );
   }
   return action === "drive" || action === "take-over";
 }
 
-function obey(
+function execute(
   { simulator, workspace, run, challenge }: Services,
   hold: HoldStore,
   kind: Exclude<Shortcut["kind"], "drive" | "describe" | "zoom">,
@@ -162,7 +162,7 @@ function obey(
   }
 }
 
-/** What kind of place an event came from. */
+/** Kind of the element that an event came from. */
 function placeOf(target: EventTarget | null, isFocusedByPointer = false): Place {
   if (!(target instanceof Element)) return "page";
   if (target.closest("[role=grid]") !== null) return "grid";

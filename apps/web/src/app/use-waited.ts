@@ -1,4 +1,4 @@
-/** How long a script let its robot wait up to a moment: what the page counts apart from the driving. */
+/** How long a script made its robot wait, which the page counts separately from driving. */
 import { useCallback, useSyncExternalStore } from "react";
 import { useServices } from "./services.ts";
 

@@ -1,6 +1,6 @@
 /**
- * Why this page ends remote commands early. The page shows a reason in its reader's language, by its code;
- * scripts get the English sentence.
+ * Why this page ends remote commands early. The page displays a translated reason, by its code;
+ * scripts receive the English sentence.
  */
 import { BLOCKED_REASON, PAUSED_REASON, REVOKED_REASON } from "@corridor/protocol";
 
@@ -21,14 +21,14 @@ export const cancelReasons = {
   addressEnded: "The robot's page no longer uses this address.",
 } as const satisfies Record<string, string>;
 
-/** Why a command ended that ran when its page was reloaded; the relay gives the same reason. */
+/** Why a command ended that ran when its page was reloaded; the relay sends the same reason. */
 export const RELOADED = "the page was reloaded";
 
 /**
- * What the page itself does to the robot. Whatever was sent before it was meant for another state of things,
- * so it ends too where it still waits at the relay.
+ * Reasons in the page itself. Commands that were sent before are for an outdated state, so those
+ * still queued at the relay end, too.
  */
-export const takenByPage: ReadonlySet<CancelReason> = new Set([
+export const pageReasons: ReadonlySet<CancelReason> = new Set([
   "notRemote",
   "handedOver",
   "reset",

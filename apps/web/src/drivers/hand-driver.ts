@@ -1,15 +1,13 @@
-/**
- * Driving by hand: what a held key asks of the robot.
- */
+/** Driving by hand: the command of a held key. */
 import type { Command } from "@corridor/protocol";
 import type { DriveKey } from "../worker/worker-messages.ts";
 
-/** Longest turn that the protocol knows; nobody holds a key for ten rounds. */
+/** Longest turn of the protocol: ten full turns, more than a key is ever held. */
 const WHILE_HELD = 3_600;
 
 /**
- * The command for a held key. Left and right turn on the spot at the speed of every turn, so that the
- * heading stays a whole number of steps and a quarter turn can be met exactly.
+ * The command of a held key. Left and right turn on the spot at the speed of every turn, so that
+ * the heading is always a whole number of steps and a quarter turn can be reached exactly.
  */
 export function commandOfKey(key: DriveKey): Command {
   switch (key) {

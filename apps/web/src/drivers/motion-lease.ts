@@ -1,16 +1,16 @@
 /**
- * How long the robot goes on with a motion that has no end of its own. A script that fell silent, or a
- * line that broke, must not leave it driving: it stops when the lease of the motion runs out.
+ * The lease of a motion without an end of its own. The robot stops when the lease expires, so that
+ * a silent script or a broken connection does not leave it driving.
  */
 import type { DeliveredCommand } from "@corridor/protocol";
 
-/** Of `forward` and `reverse`: renewed whenever their sender is heard. */
-const HEARD_MS = 3_000;
-/** Of a drive that asks for none: renewed by the next drive alone. */
+/** For `forward` and `reverse`: renewed by every message of their script. */
+const FORWARD_MS = 3_000;
+/** For a drive without a lease of its own: renewed only by the next drive. */
 const DRIVE_MS = 500;
 
-/** Whether it is a velocity, of which only the newest value counts: a drive without a time. */
-export function isRegister({ command }: DeliveredCommand): boolean {
+/** Whether it is a velocity, of which only the newest value counts: a drive without a duration. */
+export function isVelocity({ command }: DeliveredCommand): boolean {
   return command.action === "drive" && command.milliseconds === undefined;
 }
 
@@ -31,13 +31,16 @@ export class MotionLease {
   static of(delivery: DeliveredCommand, now: number): MotionLease | null {
     const { command, driver, lease } = delivery;
     if (command.action === "forward" || command.action === "reverse") {
-      return new MotionLease(driver, HEARD_MS, true, now);
+      return new MotionLease(driver, FORWARD_MS, true, now);
     }
-    return isRegister(delivery) ? new MotionLease(driver, lease ?? DRIVE_MS, false, now) : null;
+    return isVelocity(delivery) ? new MotionLease(driver, lease ?? DRIVE_MS, false, now) : null;
   }
 
-  /** A script was heard. @param at when */
-  heard(driver: string, at: number): void {
+  /**
+   * Renews the lease if it is of this script.
+   * @param at time of the script's message
+   */
+  renew(driver: string, at: number): void {
     if (this.#isRenewable && driver === this.#driver) {
       this.#renewedAt = Math.max(this.#renewedAt, at);
     }

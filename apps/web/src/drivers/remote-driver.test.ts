@@ -1,4 +1,4 @@
-/** What becomes of remote commands in the robot, as it tells the relay. */
+/** Remote commands in the robot, as reported to the relay. */
 import type { Command, DeliveredCommand } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { Bench, deliveryOf } from "../worker/testing/bench.ts";
@@ -14,8 +14,8 @@ function robot() {
   return { bench, deliver };
 }
 
-describe("a remote command that waits in the robot", () => {
-  it("expires when its time is over, and no command behind it waits for that", () => {
+describe("a queued remote command", () => {
+  it("expires after its ttl, and no command behind it waits for that", () => {
     const { bench, deliver } = robot();
     deliver(MOVE);
     deliver(MOVE, { remaining: 400 });
@@ -28,7 +28,7 @@ describe("a remote command that waits in the robot", () => {
     expect(bench.story.slice(2)).toEqual(["completed 1", "started 3", "completed 3"]);
   });
 
-  it("expires in a robot that is paused, and does not run when it goes on", () => {
+  it("expires in a paused robot, and does not run when it resumes", () => {
     const { bench, deliver } = robot();
     bench.loop.pause();
     deliver(MOVE, { remaining: 400 });
@@ -38,26 +38,26 @@ describe("a remote command that waits in the robot", () => {
     expect(bench.story).toEqual(["expired 1"]);
   });
 
-  it("runs on to its end once it has started in time", () => {
+  it("runs to its end once it has started in time", () => {
     const { bench, deliver } = robot();
     deliver(MOVE, { remaining: 200 });
     bench.pass(2_000);
     expect(bench.story).toEqual(["started 1", "completed 1"]);
   });
 
-  it("is forgotten when it goes back to the relay", () => {
+  it("is discarded when the relay takes it back", () => {
     const { bench, deliver } = robot();
     deliver(MOVE);
     deliver(MOVE);
     bench.pass(100);
-    bench.loop.remote?.giveBack();
+    bench.loop.remote?.reset();
     bench.pass(2_000);
     expect(bench.story).toEqual(["started 1", "completed 1"]);
   });
 });
 
 describe("a remote command that replaces", () => {
-  it("ends what runs and what waits, and starts at once", () => {
+  it("ends the running and the queued commands, and starts at once", () => {
     const { bench, deliver } = robot();
     deliver({ action: "turn", degrees: 720 });
     deliver(MOVE);
@@ -69,23 +69,23 @@ describe("a remote command that replaces", () => {
   });
 });
 
-describe("a remote command that its sender takes back", () => {
+describe("a remote command that its sender cancels", () => {
   it("stops the robot where it runs", () => {
     const { bench, deliver } = robot();
     deliver({ action: "forward" });
     bench.pass(100);
-    bench.loop.remote?.takeBack(1);
+    bench.loop.remote?.cancelOne(1);
     bench.pass(100);
     expect(bench.story).toEqual(["started 1", "cancelled 1"]);
     expect(bench.loop.snapshot()).toMatchObject({ motion: "stop", command: null });
   });
 
-  it("leaves the others alone where it waits, and means nothing where it has ended", () => {
+  it("leaves the others alone while queued, and has no effect after it ended", () => {
     const { bench, deliver } = robot();
     for (let n = 0; n < 3; n++) deliver(MOVE);
     bench.pass(100);
-    bench.loop.remote?.takeBack(2);
-    bench.loop.remote?.takeBack(2);
+    bench.loop.remote?.cancelOne(2);
+    bench.loop.remote?.cancelOne(2);
     bench.pass(4_000);
     expect(bench.story).toEqual([
       "started 1",
@@ -98,15 +98,15 @@ describe("a remote command that its sender takes back", () => {
 });
 
 describe("a motion without an end", () => {
-  const heard = (silentMs = 0) => [{ driver: "Zx81qP", silentMs, connectionMs: null }];
+  const alive = (silentMs = 0) => [{ driver: "Zx81qP", silentMs, connectionMs: null }];
 
-  it("stops 3 s after its script was heard last", () => {
+  it("stops 3 s after the last message of its script", () => {
     const { bench, deliver } = robot();
     // Slow enough not to meet a wall: leases count real time.
     bench.loop.setSpeed(0.25);
     deliver({ action: "forward" });
     bench.pass(2_000);
-    bench.loop.remote?.hear(heard(500));
+    bench.loop.remote?.renew(alive(500));
     bench.pass(2_400);
     expect(bench.story).toEqual(["started 1"]);
     bench.pass(200);
@@ -114,23 +114,23 @@ describe("a motion without an end", () => {
     expect(bench.loop.snapshot()).toMatchObject({ motion: "stop", command: null });
   });
 
-  it("is not renewed once it has run out, as while the page was frozen", () => {
+  it("is not renewed once it has expired, for example while the page was frozen", () => {
     const { bench, deliver } = robot();
     bench.loop.setSpeed(0.25);
     deliver({ action: "forward" });
     bench.pass(100);
     bench.time += 5_000;
-    bench.loop.remote?.hear(heard());
+    bench.loop.remote?.renew(alive());
     expect(bench.story).toEqual(["started 1", "cancelled 1"]);
   });
 
-  it("is not held by another script", () => {
+  it("is not renewed by another script", () => {
     const { bench, deliver } = robot();
     // Slow enough not to meet a wall: leases count real time.
     bench.loop.setSpeed(0.25);
     deliver({ action: "forward" });
     bench.pass(2_000);
-    bench.loop.remote?.hear([{ driver: "other1", silentMs: 0, connectionMs: null }]);
+    bench.loop.remote?.renew([{ driver: "other1", silentMs: 0, connectionMs: null }]);
     bench.pass(1_100);
     expect(bench.story).toEqual(["started 1", "cancelled 1"]);
   });
@@ -138,17 +138,17 @@ describe("a motion without an end", () => {
   it.each([
     { name: "half a second", lease: null, ends: 500 },
     { name: "what the script asked for", lease: 1_500, ends: 1_500 },
-  ])("by wheel powers stops after $name when no other follows", ({ lease, ends }) => {
+  ])("by wheel powers stops after $name without a next one", ({ lease, ends }) => {
     const { bench, deliver } = robot();
     deliver({ action: "drive", left: 0.1, right: -0.1 }, { lease });
     bench.pass(ends - 20);
-    bench.loop.remote?.hear(heard());
+    bench.loop.remote?.renew(alive());
     expect(bench.story).toEqual(["started 1"]);
     bench.pass(100);
     expect(bench.story).toEqual(["started 1", "cancelled 1"]);
   });
 
-  it("by wheel powers goes on while they come again", () => {
+  it("by wheel powers continues while they are repeated", () => {
     const { bench, deliver } = robot();
     for (let n = 0; n < 10; n++) {
       deliver({ action: "drive", left: 0.1, right: -0.1 });
@@ -158,7 +158,7 @@ describe("a motion without an end", () => {
     expect(bench.loop.snapshot()).toMatchObject({ motion: "drive" });
   });
 
-  it("is none with a time of its own: that runs to its end", () => {
+  it("has no lease if it has a duration: it runs to its end", () => {
     const { bench, deliver } = robot();
     deliver({ action: "drive", left: 0.1, right: -0.1, milliseconds: 5_000 });
     bench.pass(5_200);
@@ -166,58 +166,60 @@ describe("a motion without an end", () => {
   });
 });
 
-describe("wheel powers that come all at once", () => {
+describe("a burst of wheel powers", () => {
   const drive = (left: number): Command => ({ action: "drive", left, right: 0.1 });
 
-  it("count for the newest alone, where they come between two ticks", () => {
+  it("counts only the newest, between two ticks", () => {
     const { bench, deliver } = robot();
     for (const left of [0.1, 0.2, 0.3]) deliver(drive(left));
     bench.pass(100);
     expect(bench.story).toEqual(["superseded 1", "superseded 2", "started 3"]);
   });
 
-  it("count for the newest alone, where more than three come within 50 ms", () => {
+  it("counts only the newest, if more than three arrive within 50 ms", () => {
     const { bench, deliver } = robot();
     for (const left of [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]) {
       deliver(drive(left));
       bench.time += 2;
     }
     bench.pass(40);
-    expect(bench.story.filter((told) => told.startsWith("started"))).toEqual([]);
+    expect(bench.story.filter((received) => received.startsWith("started"))).toEqual([]);
     bench.pass(40);
     expect(bench.story.at(-1)).toBe("started 6");
   });
 
-  it("count for the newest alone, where a burst lasts for long because the relay stores each of them", () => {
+  it("counts only the newest, if the relay stretches the burst by storing each", () => {
     const { bench, deliver } = robot();
     for (let n = 0; n < 46; n++) {
       deliver(drive(0.1));
       bench.pass(8);
     }
     bench.pass(100);
-    const begun = bench.story.filter((told) => told.startsWith("started"));
-    // Nobody knows of the first ones that they are a burst.
+    const begun = bench.story.filter((received) => received.startsWith("started"));
+    // The first ones are not known to be a burst.
     expect(begun.length).toBeLessThanOrEqual(2);
     expect(begun.at(-1)).toBe("started 46");
   });
 
-  it("move the robot in a flood that does not end, too", () => {
+  it("moves the robot under continuous load, too", () => {
     const { bench, deliver } = robot();
     for (let n = 0; n < 200; n++) {
       deliver(drive(0.1));
       bench.pass(8);
     }
-    expect(bench.story.filter((told) => told.startsWith("started")).length).toBeGreaterThan(10);
+    expect(bench.story.filter((received) => received.startsWith("started")).length).toBeGreaterThan(
+      10,
+    );
   });
 
   it.each([
-    { name: "the page's own line", begin: (bench: Bench) => bench.loop.remote?.giveBack() },
+    { name: "the page's own line", begin: (bench: Bench) => bench.loop.remote?.reset() },
     {
       name: "the script's line",
       begin: (bench: Bench) =>
-        bench.loop.remote?.hear([{ driver: "Zx81qP", silentMs: 0, connectionMs: 0 }]),
+        bench.loop.remote?.renew([{ driver: "Zx81qP", silentMs: 0, connectionMs: 0 }]),
     },
-  ])("count for the last of the first 100 ms of $name", ({ begin }) => {
+  ])("counts only the last of the first 100 ms of $name", ({ begin }) => {
     const { bench, deliver } = robot();
     begin(bench);
     deliver(drive(0.1));
@@ -227,7 +229,7 @@ describe("wheel powers that come all at once", () => {
     expect(bench.story).toEqual(["superseded 1", "started 2"]);
   });
 
-  it("wait for a newer one where they were tried for long, but not again and again", () => {
+  it("waits for a newer one after long delays, but not repeatedly", () => {
     const { bench, deliver } = robot();
     const wait = { ttl: 10_000, remaining: 8_000 };
     deliver(drive(0.1), wait);
@@ -240,9 +242,9 @@ describe("wheel powers that come all at once", () => {
     expect(bench.story).toEqual(["superseded 1", "started 2", "completed 2", "started 3"]);
   });
 
-  it("leave a stop and a manoeuvre alone", () => {
+  it("does not affect a stop and a manoeuvre", () => {
     const { bench, deliver } = robot();
-    bench.loop.remote?.giveBack();
+    bench.loop.remote?.reset();
     deliver({ action: "left 90" });
     bench.pass(30);
     expect(bench.story).toEqual(["started 1"]);

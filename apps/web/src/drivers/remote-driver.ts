@@ -1,18 +1,18 @@
 /**
- * Driving by remote commands: they start in the order of their seq, a manoeuvre runs to its end, and
- * a motion without an end lasts until the next command or until its lease is over. Only the robot ends a
- * command that it was given, and it ends each exactly once. It counts by its own clock how long each may
- * wait.
+ * Driving by remote commands: they start in the order of their seq, a manoeuvre runs to its end,
+ * and a motion without an end lasts until the next command or until its lease expires. Only the
+ * robot ends a delivered command, and it ends each exactly once. It measures ttls with its own
+ * clock.
  */
 import type { AliveDriver, DeliveredCommand, EndingState, Pose } from "@corridor/protocol";
 import type { Run, RunInput } from "@corridor/recording";
 import { BurstGuard } from "./burst-guard.ts";
 import type { CancelReason } from "./cancel-reason.ts";
-import { isRegister, MotionLease } from "./motion-lease.ts";
+import { isVelocity, MotionLease } from "./motion-lease.ts";
 
 export interface Ending {
   state: EndingState;
-  /** null where the robot itself ended it */
+  /** null if the robot itself ended it */
   reason: CancelReason | null;
   pose: Pose;
   /** units driven by this command */
@@ -22,19 +22,19 @@ export interface Ending {
 export interface RemoteDriverEvents {
   started(seq: number): void;
   ended(seq: number, ending: Ending): void;
-  /** All that was given so far is over, whatever of it there was. */
+  /** All commands delivered so far have ended. */
   swept?(reason: CancelReason): void;
 }
 
-/** The robot that is driven: what it is doing, and where commands go. */
+/** The driven robot: its state, and where commands go. */
 export interface RemoteRobot {
   readonly run: Pick<Run, "command" | "commandEnding" | "distance" | "isManoeuvring" | "pose">;
   addInput(input: RunInput): boolean;
 }
 
-interface Waiting {
+interface Queued {
   delivery: DeliveredCommand;
-  /** when it is too old to start, by the clock of `now` */
+  /** when it expires, by the clock of `now` */
   startBy: number;
 }
 
@@ -50,11 +50,11 @@ export class RemoteDriver {
   readonly #robotNow: () => RemoteRobot;
   readonly #now: () => number;
   readonly #bursts = new BurstGuard();
-  #waiting: Waiting[] = [];
+  #queue: Queued[] = [];
   #running: Running | null = null;
 
   /**
-   * @param robot the one that is driven at the moment
+   * @param robot returns the currently driven robot
    * @param now monotonic milliseconds
    */
   constructor(events: RemoteDriverEvents, robot: () => RemoteRobot, now: () => number) {
@@ -63,7 +63,7 @@ export class RemoteDriver {
     this.#now = now;
   }
 
-  /** The command that runs, and the units driven before it. */
+  /** The running command, and the units driven before it. */
   get running(): { seq: number; distance: number } | null {
     if (this.#running === null) return null;
     const { seq, distance } = this.#running;
@@ -72,10 +72,10 @@ export class RemoteDriver {
 
   /** Whether the robot has nothing to do until a script sends the next command. */
   get isIdle(): boolean {
-    return this.#running === null && this.#waiting.length === 0;
+    return this.#running === null && this.#queue.length === 0;
   }
 
-  /** Takes a delivered command into the queue. One that replaces ends all before it. */
+  /** Queues a delivered command. One that replaces ends all before it. */
   accept(delivery: DeliveredCommand): void {
     const now = this.#now();
     if (delivery.replace) {
@@ -83,44 +83,44 @@ export class RemoteDriver {
       this.#endAll("superseded", "replaced");
       this.#robot.addInput(isRunning ? { do: "cancel", superseded: true } : { do: "cancel" });
     }
-    if (isRegister(delivery)) {
-      this.#bursts.came(now, delivery.ttl - delivery.remaining);
+    if (isVelocity(delivery)) {
+      this.#bursts.add(now, delivery.ttl - delivery.remaining);
       this.#supersedeLast(delivery.driver);
     }
-    this.#running?.lease?.heard(delivery.driver, now);
-    this.#waiting.push({ delivery, startBy: now + delivery.remaining });
+    this.#running?.lease?.renew(delivery.driver, now);
+    this.#queue.push({ delivery, startBy: now + delivery.remaining });
   }
 
-  /** Scripts were heard: who is, keeps the motion that it wished. */
-  hear(alive: readonly AliveDriver[]): void {
-    // A lease that ran out while the page slept is not renewed any more.
-    this.tend();
+  /** Renews the lease of the running motion if its script is alive. */
+  renew(alive: readonly AliveDriver[]): void {
+    // A lease that expired while the page was frozen is not renewed.
+    this.update();
     const now = this.#now();
     for (const { driver, silentMs, connectionMs } of alive) {
-      this.#running?.lease?.heard(driver, now - silentMs);
-      if (connectionMs !== null) this.#bursts.lineOf(connectionMs, now);
+      this.#running?.lease?.renew(driver, now - silentMs);
+      if (connectionMs !== null) this.#bursts.connect(connectionMs, now);
     }
   }
 
-  /** As time passes: ends what has waited too long, and a motion whose lease is over. */
-  tend(): void {
+  /** Ends expired commands, and a motion whose lease has expired. */
+  update(): void {
     const now = this.#now();
     if (this.#running?.lease?.isOver(now) === true) this.#stop("silent");
-    if (this.#waiting.length === 0) return;
-    const late = this.#waiting.filter(({ startBy }) => startBy <= now);
-    if (late.length === 0) return;
-    this.#waiting = this.#waiting.filter(({ startBy }) => startBy > now);
-    for (const { delivery } of late) this.#report(delivery.seq, "expired", null, 0);
+    if (this.#queue.length === 0) return;
+    const expired = this.#queue.filter(({ startBy }) => startBy <= now);
+    if (expired.length === 0) return;
+    this.#queue = this.#queue.filter(({ startBy }) => startBy > now);
+    for (const { delivery } of expired) this.#report(delivery.seq, "expired", null, 0);
   }
 
   /** Before a tick: starts the next command unless a manoeuvre runs. */
-  begin(): void {
+  start(): void {
     const { run } = this.#robot;
-    const next = this.#waiting[0]?.delivery;
+    const next = this.#queue[0]?.delivery;
     if (next === undefined || run.isManoeuvring) return;
     const now = this.#now();
-    if (isRegister(next) && this.#bursts.isHeld(now)) return;
-    this.#waiting.shift();
+    if (isVelocity(next) && this.#bursts.isHeld(now)) return;
+    this.#queue.shift();
     this.#end("completed", null);
     this.#running = {
       seq: next.seq,
@@ -132,43 +132,46 @@ export class RemoteDriver {
     this.finish();
   }
 
-  /** After a tick: ends the command whose manoeuvre is over or that ran into a wall. */
+  /** After a tick: ends the command whose manoeuvre is complete or that ran into a wall. */
   finish(): void {
     const { run } = this.#robot;
     if (this.#running === null || run.command !== null) return;
     this.#end(run.commandEnding ?? "completed", null);
   }
 
-  /** Ends the running and every waiting command; the robot is for the caller to stop. */
+  /** Ends the running and every queued command; the caller stops the robot. */
   cancel(reason: CancelReason): void {
     this.#endAll("cancelled", reason);
     this.#events.swept?.(reason);
   }
 
-  /** Ends one command that somebody takes back, and stops the robot where it runs. */
-  takeBack(seq: number, reason: CancelReason = "takenBack"): void {
+  /** Ends one command, and stops the robot if it is running. */
+  cancelOne(seq: number, reason: CancelReason = "takenBack"): void {
     if (this.#running?.seq === seq) return this.#stop(reason);
-    const rest = this.#waiting.filter(({ delivery }) => delivery.seq !== seq);
-    if (rest.length === this.#waiting.length) return;
-    this.#waiting = rest;
+    const others = this.#queue.filter(({ delivery }) => delivery.seq !== seq);
+    if (others.length === this.#queue.length) return;
+    this.#queue = others;
     this.#report(seq, "cancelled", reason, 0);
   }
 
-  /** A new line to the relay: forgets what waits, since the relay gives again what still holds. */
-  giveBack(): void {
-    this.#waiting = [];
-    this.#bursts.newLine();
+  /**
+   * The page has reconnected to the relay: discards queued commands, which the relay delivers
+   * again.
+   */
+  reset(): void {
+    this.#queue = [];
+    this.#bursts.reconnect();
   }
 
   get #robot(): RemoteRobot {
     return this.#robotNow();
   }
 
-  /** Of the velocities of one script that wait one behind the other, the newest counts. */
+  /** Of consecutive velocities of one script in the queue, only the newest counts. */
   #supersedeLast(driver: string): void {
-    const last = this.#waiting.at(-1)?.delivery;
-    if (last === undefined || !isRegister(last) || last.driver !== driver) return;
-    this.#waiting.pop();
+    const last = this.#queue.at(-1)?.delivery;
+    if (last === undefined || !isVelocity(last) || last.driver !== driver) return;
+    this.#queue.pop();
     this.#report(last.seq, "superseded", "replaced", 0);
   }
 
@@ -179,9 +182,9 @@ export class RemoteDriver {
 
   #endAll(state: EndingState, reason: CancelReason): void {
     this.#end(state, reason);
-    const waiting = this.#waiting;
-    this.#waiting = [];
-    for (const { delivery } of waiting) this.#report(delivery.seq, state, reason, 0);
+    const queued = this.#queue;
+    this.#queue = [];
+    for (const { delivery } of queued) this.#report(delivery.seq, state, reason, 0);
   }
 
   #end(state: EndingState, reason: CancelReason | null): void {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { firstProgram } from "../worker/first-work.ts";
+import { firstProgram } from "../worker/first-project.ts";
 import { momentAt } from "../worker/testing/moment-at.ts";
 import type { RunEvent } from "../worker/worker-messages.ts";
 import { createCardStore, explain, truncateCards } from "./card-store.ts";

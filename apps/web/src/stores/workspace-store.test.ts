@@ -2,7 +2,7 @@ import { resize, setBlock, setStart, toggleGoal, type MazeEdit } from "@corridor
 import { addRule, moveRule, removeRule, setAction, type ProgramEdit } from "@corridor/program";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "../worker/first-work.ts";
+import { firstMaze, firstProgram } from "../worker/first-project.ts";
 import {
   beginStroke,
   createWorkspaceStore,

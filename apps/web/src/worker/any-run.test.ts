@@ -4,7 +4,7 @@ import type { Command, DriverName } from "@corridor/protocol";
 import { openRun, readRun } from "@corridor/recording";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "./first-work.ts";
+import { firstMaze, firstProgram } from "./first-project.ts";
 import { Bench, momentOf, type Moment } from "./testing/bench.ts";
 import { loadRun } from "./testing/load-run.ts";
 import type { DriveKey, Speed } from "./worker-messages.ts";

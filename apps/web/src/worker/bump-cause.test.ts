@@ -1,6 +1,6 @@
 import type { MazeDocument } from "@corridor/maze";
 import { describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "./first-work.ts";
+import { firstMaze, firstProgram } from "./first-project.ts";
 import { Bench } from "./testing/bench.ts";
 import type { RunEvent } from "./worker-messages.ts";
 

@@ -1,6 +1,6 @@
 import type { ProgramDocument } from "@corridor/program";
 import { describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "./first-work.ts";
+import { firstMaze, firstProgram } from "./first-project.ts";
 import * as diagnostics from "./diagnose-run.ts";
 import { RunLoop } from "./run-loop.ts";
 import { loadRun } from "./testing/load-run.ts";

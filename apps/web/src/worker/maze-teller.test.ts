@@ -1,6 +1,6 @@
 import type { MazeDocument } from "@corridor/maze";
 import { describe, expect, it } from "vitest";
-import { firstMaze } from "./first-work.ts";
+import { firstMaze } from "./first-project.ts";
 import { MazeTeller } from "./maze-teller.ts";
 
 const other = (name: string): MazeDocument => ({ ...firstMaze, name });

@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { expect, it } from "vitest";
 import * as diagnostics from "./diagnose-run.ts";
-import { firstMaze, firstProgram } from "./first-work.ts";
+import { firstMaze, firstProgram } from "./first-project.ts";
 import { RunLoop } from "./run-loop.ts";
 import { speeds } from "./worker-messages.ts";
 

@@ -1,7 +1,7 @@
 import { openRun, type RunDocument } from "@corridor/recording";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "./first-work.ts";
+import { firstMaze, firstProgram } from "./first-project.ts";
 import { Race } from "./race.ts";
 import { Bench } from "./testing/bench.ts";
 import { MAX_GHOSTS, type AddedGhost, type GhostPose, type Speed } from "./worker-messages.ts";

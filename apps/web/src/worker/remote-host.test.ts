@@ -1,7 +1,7 @@
 /** A page's remote side whole (host, link, loop, driver), against a relay that repeats itself. */
 import type { SocketEvents, SocketPort } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "./first-work.ts";
+import { firstMaze, firstProgram } from "./first-project.ts";
 import { RemoteDriver } from "../drivers/remote-driver.ts";
 import { RemoteHost } from "./remote-host.ts";
 import { RunLoop } from "./run-loop.ts";
@@ -137,9 +137,9 @@ function openPage() {
     onView: (newest) => (view = newest),
     onDelivery: (delivery) => loop.accept(delivery),
     cancel: (reason) => loop.cancelRemote(reason),
-    takeBack: (seq, reason) => loop.remote?.takeBack(seq, reason),
-    giveBack: () => loop.remote?.giveBack(),
-    hear: (alive) => loop.remote?.hear(alive),
+    takeBack: (seq, reason) => loop.remote?.cancelOne(seq, reason),
+    giveBack: () => loop.remote?.reset(),
+    hear: (alive) => loop.remote?.renew(alive),
     fetch: relay.fetch,
     platform: relay.platform,
   });

@@ -19,7 +19,7 @@ import type {
 import {
   cancelReasons,
   RELOADED,
-  takenByPage,
+  pageReasons,
   type CancelReason,
 } from "../drivers/cancel-reason.ts";
 import type { Ending, RemoteDriverEvents } from "../drivers/remote-driver.ts";
@@ -175,13 +175,13 @@ export class RemoteHost implements RemoteDriverEvents {
   }
 
   ended(seq: number, ending: Ending): void {
-    if (ending.reason !== null && takenByPage.has(ending.reason)) this.#sweeping ??= seq;
+    if (ending.reason !== null && pageReasons.has(ending.reason)) this.#sweeping ??= seq;
     this.#link?.ended(seq, { ...ending, reason: this.#reasonFor(seq, ending) });
     this.#change(seq, ending);
   }
 
   swept(reason: CancelReason): void {
-    if (!takenByPage.has(reason)) return;
+    if (!pageReasons.has(reason)) return;
     this.#swept = { upTo: Math.max(0, ...this.#commands.keys()), reason };
   }
 

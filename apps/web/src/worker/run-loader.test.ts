@@ -1,6 +1,6 @@
 import type { RunDocument } from "@corridor/recording";
 import { describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "./first-work.ts";
+import { firstMaze, firstProgram } from "./first-project.ts";
 import { RunLoader } from "./run-loader.ts";
 import { RunLoop } from "./run-loop.ts";
 import type { LoadedRun } from "./worker-messages.ts";

@@ -2,7 +2,7 @@ import type { ProgramDocument } from "@corridor/program";
 import { findSnapshotMessage, type Command, type Snapshot } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
 import { beforeEach, describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "./first-work.ts";
+import { firstMaze, firstProgram } from "./first-project.ts";
 import type { Ending } from "../drivers/remote-driver.ts";
 import { RemoteDriver } from "../drivers/remote-driver.ts";
 import * as diagnostics from "./diagnose-run.ts";

@@ -56,7 +56,7 @@ export class RunLoop {
   }
 
   /** the commands of scripts; they come in by `accept`, and all end by `cancelRemote` */
-  get remote(): Pick<RemoteDriver, "takeBack" | "giveBack" | "hear" | "running"> | null {
+  get remote(): Pick<RemoteDriver, "cancelOne" | "reset" | "renew" | "running"> | null {
     return this.#remote;
   }
 
@@ -242,7 +242,7 @@ export class RunLoop {
 
   /** Runs the ticks that real time asks for since the last call. */
   advance(): void {
-    this.#remote?.tend();
+    this.#remote?.update();
     const isAtSpeed = !this.#isByHand && !this.#isAwaitingScript;
     const flow = !this.isRunning ? "standing" : isAtSpeed ? "at-speed" : "real-time";
     this.#clock.advance(flow, (count) => this.#runTicks(count, isAtSpeed));
@@ -370,7 +370,7 @@ export class RunLoop {
     const recording = this.recording;
     const { run } = recording;
     const isRemote = run.driver === "remote";
-    if (isRemote) this.#remote?.begin();
+    if (isRemote) this.#remote?.start();
     this.#watch.before(run);
     const { bumps, pose } = run;
     recording.step();

@@ -1,7 +1,7 @@
 import type { ProgramDocument } from "@corridor/program";
 import type { Snapshot } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "./first-work.ts";
+import { firstMaze, firstProgram } from "./first-project.ts";
 import { Bench, momentOf, tenSeconds } from "./testing/bench.ts";
 
 describe("the shown past", () => {

@@ -7,7 +7,7 @@ import type { MazeDocument } from "@corridor/maze";
 import type { Race } from "./race.ts";
 import { loadRaceGhosts } from "../canvas/layers/lazy-race-ghosts.ts";
 import { describeFault } from "./describe-fault.ts";
-import { earlyWork, type FirstWork } from "./first-work.ts";
+import { earlyWork, type FirstProject } from "./first-project.ts";
 import { FramePace } from "./frame-pace.ts";
 import type { RemoteHost } from "./remote-host.ts";
 import type { RestoredJournal } from "./restored-world.ts";
@@ -77,9 +77,9 @@ async function loadRemote(): Promise<RemoteHost> {
     onView: (view) => post({ type: "remote", remote: view }),
     onDelivery: (delivery) => loop?.accept(delivery),
     cancel: (reason) => loop?.cancelRemote(reason),
-    takeBack: (seq, reason) => loop?.remote?.takeBack(seq, reason),
-    giveBack: () => loop?.remote?.giveBack(),
-    hear: (alive) => loop?.remote?.hear(alive),
+    takeBack: (seq, reason) => loop?.remote?.cancelOne(seq, reason),
+    giveBack: () => loop?.remote?.reset(),
+    hear: (alive) => loop?.remote?.renew(alive),
     save: saveWorld,
     restored: () => restored,
     fetch: (url, request) => fetch(url, request),
@@ -391,7 +391,7 @@ function handle(message: ToWorker): void {
 }
 
 /** A run that began before the page was there goes on: nothing but names can be new to it. */
-function load({ maze, program }: FirstWork): void {
+function load({ maze, program }: FirstProject): void {
   if (loop === null) {
     loop = new RunLoop(maze, program, now);
     return;
@@ -444,7 +444,7 @@ function tellNews(): void {
   else if (news !== null && !loop.isUntouched) void loadKeeper().catch(() => undefined);
   if (news !== null) {
     const { frame, forgottenAfter } = news;
-    if (forgottenAfter !== null) post({ type: "forgotten", after: forgottenAfter });
+    if (forgottenAfter !== null) post({ type: "truncated", after: forgottenAfter });
     painter.add(frame);
     pace.add(frame);
   }

@@ -279,7 +279,7 @@ export type FromWorker =
    * what happened after the end of this tick is no part of the run any more, which goes on from there in
    * another way; -1: it is another run. Comes before the frames and moments of the new way.
    */
-  | { type: "forgotten"; after: number }
+  | { type: "truncated"; after: number }
   | { type: "event"; event: RunEvent }
   /** why the program's robot does not get to the goal; sent once, and once more when the time is over */
   | { type: "diagnosed"; program: ProgramDocument; diagnosis: Diagnosis }

@@ -1,6 +1,6 @@
 import { Recording } from "@corridor/recording";
 import { describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "./first-work.ts";
+import { firstMaze, firstProgram } from "./first-project.ts";
 import { MemoryWorldStore } from "./testing/memory-world-store.ts";
 import { WorldKeeper } from "./world-keeper.ts";
 import type { WorldStore } from "./world-store.ts";

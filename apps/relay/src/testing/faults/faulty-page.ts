@@ -7,7 +7,7 @@ import {
   RemoteDriver,
   type RemoteDriverEvents,
 } from "../../../../web/src/drivers/remote-driver.ts";
-import { firstMaze, firstProgram } from "../../../../web/src/worker/first-work.ts";
+import { firstMaze, firstProgram } from "../../../../web/src/worker/first-project.ts";
 import { RemoteHost } from "../../../../web/src/worker/remote-host.ts";
 import { RunLoop } from "../../../../web/src/worker/run-loop.ts";
 import type { RemoteSession } from "../../../../web/src/worker/worker-messages.ts";
@@ -67,9 +67,9 @@ export class FaultyPage {
       },
       onDelivery: (delivery) => this.#loop.accept(delivery),
       cancel: (reason) => this.#loop.cancelRemote(reason),
-      takeBack: (seq) => this.#loop.remote?.takeBack(seq),
-      giveBack: () => this.#loop.remote?.giveBack(),
-      hear: (alive) => this.#loop.remote?.hear(alive),
+      takeBack: (seq) => this.#loop.remote?.cancelOne(seq),
+      giveBack: () => this.#loop.remote?.reset(),
+      hear: (alive) => this.#loop.remote?.renew(alive),
       fetch: () => Promise.reject(new Error("A session is there already.")),
       platform: { ...platform, connect: (url, events) => this.#connect(url, events) },
     });

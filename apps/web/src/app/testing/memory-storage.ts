@@ -1,5 +1,5 @@
-/** The browser's Storage for tests in Node, which can be told to be full. */
-import type { KeyValueStorage } from "../works.ts";
+/** The browser's Storage for tests in Node, which can be full. */
+import type { KeyValueStorage } from "../project-storage.ts";
 
 export class MemoryStorage implements KeyValueStorage {
   readonly #values = new Map<string, string>();

@@ -1,6 +1,6 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import { firstProgram } from "../../worker/first-work.ts";
+import { firstProgram } from "../../worker/first-project.ts";
 import type { RunEvent } from "../../worker/worker-messages.ts";
 import { shownCard } from "./shown-card.ts";
 

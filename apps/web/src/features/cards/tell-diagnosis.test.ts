@@ -1,6 +1,6 @@
 import type { Diagnosis } from "@corridor/coach";
 import { describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "../../worker/first-work.ts";
+import { firstMaze, firstProgram } from "../../worker/first-project.ts";
 import { createRunStore } from "../../stores/run-store.ts";
 import { createScreenStore } from "../../stores/screen-store.ts";
 import { createWorkspaceStore, setMaze, setProgram } from "../../stores/workspace-store.ts";

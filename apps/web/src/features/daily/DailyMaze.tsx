@@ -3,7 +3,7 @@ import { dailyMaze, dayAfter, type Day, type MazeDocument } from "@corridor/maze
 import { ChevronLeft, ChevronRight } from "lucide-react";
 import { useId, useState } from "react";
 import { useTranslation } from "react-i18next";
-import { storageOrNone } from "../../app/works.ts";
+import { storageOrNone } from "../../app/project-storage.ts";
 import { formatClock } from "../../text/numbers.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { MazePicture } from "../presets/MazePicture.tsx";

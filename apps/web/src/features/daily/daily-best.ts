@@ -1,6 +1,6 @@
 /** The student's best run in each maze of the day, stored on this device. Fewer ticks are better, then fewer bumps. */
 import { dailyMaze, dayAfter, type Day, type MazeDocument } from "@corridor/maze";
-import type { KeyValueStorage } from "../../app/works.ts";
+import type { KeyValueStorage } from "../../app/project-storage.ts";
 
 /** Days before today whose mazes can be chosen. */
 export const EARLIER_DAYS = 30;

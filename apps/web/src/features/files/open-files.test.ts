@@ -1,7 +1,7 @@
 import { mazePresets } from "@corridor/maze";
 import { emptyProgram, programPresets } from "@corridor/program";
 import { describe, expect, it, vi } from "vitest";
-import type { WorksService } from "../../app/works-service.ts";
+import type { ProjectService } from "../../app/project-service.ts";
 import { createScreenStore } from "../../stores/screen-store.ts";
 import { createWorkspaceStore } from "../../stores/workspace-store.ts";
 import { en } from "../../text/en/index.ts";
@@ -28,7 +28,7 @@ function file(name: string, content: unknown): TextFile {
 function open(...files: TextFile[]) {
   const screen = createScreenStore();
   const workspace = createWorkspaceStore(before.maze, before.program);
-  const begin = vi.fn<WorksService["begin"]>(() => () => undefined);
+  const begin = vi.fn<ProjectService["begin"]>(() => () => undefined);
   const send = vi.fn<(message: unknown) => void>();
   const services = { screen, workspace, works: { begin }, simulator: { send } };
   const reports = openFiles(services as unknown as Parameters<typeof openFiles>[0], words, files);

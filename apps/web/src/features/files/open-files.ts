@@ -37,7 +37,7 @@ const MAX_BYTES = 9_000_000;
 /** More files than can be opened together are not read at all; two with what belongs to them are told apart. */
 const MAX_FILES = 10;
 
-type Opener = Pick<Services, "works" | "workspace" | "simulator" | "screen">;
+type Opener = Pick<Services, "projects" | "workspace" | "simulator" | "screen">;
 
 /** @returns nothing when they were opened; else what is wrong, by file */
 export async function openFiles(
@@ -108,7 +108,7 @@ function openDocuments(
   const open = services.workspace.getState();
   // A maze alone is to be solved: only a program that the reader has written comes along.
   const opened = program ?? programForMaze(open.program, words);
-  const back = services.works.begin(maze ?? open.maze, opened);
+  const back = services.projects.begin(maze ?? open.maze, opened);
   const names = {
     maze: maze?.name || words.t("works.unnamed"),
     program: program?.name || words.t("files.unnamedProgram"),

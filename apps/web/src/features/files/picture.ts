@@ -21,11 +21,11 @@ export interface PictureChoice {
 
 /** Draws the maze of the shown moment. */
 export function drawPicture(
-  { workspace, run, shownRun }: Pick<Services, "workspace" | "run" | "shownRun">,
+  { workspace, run, runTrace }: Pick<Services, "workspace" | "run" | "runTrace">,
   words: Pick<PictureScene, "startWord" | "goalWord">,
   { withRun, hasRulers }: PictureChoice,
 ): Picture {
-  const shown = withRun ? shownRun.take() : null;
+  const shown = withRun ? runTrace.take() : null;
   const { text, width, height } = mazeSvg({
     ...words,
     maze: run.getState().pastMaze ?? workspace.getState().maze,

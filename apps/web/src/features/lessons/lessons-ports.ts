@@ -1,6 +1,6 @@
 /** What the lessons are given by the page. */
 import type { i18n } from "i18next";
-import type { WorksService } from "../../app/works-service.ts";
+import type { ProjectService } from "../../app/project-service.ts";
 import type { ChallengeStore } from "../../stores/challenge-store.ts";
 import type { ScreenStore } from "../../stores/screen-store.ts";
 import type { WorkspaceStore } from "../../stores/workspace-store.ts";
@@ -11,7 +11,7 @@ export interface LessonsPorts {
   simulator: Pick<SimulatorClient, "send" | "listen">;
   workspace: WorkspaceStore;
   screen: ScreenStore;
-  works: Pick<WorksService, "begin" | "beginNew" | "open" | "wayBack" | "list" | "currentId">;
+  works: Pick<ProjectService, "begin" | "beginNew" | "open" | "backAction" | "list" | "currentId">;
   challenge: ChallengeStore;
   storage: LessonsStorage;
   words: Pick<i18n, "t" | "loadNamespaces">;

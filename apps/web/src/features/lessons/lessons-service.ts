@@ -12,7 +12,7 @@ import type { Diagnosis } from "@corridor/coach";
 import { CELL, type MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import { createStore } from "zustand/vanilla";
-import { firstWork } from "../../app/first-visit.ts";
+import { firstProject } from "../../app/first-visit.ts";
 import { noChallenge } from "../../stores/challenge-store.ts";
 import { dismiss, showMessage } from "../../stores/screen-store.ts";
 import { newLineIds, setMaze, setProgram } from "../../stores/workspace-store.ts";
@@ -75,7 +75,7 @@ export class LessonsService {
       if (message.type === "event" && message.event.diagnosis !== null) {
         this.#failed(message.event.diagnosis, message.event.program);
       }
-      if (message.type === "forgotten") ports.challenge.setState({ failedRun: null });
+      if (message.type === "truncated") ports.challenge.setState({ failedRun: null });
       // A change of the program begins anew, but not the run: it is told again why it does not count.
       const isGoal = message.type === "event" && message.event.kind === "goal";
       if (isGoal && this.#judged.kind === "failed") this.#hear(this.#judged);
@@ -282,7 +282,7 @@ export class LessonsService {
     if (way !== null) way();
     else if (home !== undefined) works.open(home);
     else {
-      const { maze, program } = firstWork(words);
+      const { maze, program } = firstProject(words);
       works.begin(maze, program);
     }
     this.#ports.simulator.send({ type: "driver", driver: "program" });
@@ -312,7 +312,7 @@ export class LessonsService {
   #leaveHome(): void {
     const { works, challenge, storage } = this.#ports;
     if (challenge.getState().challenge !== null) return;
-    this.#wayHome = works.wayBack();
+    this.#wayHome = works.backAction();
     this.#tellUnlessKept(storage.add({ home: works.currentId() }));
   }
 

@@ -3,7 +3,7 @@
  * which mission, and where the reader came from. Shared challenges are kept by the work that they are
  * tried in. Without a schema, so that the first screen can ask it.
  */
-import { challengeKey, type KeyValueStorage } from "../../app/works.ts";
+import { challengeKey, type KeyValueStorage } from "../../app/project-storage.ts";
 
 /** What a mission took when it was done, at its best: the fewest lines, then the shortest time. */
 export interface Done {

@@ -3,7 +3,7 @@ import { MemoryStorage } from "../../app/testing/memory-storage.ts";
 import { createChallengeStore, noChallenge } from "../../stores/challenge-store.ts";
 import { createWorkspaceStore, setMaze, setProgram } from "../../stores/workspace-store.ts";
 import type { ProjectAnswer, ProjectQuestion } from "../../worker/project-request.ts";
-import { firstMaze, firstProgram } from "../../worker/first-work.ts";
+import { firstMaze, firstProgram } from "../../worker/first-project.ts";
 import type { FromWorker } from "../../worker/worker-messages.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
 import { LessonsStorage } from "./lessons-storage.ts";

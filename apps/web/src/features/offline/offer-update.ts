@@ -9,7 +9,7 @@ import { startServiceWorker } from "./service-worker.ts";
  * @param reload loads the page again
  */
 export async function offerUpdates(
-  { screen, works }: Pick<Services, "screen" | "works">,
+  { screen, projects }: Pick<Services, "screen" | "projects">,
   words: Pick<i18n, "t">,
   reload: () => void,
 ): Promise<void> {
@@ -24,7 +24,7 @@ export async function offerUpdates(
       action: {
         label: words.t("offline.reload"),
         run: () => {
-          works.autosave.flush();
+          projects.autosave.flush();
           if (screen.getState().saved === "blocked") {
             // A reload would lose what the device does not keep: the reader saves it elsewhere first.
             showMessage(screen, { tone: "bad", text: words.t("works.blocked") });

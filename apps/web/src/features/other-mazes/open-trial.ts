@@ -16,7 +16,7 @@ import type { TrialPool } from "./trial-pool.ts";
 /** What the student sees of the run before it fails. */
 const SHOWN_TICKS = 2 * TICKS_PER_SECOND;
 
-type Opener = Pick<Services, "works" | "workspace" | "simulator" | "screen">;
+type Opener = Pick<Services, "projects" | "workspace" | "simulator" | "screen">;
 
 /** The way back to the student's own maze: from one trial to the next it stays the same. */
 interface Home {
@@ -44,7 +44,7 @@ export class TrialOpener {
     { kind, side }: TrialMazes,
     program: ProgramDocument,
   ): Promise<boolean> {
-    const { works, simulator, screen } = this.#services;
+    const { projects, simulator, screen } = this.#services;
     const { t } = this.#words;
     const name = t(`presets.random.names.${kind}`, { side, seed });
     const named = { ...maze, name };
@@ -55,8 +55,8 @@ export class TrialOpener {
       return false;
     }
     const home = this.wayHome();
-    const back = works.begin(loaded.maze, loaded.program, true);
-    this.#home = { trial: works.currentId(), back: home ?? this.#takingProgram(back, program) };
+    const back = projects.begin(loaded.maze, loaded.program, true);
+    this.#home = { trial: projects.currentId(), back: home ?? this.#takingProgram(back, program) };
     if (outcome === "works") simulator.send({ type: "seek", tick: 0 });
     else watchAgain(simulator, tick - SHOWN_TICKS);
     const id = showMessage(screen, {
@@ -76,7 +76,7 @@ export class TrialOpener {
   /** Leads back to the student's own maze; null where that is open. */
   wayHome(): (() => void) | null {
     const home = this.#home;
-    return home?.trial === this.#services.works.currentId() ? home.back : null;
+    return home?.trial === this.#services.projects.currentId() ? home.back : null;
   }
 
   /** What was changed in the program meanwhile comes along, as one step that Undo takes back. */

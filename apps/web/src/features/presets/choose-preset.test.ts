@@ -6,7 +6,7 @@ import { createScreenStore } from "../../stores/screen-store.ts";
 import { createWorkspaceStore, undo } from "../../stores/workspace-store.ts";
 import { en } from "../../text/en/index.ts";
 import { createI18n } from "../../text/i18n.ts";
-import { firstMaze, firstProgram } from "../../worker/first-work.ts";
+import { firstMaze, firstProgram } from "../../worker/first-project.ts";
 import { chooseMaze } from "./choose-preset.ts";
 
 const spiral = mazePresets.find(({ id }) => id === "spiral")?.maze;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { firstMaze } from "../../worker/first-work.ts";
+import { firstMaze } from "../../worker/first-project.ts";
 import { blocksPath, edgesPath } from "./maze-outline.ts";
 
 const maze = (...blocks: string[]) => ({ ...firstMaze, blocks });

@@ -3,7 +3,7 @@
  * given: with a block taken out or the start moved it is another one.
  */
 import { createStore, type StoreApi } from "zustand/vanilla";
-import type { KeyValueStorage } from "../../app/works.ts";
+import type { KeyValueStorage } from "../../app/project-storage.ts";
 import type { RunStore } from "../../stores/run-store.ts";
 import type { WorkspaceStore } from "../../stores/workspace-store.ts";
 

@@ -1,7 +1,7 @@
 import { setAction, setNumber, type ProgramDocument } from "@corridor/program";
 import { describe, expect, it } from "vitest";
 import { createChallengeStore } from "../../stores/challenge-store.ts";
-import { firstMaze, firstProgram } from "../../worker/first-work.ts";
+import { firstMaze, firstProgram } from "../../worker/first-project.ts";
 import { createRunStore, type RunState } from "../../stores/run-store.ts";
 import { createWorkspaceStore, setMaze, undo } from "../../stores/workspace-store.ts";
 import { adviceOn, createAdviceStore, type AdvicePorts } from "./advice-store.ts";

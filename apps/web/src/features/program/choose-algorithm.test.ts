@@ -4,7 +4,7 @@ import { createScreenStore } from "../../stores/screen-store.ts";
 import { createWorkspaceStore, setMaze } from "../../stores/workspace-store.ts";
 import { en } from "../../text/en/index.ts";
 import { createI18n } from "../../text/i18n.ts";
-import { firstMaze, firstProgram } from "../../worker/first-work.ts";
+import { firstMaze, firstProgram } from "../../worker/first-project.ts";
 import { chooseAlgorithm } from "./choose-algorithm.ts";
 
 const leftWall = programPresets.find(({ id }) => id === "left-wall")?.program;

@@ -1,6 +1,6 @@
 /** The example of a first visit. */
 import type { ProgramDocument } from "@corridor/program";
-import { firstProgram } from "../../worker/first-work.ts";
+import { firstProgram } from "../../worker/first-project.ts";
 
 const example = JSON.stringify(firstProgram.rules);
 

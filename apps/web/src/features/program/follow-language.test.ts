@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { firstWork } from "../../app/first-visit.ts";
+import { firstProject } from "../../app/first-visit.ts";
 import { createRunStore } from "../../stores/run-store.ts";
 import { createWorkspaceStore, setProgram, undo } from "../../stores/workspace-store.ts";
 import { en } from "../../text/en/index.ts";
@@ -8,7 +8,7 @@ import { followLanguage } from "./follow-language.ts";
 
 function page() {
   const words = createI18n(en);
-  const { maze, program } = firstWork(words);
+  const { maze, program } = firstProject(words);
   const workspace = createWorkspaceStore(maze, program);
   const run = createRunStore();
   followLanguage({ workspace, run }, words);

@@ -1,6 +1,6 @@
 import { emptyProgram, programPresets, setNumber } from "@corridor/program";
 import { describe, expect, it } from "vitest";
-import { firstWork } from "../../app/first-visit.ts";
+import { firstProject } from "../../app/first-visit.ts";
 import { en } from "../../text/en/index.ts";
 import { createI18n, showLanguage } from "../../text/i18n.ts";
 import { createWorkspaceStore, redo, setProgram, undo } from "../../stores/workspace-store.ts";
@@ -16,15 +16,15 @@ describe("a program of the student's own", () => {
 
   it("is not the example of the first visit, in any language", async () => {
     const other = createI18n(en);
-    expect(isOwnProgram(firstWork(other).program, other)).toBe(false);
+    expect(isOwnProgram(firstProject(other).program, other)).toBe(false);
     await showLanguage(other, "de");
-    expect(isOwnProgram(firstWork(other).program, other)).toBe(false);
+    expect(isOwnProgram(firstProject(other).program, other)).toBe(false);
   });
 
   it("is not the example or a ready-made one that was named before the language changed", async () => {
     const other = createI18n(en);
     await showLanguage(other, "de");
-    const { program } = firstWork(other);
+    const { program } = firstProject(other);
     const backAndForth = {
       ...emptyProgram(other.t("program.preset.back-and-forth.name")),
       rules: programPresets.find(({ id }) => id === "back-and-forth")?.program.rules ?? [],
@@ -32,7 +32,7 @@ describe("a program of the student's own", () => {
     await showLanguage(other, "fr");
     expect(isOwnProgram(program, other)).toBe(false);
     expect(isOwnProgram(backAndForth, other)).toBe(false);
-    expect(isOwnProgram(firstWork(words).program, other)).toBe(false);
+    expect(isOwnProgram(firstProject(words).program, other)).toBe(false);
   });
 
   it.each(programPresets)("is not $id as it is loaded", ({ id, program }) => {
@@ -47,7 +47,7 @@ describe("a program of the student's own", () => {
   });
 
   it("is a ready-made one once a number was changed", () => {
-    const { program } = firstWork(words);
+    const { program } = firstProject(words);
     const edit = setNumber(program, 0, 70);
     if (!edit.ok) throw new Error(edit.code);
     expect(isOwnProgram(edit.program, words)).toBe(true);
@@ -58,18 +58,18 @@ describe("a program of the student's own", () => {
   });
 
   it("stays with another maze; anything else makes room for an empty program", () => {
-    expect(programForMaze({ ...firstWork(words).program, name: "Mine" }, words)).toBeNull();
-    expect(programForMaze(firstWork(words).program, words)).toEqual(emptyProgram());
+    expect(programForMaze({ ...firstProject(words).program, name: "Mine" }, words)).toBeNull();
+    expect(programForMaze(firstProject(words).program, words)).toEqual(emptyProgram());
     expect(programForMaze(emptyProgram("Mine"), words)).toEqual(emptyProgram("Mine"));
   });
 });
 
 describe("the name of a ready-made program whose lines are changed", () => {
   const changed = (name: string) => {
-    const program = { ...firstWork(words).program, name };
+    const program = { ...firstProject(words).program, name };
     const edit = setNumber(program, 0, 70);
     if (!edit.ok) throw new Error(edit.code);
-    const workspace = createWorkspaceStore(firstWork(words).maze, program, (before, after) =>
+    const workspace = createWorkspaceStore(firstProject(words).maze, program, (before, after) =>
       namedAfterEdit(before, after, words),
     );
     setProgram(workspace, edit.program);

@@ -1,7 +1,7 @@
 import { conditionKinds, programPresets, type ProgramDocument } from "@corridor/program";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "../../worker/first-work.ts";
+import { firstMaze, firstProgram } from "../../worker/first-project.ts";
 import { createWorkspaceStore, redo, setMaze, undo } from "../../stores/workspace-store.ts";
 import {
   addLine,

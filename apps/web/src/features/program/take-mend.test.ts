@@ -1,7 +1,7 @@
 import { applyMend, type Mend } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
 import { describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "../../worker/first-work.ts";
+import { firstMaze, firstProgram } from "../../worker/first-project.ts";
 import { createWorkspaceStore, undo } from "../../stores/workspace-store.ts";
 import { takeMend } from "./take-mend.ts";
 

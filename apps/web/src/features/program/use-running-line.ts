@@ -17,7 +17,7 @@ export function useRunningLine(
   list: RefObject<HTMLOListElement | null>,
   otherwise: RefObject<HTMLElement | null>,
 ): void {
-  const { run, lateRun, workspace } = useServices();
+  const { run, deferred, workspace } = useServices();
   // Marked anew when lines came, went or moved; the elements are there by then.
   const lineIds = useStore(workspace, (state) => state.lineIds);
   const follower = useRef<Promise<LineFollower> | null>(null);
@@ -65,14 +65,14 @@ export function useRunningLine(
       );
     };
     lookAtOnce(run.getState());
-    look(lateRun.getState());
-    const ends = [run.subscribe(lookAtOnce), lateRun.subscribe(look)];
+    look(deferred.getState());
+    const ends = [run.subscribe(lookAtOnce), deferred.subscribe(look)];
     return () => {
       for (const end of ends) end();
       mark(null);
       tell(null);
     };
-  }, [run, lateRun, lineIds, list, otherwise]);
+  }, [run, deferred, lineIds, list, otherwise]);
 
   useLayoutEffect(
     () => () => {

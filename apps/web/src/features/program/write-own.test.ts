@@ -4,7 +4,7 @@ import { createScreenStore } from "../../stores/screen-store.ts";
 import { createWorkspaceStore } from "../../stores/workspace-store.ts";
 import { en } from "../../text/en/index.ts";
 import { createI18n } from "../../text/i18n.ts";
-import { firstMaze, firstProgram } from "../../worker/first-work.ts";
+import { firstMaze, firstProgram } from "../../worker/first-project.ts";
 import { isExample } from "./example.ts";
 import { writeOwn } from "./write-own.ts";
 

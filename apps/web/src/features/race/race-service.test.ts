@@ -6,7 +6,7 @@ import { createRaceStore, RACE_KEY } from "../../stores/race-store.ts";
 import { createRunStore } from "../../stores/run-store.ts";
 import { createScreenStore } from "../../stores/screen-store.ts";
 import { createWorkspaceStore, setMaze } from "../../stores/workspace-store.ts";
-import { firstMaze, firstProgram } from "../../worker/first-work.ts";
+import { firstMaze, firstProgram } from "../../worker/first-project.ts";
 import { SimulatorClient, type WorkerPort } from "../../worker/simulator-client.ts";
 import { momentAt } from "../../worker/testing/moment-at.ts";
 import type { FromWorker, ToWorker } from "../../worker/worker-messages.ts";
@@ -137,9 +137,9 @@ describe("a race", () => {
       driver: "program",
       lines: firstProgram.rules.length,
     });
-    say({ type: "forgotten", after: 540 });
+    say({ type: "truncated", after: 540 });
     expect(race.getState().you).not.toBeNull();
-    say({ type: "forgotten", after: 539 });
+    say({ type: "truncated", after: 539 });
     expect(race.getState().you).toBeNull();
   });
 

@@ -7,7 +7,7 @@ import type { RunDocument } from "@corridor/recording";
 import type { i18n } from "i18next";
 import { saveRun } from "../../app/run-requests.ts";
 import type { Services } from "../../app/services.ts";
-import { storageOrNone, type KeyValueStorage } from "../../app/works.ts";
+import { storageOrNone, type KeyValueStorage } from "../../app/project-storage.ts";
 import type { RaceGhost } from "../../stores/race-store.ts";
 import { showMessage } from "../../stores/screen-store.ts";
 import { readGhosts, storeGhosts } from "./race-storage.ts";
@@ -189,7 +189,7 @@ export class RaceService {
       this.#waiting.delete(message.id);
     } else if (message.type === "event" && message.event.kind === "goal") {
       race.setState({ you: finishOf(message.event) });
-    } else if (message.type === "forgotten") {
+    } else if (message.type === "truncated") {
       const tick = race.getState().you?.goalTick ?? null;
       if (tick !== null && tick > message.after) race.setState({ you: null });
     } else if (message.type === "fault") {

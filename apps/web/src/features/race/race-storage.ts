@@ -1,6 +1,6 @@
 /** The ghosts of a race in the storage of this tab: a reload keeps them. */
 import { readRun, type RunDocument } from "@corridor/recording";
-import type { KeyValueStorage } from "../../app/works.ts";
+import type { KeyValueStorage } from "../../app/project-storage.ts";
 import { RACE_KEY } from "../../stores/race-store.ts";
 
 export interface StoredGhost {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { createWorkspaceStore, setMaze, setProgram } from "../../stores/workspace-store.ts";
-import { firstMaze, firstProgram } from "../../worker/first-work.ts";
+import { firstMaze, firstProgram } from "../../worker/first-project.ts";
 import { holdAgain, holdLink, type LinkBar } from "./held-link.ts";
 
 /** An address bar that remembers what its entry carries, as over a reload. */

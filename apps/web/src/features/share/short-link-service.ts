@@ -11,7 +11,7 @@ import {
   shortLinkSchema,
   type ShortLink,
 } from "@corridor/protocol";
-import type { KeyValueStorage } from "../../app/works.ts";
+import type { KeyValueStorage } from "../../app/project-storage.ts";
 
 const KEPT = "corridor.shortLinks";
 const MAX_KEPT_TEXT = 100_000;

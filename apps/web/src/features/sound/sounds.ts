@@ -4,7 +4,7 @@
  */
 import type { SensorName } from "@corridor/protocol";
 import { createStore } from "zustand/vanilla";
-import { storageOrNone } from "../../app/works.ts";
+import { storageOrNone } from "../../app/project-storage.ts";
 import type { RunStore } from "../../stores/run-store.ts";
 import { readSoundChoice, SOUND_KEY, type SoundChoice } from "./sound-choice.ts";
 import { SoundPlan } from "./sound-plan.ts";

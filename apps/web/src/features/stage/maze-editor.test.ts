@@ -1,6 +1,6 @@
 import type { MazeDocument } from "@corridor/maze";
 import { describe, expect, it } from "vitest";
-import { firstProgram } from "../../worker/first-work.ts";
+import { firstProgram } from "../../worker/first-project.ts";
 import { createScreenStore } from "../../stores/screen-store.ts";
 import { createWorkspaceStore, redo, undo } from "../../stores/workspace-store.ts";
 import { MazeEditor } from "./maze-editor.ts";

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "../../worker/first-work.ts";
+import { firstMaze, firstProgram } from "../../worker/first-project.ts";
 import { createScreenStore } from "../../stores/screen-store.ts";
 import { createWorkspaceStore, setMaze, setProgram } from "../../stores/workspace-store.ts";
 import { en } from "../../text/en/index.ts";

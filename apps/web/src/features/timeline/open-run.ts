@@ -9,14 +9,14 @@ import type { Services } from "../../app/services.ts";
 import { dismiss, showMessage, setMessageProgress } from "../../stores/screen-store.ts";
 import { loadRun } from "../../app/run-requests.ts";
 
-type Opener = Pick<Services, "simulator" | "works" | "screen">;
+type Opener = Pick<Services, "simulator" | "projects" | "screen">;
 
 /**
  * @param run one that passed its schema
  * @returns nothing when it was opened or given up; else what is wrong with it, and nothing has changed
  */
 export async function openRun(
-  { simulator, works, screen }: Opener,
+  { simulator, projects, screen }: Opener,
   words: Pick<i18n, "t">,
   run: RunDocument,
 ): Promise<readonly FieldProblem[]> {
@@ -30,7 +30,7 @@ export async function openRun(
   const loaded = await load.loaded;
   waiting.end();
   if (!loaded.ok) return loaded.reason === "refused" ? loaded.problems : [];
-  const back = works.beginShared(loaded.maze, loaded.program, true);
+  const back = projects.beginShared(loaded.maze, loaded.program, true);
   simulator.send({ type: "seek", tick: 0 });
   const id = showMessage(screen, {
     tone: "info",

@@ -10,7 +10,7 @@ import { I18nextProvider } from "react-i18next";
 import { LanguageProvider } from "../../app/language-context.ts";
 import type { LanguageChoice } from "../../app/language.ts";
 import { startTheme } from "../../app/theme.ts";
-import { storageOrNone, type KeyValueStorage } from "../../app/works.ts";
+import { storageOrNone, type KeyValueStorage } from "../../app/project-storage.ts";
 import type { ScreenStore } from "../../stores/screen-store.ts";
 import { takeVisit, type Visit } from "./watch-address.ts";
 import { WatchClient } from "./watch-client.ts";

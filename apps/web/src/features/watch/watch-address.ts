@@ -2,7 +2,7 @@
  * What somebody wants who opens a robot's address: to look on, where it ends in a watch key. A key is
  * taken out of the address at once and kept in this tab, so that a reload goes on looking.
  */
-import type { KeyValueStorage } from "../../app/works.ts";
+import type { KeyValueStorage } from "../../app/project-storage.ts";
 import type { WatchedRobot } from "../../worker/watch-messages.ts";
 
 export type Visit =

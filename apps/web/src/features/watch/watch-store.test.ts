@@ -2,7 +2,7 @@ import { closeReasons } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import type { FromWatcher, ToWatcher } from "../../worker/watch-messages.ts";
-import { firstMaze } from "../../worker/first-work.ts";
+import { firstMaze } from "../../worker/first-project.ts";
 import { WatchClient } from "./watch-client.ts";
 import { createWatchStore, drivenBy, endingOf, robotState } from "./watch-store.ts";
 

@@ -3,7 +3,7 @@ import { FilePlus2 } from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
-import type { Work } from "../../app/works.ts";
+import type { Project } from "../../app/project-storage.ts";
 import { FileMenuItems } from "../files/FileMenuItems.tsx";
 import { MenuItem } from "../../ui/Popover.tsx";
 import { openEmptyMaze } from "./empty-maze.ts";
@@ -19,7 +19,7 @@ interface MazeMenuContentProps {
 export function MazeMenuContent({ onDone }: MazeMenuContentProps) {
   const { t, i18n } = useTranslation();
   const services = useServices();
-  const [works, setWorks] = useState<readonly Work[]>(() => services.works.list());
+  const [works, setWorks] = useState<readonly Project[]>(() => services.projects.list());
   return (
     <>
       <RenameField />
@@ -35,11 +35,11 @@ export function MazeMenuContent({ onDone }: MazeMenuContentProps) {
         works={works}
         onOpen={(work) => {
           onDone();
-          services.works.open(work);
+          services.projects.open(work);
         }}
         onDelete={(work) => {
-          services.works.remove(work);
-          setWorks(services.works.list());
+          services.projects.remove(work);
+          setWorks(services.projects.list());
         }}
       />
       <SaveState isInMenu />

@@ -3,20 +3,20 @@ import { sizeOf } from "@corridor/maze";
 import { Trash2 } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
-import type { Work } from "../../app/works.ts";
+import type { Project } from "../../app/project-storage.ts";
 import { IconButton } from "../../ui/Button.tsx";
 import { MazePicture } from "../presets/MazePicture.tsx";
 import styles from "./maze-menu.module.css";
 
 interface WorksListProps {
-  works: readonly Work[];
-  onOpen: (work: Work) => void;
-  onDelete: (work: Work) => void;
+  works: readonly Project[];
+  onOpen: (work: Project) => void;
+  onDelete: (work: Project) => void;
 }
 
 export function WorksList({ works, onOpen, onDelete }: WorksListProps) {
   const { t, i18n } = useTranslation();
-  const currentId = useServices().works.currentId();
+  const currentId = useServices().projects.currentId();
   const when = new Intl.DateTimeFormat(i18n.language, {
     dateStyle: "medium",
     timeStyle: "short",

@@ -21,11 +21,11 @@ function emptyMaze(name: string): MazeDocument {
 
 /** A program that the reader has written comes along; a message leads back. */
 export function openEmptyMaze(
-  { works, screen, workspace }: Pick<Services, "works" | "screen" | "workspace">,
+  { projects, screen, workspace }: Pick<Services, "projects" | "screen" | "workspace">,
   words: Pick<i18n, "t">,
 ): void {
   const program = programForMaze(workspace.getState().program, words);
-  const back = works.begin(emptyMaze(words.t("works.newMazeName")), program);
+  const back = projects.begin(emptyMaze(words.t("works.newMazeName")), program);
   const id = showMessage(screen, {
     tone: "info",
     text: words.t("works.begun"),

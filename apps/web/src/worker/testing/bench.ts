@@ -3,7 +3,7 @@ import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { Command, DeliveredCommand, Snapshot } from "@corridor/protocol";
 import { RemoteDriver } from "../../drivers/remote-driver.ts";
-import { firstMaze, firstProgram } from "../first-work.ts";
+import { firstMaze, firstProgram } from "../first-project.ts";
 import { RunLoop } from "../run-loop.ts";
 import type { Frame } from "../worker-messages.ts";
 

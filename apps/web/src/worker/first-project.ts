@@ -5,7 +5,7 @@
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 
-export interface FirstWork {
+export interface FirstProject {
   maze: MazeDocument;
   program: ProgramDocument;
 }
@@ -39,7 +39,7 @@ export const firstProgram: ProgramDocument = {
 };
 
 /** Both with their names in the reader's language. */
-export function firstWork(mazeName: string, programName: string): FirstWork {
+export function firstProject(mazeName: string, programName: string): FirstProject {
   return {
     maze: { ...firstMaze, name: mazeName },
     program: { ...firstProgram, name: programName },
@@ -50,8 +50,8 @@ export function firstWork(mazeName: string, programName: string): FirstWork {
  * What the worker begins with by itself.
  * @param name of the worker, as `public/first.js` gives it: on a first visit the names of both documents
  */
-export function earlyWork(name: string): FirstWork | null {
+export function earlyWork(name: string): FirstProject | null {
   if (name === "") return null;
   const [mazeName, programName] = JSON.parse(name) as [string, string];
-  return firstWork(mazeName, programName);
+  return firstProject(mazeName, programName);
 }

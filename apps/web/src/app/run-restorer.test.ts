@@ -7,11 +7,11 @@ import { MemoryWorldStore } from "../worker/testing/memory-world-store.ts";
 import { WorldKeeper } from "../worker/world-keeper.ts";
 import type { WorldJournal } from "../worker/world-store.ts";
 import type { FromWorker, LoadedRun, ToWorker } from "../worker/worker-messages.ts";
-import { firstMaze, firstProgram } from "../worker/first-work.ts";
-import { RunKeeper } from "./run-keeper.ts";
+import { firstMaze, firstProgram } from "../worker/first-project.ts";
+import { RunRestorer } from "./run-restorer.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
 
-/** What a page leaves behind: its tab, and the device. */
+/** The state that outlives a page: its tab, and the device. */
 interface Left {
   tab: MemoryStorage;
   store: MemoryWorldStore;
@@ -19,19 +19,19 @@ interface Left {
 
 let writers = 0;
 
-/** A page with the real run behind it, wired as the worker's entry does it. */
+/** A page with a real run, connected as in the worker's entry. */
 function openPage(
   { tab, store }: Left = { tab: new MemoryStorage(), store: new MemoryWorldStore() },
   maze = firstMaze,
 ) {
   let time = 0;
   const listeners = new Set<(message: FromWorker) => void>();
-  const told: string[] = [];
+  const lost: string[] = [];
   const loop = new RunLoop(maze, firstProgram, () => time);
   const post = (message: FromWorker) => {
     for (const listener of listeners) listener(message);
   };
-  const tellNews = () => {
+  const postUpdate = () => {
     const news = loop.takeNews();
     if (news !== null) post({ type: "frame", frame: news.frame, timeline: null });
     worlds.follow();
@@ -50,7 +50,7 @@ function openPage(
       post({ type: "run-key", key });
       return noted;
     },
-    onClaimed: () => void told.push("claimed"),
+    onClaimed: () => void lost.push("claimed"),
     newId: () => `id-${(writers += 1)}`,
     now: () => time,
     after: () => () => undefined,
@@ -59,7 +59,7 @@ function openPage(
     worlds.claimed();
     post({ type: "run-loaded", id, loaded });
   };
-  /** a slice of a long run takes all its time */
+  /** whether a slice of a long run takes all its time */
   let isSlow = false;
   let slowTime = 0;
   const slices: (() => void)[] = [];
@@ -83,10 +83,10 @@ function openPage(
         restored: (journal) => (of.restored = journal),
       });
     }
-    tellNews();
+    postUpdate();
   };
   const workspace = createWorkspaceStore(maze, firstProgram);
-  const keeper = new RunKeeper({
+  const keeper = new RunRestorer({
     simulator: {
       send,
       isGone: false,
@@ -97,30 +97,30 @@ function openPage(
     },
     workspace,
     tab,
-    onNotStored: () => void told.push("not stored"),
-    onLost: () => void told.push("lost"),
+    onNotStored: () => void lost.push("not stored"),
+    onLost: () => void lost.push("lost"),
   });
   const pass = async (milliseconds: number) => {
     for (const end = time + milliseconds; time < end;) {
       time += 8;
       loop.advance();
-      tellNews();
+      postUpdate();
       await settle();
     }
   };
   const beSlow = () => void (isSlow = true);
   const slice = () => slices.shift()?.();
-  tellNews();
-  return { loop, keeper, worlds, of, tab, store, workspace, pass, told, beSlow, slice };
+  postUpdate();
+  return { loop, keeper, worlds, of, tab, store, workspace, pass, lost, beSlow, slice };
 }
 
-/** Lets all that waits for nothing else come to its end. */
+/** Runs everything that depends on no timer. */
 async function settle(): Promise<void> {
   for (let n = 0; n < 20; n++) await Promise.resolve();
 }
 
 describe("a run over a reload", () => {
-  it("comes back paused where it was stored last, at most a quarter of a second ago", async () => {
+  it("is restored paused, at most a quarter of a second before the reload", async () => {
     const page = openPage();
     page.loop.run();
     await page.pass(4_000);
@@ -134,7 +134,7 @@ describe("a run over a reload", () => {
     expect(pose).toEqual(again.run.pose);
   });
 
-  it("stands to the bit where a robot that is paused stood, with the hand's driving of before", async () => {
+  it("restores a paused robot bit for bit, including earlier driving by hand", async () => {
     const page = openPage();
     page.loop.run();
     await page.pass(500);
@@ -153,7 +153,7 @@ describe("a run over a reload", () => {
     expect(reloaded.loop.snapshot().pose).toEqual(page.loop.snapshot().pose);
   });
 
-  it("has what happened up to an ending that was sent, and how its commands ended", async () => {
+  it("contains everything up to an ending that was sent, and how its commands ended", async () => {
     const page = openPage();
     page.loop.run();
     await page.pass(100);
@@ -165,7 +165,7 @@ describe("a run over a reload", () => {
     expect(reloaded.of.restored).toEqual(page.of.journal);
   });
 
-  it("ends the command that ran where the restored robot stands", async () => {
+  it("ends the running command where the restored robot stands", async () => {
     const page = openPage();
     page.loop.run();
     await page.pass(1_000);
@@ -185,7 +185,7 @@ describe("a run over a reload", () => {
     });
   });
 
-  it("is written together for all that asks meanwhile", async () => {
+  it("is written once for all concurrent requests", async () => {
     const page = openPage();
     page.loop.run();
     await page.pass(100);
@@ -195,7 +195,7 @@ describe("a run over a reload", () => {
     expect(page.store.writes - before).toBeLessThanOrEqual(2);
   });
 
-  it("is the other page's where a tab was doubled, and this one stores another", async () => {
+  it("belongs to the other page if a tab was duplicated, and this one stores another", async () => {
     const page = openPage();
     page.loop.run();
     await page.pass(1_000);
@@ -204,27 +204,27 @@ describe("a run over a reload", () => {
     const double = openPage({ tab, store: page.store });
     await double.keeper.resume();
     expect(double.loop.snapshot().tick).toBeGreaterThan(0);
-    // Nothing that happens here from now on is known there.
+    // This page's later changes are not stored there.
     await page.worlds.save();
-    expect(page.told).toEqual(["claimed"]);
+    expect(page.lost).toEqual(["claimed"]);
     await page.pass(300);
     expect(page.tab.getItem("corridor.run")).not.toBe(tab.getItem("corridor.run"));
     await page.worlds.save();
-    expect(page.told).toEqual(["claimed"]);
+    expect(page.lost).toEqual(["claimed"]);
   });
 
-  it("tells a page whose world was claimed before it sends the next ending", async () => {
+  it("reports to a page that its world was claimed before it sends the next ending", async () => {
     const page = openPage();
     page.loop.run();
     await page.pass(1_000);
     await page.store.claim(page.tab.getItem("corridor.run") ?? "", "another page");
-    // Nobody waits for this write, which stores the progress of the run.
+    // No request depends on this write, which stores the progress of the run.
     await page.pass(300);
-    expect(page.told).toEqual(["claimed"]);
-    // This page's world is one of its own from now on.
+    expect(page.lost).toEqual(["claimed"]);
+    // This page has its own world from now on.
     await page.pass(300);
     await page.worlds.save();
-    expect(page.told).toEqual(["claimed"]);
+    expect(page.lost).toEqual(["claimed"]);
     expect(page.store.worlds.size).toBe(2);
   });
 
@@ -244,10 +244,10 @@ describe("a run over a reload", () => {
     await reloaded.keeper.resume();
     expect(page.loop.snapshot().tick).toBeLessThan(30);
     expect(reloaded.loop.snapshot().tick).toBeLessThanOrEqual(page.loop.snapshot().tick);
-    expect(reloaded.told).toEqual([]);
+    expect(reloaded.lost).toEqual([]);
   });
 
-  it("has the edits of the last moment, where the page had time to note them", async () => {
+  it("has the latest edits if the page had time to store them", async () => {
     const page = openPage();
     page.loop.run();
     await page.pass(1_000);
@@ -261,7 +261,7 @@ describe("a run over a reload", () => {
     expect(reloaded.loop.recording.run.program).toEqual(program);
   });
 
-  it("is not restored where another maze is open now, or the robot drives already", async () => {
+  it("is not restored if another maze is open now, or the robot drives already", async () => {
     const page = openPage();
     page.loop.run();
     await page.pass(1_000);
@@ -274,10 +274,10 @@ describe("a run over a reload", () => {
     await eager.pass(100);
     await eager.keeper.resume();
     expect(eager.loop.snapshot().tick).toBeLessThan(10);
-    expect([...other.told, ...eager.told]).toEqual([]);
+    expect([...other.lost, ...eager.lost]).toEqual([]);
   });
 
-  it("is not waited for by who drives already while a long one is restored", async () => {
+  it("does not delay a user who drives while a long one is restored", async () => {
     const page = openPage();
     page.loop.run();
     await page.pass(20_000);
@@ -289,12 +289,12 @@ describe("a run over a reload", () => {
     reloaded.loop.run();
     await reloaded.pass(500);
     await resumed;
-    expect(reloaded.told).toEqual([]);
+    expect(reloaded.lost).toEqual([]);
     expect(reloaded.loop.snapshot().tick).toBeLessThan(40);
     expect(reloaded.loop.isRunning).toBe(true);
   });
 
-  it("is still there for the next page when this one goes before it was restored", async () => {
+  it("is still available to the next page if this one closes before it is restored", async () => {
     const page = openPage();
     page.loop.run();
     await page.pass(20_000);
@@ -310,7 +310,7 @@ describe("a run over a reload", () => {
     expect(reloaded.loop.snapshot().tick).toBe(page.loop.snapshot().tick);
   });
 
-  it("that stands at its start leaves nothing behind", async () => {
+  it("leaves nothing behind while it stands at its start", async () => {
     const page = openPage();
     await page.pass(500);
     page.keeper.flush();
@@ -321,44 +321,44 @@ describe("a run over a reload", () => {
   it.each([
     {
       name: "was written by another version",
-      spoil: (world: Record<string, unknown>) => (world["inputs"] = [{ tick: 0, do: "dance" }]),
+      corrupt: (world: Record<string, unknown>) => (world["inputs"] = [{ tick: 0, do: "dance" }]),
     },
     {
       name: "ends in other bits here",
-      spoil: (world: Record<string, unknown>) => (world["digest"] = "0000000000000000"),
+      corrupt: (world: Record<string, unknown>) => (world["digest"] = "0000000000000000"),
     },
-  ])("is told to be lost when it $name", async ({ spoil }) => {
+  ])("is reported as lost if it $name", async ({ corrupt }) => {
     const page = openPage();
     page.loop.run();
     await page.pass(1_000);
-    for (const world of page.store.worlds.values()) spoil(world as never);
+    for (const world of page.store.worlds.values()) corrupt(world as never);
     const reloaded = openPage(page);
     await reloaded.keeper.resume();
-    expect(reloaded.told).toEqual(["lost"]);
+    expect(reloaded.lost).toEqual(["lost"]);
     expect(reloaded.loop.snapshot().tick).toBe(0);
   });
 });
 
 describe("a device that cannot store a run", () => {
-  it("is told of once, endings wait for nothing, and a reload begins at the start", async () => {
+  it("is reported once, endings wait for nothing, and a reload starts at the start", async () => {
     const page = openPage();
     page.loop.run();
     await page.pass(1_000);
     page.store.isFull = true;
     await page.pass(1_000);
     await page.worlds.save();
-    expect(page.told).toEqual(["not stored"]);
-    // An older state of the world would contradict what was sent since.
+    expect(page.lost).toEqual(["not stored"]);
+    // An older state of the world would contradict messages sent since.
     const reloaded = openPage(page);
     await reloaded.keeper.resume();
     expect(reloaded.loop.snapshot().tick).toBe(0);
     page.loop.reset();
     page.loop.run();
     await page.pass(1_000);
-    expect(page.told).toEqual(["not stored"]);
+    expect(page.lost).toEqual(["not stored"]);
   });
 
-  it("stores the next run again, once there is room", async () => {
+  it("stores the next run again once there is room", async () => {
     const page = openPage();
     page.store.isFull = true;
     page.loop.run();
@@ -372,7 +372,7 @@ describe("a device that cannot store a run", () => {
     expect(reloaded.loop.snapshot().tick).toBeGreaterThan(0);
   });
 
-  it("is one whose tab takes nothing, too", async () => {
+  it("includes one whose tab refuses writes", async () => {
     const tab = new MemoryStorage();
     tab.setItem = () => {
       throw new DOMException("forbidden", "SecurityError");
@@ -381,7 +381,7 @@ describe("a device that cannot store a run", () => {
     page.loop.run();
     await page.pass(1_000);
     await page.worlds.save();
-    expect(page.told).toEqual(["not stored"]);
+    expect(page.lost).toEqual(["not stored"]);
     expect(page.store.writes).toBe(0);
   });
 });

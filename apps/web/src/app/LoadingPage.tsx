@@ -1,18 +1,18 @@
 /**
- * The page while the work that its address asks for is on its way: its frames, and what there is to say.
- * Another work would be taken for the one that was asked for.
+ * The page while the project of its address is loading: empty regions and messages. Displaying
+ * another project would suggest that it is the requested one.
  */
 import { useTranslation } from "react-i18next";
 import { Messages } from "../features/messages/Messages.tsx";
 import { SpokenRun } from "../features/speech/SpokenRun.tsx";
 import page from "./app.module.css";
 import { Brand } from "./Brand.tsx";
-import styles from "./empty-house.module.css";
+import styles from "./loading-page.module.css";
 import sheet from "./phone-sheet.module.css";
 import panel from "./side-panel.module.css";
 import bar from "./top-bar.module.css";
 
-export function EmptyHouse() {
+export function LoadingPage() {
   const { t } = useTranslation();
   return (
     <div className={page["page"]}>

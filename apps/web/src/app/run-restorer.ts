@@ -1,48 +1,48 @@
 /**
- * Restores this tab's run after a reload. The worker stores the run (`world-keeper.ts`); the tab notes under which key,
- * and which project was open when the page was left.
+ * Restores this tab's run after a reload. The worker stores the run; the tab stores its key and
+ * which project was open when the page was left.
  */
 import type { WorkspaceStore } from "../stores/workspace-store.ts";
 import type { SimulatorClient } from "../worker/simulator-client.ts";
 import type { Frame, LoadedRun } from "../worker/worker-messages.ts";
 import { restoreRun, type RunLoad } from "./run-requests.ts";
-import type { KeyValueStorage } from "./works.ts";
+import type { KeyValueStorage } from "./project-storage.ts";
 
 const KEY = "corridor.run";
-/** The documents that were open when the page was left, as one line. */
+/** The documents that were open when the page was left, as one JSON text. */
 const PROJECT_KEY = "corridor.run.project";
 
-export interface RunKeeperPorts {
+export interface RunRestorerPorts {
   simulator: Pick<SimulatorClient, "send" | "listen" | "isGone">;
   workspace: WorkspaceStore;
   /** sessionStorage */
   tab: KeyValueStorage;
-  /** this device cannot store the run: a reload begins at the start; called once */
+  /** this device cannot store the run, and a reload starts at the start; called once */
   onNotStored: () => void;
   /** the run before the reload could not be restored */
   onLost: () => void;
 }
 
-export class RunKeeper {
-  readonly #ports: RunKeeperPorts;
+export class RunRestorer {
+  readonly #ports: RunRestorerPorts;
   #frame: Frame | null = null;
   /** the run that is being restored */
   #load: RunLoad | null = null;
-  #hasTold = false;
+  #hasReported = false;
 
-  /** Begins to note where the worker stores the run. */
-  constructor(ports: RunKeeperPorts) {
+  /** Starts to store the key of the worker's run. */
+  constructor(ports: RunRestorerPorts) {
     this.#ports = ports;
     ports.simulator.listen((message) => {
-      if (message.type === "run-key") this.#note(message.key);
+      if (message.type === "run-key") this.#storeKey(message.key);
       if (message.type !== "frame") return;
       this.#frame = message.frame;
-      // Whoever drives or edits already while a long run is restored has begun another one.
+      // A user who drives or edits while a long run is restored has started another run.
       if (!this.#isUntouched()) this.#load?.cancel();
     });
   }
 
-  /** Notes which project is open; at once, since the page may be going. */
+  /** Stores which project is open; synchronously, since the page may be closing. */
   flush(): void {
     if (this.#ports.tab.getItem(KEY) !== null) this.#write(PROJECT_KEY, this.#project());
   }
@@ -56,27 +56,27 @@ export class RunKeeper {
     this.#load = restoreRun(simulator, key, isSameProject);
     const loaded = await this.#load.loaded;
     this.#load = null;
-    if (loaded.ok) this.#bringEdits(loaded);
+    if (loaded.ok) this.#sendEdits(loaded);
     else if (loaded.reason !== "cancelled" && loaded.reason !== "other-project") onLost();
   }
 
-  #note(key: string | null): void {
+  #storeKey(key: string | null): void {
     const { simulator, tab, onNotStored } = this.#ports;
     if (key === null) tab.removeItem(KEY);
     const ok = key === null || this.#write(KEY, key);
     simulator.send({ type: "run-key-noted", ok });
-    if (key !== null || this.#hasTold) return;
-    this.#hasTold = true;
+    if (key !== null || this.#hasReported) return;
+    this.#hasReported = true;
     onNotStored();
   }
 
-  /** Whether nothing has happened to the robot that the page began with. */
+  /** Whether the robot is unchanged since the page started. */
   #isUntouched(): boolean {
     return (this.#frame?.nowTick ?? 0) === 0 && (this.#frame?.revision ?? 0) === 0;
   }
 
-  /** Edits of the last moment before the reload, which the worker had not stored yet. */
-  #bringEdits(loaded: Extract<LoadedRun, { ok: true }>): void {
+  /** Sends edits from just before the reload that the worker had not stored yet. */
+  #sendEdits(loaded: Extract<LoadedRun, { ok: true }>): void {
     const { workspace, simulator } = this.#ports;
     const { maze, program } = workspace.getState();
     if (JSON.stringify(loaded.maze) !== JSON.stringify(maze)) {
@@ -92,7 +92,7 @@ export class RunKeeper {
     return JSON.stringify([maze, program]);
   }
 
-  /** @returns whether the tab has taken it */
+  /** @returns whether the tab accepted the write */
   #write(key: string, text: string): boolean {
     try {
       this.#ports.tab.setItem(key, text);

@@ -1,57 +1,58 @@
 /**
- * Never loses the focus: where the focused control goes or is switched off (a card that is closed, Back to
- * now, the last hint), the browser leaves the focus nowhere, and who has no mouse begins again at the top
- * of the page. Here it goes to the nearest control that is left, else to where it was before, else to Run.
- * Comes with the first key that is pressed (`keep-focus-later.ts`): who presses none needs no focus.
+ * Prevents loss of focus. If the focused control is removed or disabled (a closed card, Back to
+ * now, the last hint), the browser resets the focus, and keyboard users start again at the top of
+ * the page. This module moves it to the nearest remaining control, or to where it was before, or to
+ * Run. Loaded with the first key press (`lazy-restore-focus.ts`).
  */
 
 const FOCUSABLE =
   "a[href], button, input, select, textarea, summary, [tabindex]:not([tabindex='-1'])";
-/** Containers that belong together: beyond them "near" means nothing. */
+/** Groups of controls: beyond them "near" has no meaning. */
 const GROUPS = "section, fieldset, dialog, [popover], li, form";
-/** Places that are remembered, the newest last. */
-const MOST = 12;
+/** Largest number of recorded elements. */
+const MAX_PLACES = 12;
 
-/** @returns a function that ends it */
-export function keepFocus(page: Document): () => void {
+/** @returns a function that stops it */
+export function restoreFocus(page: Document): () => void {
   const end = new AbortController();
   const { signal } = end;
-  /** where the focus was, with what was around it then */
+  /** focused elements with their containers, the newest last */
   let places: { element: HTMLElement; around: Element[] }[] = [];
-  /** the reader has taken the focus away, by a press on nothing or out of the window */
-  let isGivenUp = true;
+  /** the user released the focus, by a press on the background or outside of the window */
+  let isReleased = true;
 
-  function note(target: EventTarget | null): void {
+  function record(target: EventTarget | null): void {
     if (!(target instanceof HTMLElement)) return;
-    // Who presses with a pointer needs no focus, and holds a drive key next: none is put in their way.
-    isGivenUp = !target.matches(":focus-visible");
+    // A pointer user needs no focus, and holds a drive key next: restored focus would be in the
+    // way.
+    isReleased = !target.matches(":focus-visible");
     const others = places.filter(({ element }) => element !== target);
-    places = [...others, { element: target, around: containersOf(target) }].slice(-MOST);
+    places = [...others, { element: target, around: containersOf(target) }].slice(-MAX_PLACES);
   }
-  // The key with which this came has moved the focus already.
-  if (page.activeElement !== page.body) note(page.activeElement);
-  page.addEventListener("focusin", ({ target }) => note(target), { signal });
+  // The key press that loaded this module has already moved the focus.
+  if (page.activeElement !== page.body) record(page.activeElement);
+  page.addEventListener("focusin", ({ target }) => record(target), { signal });
   page.addEventListener(
     "focusout",
     ({ target, relatedTarget }) => {
       if (relatedTarget !== null || !(target instanceof HTMLElement)) return;
-      // A control that is being taken out of the page is still in it here.
+      // A control that is being removed is still in the page here.
       queueMicrotask(() => {
-        if (page.activeElement === page.body && canTakeFocus(target)) isGivenUp = true;
+        if (page.activeElement === page.body && canTakeFocus(target)) isReleased = true;
       });
     },
     { signal },
   );
 
-  /** A control that is switched off keeps the focus for a moment, and answers no key. */
+  /** A disabled control retains the focus for a moment, and handles no key. */
   function isLost(): boolean {
     const { activeElement } = page;
     return (
-      !isGivenUp && (activeElement === page.body || activeElement?.matches(":disabled") === true)
+      !isReleased && (activeElement === page.body || activeElement?.matches(":disabled") === true)
     );
   }
 
-  function rescue(): void {
+  function restore(): void {
     const last = places.at(-1);
     if (!isLost() || last === undefined || canTakeFocus(last.element)) return;
     const near = last.around.map(firstIn).find((each) => each !== null);
@@ -61,28 +62,28 @@ export function keepFocus(page: Document): () => void {
   }
 
   let isDue = false;
-  // A dialog that closes gives the focus back by itself, a little later than it goes.
-  const watch = new MutationObserver(() => {
+  // A closing dialog restores the focus by itself, slightly later.
+  const observer = new MutationObserver(() => {
     if (isDue || !isLost()) return;
     isDue = true;
     setTimeout(() => {
       isDue = false;
-      rescue();
+      restore();
     });
   });
-  watch.observe(page.body, {
+  observer.observe(page.body, {
     childList: true,
     subtree: true,
     attributes: true,
     attributeFilter: ["disabled", "hidden", "open"],
   });
   return () => {
-    watch.disconnect();
+    observer.disconnect();
     end.abort();
   };
 }
 
-/** What is around an element, from the inside, up to the group that it belongs to. */
+/** The ancestors of an element, from the inside, up to its group. */
 function containersOf(element: Element): Element[] {
   const containers: Element[] = [];
   for (let at = element.parentElement; at !== null; at = at.parentElement) {

@@ -1,14 +1,16 @@
 /**
- * Reads one stored work. A file of its own, because the schemas that it needs are a fifth of the
- * page: they come before the page opens only where something is stored.
+ * Parses one stored project. In its own file, because the schemas are a fifth of the page: they
+ * load before the page opens only if something is stored.
  */
 import { parseMaze } from "@corridor/maze";
 import { parseProgram } from "@corridor/program";
 import { describeProblem, type FieldProblem } from "@corridor/protocol";
-import type { ReadWork } from "./works.ts";
+import type { ReadProject } from "./project-storage.ts";
 
-/** @param id the one in the entry's key, which wins: a copied entry is its own work */
-export const readWork: ReadWork = (text, id) => {
+/**
+ * @param id the id in the entry's key, which takes precedence: a copied entry is its own project
+ */
+export const readProject: ReadProject = (text, id) => {
   let input: unknown;
   try {
     input = JSON.parse(text);
@@ -27,7 +29,7 @@ export const readWork: ReadWork = (text, id) => {
     ok: true,
     value: {
       id,
-      // The documents are the work. The rest has a harmless reading whatever stands there.
+      // Only the documents must be valid. The other fields have harmless defaults.
       savedAt: typeof savedAt === "number" && Number.isFinite(savedAt) ? savedAt : 0,
       revision: typeof revision === "string" ? revision : "",
       edited: edited !== false,

@@ -1,14 +1,14 @@
-/** Keeps on the device what its reader has switched off: keys without Ctrl, the spoken run. */
+/** Stores the switches of single-key shortcuts and spoken messages on the device. */
 import type { ScreenState, ScreenStore } from "../stores/screen-store.ts";
-import type { KeyValueStorage } from "./works.ts";
+import type { KeyValueStorage } from "./project-storage.ts";
 
 const keys = {
   singleKeys: "corridor.single-keys",
   speakRun: "corridor.speak-run",
 } as const satisfies Partial<Record<keyof ScreenState, string>>;
 
-/** Reads the kept choices, then follows the switches. */
-export function keepSwitches(screen: ScreenStore, storage: KeyValueStorage): void {
+/** Reads the stored switches, then stores changes. */
+export function storeSwitches(screen: ScreenStore, storage: KeyValueStorage): void {
   for (const name of ["singleKeys", "speakRun"] as const) {
     if (storage.getItem(keys[name]) === "off") screen.setState({ [name]: false });
     screen.subscribe((state, before) => {

@@ -1,9 +1,12 @@
-/** Fetches what never loses the focus with the first key, or, for those who listen and press none, a while later. */
+/**
+ * Loads focus restoration with the first key press or, for screen-reader users who press none, some
+ * seconds later.
+ */
 
 const LATER_MS = 8000;
 
-/** @returns a function that ends it */
-export function keepFocusLater(): () => void {
+/** @returns a function that stops it */
+export function lazyRestoreFocus(): () => void {
   let end = (): void => {
     clearTimeout(timer);
     removeEventListener("keydown", load);
@@ -13,9 +16,9 @@ export function keepFocusLater(): () => void {
     end();
     let isOver = false;
     end = () => (isOver = true);
-    // Without it the focus goes where the browser lets it go.
-    import("./keep-focus.ts").then(
-      ({ keepFocus }) => {
+    // Without it the browser decides about the focus.
+    import("./restore-focus.ts").then(
+      ({ restoreFocus: keepFocus }) => {
         if (!isOver) end = keepFocus(document);
       },
       () => undefined,
