@@ -44,9 +44,9 @@ export class RobotPage {
       },
       onDelivery: (delivery) => this.#loop.accept(delivery),
       cancel: (reason) => this.#loop.cancelRemote(reason),
-      takeBack: (seq) => this.#loop.remote?.cancelOne(seq),
-      giveBack: () => this.#loop.remote?.reset(),
-      hear: (alive) => this.#loop.remote?.renew(alive),
+      cancelOne: (seq) => this.#loop.remote?.cancelOne(seq),
+      reset: () => this.#loop.remote?.reset(),
+      renew: (alive) => this.#loop.remote?.renew(alive),
       fetch: () => Promise.reject(new Error("The robot is registered already.")),
       platform: withListener(platformFor(transports), (direction, text) => {
         if (direction === "down") this.#onReceived(text);
@@ -70,7 +70,7 @@ export class RobotPage {
   /** Advances the page by the elapsed time. Called as often as in the worker. */
   advance(): void {
     this.#loop.advance();
-    this.#hasUnsentChanges ||= this.#loop.takeNews() !== null;
+    this.#hasUnsentChanges ||= this.#loop.takeUpdate() !== null;
     this.#loop.takeTimeline();
     this.#reportMotion();
     const wait = this.#hasUnsentChanges ? RELAY_INTERVAL_MS : RELAY_HEARTBEAT_MS;

@@ -5,7 +5,7 @@ import { createScreenStore } from "../stores/screen-store.ts";
 import { en } from "../text/en/index.ts";
 import { createI18n, showLanguage, shownLanguage } from "../text/i18n.ts";
 import { languages } from "../text/languages.ts";
-import { earlyWork } from "../worker/first-project.ts";
+import { earlyProject } from "../worker/first-project.ts";
 import { firstWords } from "../../build/first-script.ts";
 import { firstProject } from "./first-visit.ts";
 import { LanguageChoice } from "./language.ts";
@@ -93,7 +93,7 @@ describe("a first visit", () => {
     async ({ tag }) => {
       const i18n = createI18n(en);
       await showLanguage(i18n, tag);
-      expect(earlyWork(open({ search: `?lang=${tag}` }).name)).toEqual(firstProject(i18n));
+      expect(earlyProject(open({ search: `?lang=${tag}` }).name)).toEqual(firstProject(i18n));
     },
   );
 
@@ -105,7 +105,7 @@ describe("a first visit", () => {
     { what: "the address is a robot's", pathname: "/r/robot" },
     { what: "the address is a short link", pathname: "/m/AAAAAAAAAAAA" },
   ])("is none where $what: the worker waits for the page", (visit) => {
-    expect(earlyWork(open(visit).name)).toBeNull();
+    expect(earlyProject(open(visit).name)).toBeNull();
   });
 
   it("fetches the page's script after the worker's start, later visits at once", () => {
@@ -114,7 +114,7 @@ describe("a first visit", () => {
   });
 
   it("is one for who only chose a theme", () => {
-    expect(earlyWork(open({ stored: { "corridor.theme": "dark" } }).name)).not.toBeNull();
+    expect(earlyProject(open({ stored: { "corridor.theme": "dark" } }).name)).not.toBeNull();
   });
 });
 

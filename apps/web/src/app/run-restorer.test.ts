@@ -4,7 +4,7 @@ import { restoreWorld, type RestoredJournal } from "../worker/restored-world.ts"
 import { RunLoader } from "../worker/run-loader.ts";
 import { RunLoop } from "../worker/run-loop.ts";
 import { MemoryWorldStore } from "../worker/testing/memory-world-store.ts";
-import { WorldKeeper } from "../worker/world-keeper.ts";
+import { WorldRepository } from "../worker/world-repository.ts";
 import type { WorldJournal } from "../worker/world-store.ts";
 import type { FromWorker, LoadedRun, ToWorker } from "../worker/worker-messages.ts";
 import { firstMaze, firstProgram } from "../worker/first-project.ts";
@@ -32,20 +32,20 @@ function openPage(
     for (const listener of listeners) listener(message);
   };
   const postUpdate = () => {
-    const news = loop.takeNews();
-    if (news !== null) post({ type: "frame", frame: news.frame, timeline: null });
-    worlds.follow();
+    const update = loop.takeUpdate();
+    if (update !== null) post({ type: "frame", frame: update.frame, timeline: null });
+    worlds.update();
   };
   const notes: ((ok: boolean) => void)[] = [];
   const of: { journal: WorldJournal | null; restored: RestoredJournal | null } = {
     journal: null,
     restored: null,
   };
-  const worlds = new WorldKeeper({
+  const worlds = new WorldRepository({
     openStore: async () => store,
     recording: () => loop.recording,
     journal: () => of.journal ?? of.restored,
-    noteKey: (key) => {
+    storeKey: (key) => {
       const noted = new Promise<boolean>((resolve) => notes.push(resolve));
       post({ type: "run-key", key });
       return noted;
@@ -65,8 +65,8 @@ function openPage(
   const slices: (() => void)[] = [];
   const loader = new RunLoader({
     now: () => (isSlow ? (slowTime += 10) : time),
-    later: () => void slices.push(() => loader.goOn()),
-    tellPart: () => undefined,
+    later: () => void slices.push(() => loader.next()),
+    onPart: () => undefined,
     answer,
   });
   const send = (message: ToWorker) => {
@@ -76,7 +76,7 @@ function openPage(
     if (message.type === "restore-run") {
       const { id } = message;
       void restoreWorld(message, {
-        keeper: worlds,
+        repository: worlds,
         run: () => loop,
         load: (run, open) => loader.load({ id, run }, open),
         answer: (loaded) => answer(id, loaded),

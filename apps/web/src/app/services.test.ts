@@ -5,7 +5,7 @@ import { createI18n } from "../text/i18n.ts";
 import type { WorkerPort } from "../worker/simulator-client.ts";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { frameOf } from "../worker/testing/frame-of.ts";
-import { momentAt } from "../worker/testing/moment-at.ts";
+import { runEventAt } from "../worker/testing/run-event-at.ts";
 import type { FromWorker, ToWorker } from "../worker/worker-messages.ts";
 import { createServices } from "./services.ts";
 import { MemoryStorage } from "./testing/memory-storage.ts";
@@ -44,8 +44,8 @@ it("displays the numbers of one tick everywhere: the stage writes those that the
 describe("a run that continued from an earlier tick", () => {
   it("leaves nothing on the page that came after it", () => {
     const { receive, run, cards } = openPage();
-    receive({ type: "event", event: momentAt("bump", 316) });
-    receive({ type: "event", event: momentAt("goal", 400) });
+    receive({ type: "event", event: runEventAt("bump", 316) });
+    receive({ type: "event", event: runEventAt("goal", 400) });
     receive({ type: "truncated", after: 350 });
     expect(run.getState().event).toBeNull();
     expect(cards.getState().goal).toBeNull();
@@ -54,7 +54,7 @@ describe("a run that continued from an earlier tick", () => {
 
   it("retains what came before it", () => {
     const { receive, run, cards } = openPage();
-    receive({ type: "event", event: momentAt("goal", 400) });
+    receive({ type: "event", event: runEventAt("goal", 400) });
     receive({ type: "truncated", after: 400 });
     expect(run.getState().event?.tick).toBe(400);
     expect(cards.getState().goal?.event.tick).toBe(400);
@@ -62,7 +62,7 @@ describe("a run that continued from an earlier tick", () => {
 
   it("is empty when another run is displayed", () => {
     const { receive, run, cards } = openPage();
-    receive({ type: "event", event: momentAt("goal", 0) });
+    receive({ type: "event", event: runEventAt("goal", 0) });
     receive({ type: "truncated", after: -1 });
     expect(run.getState().event).toBeNull();
     expect(cards.getState()).toEqual({ bump: null, goal: null });

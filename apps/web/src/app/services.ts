@@ -151,7 +151,7 @@ export function createServices(browser: Browser): Services {
       case "remote":
         remote.setState(message.remote);
         return;
-      case "shown-maze":
+      case "past-maze":
         run.setState({ pastMaze: message.maze });
         return;
       case "fault":

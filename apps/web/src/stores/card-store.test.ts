@@ -1,11 +1,11 @@
 import { describe, expect, it } from "vitest";
 import { firstProgram } from "../worker/first-project.ts";
-import { momentAt } from "../worker/testing/moment-at.ts";
+import { runEventAt } from "../worker/testing/run-event-at.ts";
 import type { RunEvent } from "../worker/worker-messages.ts";
 import { createCardStore, explain, truncateCards } from "./card-store.ts";
 
 function eventOf(kind: RunEvent["kind"], tick: number): RunEvent {
-  return momentAt(kind, tick, firstProgram);
+  return runEventAt(kind, tick, firstProgram);
 }
 
 describe("explanations of a run", () => {

@@ -5,7 +5,7 @@ import { openRun, readRun } from "@corridor/recording";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "./first-project.ts";
-import { Bench, momentOf, type Moment } from "./testing/bench.ts";
+import { Bench, momentOf, type TickState } from "./testing/bench.ts";
 import { loadRun } from "./testing/load-run.ts";
 import type { DriveKey, Speed } from "./worker-messages.ts";
 
@@ -30,7 +30,7 @@ const mazes: MazeDocument[] = [
   { ...firstMaze, blocks: firstMaze.blocks.map((row) => row.replaceAll("#", ".")), goals: [] },
 ];
 
-/** What a reader, or a script, does with the page, by a name that a failing test tells. */
+/** An action of a user or a script, with a name for failing tests. */
 interface Deed {
   name: string;
   act(bench: Bench): void;
@@ -64,7 +64,7 @@ const anyDeed: fc.Arbitrary<Deed> = fc.oneof(
   deed("cancel", fc.constant(""), ({ loop }) => loop.cancelRemote("stopped")),
 );
 
-/** A deed, and the real time that passes after it in the intervals of a timer. */
+/** An action, and the real time that passes after it in timer intervals. */
 interface Chapter {
   deed: Deed;
   milliseconds: number;
@@ -80,9 +80,9 @@ const anyStory: fc.Arbitrary<Chapter[]> = fc.array(
   { minLength: 1, maxLength: 14 },
 );
 
-/** Lives a story; with what the newest moment of each tick was when it was left. */
+/** Performs a story, and returns the last state of each tick. */
 function live(bench: Bench, story: readonly Chapter[]) {
-  const moments = new Map<number, Moment>();
+  const moments = new Map<number, TickState>();
   const note = () => {
     const snapshot = bench.loop.snapshot();
     moments.set(snapshot.tick, momentOf(snapshot));
@@ -91,7 +91,7 @@ function live(bench: Bench, story: readonly Chapter[]) {
   for (const { deed, milliseconds, each } of story) {
     const before = bench.loop.snapshot().tick;
     deed.act(bench);
-    // A maze without room for the robot begins a new run.
+    // A maze without room for the robot starts a new run.
     if (bench.loop.snapshot().tick < before) moments.clear();
     note();
     for (let passed = 0; passed < milliseconds; passed += each) {
@@ -138,7 +138,8 @@ describe("whatever is done with a run", () => {
           const shown = momentOf(bench.frame().snapshot);
           // The line of the past is the one that the newest program would choose there.
           const line = wasEdited ? shown.line : moments.get(tick)?.line;
-          // A script's command begins with the next tick: seen again, it is there at the end of this one.
+          // A script's command begins with the next tick: seen again, it is there at the end of
+          // this one.
           const begun =
             shown.driver === "remote" ? { command: shown.command, motion: shown.motion } : {};
           expect(shown).toEqual({ ...moments.get(tick), line, ...begun });

@@ -4,20 +4,20 @@ import { firstMaze, firstProgram } from "./first-project.ts";
 import { Bench } from "./testing/bench.ts";
 import type { RunEvent } from "./worker-messages.ts";
 
-/** Runs until the page would be told of a bump; null when none comes within 20 seconds. */
+/** Runs until the page would receive a bump; null without one within 20 seconds. */
 function causeOfFirstBump(bench: Bench): RunEvent["cause"] {
   bench.loop.run();
   while (bench.time < 20_000) {
     bench.time += 8;
     bench.loop.advance();
-    const cause = bench.loop.takeNews()?.moments[0]?.cause ?? null;
+    const cause = bench.loop.takeUpdate()?.events[0]?.cause ?? null;
     if (cause !== null) return cause;
   }
   return null;
 }
 
 describe("a bump", () => {
-  it("is told with the decision that led to it and the room that it had", () => {
+  it("is reported with the decision that led to it and the room that it had", () => {
     const bench = new Bench(firstMaze, { ...firstProgram, rules: [] });
     const cause = causeOfFirstBump(bench);
     expect(cause).toMatchObject({
@@ -34,7 +34,7 @@ describe("a bump", () => {
     expect(cause?.readings.front).toBe(cause?.reading);
   });
 
-  it("on the way out of a delayed turn names the part and what it needed", () => {
+  it("while a delayed turn leaves the junction names the part and the room that it needed", () => {
     const box: MazeDocument = {
       ...firstMaze,
       blocks: ["..", ".#"],

@@ -1,6 +1,6 @@
 /**
- * Checks programs against challenges beside the page, so that neither the screen nor the robot waits.
- * One message in, one answer out, in the same order.
+ * Checks programs against challenges in its own worker, so that neither the screen nor the robot
+ * waits. One message in, one answer out, in the same order.
  */
 import { checkProgram } from "./check-program.ts";
 import type { CheckRequest } from "./check-request.ts";

@@ -1,4 +1,4 @@
-/** Checks a program against a challenge, and says in each maze where it fails why it does. */
+/** Checks a program against a challenge, with a diagnosis for each maze where it fails. */
 import { checkChallenge, type ChallengeDocument } from "@corridor/challenge";
 import { diagnoseProgram, type Diagnosis } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";

@@ -59,7 +59,7 @@ function checkDefeat(
     : { state: "defeated", seconds, squares: countOpenCells(maze) };
 }
 
-/** Open squares that a path of open squares connects with this one, as `row * columns + column`. */
+/** Open cells that are reachable from this one, as `row * columns + column`. */
 function reachableFrom(maze: MazeDocument, start: Cell): Set<number> {
   const { columns, rows } = sizeOf(maze);
   const found = new Set([start.row * columns + start.column]);

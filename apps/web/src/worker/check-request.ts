@@ -1,4 +1,4 @@
-/** What the page asks of the worker that checks challenges, and what it hears. */
+/** Requests to the worker that checks challenges, and its answers. */
 import type { ChallengeDocument, Verdict } from "@corridor/challenge";
 import type { Diagnosis } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
@@ -10,6 +10,6 @@ export interface CheckRequest {
 
 export interface CheckAnswer {
   verdict: Verdict;
-  /** for each maze why the program fails there; null where it passes */
+  /** for each maze why the program fails there; null if it passes */
   diagnoses: readonly (Diagnosis | null)[];
 }

@@ -1,4 +1,4 @@
-/** An unexpected error in one line, for the page to show. */
+/** Describes an unexpected error in one line. */
 export function describeFault(error: unknown): string {
   return error instanceof Error ? `${error.name}: ${error.message}` : String(error);
 }

@@ -1,6 +1,6 @@
 /**
- * Says why the run on the screen failed: from the stretch of the recording that the program alone drove
- * up to the failure. In a file of its own that comes once the robot drives.
+ * Diagnoses why the displayed run failed, from the part of the recording before the failure that
+ * the program alone drove. In its own file, which loads once the robot drives.
  */
 import {
   bumpEvent,
@@ -16,16 +16,21 @@ import type { LineRef } from "@corridor/protocol";
 import type { Recording, Run } from "@corridor/recording";
 import { Simulation } from "@corridor/simulation";
 
-/** A diagnosis with the program that drove: it may have been edited on the page meanwhile. */
+/** A diagnosis with the program that drove: it may have been edited on the page since. */
 export interface DiagnosedRun {
   program: ProgramDocument;
   diagnosis: Diagnosis;
 }
 
-/** The task of the open challenge. @param isWhole whether the program alone drove since the start */
+/**
+ * The task of the open challenge. @param isWhole whether the program alone drove since the start
+ */
 export type TaskOf = (isWhole: boolean) => DiagnosisTask;
 
-/** The newest tick ended in a bump. @param line null where a script drove: then only the facts are given */
+/**
+ * Diagnoses a bump at the newest tick.
+ * @param line null if a script drove: then only the facts are given
+ */
 export function diagnoseBump(
   recording: Recording,
   line: LineRef | null,
@@ -40,8 +45,8 @@ export function diagnoseBump(
 }
 
 /**
- * @param failure what the tick ended in: a bump, the time over, or a sign that the robot gets nowhere
- * @param tick of the failure; the newest one for a bump
+ * @param failure how the tick ended: a bump, the time limit, or a sign that the robot gets nowhere
+ * @param tick tick of the failure; the newest one for a bump
  */
 export function diagnoseAt(
   recording: Recording,
@@ -52,11 +57,11 @@ export function diagnoseAt(
   const { run } = recording;
   const { cause } = run;
   const playback = recording.playback();
-  // A turn that began before an edit belongs to the program that began it.
+  // A turn that started before an edit belongs to the program that started it.
   const since = recording.newestInputUpTo(failure === "bump" ? (cause?.decidedAt ?? tick) : tick);
   playback.seek(taskOf === null ? Math.max(since, tick - FREE_PLAY_PAST) : since);
   const begin = playback.run;
-  // A manoeuvre that another program or driver began is not this program's.
+  // A manoeuvre that another program or driver started is not this program's.
   while (begin.isManoeuvring && begin.decidedAt < begin.tick && begin.tick < tick) {
     playback.step();
   }
@@ -64,7 +69,7 @@ export function diagnoseAt(
   const { maze, program } = begin;
   const robot = new Simulation(maze);
   robot.restore(begin.save().simulation);
-  // The decision that was taken at the end of this tick is taken once more by the trace.
+  // The trace repeats the decision at the end of this tick.
   robot.apply({ action: "stop" });
   const state = robot.save();
   const task = taskOf?.(begin.tick === 0) ?? freeTask(run, tick);
@@ -72,7 +77,7 @@ export function diagnoseAt(
   return diagnosis && { program, diagnosis };
 }
 
-/** A goal that was reached before proves nothing of the way after it. */
+/** A goal that was reached before proves nothing about the path after it. */
 function freeTask({ maze, goalTick }: Run, tick: number): DiagnosisTask {
   const task = freePlayTask(maze, tick);
   return goalTick === null ? task : { ...task, newSolvedCheck: null };

@@ -1,4 +1,4 @@
-/** What a challenge asks of a run in one of its mazes, in the terms of the diagnosis. */
+/** The task of a challenge in one of its mazes, in the terms of the diagnosis. */
 import {
   findViolation,
   checkChallenge,
@@ -10,7 +10,8 @@ import { TICKS_PER_SECOND } from "@corridor/simulation";
 
 /**
  * @param index of the maze
- * @param isWhole whether the program alone has driven since the start; otherwise only the goal counts
+ * @param isWhole whether the program alone has driven since the start; otherwise only the goal
+ *   counts
  */
 export function diagnosisTask(
   challenge: ChallengeDocument,

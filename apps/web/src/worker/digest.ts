@@ -1,4 +1,4 @@
-/** The digest of a run beside the robot: which bits this browser gives. Asked for by tests only. */
+/** Digest of a run without a robot: the bits that this browser computes. For tests only. */
 import { CompiledProgram } from "@corridor/program";
 import { replayDigest } from "@corridor/simulation";
 import type { ToWorker } from "./worker-messages.ts";

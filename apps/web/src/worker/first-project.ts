@@ -1,6 +1,6 @@
 /**
- * What a reader sees who has never been here: a maze that the given program solves. The page and the
- * worker both have it, since on a first visit the worker begins before the page's script is there.
+ * The project of a first visit: a maze and a program that solves it. Page and worker both have it,
+ * because on a first visit the worker starts before the page's script has loaded.
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
@@ -38,7 +38,7 @@ export const firstProgram: ProgramDocument = {
   ],
 };
 
-/** Both with their names in the reader's language. */
+/** Both with translated names. */
 export function firstProject(mazeName: string, programName: string): FirstProject {
   return {
     maze: { ...firstMaze, name: mazeName },
@@ -47,10 +47,11 @@ export function firstProject(mazeName: string, programName: string): FirstProjec
 }
 
 /**
- * What the worker begins with by itself.
- * @param name of the worker, as `public/first.js` gives it: on a first visit the names of both documents
+ * The project with which the worker starts before the page.
+ * @param name name of the worker, from `public/first.js`: on a first visit the names of both
+ *   documents
  */
-export function earlyWork(name: string): FirstProject | null {
+export function earlyProject(name: string): FirstProject | null {
   if (name === "") return null;
   const [mazeName, programName] = JSON.parse(name) as [string, string];
   return firstProject(mazeName, programName);

@@ -6,7 +6,7 @@ import { frameOf } from "./testing/frame-of.ts";
 const snapshot = snapshotOf();
 
 describe("the newest frame", () => {
-  it("comes with all that the trail gained since the last one was taken", () => {
+  it("contains everything that the trail gained since the last one was taken", () => {
     const frames = new FrameBuffer();
     expect(frames.take()).toBeNull();
     frames.add(frameOf({ snapshot, corners: [1, 2], bumps: [5, 6], trailReset: true }));
@@ -20,14 +20,14 @@ describe("the newest frame", () => {
     expect(frames.take()).toMatchObject({ corners: [], bumps: [], trailReset: false });
   });
 
-  it("forgets the trail from before the robot was put back to its start", () => {
+  it("drops the trail from before a reset", () => {
     const frames = new FrameBuffer();
     frames.add(frameOf({ snapshot, corners: [1, 2], trailReset: false }));
     frames.add(frameOf({ snapshot, corners: [9, 9], trailReset: true }));
     expect(frames.take()).toMatchObject({ corners: [9, 9], trailReset: true });
   });
 
-  it("keeps only the newest part of the trail when the page was hidden for hours", () => {
+  it("contains only the newest part of the trail after the page was hidden for hours", () => {
     const frames = new FrameBuffer();
     const corners = Array.from({ length: 60_000 }, (_, i) => i);
     frames.add(frameOf({ snapshot, corners, trailReset: false }));
@@ -37,7 +37,7 @@ describe("the newest frame", () => {
     expect(frame?.trailReset).toBe(true);
   });
 
-  it("keeps the bumps from before the page was hidden, though not their part of the trail", () => {
+  it("retains the bumps from before the page was hidden, but not their part of the trail", () => {
     const frames = new FrameBuffer();
     frames.add(frameOf({ snapshot, bumps: [1, 1], trailReset: true }));
     frames.add(frameOf({ snapshot, bumps: [5, 6] }));

@@ -1,17 +1,17 @@
 /**
- * Frames that wait to be drawn or sent: the newest one, with all that the trail gained meanwhile.
- * Whoever takes them may be much slower than the run, or hidden for hours.
+ * Frames that wait to be drawn or sent: the newest one, with everything that the trail gained
+ * meanwhile. The consumer may be much slower than the run, or hidden for hours.
  */
 import type { Frame } from "./worker-messages.ts";
 
-/** Of what was missed, so many of the newest corners and bumps are kept. */
+/** Largest numbers of corners and bumps that are retained, the newest. */
 const MAX_CORNERS = 20_000;
 const MAX_BUMPS = 100;
 
 export class FrameBuffer {
   #corners: number[] = [];
   #bumps: number[] = [];
-  /** the newest bumps since the trail began, those that were taken too */
+  /** the newest bumps since the trail started, including those already taken */
   #allBumps: number[] = [];
   #trailReset = false;
   #frame: Frame | null = null;
@@ -31,9 +31,9 @@ export class FrameBuffer {
     const tooMany = this.#corners.length - 2 * MAX_CORNERS;
     if (tooMany > 0) {
       this.#corners.splice(0, tooMany);
-      // A line across what is missing would be a way that the robot never drove.
+      // A line across the gap would be a path that the robot never drove.
       this.#trailReset = true;
-      // The bumps that are drawn go with the trail, and have to come again.
+      // A trail reset removes the drawn bumps, so they are sent again.
       this.#bumps = [...this.#allBumps];
     }
     this.#frame = frame;
@@ -45,8 +45,8 @@ export class FrameBuffer {
   }
 
   /**
-   * The newest frame, with all that the trail gained since the last call; null before the first
-   * frame. Each call takes the corners away.
+   * Takes the newest frame, with everything that the trail gained since the last call; null before
+   * the first frame.
    */
   take(): Frame | null {
     if (this.#frame === null) return null;

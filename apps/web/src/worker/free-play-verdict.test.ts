@@ -1,4 +1,4 @@
-/** In free play the page gives the verdict that `grade --why` gives of the same program in the same maze. */
+/** In free play the page shows the same verdict as `grade --why` for the same program and maze. */
 import { diagnoseFreePlay, type Diagnosis } from "@corridor/coach";
 import { generateMaze, type MazeDocument } from "@corridor/maze";
 import type { Condition, ProgramDocument, Rule } from "@corridor/program";
@@ -11,7 +11,7 @@ import { RunLoop } from "./run-loop.ts";
 
 const FIVE_MINUTES = 5 * 3600;
 
-/** What the page says last of a run that nobody touches, up to a bump, the goal or a tick. */
+/** The page's last diagnosis of an untouched run, up to a bump, the goal or a tick. */
 function saidOnPage(maze: MazeDocument, program: ProgramDocument, until: number): Diagnosis | null {
   let time = 0;
   const loop = new RunLoop(maze, program, () => time);
@@ -22,7 +22,7 @@ function saidOnPage(maze: MazeDocument, program: ProgramDocument, until: number)
   while (loop.isRunning && loop.snapshot().tick < until) {
     time += 8;
     loop.advance();
-    const bumps = loop.takeNews()?.moments.flatMap(({ diagnosis }) => diagnosis ?? []) ?? [];
+    const bumps = loop.takeUpdate()?.events.flatMap(({ diagnosis }) => diagnosis ?? []) ?? [];
     said = bumps[0] ?? loop.takeDiagnosed()?.diagnosis ?? said;
   }
   if (loop.snapshot().goalReached) return null;
@@ -32,7 +32,7 @@ function saidOnPage(maze: MazeDocument, program: ProgramDocument, until: number)
 function gradedWhy(maze: MazeDocument, program: ProgramDocument, until: number): Diagnosis | null {
   const state = new Simulation(maze).save();
   const found = diagnoseFreePlay({ maze, program, state }, until);
-  // The page gives free play no time that could be over.
+  // The page has no time limit in free play.
   return found?.event.kind === "late" ? null : found;
 }
 
@@ -49,7 +49,7 @@ const number = (sensor: "front" | "right", is: "<" | ">", than: number): Conditi
   than,
 });
 
-/** A ring of 40 squares with the goal in a pocket of it: a round takes most of a minute. */
+/** A ring of 40 cells with the goal in a pocket: a lap takes most of a minute. */
 const ring: MazeDocument = {
   format: "corridor/maze",
   version: 1,
@@ -65,7 +65,7 @@ const ring: MazeDocument = {
 };
 const turnsAtWalls = programOf({ when: number("front", "<", 50), do: "right 90" });
 
-describe("the verdict on a robot that goes in circles of most of a minute", () => {
+describe("the verdict on a robot that drives in circles of most of a minute", () => {
   it("is given by the page", () => {
     expect(saidOnPage(ring, turnsAtWalls, FIVE_MINUTES)?.event).toMatchObject({
       kind: "circles",
@@ -73,7 +73,7 @@ describe("the verdict on a robot that goes in circles of most of a minute", () =
     });
   });
 
-  it("is no other one in `grade --why`", () => {
+  it("is the same in `grade --why`", () => {
     expect(gradedWhy(ring, turnsAtWalls, FIVE_MINUTES)).toEqual(
       saidOnPage(ring, turnsAtWalls, FIVE_MINUTES),
     );

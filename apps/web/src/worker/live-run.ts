@@ -1,18 +1,18 @@
 /**
- * The newest moment: the recording of the run, and the newest documents. The run has these too, except
- * while the past is shown: an edit reaches it when it is at now again or goes on.
+ * The newest state: the recording of the run, and the newest documents. While the past is
+ * displayed, the run may still have older documents: edits are applied to it when it continues.
  */
 import type { MazeDocument } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
 import type { DriverName } from "@corridor/protocol";
 import { Recording, type Run } from "@corridor/recording";
-import type { NewestProgram } from "./shown-line.ts";
+import type { NewestProgram } from "./displayed-line.ts";
 
 export class LiveRun {
   #maze: MazeDocument;
   #program: NewestProgram;
   #recording: Recording;
-  /** changes of the inputs of all runs before this one */
+  /** changes of the inputs of all previous runs */
   #revisions = 0;
 
   constructor(maze: MazeDocument, program: ProgramDocument) {
@@ -33,17 +33,17 @@ export class LiveRun {
     return this.run.driver;
   }
 
-  /** The newest one, whether or not the run has it. */
+  /** The newest maze, even if the run does not have it yet. */
   get maze(): MazeDocument {
     return this.#maze;
   }
 
-  /** The newest one, whether or not the run has it. */
+  /** The newest program, even if the run does not have it yet. */
   get program(): NewestProgram {
     return this.#program;
   }
 
-  /** Rises with each change of the inputs, over all runs. */
+  /** Increases with each change of the inputs, over all runs. */
   get revision(): number {
     return this.#revisions + this.#recording.revision;
   }
@@ -52,22 +52,28 @@ export class LiveRun {
     return isSame(maze, this.#maze) && isSame(program, this.#program.document);
   }
 
-  /** Takes an edit. @returns false for a maze that says the same: the page sends back what a run brought */
+  /**
+   * Stores an edit.
+   * @returns false for an equal maze: the page sends back the documents of an opened run
+   */
   editMaze(maze: MazeDocument): boolean {
     if (isSame(maze, this.#maze)) return false;
     this.#maze = maze;
     return true;
   }
 
-  /** Takes an edit. One that says the same is none; one that is taken back in the past leaves none behind. */
+  /**
+   * Stores an edit. An equal program is none; an edit that is reverted in the past leaves none
+   * behind.
+   */
   editProgram(program: ProgramDocument): void {
     if (isSame(program, this.#program.document)) return;
     const inRun = this.run.program;
     this.#program = newest(isSame(program, inRun) ? inRun : program);
   }
 
-  /** @returns false where the newest maze leaves the robot no place */
-  bringMaze(): boolean {
+  /** @returns false if the newest maze has no room for the robot */
+  applyMaze(): boolean {
     const { run } = this;
     if (run.maze === this.#maze) return true;
     if (!this.#recording.addInput({ do: "maze", maze: this.#maze })) return false;
@@ -80,16 +86,16 @@ export class LiveRun {
     const { document, compiled } = this.#program;
     if (run.program === document) return;
     this.#recording.addInput({ do: "program", program: document });
-    // The run has one that is equal, and is compared by identity from here on.
+    // The run's program is equal; its object replaces the newest, which is compared by identity.
     this.#program = { document: run.program, compiled };
   }
 
-  /** A new run of the newest documents, which the program drives. */
+  /** Starts a run of the newest documents, driven by the program. */
   begin(): void {
     this.#show(new Recording(this.#maze, this.#program.document));
   }
 
-  /** Goes on with a run that was recorded elsewhere, with the documents that it ended with. */
+  /** Continues a run that was recorded elsewhere, with its last documents. */
   open(recording: Recording): void {
     this.#show(recording);
     this.#maze = recording.run.maze;

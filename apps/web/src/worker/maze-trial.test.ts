@@ -13,7 +13,7 @@ import { mazeOf, minutesFor, recordTrial, tryMaze } from "./maze-trial.ts";
 const folder = mkdtempSync(join(tmpdir(), "corridor-trial-"));
 afterAll(() => rmSync(folder, { recursive: true }));
 
-/** What the command line prints of the same maze and program. */
+/** Output of the command line for the same maze and program. */
 function simulate(maze: unknown, program: unknown, minutes: number, until: "goal" | "bump") {
   const files = { maze: join(folder, "maze.json"), program: join(folder, "program.json") };
   writeFileSync(files.maze, JSON.stringify(maze));

@@ -1,10 +1,15 @@
-/** Runs a program in a generated maze without a page, and records such a run so that the page can show it. */
+/**
+ * Runs a program in a generated maze without a page, and records the run so that the page can
+ * display it.
+ */
 import { generateMaze, type MazeDocument, type MazeKind } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
 import { Recording, type WrittenRun } from "@corridor/recording";
 import { ProgramRun, Simulation, TICKS_PER_SECOND } from "@corridor/simulation";
 
-/** Which mazes are tried. A maze has the seed of `generateMaze`, so that anybody can make the same one. */
+/**
+ * The mazes to try. A seed of `generateMaze` identifies a maze, so that anybody can generate it.
+ */
 export interface TrialMazes {
   kind: MazeKind;
   /** columns and rows, odd */
@@ -21,7 +26,9 @@ export interface TrialResult {
   tick: number;
 }
 
-/** Simulated minutes that a program gets in a maze: about three times what following a wall takes. */
+/**
+ * Simulated minutes for a program in a maze: about three times as long as following a wall takes.
+ */
 export function minutesFor(side: number): number {
   return Math.ceil((side * side) / 25);
 }
@@ -30,7 +37,7 @@ export function mazeOf({ kind, side }: TrialMazes, seed: number, name = ""): Maz
   return generateMaze({ kind, columns: side, rows: side, seed, name });
 }
 
-/** A program works in a maze when it reaches the goal in time and without a bump. */
+/** A program works in a maze if it reaches the goal in time and without a bump. */
 export function tryMaze(
   maze: MazeDocument,
   program: ProgramDocument,
@@ -42,7 +49,7 @@ export function tryMaze(
   return { outcome, tick: simulation.tick };
 }
 
-/** A function of its own, so that the engine optimises the loop once for all mazes. */
+/** Its own function, so that the engine optimises the loop once for all mazes. */
 function runUntilDecided(simulation: Simulation, run: ProgramRun, ticks: number): TrialOutcome {
   while (simulation.tick < ticks) {
     run.step();

@@ -1,4 +1,4 @@
-/** Tries programs in other mazes beside the page, one after the other, and looks for messages in between. */
+/** Tries programs in other mazes, one after the other, and handles messages in between. */
 import { mazeOf, minutesFor, recordTrial, tryMaze } from "./maze-trial.ts";
 import type { FromTrialWorker, ToTrialWorker } from "./trial-messages.ts";
 

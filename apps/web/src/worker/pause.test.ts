@@ -48,7 +48,7 @@ it("Pause pauses at any speed, whatever was pressed just before it", () => {
       if (loop.isRunning) ran++;
       loop.pause();
       expect(loop.isRunning).toBe(false);
-      loop.takeNews();
+      loop.takeUpdate();
       const { tick } = loop.snapshot();
       time += 1000;
       loop.advance();

@@ -1,4 +1,4 @@
-/** Checks open projects beside the page. One message in, one answer out, in the same order. */
+/** Checks open projects in its own worker. One message in, one answer out, in the same order. */
 import { answerProject } from "./check-project.ts";
 import type { ProjectQuestion } from "./project-request.ts";
 

@@ -1,4 +1,4 @@
-/** What the page asks of the worker that checks open projects, and what that answers. */
+/** Requests to the worker that checks open projects, and its answers. */
 import type { ChallengeDocument } from "@corridor/challenge";
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
@@ -6,7 +6,7 @@ import type { ProgramDocument } from "@corridor/program";
 export type ProjectQuestion =
   /** in how many mazes of the challenge the program reaches the goal */
   | { kind: "mazes"; challenge: ChallengeDocument; program: ProgramDocument }
-  /** whether this maze keeps the program from its goal for so many seconds */
+  /** whether the program fails to reach the goal of this maze within so many seconds */
   | { kind: "defeat"; maze: MazeDocument; program: ProgramDocument; seconds: number }
   /** the trail of the first attempt that reaches its goal */
   | {
@@ -18,7 +18,7 @@ export type ProjectQuestion =
 /** `seconds` and `ticks`: simulated time */
 export type DefeatResult =
   | { state: "no-goal" }
-  /** no path of open squares leads from the start to a goal */
+  /** no path of open cells leads from the start to a goal */
   | { state: "no-path" }
   | { state: "reached"; ticks: number }
   | { state: "defeated"; seconds: number; squares: number };
@@ -26,15 +26,15 @@ export type DefeatResult =
 export interface SolvedTrail {
   maze: MazeDocument;
   pose: { x: number; y: number; heading: number };
-  /** x and y by turns, in units; ends at the robot */
+  /** x and y alternating, in units; ends at the robot */
   points: number[];
 }
 
 export interface ProjectAnswers {
-  /** the verdict holds one outcome for each maze; none where the program is not allowed */
+  /** the verdict contains one outcome per maze; none if the program is not allowed */
   mazes: { solved: number; all: number; ticks: number; failed: readonly number[] };
   defeat: DefeatResult;
-  /** null where no attempt reaches its goal */
+  /** null if no attempt reaches its goal */
   trail: SolvedTrail | null;
 }
 

@@ -19,25 +19,25 @@ function recorded(seconds: number, program = firstProgram): RunDocument {
 const rightWall = recorded(8);
 const straight = recorded(4, { ...firstProgram, rules: [] });
 
-/** A race whose slices run when the test asks, with the answers that it gave. */
+/** A race whose slices run when the test requests them, with its answers. */
 function raceOf(bench: Bench | null = null) {
   const answers = new Map<number, AddedGhost>();
   let due = 0;
   let time = 0;
   const race: Race = new Race({
-    // Each look at the clock takes a millisecond, so that a slice ends.
+    // Each call of the clock takes a millisecond, so that a slice ends.
     now: () => ++time,
     later: () => void due++,
     post: ({ id, added }) => void answers.set(id, added),
     onChange: () => bench?.loop.raceWith(race),
   });
   const settle = () => {
-    for (; due > 0; due--) race.goOn();
+    for (; due > 0; due--) race.next();
   };
   return { race, answers, settle };
 }
 
-/** Where a recording is at the end of a tick, by a replay of its own. */
+/** Position of a recording at the end of a tick, by an independent replay. */
 function poseIn(run: RunDocument, tick: number): Omit<GhostPose, "badge"> {
   const opened = openRun(run);
   if (!opened.ok) throw new Error("the run cannot be opened");
@@ -48,7 +48,7 @@ function poseIn(run: RunDocument, tick: number): Omit<GhostPose, "badge"> {
 }
 
 describe("the ghosts of a race", () => {
-  it("are loaded in slices, and tell what their run took", () => {
+  it("are loaded in slices, with the result of their run", () => {
     const { race, answers, settle } = raceOf();
     race.add({ type: "add-ghost", id: 1, badge: "A", run: rightWall });
     expect(answers.size).toBe(0);
@@ -141,7 +141,7 @@ describe("the ghosts of a race", () => {
             loop.hold("stop");
           } else if (each.do === "reset") loop.reset();
           else loop.pause();
-          const frame = loop.takeNews()?.frame ?? bench.frame();
+          const frame = loop.takeUpdate()?.frame ?? bench.frame();
           const { tick } = frame.snapshot;
           expect(frame.ghosts).toEqual([
             { badge: "A", ...poseIn(rightWall, tick) },

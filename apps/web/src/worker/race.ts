@@ -1,7 +1,7 @@
 /**
- * The ghosts of a race: recorded runs, each displayed at the tick that the screen displays of the live
- * run. A ghost has no clock of its own, so speed, pause, a moment of the past and Reset apply to it as
- * to the robot. It stays at its end once its recording is over.
+ * The ghosts of a race: recorded runs, each at the displayed tick of the live run. A ghost has no
+ * clock of its own, so speed, pause, the past and Reset apply to it as to the robot. It stays at
+ * its end once its recording is over.
  */
 import { Replay, type Playback } from "@corridor/recording";
 import {
@@ -12,16 +12,16 @@ import {
   type GhostPose,
 } from "./worker-messages.ts";
 
-/** So long a slice of loading may take, in milliseconds: a robot that drives meanwhile does not stutter. */
+/** Longest slice of loading, in milliseconds, so that a driving robot does not stutter. */
 const SLICE_MS = 8;
 
 export interface RacePorts {
   /** monotonic milliseconds */
   now: () => number;
-  /** calls `goOn` after the messages that wait already */
+  /** calls `next` after the messages that are already queued */
   later: () => void;
   post: (message: Extract<FromWorker, { type: "ghost-added" }>) => void;
-  /** the ghosts are others than before: a frame is due even while the robot rests */
+  /** the ghosts changed: a frame is due even while the robot rests */
   onChange: () => void;
 }
 
@@ -42,7 +42,7 @@ export class Race {
     this.#ports = ports;
   }
 
-  /** Begins to load a ghost; answered by `ghost-added` with the same id. */
+  /** Starts to load a ghost; answered by `ghost-added` with the same id. */
   add({ id, badge, run }: AddGhost): void {
     if (this.#ghosts.length + this.#loading.length >= MAX_GHOSTS) {
       this.#answer(id, { ok: false, problems: [] });
@@ -52,7 +52,7 @@ export class Race {
     this.#ports.later();
   }
 
-  /** Takes a ghost out of the race, also one that is still loading. */
+  /** Removes a ghost from the race, even while it is loading. */
   remove(id: number): void {
     const at = this.#loading.findIndex((each) => each.id === id);
     if (at >= 0) this.#loading.splice(at, 1);
@@ -60,8 +60,8 @@ export class Race {
     this.#ports.onChange();
   }
 
-  /** Runs the next slice of the first recording that is loading. */
-  goOn(): void {
+  /** Runs the next slice of the first loading recording. */
+  next(): void {
     const first = this.#loading[0];
     if (first === undefined) return;
     const { now, later, onChange } = this.#ports;
@@ -95,7 +95,7 @@ export class Race {
   }
 }
 
-/** What the run took to its goal, or to its end where it reached none. */
+/** Result of a run: at its goal, or at its end if it reached none. */
 function finishOf({ playback, ticks }: Ghost, goalTick: number | null) {
   playback.seek(goalTick ?? ticks);
   const { bumps, driver, program } = playback.run;

@@ -1,4 +1,7 @@
-/** A page's remote side whole (host, link, loop, driver), against a relay that repeats itself. */
+/**
+ * The complete remote side of a page (host, link, loop, driver), against a relay that repeats
+ * messages.
+ */
 import type { SocketEvents, SocketPort } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "./first-project.ts";
@@ -12,18 +15,18 @@ type Message = Record<string, unknown>;
 
 const letters = ["A", "B", "C"];
 
-/** Robots at a relay; it delivers whatever has neither started nor ended, again on each new line. */
+/** Robots at a relay, which delivers every unfinished command again on each new connection. */
 class Relay {
   readonly #events: SocketEvents[] = [];
   readonly #sent: Message[][] = [];
   registered = 0;
-  /** how registering is answered */
+  /** status of the answer to a registration */
   status = 201;
   isReachable = true;
   /** per robot: seq of every accepted command */
   readonly accepted = new Map<string, number[]>();
-  readonly told: Message[] = [];
-  /** the page's pauses before a new try */
+  readonly received: Message[] = [];
+  /** pending delays of the page before it reconnects */
   readonly pauses = new Set<() => void>();
 
   readonly fetch = async () => {
@@ -42,7 +45,7 @@ class Relay {
     clock: {
       now: () => 0,
       after: (ms: number, call: () => void) => {
-        // Only pauses before a try are shorter than the waits for a word of the relay.
+        // Only delays before reconnecting are shorter than the timeouts for an answer.
         if (ms < 10_000) this.pauses.add(call);
         return () => void this.pauses.delete(call);
       },
@@ -56,7 +59,7 @@ class Relay {
         send: (text) => {
           const message = JSON.parse(text) as Message;
           sent.push(message);
-          this.told.push(message);
+          this.received.push(message);
         },
         close: () => undefined,
         isOpen: true,
@@ -69,7 +72,7 @@ class Relay {
     return this.#events.length;
   }
 
-  /** Takes the newest line and delivers what the page has not begun. */
+  /** Accepts the newest connection and delivers what the page has not started. */
   welcome(robot: string): void {
     this.#events.at(-1)?.opened();
     this.#say({ type: "welcome", version: 1, epoch: this.lines, at: 0 });
@@ -84,7 +87,7 @@ class Relay {
     this.#deliver(seq);
   }
 
-  /** A command is accepted and waits at the relay, of which the page is told. */
+  /** A command is accepted and queued at the relay, which reports it to the page. */
   wait(seq: number): void {
     const { command, key, acceptedAt, ttl } = deliveryOf(seq, { action: "move", distance: 20 });
     const rest = { state: "accepted", reason: null, pose: null, distance: null, duplicate: false };
@@ -92,12 +95,12 @@ class Relay {
     this.#say({ type: "state", record, ttl });
   }
 
-  /** An ending of the page counts. */
+  /** The relay has stored an ending of the page. */
   stored(seq: number): void {
     this.#say({ type: "stored", seq });
   }
 
-  /** The page's pause before a new try is over. */
+  /** The delay before the page reconnects is over. */
   pauseOver(): void {
     for (const over of this.pauses) over();
   }
@@ -106,7 +109,7 @@ class Relay {
     this.#events.at(-1)?.closed(code);
   }
 
-  /** What the page said at the beginning of its newest line. */
+  /** First message of the page on its newest connection. */
   get resume(): Message | undefined {
     return this.#sent.at(-1)?.[1];
   }
@@ -137,9 +140,9 @@ function openPage() {
     onView: (newest) => (view = newest),
     onDelivery: (delivery) => loop.accept(delivery),
     cancel: (reason) => loop.cancelRemote(reason),
-    takeBack: (seq, reason) => loop.remote?.cancelOne(seq, reason),
-    giveBack: () => loop.remote?.reset(),
-    hear: (alive) => loop.remote?.renew(alive),
+    cancelOne: (seq, reason) => loop.remote?.cancelOne(seq, reason),
+    reset: () => loop.remote?.reset(),
+    renew: (alive) => loop.remote?.renew(alive),
     fetch: relay.fetch,
     platform: relay.platform,
   });
@@ -152,7 +155,7 @@ function openPage() {
     loop,
     view: () => view,
     states: () => view.commands.map(({ seq, state, reason }) => [seq, state, reason]),
-    /** Opens, and waits until there is a line or word of a trouble. */
+    /** Opens, and waits until there is a connection or an error. */
     open: async (session: RemoteSession | null): Promise<void> => {
       const { lines } = relay;
       host.open(session, false);
@@ -174,7 +177,7 @@ async function openRobot() {
 }
 
 describe("a new key for scripts", () => {
-  it("is taken over while the robot drives on", async () => {
+  it("is used while the robot drives on", async () => {
     const { relay, host, view, states, drive, session } = await openRobot();
     relay.accept("A", 1);
     drive(50);
@@ -187,7 +190,7 @@ describe("a new key for scripts", () => {
   });
 });
 
-describe("connecting again while the line is lost", () => {
+describe("reconnecting after the connection was lost", () => {
   it("drives each command once and loses no ending", async () => {
     const { relay, host, view, states, drive, session } = await openRobot();
     for (const seq of [1, 2, 3]) relay.accept("A", seq);
@@ -205,14 +208,14 @@ describe("connecting again while the line is lost", () => {
       [2, "completed", null],
       [1, "completed", null],
     ]);
-    const told = (type: string) =>
-      relay.told.flatMap((it) => (it["type"] === type ? it["seq"] : []));
+    const received = (type: string) =>
+      relay.received.flatMap((it) => (it["type"] === type ? it["seq"] : []));
     expect(relay.resume?.["endings"]).toMatchObject([{ seq: 1, state: "completed" }]);
-    expect(told("started")).toEqual([1, 3]);
-    expect(told("ended")).toEqual([2, 3]);
+    expect(received("started")).toEqual([1, 3]);
+    expect(received("ended")).toEqual([2, 3]);
   });
 
-  it("says that it is connected when it was already", async () => {
+  it("reports the connection that already exists", async () => {
     const { relay, host, view, session } = await openRobot();
     host.open(session, false);
     expect(relay.lines).toBe(1);
@@ -220,8 +223,8 @@ describe("connecting again while the line is lost", () => {
   });
 });
 
-describe("disconnecting while the line is lost", () => {
-  it("ends all commands, and the relay hears it when the page connects again", async () => {
+describe("disconnecting while the connection is lost", () => {
+  it("ends all commands, and the relay receives the endings when the page reconnects", async () => {
     const { relay, host, view, states, drive, session } = await openRobot();
     for (const seq of [1, 2]) relay.accept("A", seq);
     drive(100);
@@ -248,11 +251,11 @@ describe("disconnecting while the line is lost", () => {
   });
 });
 
-describe("what waits at the relay when the page takes the robot", () => {
+describe("a command that is queued at the relay when the page takes the robot", () => {
   it.each([
     { what: "is handed over", reason: "handedOver", act: (loop: RunLoop) => loop.setDriver("me") },
     { what: "is reset", reason: "reset", act: (loop: RunLoop) => loop.reset() },
-  ])("never runs where the robot $what, though Remote drives when it comes", async (row) => {
+  ])("never runs if the robot $what, although Remote drives when it arrives", async (row) => {
     const { relay, loop, states, drive } = await openRobot();
     relay.accept("A", 1);
     relay.wait(2);
@@ -267,11 +270,11 @@ describe("what waits at the relay when the page takes the robot", () => {
       [2, "cancelled", row.reason],
       [1, "cancelled", row.reason],
     ]);
-    const started = relay.told.filter(({ type }) => type === "started");
+    const started = relay.received.filter(({ type }) => type === "started");
     expect(started.map(({ seq }) => seq)).toEqual([1, 3]);
   });
 
-  it("never runs either where the relay shows it only later, unlike what came after", async () => {
+  it("never runs even if the relay reports it later, unlike later commands", async () => {
     const { relay, loop, states, drive } = await openRobot();
     relay.accept("A", 1);
     drive(50);
@@ -288,7 +291,7 @@ describe("what waits at the relay when the page takes the robot", () => {
     ]);
   });
 
-  it("goes on where it is shown late and the page had not taken the robot", async () => {
+  it("runs if it is reported late and the page had not taken the robot", async () => {
     const { relay, loop, states, drive } = await openRobot();
     relay.accept("A", 1);
     loop.cancelRemote("stopped");
@@ -299,7 +302,7 @@ describe("what waits at the relay when the page takes the robot", () => {
     expect(states()[0]).toEqual([2, "completed", null]);
   });
 
-  it("never runs either where it was sent while Remote did not drive", async () => {
+  it("never runs if it was sent while Remote did not drive", async () => {
     const { relay, loop, states, drive } = await openRobot();
     loop.setDriver("me");
     relay.wait(2);
@@ -313,7 +316,7 @@ describe("what waits at the relay when the page takes the robot", () => {
     ]);
   });
 
-  it("goes on where a script's stop came, or where it is another robot's", async () => {
+  it("runs after a script's stop, and for another robot", async () => {
     const { relay, open, loop, states, drive } = await openRobot();
     relay.wait(2);
     loop.cancelRemote("stopped");
@@ -335,7 +338,7 @@ describe("another robot", () => {
     { code: 4410, reason: "over" },
     { code: 4404, reason: "noRobot" },
     { code: 4409, reason: "replaced" },
-  ])("after $reason begins with nothing of the old one", async ({ code, reason }) => {
+  ])("after $reason starts with nothing of the old one", async ({ code, reason }) => {
     const { relay, open, view, states, drive } = await openRobot();
     for (const seq of [1, 2]) relay.accept("A", seq);
     drive(100);
@@ -361,7 +364,7 @@ describe("another robot", () => {
     relay.accept("A", 1);
     drive(100);
     await open(null);
-    expect(relay.told.at(-1)).toMatchObject({ type: "ended", seq: 1, state: "cancelled" });
+    expect(relay.received.at(-1)).toMatchObject({ type: "ended", seq: 1, state: "cancelled" });
     relay.welcome("B");
     expect(relay.resume).toMatchObject({ lastApplied: 0, endings: [] });
   });
@@ -373,14 +376,14 @@ describe("a robot that is not registered", () => {
     { name: "only files are served", isReachable: true, status: 405, reason: "noService" },
     { name: "too many were registered", isReachable: true, status: 429, reason: "tooManyRobots" },
     { name: "the service is in trouble", isReachable: true, status: 503, reason: "refused" },
-  ])("is told by its cause when $name", async ({ isReachable, status, reason }) => {
+  ])("shows the cause when $name", async ({ isReachable, status, reason }) => {
     const { relay, open, view } = openPage();
     Object.assign(relay, { isReachable, status });
     await open(null);
     expect(view()).toMatchObject({ status: { kind: "lost", reason }, session: null });
   });
 
-  it("is registered without a word of the user once the network is back", async () => {
+  it("is registered without user action once the network is back", async () => {
     const { relay, open, view } = openPage();
     relay.isReachable = false;
     await open(null);
@@ -391,7 +394,7 @@ describe("a robot that is not registered", () => {
     expect(view()).toMatchObject({ status: { kind: "waiting" }, session: { id: "A".repeat(22) } });
   });
 
-  it("is not registered later where the user disconnected, and once where they connected again", async () => {
+  it("is not registered later if the user disconnected, and once if they reconnected", async () => {
     const { relay, host, open, view } = openPage();
     relay.isReachable = false;
     await open(null);

@@ -1,7 +1,6 @@
 /**
- * The robot as the relay knows it: registers it, keeps the link, and remembers what became of each
- * command for the Remote panel. The client library comes with the first connection; who never drives
- * by script never loads it.
+ * The robot at the relay: registers it, maintains the link, and lists the endings of commands for
+ * the Remote panel. The client library loads with the first connection.
  */
 import type * as ClientLibrary from "@corridor/client/host";
 import type { CommandJournal, HostLink, HostLinkOptions, HostStatus } from "@corridor/client/host";
@@ -23,7 +22,7 @@ import {
   type CancelReason,
 } from "../drivers/cancel-reason.ts";
 import type { Ending, RemoteDriverEvents } from "../drivers/remote-driver.ts";
-import { MazeTeller } from "./maze-teller.ts";
+import { MazePublisher } from "./maze-publisher.ts";
 import type { troubleOf } from "./remote-trouble.ts";
 import type {
   ListedCommand,
@@ -42,35 +41,35 @@ const recallReasons = {
   paused: "paused",
 } as const satisfies Record<RecallCause, CancelReason>;
 
-/** Commands that the panel lists. */
+/** Largest number of listed commands. */
 const MAX_LISTED = 100;
 
 export interface RemoteHostPorts {
-  /** of the page and its relay */
+  /** origin of the page and its relay */
   origin: string;
   /** milliseconds since 1970 */
   now(): number;
-  /** the robot as it is now; null before it is loaded */
+  /** the current robot; null before it is loaded */
   snapshot(): Snapshot | null;
   onView(view: RemoteView): void;
   onDelivery(delivery: DeliveredCommand): void;
-  /** ends all that was delivered, by `ended`, before this returns */
+  /** ends all delivered commands, by `ended`, before it returns */
   cancel(reason: CancelReason): void;
   /** ends one command, by `ended`, unless it has ended */
-  takeBack(seq: number, reason: CancelReason): void;
-  /** forgets what was delivered and has not started */
-  giveBack(): void;
-  /** scripts were heard, and may go on with the motions that they wished */
-  hear(alive: readonly AliveDriver[]): void;
+  cancelOne(seq: number, reason: CancelReason): void;
+  /** discards delivered commands that have not started */
+  reset(): void;
+  /** these scripts are alive, so that the leases of their motions are renewed */
+  renew(alive: readonly AliveDriver[]): void;
   /** stores the world with `journal` before an ending is sent; see `HostLinkOptions` */
   save?: NonNullable<HostLinkOptions["save"]>;
-  /** the journal of the world that was restored, and the robot that it is of */
+  /** the journal of the restored world, with its robot */
   restored?: () => (CommandJournal & { robot: string }) | null;
   fetch: (
     url: string,
     request: { method: string; headers?: Record<string, string>; body?: string },
   ) => Promise<{ status: number; text(): Promise<string> }>;
-  /** default: what the worker offers */
+  /** default: the worker's own */
   platform?: NonNullable<HostLinkOptions["platform"]>;
 }
 
@@ -79,92 +78,99 @@ export class RemoteHost implements RemoteDriverEvents {
   /** by seq */
   readonly #commands = new Map<number, ListedCommand>();
   #session: RemoteSession | null = null;
-  /** of `#session`; kept while it is closed, since it knows what was handed on and how it ended */
+  /**
+   * of `#session`; retained while it is closed, because it knows delivered commands and their
+   * endings
+   */
   #link: HostLink | null = null;
-  readonly #mazes: MazeTeller;
+  readonly #mazes: MazePublisher;
   #status: RemoteStatus = { kind: "off" };
   #drivers = noDrivers;
   #scripts: ListedScript[] = [];
   #isPaused = false;
-  /** the page took the robot: what had been sent by then never runs, even where it comes only now */
+  /** the page took the robot: commands sent before never run, even if they arrive later */
   #swept: { upTo: number; reason: CancelReason } | null = null;
-  /** the first command that was ended so, until the relay knows: what is told before had been sent by then too */
+  /**
+   * seq of the first such command until the relay confirms it; commands reported before it were
+   * sent before, too
+   */
   #sweeping: number | null = null;
-  /** rises with each open and close: what an older one still waits for is dropped */
+  /** increases with each open and close; results of older attempts are dropped */
   #attempt = 0;
 
   constructor(ports: RemoteHostPorts) {
     this.#ports = ports;
-    this.#mazes = new MazeTeller({
+    this.#mazes = new MazePublisher({
       now: () => performance.now(),
-      give: (text) => this.#giveMaze(text),
+      put: (text) => this.#giveMaze(text),
     });
   }
 
-  /** How commands have ended, to be stored with the world; null without a robot. */
+  /** Endings of commands, to be stored with the world; null without a robot. */
   get journal(): (CommandJournal & { robot: string }) | null {
     const robot = this.#session?.id;
     return robot === undefined || this.#link === null ? null : { ...this.#link.journal, robot };
   }
 
-  /** Whether there is a link that wants snapshots. */
+  /** Whether there is a link that needs snapshots. */
   get isOpen(): boolean {
     return this.#link?.isConnected === true;
   }
 
   /**
-   * Opens the link; without a session a robot is registered first. The session that is there is
-   * opened again, or tried again at once; for another one, all that the robot was given ends first.
-   * @param fresh whether a session's commands cannot be running any more: the page was loaded anew
+   * Opens the link; without a session a robot is registered first. The current session is reopened,
+   * or retried at once; for another one, all delivered commands end first.
+   * @param fresh whether no command of the session can still be running, because the page was
+   *   reloaded
    */
   open(session: RemoteSession | null, fresh: boolean): void {
     if (this.#link !== null && session !== null && session.id === this.#session?.id) {
-      // The robot may have a new key for scripts meanwhile.
+      // The robot may have a new driver key since.
       const { driverKey, address } = session;
       this.#session = { ...this.#session, driverKey, address };
       this.#link.open();
-      return this.#tell(this.#status);
+      return this.#setStatus(this.#status);
     }
-    this.#leave();
+    this.#endSession();
     if (session === null || session.id !== this.#session?.id) {
       this.#commands.clear();
       this.#swept = null;
       this.#sweeping = null;
     }
     this.#session = session;
-    this.#tell({ kind: "connecting" });
+    this.#setStatus({ kind: "connecting" });
     const attempt = ++this.#attempt;
     this.#connect(session, fresh, attempt).catch(() => {
-      // The client library itself did not come.
-      if (attempt === this.#attempt) this.#tell({ kind: "lost", reason: "noService" });
+      // The client library itself did not load.
+      if (attempt === this.#attempt) this.#setStatus({ kind: "lost", reason: "noService" });
     });
   }
 
-  /** Ends all that the robot was given and closes the link; the session can be opened again. */
+  /** Ends all delivered commands and closes the link; the session can be reopened. */
   close(): void {
     this.#attempt++;
     this.#ports.cancel("disconnected");
     this.#link?.close();
     this.#drivers = noDrivers;
     this.#scripts = [];
-    if (this.#status.kind !== "off") this.#tell({ kind: "off" });
+    if (this.#status.kind !== "off") this.#setStatus({ kind: "off" });
   }
 
-  /** Empties the list of commands; those that still live stay. */
+  /** Clears the list of commands, except for those that have not ended. */
   clearCommands(): void {
     for (const [seq, { state }] of this.#commands) {
       if (isEnding(state)) this.#commands.delete(seq);
     }
-    this.#tell(this.#status);
+    this.#setStatus(this.#status);
   }
 
-  /** @param maze that the robot is in; null where that is told to nobody */
+  /** @param maze the robot's maze; null if it is not published */
   sendSnapshot(snapshot: Snapshot, maze: MazeDocument | null = null): void {
     this.#link?.sendSnapshot(snapshot);
     if (this.isOpen) this.#mazes.offer(maze);
   }
 
-  /** Another page has claimed the stored world, and is the robot from now on. */
+  /** Another page has claimed the stored world, and owns the robot from now on. */
   worldClaimed(): void {
     this.#link?.worldClaimed();
   }
@@ -203,7 +209,7 @@ export class RemoteHost implements RemoteDriverEvents {
     this.#link = new client.HostLink({
       origin,
       credentials: session,
-      // What was begun after the world was stored last cannot be running either.
+      // Commands that started after the world was last stored cannot be running either.
       lastApplied: Math.max(session.lastApplied, journal.lastApplied),
       endings: journal.endings,
       fresh,
@@ -215,8 +221,8 @@ export class RemoteHost implements RemoteDriverEvents {
         this.#ports.cancel("stopped");
         this.#change(stop.seq, { state: "completed" });
       },
-      onCancel: (seq, why) => this.#ports.takeBack(seq, recallReasons[why]),
-      onGiveBack: () => this.#giveBack(),
+      onCancel: (seq, why) => this.#ports.cancelOne(seq, recallReasons[why]),
+      onGiveBack: () => this.#reset(),
       onYield: () => this.#ports.cancel("addressEnded"),
       onState: (record, ttl) => {
         this.#sweepOn(record.seq);
@@ -232,14 +238,14 @@ export class RemoteHost implements RemoteDriverEvents {
         this.#drivers = drivers;
         this.#isPaused = paused;
         this.#scripts = scripts.map((script) => this.#listed(script));
-        this.#ports.hear(alive);
-        if (this.isOpen) this.#tell(this.#connectedStatus());
+        this.#ports.renew(alive);
+        if (this.isOpen) this.#setStatus(this.#connectedStatus());
       },
       ...(platform === undefined ? {} : { platform }),
     });
   }
 
-  /** The reload began a new world, in which the command that was started last never goes on. */
+  /** The reload started a new world, in which the last started command never continues. */
   #endedByReload({ lastApplied: seq }: RemoteSession): CommandJournal["endings"] {
     if (seq === 0) return [];
     const pose = this.#ports.snapshot()?.pose ?? null;
@@ -247,9 +253,9 @@ export class RemoteHost implements RemoteDriverEvents {
   }
 
   /**
-   * Registers a robot. Where nothing answers it tries again by itself, as the link does: a device says that it
-   * has a network before requests get through.
-   * @returns null where the service has no robot for this page, or another attempt began
+   * Registers a robot. Without an answer it retries by itself, as the link does: devices report a
+   * network before requests get through.
+   * @returns null if the service has no robot for this page, or another attempt has started
    */
   async #register(client: typeof ClientLibrary, attempt: number): Promise<RemoteSession | null> {
     const { origin, fetch, platform } = this.#ports;
@@ -262,31 +268,31 @@ export class RemoteHost implements RemoteDriverEvents {
         if (attempt !== this.#attempt) break;
         const reason = error instanceof client.RegistrationError ? error.code : "noService";
         if (reason !== "noAnswer") {
-          this.#tell({ kind: "lost", reason });
+          this.#setStatus({ kind: "lost", reason });
           break;
         }
       }
-      this.#tell({ kind: "lost", reason: "lineLost" });
+      this.#setStatus({ kind: "lost", reason: "lineLost" });
       const pause = Promise.withResolvers<void>();
       clock.after(backoff.next(clock.now(), random()), pause.resolve);
       await pause.promise;
-      if (attempt === this.#attempt) this.#tell({ kind: "connecting" });
+      if (attempt === this.#attempt) this.#setStatus({ kind: "connecting" });
     }
     return null;
   }
 
-  /** A command waits at the relay: was it sent before the page took the robot? */
+  /** A command is queued at the relay: cancels it if it was sent before the page took the robot. */
   #sweepOn(seq: number): void {
     if (this.#sweeping === null || this.#swept === null) return;
     this.#swept.upTo = Math.max(this.#swept.upTo, seq);
   }
 
-  /** The relay knows that this one has ended. */
+  /** The relay has confirmed that this command ended. */
   #sweptUntil(seq: number): void {
     if (seq === this.#sweeping) this.#sweeping = null;
   }
 
-  /** For those who look on: the robot's snapshots do not say among which walls it is. */
+  /** For viewers: snapshots do not contain the maze. */
   async #giveMaze(text: string): Promise<number> {
     const { origin, fetch } = this.#ports;
     const { id = "", ownerKey = "" } = this.#session ?? {};
@@ -295,8 +301,8 @@ export class RemoteHost implements RemoteDriverEvents {
     return (await fetch(`${origin}/api/v1/robots/${id}/maze`, request)).status;
   }
 
-  /** Parts with a session: nothing of it may run on, or be told under the next one's numbers. */
-  #leave(): void {
+  /** Ends a session: nothing of it may run on, or be reported under the next session's numbers. */
+  #endSession(): void {
     if (this.#link === null) return;
     this.#ports.cancel("addressEnded");
     this.#link.close();
@@ -315,9 +321,9 @@ export class RemoteHost implements RemoteDriverEvents {
     this.#ports.onDelivery(command);
   }
 
-  /** What waits here may end at the relay before it comes again. */
-  #giveBack(): void {
-    this.#ports.giveBack();
+  /** Commands queued here may end at the relay before they are delivered again. */
+  #reset(): void {
+    this.#ports.reset();
     for (const [seq, record] of this.#commands) {
       if (record.state === "delivered") this.#commands.set(seq, { ...record, state: "accepted" });
     }
@@ -349,7 +355,7 @@ export class RemoteHost implements RemoteDriverEvents {
   #show(record: ListedCommand): void {
     this.#commands.set(record.seq, record);
     if (this.#commands.size > MAX_LISTED) this.#commands.delete(Math.min(...this.#commands.keys()));
-    this.#tell(this.#status);
+    this.#setStatus(this.#status);
   }
 
   #change(seq: number, change: Partial<ListedCommand>): void {
@@ -358,36 +364,38 @@ export class RemoteHost implements RemoteDriverEvents {
     if (this.#session !== null && this.#link !== null) {
       this.#session = { ...this.#session, lastApplied: this.#link.lastApplied };
     }
-    this.#tell(this.#status);
+    this.#setStatus(this.#status);
   }
 
   #linkChanged(status: HostStatus, nameOf: typeof troubleOf): void {
     switch (status.kind) {
       case "connecting":
-        return this.#tell({ kind: "connecting" });
+        return this.#setStatus({ kind: "connecting" });
       case "connected":
-        return this.#tell(this.#connectedStatus());
+        return this.#setStatus(this.#connectedStatus());
       case "lost":
-        return this.#tell({ kind: "lost", reason: nameOf(status.reason) });
+        return this.#setStatus({ kind: "lost", reason: nameOf(status.reason) });
       case "over":
       case "replaced":
-        this.#leave();
-        return this.#tell({ kind: "over", reason: nameOf(status.reason) });
+        this.#endSession();
+        return this.#setStatus({ kind: "over", reason: nameOf(status.reason) });
     }
   }
 
-  /** Waiting until a script was heard; then who it is and when it was heard last. */
+  /**
+   * Waiting until the first message of a script; then its name and the time of its last message.
+   */
   #connectedStatus(): RemoteStatus {
     const { client, silentMs } = this.#drivers;
     if (silentMs === null) return { kind: "waiting" };
-    return { kind: "connected", client: client ?? "", heardAt: this.#ports.now() - silentMs };
+    return { kind: "connected", client: client ?? "", seenAt: this.#ports.now() - silentMs };
   }
 
   #listed({ silentMs, ...script }: ScriptView): ListedScript {
-    return { ...script, heardAt: silentMs === null ? null : this.#ports.now() - silentMs };
+    return { ...script, seenAt: silentMs === null ? null : this.#ports.now() - silentMs };
   }
 
-  #tell(status: RemoteStatus): void {
+  #setStatus(status: RemoteStatus): void {
     this.#status = status;
     this.#ports.onView({
       status,

@@ -1,4 +1,6 @@
-/** Why a connection ended, by the name that the page has words for; comes with the client library. */
+/**
+ * Name of the reason why a connection ended, for translated texts; loads with the client library.
+ */
 import { closeReasons, type CloseReason } from "@corridor/protocol";
 import type { RemoteTrouble } from "./worker-messages.ts";
 

@@ -1,24 +1,24 @@
 /**
- * From the world that this tab stored before a reload to the run that is there again. A file of its own, because it
+ * Restores the run from the world that this tab stored before a reload. In its own file, because it
  * needs the schemas, and most visits restore nothing.
  */
 import { parseRun, type Recording, type Run, type RunDocument } from "@corridor/recording";
 import { RELOADED } from "../drivers/cancel-reason.ts";
 import type { RunLoop } from "./run-loop.ts";
 import type { LoadedRun, RestoreRun } from "./worker-messages.ts";
-import type { WorldKeeper } from "./world-keeper.ts";
+import type { WorldRepository } from "./world-repository.ts";
 import type { WorldJournal } from "./world-store.ts";
 
 /** All commands in it have ended. */
 export type RestoredJournal = WorldJournal & { running: null };
 
 export interface RestorePorts {
-  keeper: Pick<WorldKeeper, "claim">;
-  /** null before the documents have come */
+  repository: Pick<WorldRepository, "claim">;
+  /** null before the documents have arrived */
   run: () => Pick<RunLoop, "isUntouched" | "isOf" | "open"> | null;
-  /** runs the document again, then calls `open`, and answers what that returns */
+  /** replays the document, then calls `open`, and answers with its result */
   load: (run: RunDocument, open: (recording: Recording) => LoadedRun) => void;
-  /** where there is nothing to load */
+  /** answers if there is nothing to load */
   answer: (loaded: LoadedRun) => void;
   restored: (journal: RestoredJournal | null) => void;
 }
@@ -26,9 +26,9 @@ export interface RestorePorts {
 /** Restores the stored world, unless another project is open now or the robot drives already. */
 export async function restoreWorld(
   { key, isSameProject }: Pick<RestoreRun, "key" | "isSameProject">,
-  { keeper, run, load, answer, restored }: RestorePorts,
+  { repository, run, load, answer, restored }: RestorePorts,
 ): Promise<void> {
-  const world = await keeper.claim(key);
+  const world = await repository.claim(key);
   const loop = run();
   if (world === null || loop === null) return answer({ ok: false, reason: "not-stored" });
   const read = parseRun({ format: "corridor/run", version: 1, name: "", seed: 0, ...world.run });
@@ -42,7 +42,7 @@ export async function restoreWorld(
   });
 }
 
-/** The journal after the reload, which ends what ran where the robot stands. */
+/** The journal after the reload, in which the running command ends where the robot stands. */
 function endedBy(journal: WorldJournal, { pose, distance }: Pick<Run, "pose" | "distance">) {
   const { running, endings, ...rest } = journal;
   if (running === null) return { ...rest, endings, running };

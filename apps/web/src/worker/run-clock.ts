@@ -1,11 +1,12 @@
 /**
- * From real time to ticks at the chosen speed. "max" is as many as a share of the time allows. The speed is for
- * programs, scripts and replays: under a hand, and while a robot waits for its script, a second always takes a second.
+ * Converts real time to ticks at the chosen speed. "max" runs as many as fit into a share of the
+ * time. Speed applies to programs, scripts and replays. While a user drives or a script is awaited,
+ * a second always takes a second.
  */
 import { FixedTimestep } from "@corridor/simulation";
 import type { Speed } from "./worker-messages.ts";
 
-/** At speed "max", ticks between two looks at the clock, and the share of time that may be used. */
+/** At speed "max": ticks between two reads of the clock, and the share of time that may be used. */
 const MAX_SPEED_CHUNK = 240;
 const MAX_SPEED_BUDGET_MS = 6;
 
@@ -25,16 +26,16 @@ export class RunClock {
     this.#timestep.clear();
   }
 
-  /** Time begins to flow, with a tick at once: what passed until now counts for nothing. */
+  /** Starts the clock, with a tick at once; earlier time does not count. */
   start(): void {
     this.#timestep.start();
     this.#lastAt = this.#now();
   }
 
   /**
-   * Asks for the ticks of the time since the last call.
-   * @param flow standing: none; real-time: as many as in real time; at-speed: as many as the chosen speed says
-   * @param runTicks runs so many. @returns false when time has stopped flowing
+   * Runs the ticks for the time since the last call.
+   * @param flow standing: none; real-time: as many as in real time; at-speed: at the chosen speed
+   * @param runTicks runs this many ticks; returns false if the clock stops
    */
   advance(flow: "standing" | "real-time" | "at-speed", runTicks: (count: number) => boolean): void {
     const now = this.#now();

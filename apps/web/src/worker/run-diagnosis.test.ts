@@ -16,20 +16,23 @@ function programOf(rules: Rule[]): ProgramDocument {
   return { format: "corridor/program", version: 1, name: "", default: "forward", rules };
 }
 
-/** With what diagnoses there from the start. */
+/** With the diagnostics loaded from the start. */
 function newLoop(...[maze, program, now]: ConstructorParameters<typeof RunLoop>): RunLoop {
   const loop = new RunLoop(maze, program, now);
   loop.useDiagnostics(diagnostics);
   return loop;
 }
 
-/** Lets real time pass in frames. @returns what was told meanwhile */
+/**
+ * Lets real time pass in frames.
+ * @returns the reported events
+ */
 function pass(loop: RunLoop, seconds: number): RunEvent[] {
   const moments: RunEvent[] = [];
   for (let frame = 0; frame < seconds * 60; frame++) {
     time += 1000 / 60 + 1e-9;
     loop.advance();
-    moments.push(...(loop.takeNews()?.moments ?? []));
+    moments.push(...(loop.takeUpdate()?.events ?? []));
   }
   return moments;
 }
@@ -39,11 +42,11 @@ const delayedAtTheWall = programOf([
   { when: { sensor: "front", is: "<", than: 60 }, do: "delayed left 90" },
 ]);
 
-/** Drives alike, and is another program all the same. */
+/** Drives the same way but is another program. */
 const other = { ...programOf([]), name: "other" };
 
 describe("a bump of the program", () => {
-  it("pauses the run, with an edit that would have kept it off", () => {
+  it("pauses the run, with an edit that would have prevented it", () => {
     const loop = newLoop(corner, delayedAtTheWall, () => time);
     loop.run();
     const [moment] = pass(loop, 5);
@@ -54,19 +57,19 @@ describe("a bump of the program", () => {
     expect(loop.snapshot().tick).toBe(moment?.tick);
   });
 
-  it("waits for what diagnoses where that comes later, and is explained then", () => {
+  it("waits for the diagnostics to load, and is explained then", () => {
     const loop = new RunLoop(corner, delayedAtTheWall, () => time);
     loop.run();
     const [first] = pass(loop, 5);
     expect(first).toMatchObject({ kind: "bump", diagnosis: null });
     expect(loop.isRunning).toBe(false);
     loop.useDiagnostics(diagnostics);
-    const [moment] = loop.takeNews()?.moments ?? [];
+    const [moment] = loop.takeUpdate()?.events ?? [];
     expect(moment?.tick).toBe(first?.tick);
     expect(moment?.diagnosis?.fixes[0]).toEqual({ kind: "action", line: 0, action: "left 90" });
   });
 
-  it("tells of the program that drove, though another one came before it was told", () => {
+  it("reports the program that drove, although another one arrived before the report", () => {
     const loop = newLoop(corner, delayedAtTheWall, () => time);
     loop.run();
     while (loop.snapshot().bumps === 0) {
@@ -74,11 +77,11 @@ describe("a bump of the program", () => {
       loop.advance();
     }
     loop.editProgram(other);
-    const [moment] = loop.takeNews()?.moments ?? [];
+    const [moment] = loop.takeUpdate()?.events ?? [];
     expect(moment?.program).toEqual(delayedAtTheWall);
   });
 
-  it("of a turn that began before an edit is explained by the program that began it", () => {
+  it("of a turn that started before an edit is explained by the program that started it", () => {
     const loop = newLoop(corner, delayedAtTheWall, () => time);
     loop.run();
     while (loop.snapshot().line !== 0) {
@@ -110,7 +113,7 @@ describe("a bump of the program", () => {
     });
   });
 
-  it("is explained once a line: the reader who runs on is not stopped again", () => {
+  it("is explained once per line: a user who continues is not stopped again", () => {
     const loop = newLoop(corner, programOf([]), () => time);
     loop.run();
     pass(loop, 5);
@@ -134,7 +137,7 @@ describe("a bump of the program", () => {
     expect(loop.isRunning).toBe(false);
   });
 
-  it("does not stop a hand that bumps", () => {
+  it("does not stop a user who bumps", () => {
     const loop = newLoop(corner, programOf([]), () => time);
     loop.hold("forward");
     const [moment] = pass(loop, 5);
@@ -144,7 +147,7 @@ describe("a bump of the program", () => {
 });
 
 describe("a robot that gets nowhere", () => {
-  it("is diagnosed from where it did so, where what diagnoses comes later", () => {
+  it("is diagnosed from the tick of the sign, even if the diagnostics load later", () => {
     const loop = new RunLoop(corner, programOf([]), () => time);
     loop.run();
     pass(loop, 5);
@@ -158,7 +161,7 @@ describe("a robot that gets nowhere", () => {
     expect(event?.tick).toBeLessThan(tick);
   });
 
-  it("is noticed once while it pushes a wall, and again after a change", () => {
+  it("is detected once while it pushes a wall, and again after a change", () => {
     const loop = newLoop(corner, programOf([]), () => time);
     loop.run();
     pass(loop, 5);

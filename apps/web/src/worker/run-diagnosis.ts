@@ -1,6 +1,6 @@
 /**
- * Follows the run on the screen for its diagnosis: notices a robot that gets nowhere, and asks why a run
- * failed. Each line's bump is explained once in a run, or nobody could run on.
+ * Observes the displayed run for its diagnosis: detects a robot that gets nowhere, and requests why
+ * a run failed. Each line's bump is explained once per run, so that the user can continue.
  */
 import { LoopWatch, type LoopNotice } from "@corridor/coach";
 import type { MazeDocument } from "@corridor/maze";
@@ -9,7 +9,7 @@ import type { DriverName, LineRef } from "@corridor/protocol";
 import type { Recording, Run } from "@corridor/recording";
 import type { DiagnosedRun, diagnoseAt, diagnoseBump, TaskOf } from "./diagnose-run.ts";
 
-/** The module that diagnoses; it comes in a file of its own. */
+/** The diagnostics module, which is loaded on demand. */
 export interface Diagnostics {
   diagnoseBump: typeof diagnoseBump;
   diagnoseAt: typeof diagnoseAt;
@@ -22,23 +22,23 @@ export class RunDiagnosis {
   #maze: MazeDocument | null = null;
   #program: ProgramDocument | null = null;
 
-  /** The module has come. */
+  /** The module has loaded. */
   use(diagnostics: Diagnostics): void {
     this.#diagnostics = diagnostics;
   }
 
-  /** A new run: what was said of the one before may be said again. */
+  /** A new run: explanations of the previous one may be repeated. */
   begin(): void {
     this.#explained.clear();
     this.#watch = null;
   }
 
   /**
-   * Looks at a tick that `line` drove.
-   * @param isWaiting whether the line says `stop`
-   * @returns the sign that the robot gets nowhere; mostly null
+   * Observes a tick that `line` drove.
+   * @param isWaiting whether the line's action is `stop`
+   * @returns the sign that the robot gets nowhere; usually null
    */
-  look(run: Run, line: LineRef, isWaiting: boolean): LoopNotice | null {
+  observe(run: Run, line: LineRef, isWaiting: boolean): LoopNotice | null {
     this.#follow(run);
     this.#watch ??= new LoopWatch(run.maze);
     return this.#watch.look(run.cell, run.isStopped, run.isManoeuvring, line, isWaiting);
@@ -46,7 +46,7 @@ export class RunDiagnosis {
 
   /**
    * The newest tick ended in a bump.
-   * @returns null for a hand's, and for one explained before; "later" where the module has not come yet
+   * @returns null for a bump by hand or an explained one; "later" if the module has not loaded yet
    */
   bump(
     recording: Recording,
@@ -64,7 +64,7 @@ export class RunDiagnosis {
     return this.explain(recording, isProgram ? line : null, task);
   }
 
-  /** Why the newest tick ended in a bump, whether it was explained before or not. */
+  /** Explains why the newest tick ended in a bump, even if it was explained before. */
   explain(
     recording: Recording,
     line: LineRef | null,

@@ -3,7 +3,7 @@ import { Bench, momentOf, tenSeconds } from "./testing/bench.ts";
 import { loadRun } from "./testing/load-run.ts";
 
 describe("a file", () => {
-  it("opened later goes on as the run itself would have", () => {
+  it("opened later continues as the run itself would have", () => {
     const bench = tenSeconds();
     const saved = bench.loop.saveRun();
     if (!saved.ok) throw new Error(saved.reason);
@@ -24,7 +24,7 @@ describe("a file", () => {
     expect(moments[0]).toEqual(moments[1]);
   });
 
-  it("whose digest is not what the run ends in is refused, and nothing has changed", () => {
+  it("whose digest differs from the replay is rejected, and nothing has changed", () => {
     const bench = tenSeconds();
     const saved = bench.loop.saveRun();
     if (!saved.ok) throw new Error(saved.reason);

@@ -31,7 +31,7 @@ const nothing: ProgramDocument = {
   rules: [],
 };
 
-/** What the judge says in the end of an attempt at one maze; null where it is open to the end. */
+/** Final judgement of an attempt at one maze; null if it stays open. */
 function judged(challenge: ChallengeDocument, maze: number, attempt: Attempt): Outcome | null {
   const document = challenge.mazes[maze];
   if (document === undefined) throw new Error("no such maze");
@@ -57,21 +57,21 @@ function judged(challenge: ChallengeDocument, maze: number, attempt: Attempt): O
   return outcome;
 }
 
-/** What the judge has to say where a check of the same maze says this, but for who drove. */
+/** Expected judgement for the outcome of a check, except for the driver. */
 function expectedOf({ failure, ticks, bumps }: MazeOutcome): object {
   if (failure === null) return { kind: "met", tick: ticks, bumps };
   const isBump = failure.code === "bump";
   return { kind: "failed", code: isBump ? "bump" : "late", tick: isBump ? ticks : ticks + 1 };
 }
 
-/** Of a robot that stands still the first tick of standing may be another by one. */
+/** A stop may be detected one tick earlier or later. */
 function withinATick(judgement: Outcome | null, tick: number): object | null {
   if (judgement?.kind !== "met") return judgement;
   const { driver: _, ...met } = judgement;
   return Math.abs(met.tick - tick) <= 1 ? { ...met, tick } : met;
 }
 
-/** A loop on the screen with a judge; real time passes in steps as large as frames are apart. */
+/** A loop with a judge; real time passes in steps of one frame. */
 class Bench {
   time = 0;
   readonly loop: RunLoop;
@@ -97,7 +97,7 @@ class Bench {
     return this.judgement;
   }
 
-  /** Presses Run until the robot's attempt is decided: a card of a bump waits for that. */
+  /** Presses Run until the attempt is decided, because a bump's card pauses it. */
   runThrough(speed: Speed): Judgement {
     this.loop.setSpeed(speed);
     for (let n = 0; n < 2000 && this.judgement.kind === "open"; n++) {
@@ -124,11 +124,11 @@ describe("the judge of the run", () => {
   });
 
   it.each(attempts)(
-    "says what the check says: $id, maze $maze, $what",
+    "agrees with the check: $id, maze $maze, $what",
     ({ challenge, maze, attempt }) => {
       const verdict = checkChallenge(challenge, attempt);
       const outcome = verdict.mazes[maze];
-      // A program that is not allowed does not run in a check.
+      // A check does not run a program that is not allowed.
       if (outcome === undefined) return;
       expect(withinATick(judged(challenge, maze, attempt), outcome.ticks)).toEqual(
         expectedOf(outcome),
@@ -178,20 +178,20 @@ describe("the judge of the run", () => {
     },
   );
 
-  it("goes on from an earlier moment as if the later ones had never been", () => {
+  it("continues from an earlier tick as if the later ones had never happened", () => {
     const { solution } = answers["right-wall"];
     const [outcome] = checkChallenge(lap, solution).mazes;
     const bench = new Bench(lap, solution as ProgramDocument);
     expect(bench.runThrough("max").kind).toBe("met");
     bench.loop.seek(200);
-    // The shown past is no attempt: what was met stays so until it is forgotten.
+    // The displayed past is no attempt: a met goal stays met until it is truncated.
     expect(bench.look().kind).toBe("met");
     bench.loop.run();
     expect(bench.look()).toEqual({ kind: "open" });
     expect(bench.runThrough(1)).toMatchObject({ kind: "met", tick: outcome?.ticks });
   });
 
-  it("still knows after a cut who drove before it", () => {
+  it("still knows after a truncation who drove before it", () => {
     const bench = new Bench(
       challengeOfMission("right-wall"),
       answers["right-wall"].solution as ProgramDocument,
@@ -206,7 +206,7 @@ describe("the judge of the run", () => {
     expect(bench.runThrough("max")).toMatchObject({ kind: "failed", code: "driver" });
   });
 
-  it("judges what there is of a run when the challenge opens in the middle of it", () => {
+  it("judges the existing part of a run when the challenge opens in between", () => {
     const { solution } = answers["right-wall"];
     const [outcome] = checkChallenge(lap, solution).mazes;
     const bench = new Bench(lap, solution as ProgramDocument);
@@ -262,7 +262,8 @@ describe("the judge of the run", () => {
     const { tick } = bench.loop.snapshot();
     const met = { kind: "met", driver: "me", tick, bumps: 0 };
     expect(bench.look()).toEqual(met);
-    // What comes after takes nothing back, nor does a cut after it; a cut before it and a new start do.
+    // Later events do not revert it, nor does a later truncation; an earlier truncation and a reset
+    // do.
     bench.loop.hold("forward");
     bench.pass(3000);
     bench.loop.seek(tick + 30);
@@ -275,7 +276,7 @@ describe("the judge of the run", () => {
     expect(bench.look()).toEqual({ kind: "open" });
   });
 
-  it("fails at the first bump too many and stays so until the robot starts again", () => {
+  it("fails at the first bump too many and stays so until a reset", () => {
     const program = answers["no-room"].wrong.attempt as ProgramDocument;
     const bench = new Bench(challengeOfMission("no-room"), program);
     const failed = bench.runThrough(1);
@@ -287,7 +288,7 @@ describe("the judge of the run", () => {
     expect(bench.look()).toEqual({ kind: "open" });
   });
 
-  it("does not count a goal that somebody else drove to", () => {
+  it("does not count a goal that another driver reached", () => {
     const challenge = challengeOfMission("one-line");
     const bench = new Bench(challenge, answers["one-line"].solution as ProgramDocument);
     bench.loop.hold("forward");
@@ -296,7 +297,7 @@ describe("the judge of the run", () => {
     expect(bench.runThrough(1)).toMatchObject({ kind: "failed", code: "driver" });
   });
 
-  it("says when the time is over", () => {
+  it("reports when the time is over", () => {
     const challenge = challengeOfMission("one-line");
     const { seconds } = challenge.checks;
     const bench = new Bench({ ...challenge, checks: { bumps: null, seconds } });
@@ -305,7 +306,7 @@ describe("the judge of the run", () => {
       code: "late",
       tick: seconds * 60 + 1,
     });
-    // It waits at this moment, and drives on where the student wants that.
+    // The robot waits here, and drives on if the student wants that.
     expect(bench.loop.isRunning).toBe(false);
     expect(bench.loop.snapshot().tick).toBe(seconds * 60 + 1);
     bench.loop.run();

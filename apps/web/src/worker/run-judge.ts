@@ -1,6 +1,6 @@
 /**
- * Judges the run by the challenge that is open: each tick as it is driven, and all of them again where the
- * run is another one or begins anew from an earlier moment. Loaded when a challenge opens.
+ * Judges the run by the open challenge: each tick as it runs, and all of them again for another run
+ * or after a truncation. Loaded when a challenge opens.
  */
 import {
   AttemptJudge,
@@ -19,16 +19,16 @@ export class RunJudge {
   readonly #terms: AttemptTerms;
   #judge: AttemptJudge;
   /**
-   * met while time stood still, which no tick tells; null when it was not. It stays through a cut after
-   * it.
+   * met while the clock stood still, which no tick reports; otherwise null. It survives a later
+   * truncation.
    */
   #rested: Extract<Judgement, { kind: "met" }> | null = null;
-  #told: Judgement = open;
+  #reported: Judgement = open;
 
   readonly #challenge: ChallengeDocument;
   readonly #maze: number;
 
-  /** @param maze index of the maze on the screen */
+  /** @param maze index of the displayed maze */
   constructor(challenge: ChallengeDocument, maze: number) {
     this.#challenge = challenge;
     this.#maze = maze;
@@ -36,7 +36,10 @@ export class RunJudge {
     this.#judge = new AttemptJudge(this.#terms);
   }
 
-  /** What a changed program would have to do. @param isWhole whether the program alone drove so far */
+  /**
+   * The task of a changed program.
+   * @param isWhole whether the program alone drove so far
+   */
   task(isWhole: boolean): DiagnosisTask {
     return diagnosisTask(this.#challenge, this.#maze, isWhole);
   }
@@ -47,16 +50,16 @@ export class RunJudge {
     return judgement.kind === "failed" && judgement.code === "late" && judgement.tick === tick;
   }
 
-  /** Another run: judges what there is of it. */
+  /** Another run: judges its existing part. */
   begin(recording: Recording): void {
     this.#rested = null;
-    this.#judgeAgain(recording);
+    this.#rejudge(recording);
   }
 
-  /** The run forgot what came after its newest moment. */
-  cut(recording: Recording): void {
+  /** The run was truncated at its newest tick. */
+  truncate(recording: Recording): void {
     if (this.#rested !== null && this.#rested.tick > recording.run.tick) this.#rested = null;
-    this.#judgeAgain(recording);
+    this.#rejudge(recording);
   }
 
   /** A tick is about to run. */
@@ -69,14 +72,14 @@ export class RunJudge {
     this.#judge.after(run);
   }
 
-  /** How it stands where that changed since the last call; null where it did not. */
+  /** The judgement if it changed since the last call; otherwise null. */
   take(run: Run, isResting: boolean): Judgement | null {
     if (isResting && run.tick > 0 && this.#rested === null) this.#rest(run);
     const judged = this.#rested ?? this.#judge.judgement;
-    if (judged === this.#told) return null;
-    // One that is judged again is not told again.
-    const isSame = JSON.stringify(judged) === JSON.stringify(this.#told);
-    this.#told = judged;
+    if (judged === this.#reported) return null;
+    // An equal judgement after a repeated one is not reported again.
+    const isSame = JSON.stringify(judged) === JSON.stringify(this.#reported);
+    this.#reported = judged;
     return isSame ? null : judged;
   }
 
@@ -88,8 +91,8 @@ export class RunJudge {
     if (wasOpen && judged.kind === "met") this.#rested = judged;
   }
 
-  /** It takes no more ticks than the challenge gives, since then it is decided. */
-  #judgeAgain(recording: Recording): void {
+  /** The judge needs no more ticks than the challenge allows, because then it is decided. */
+  #rejudge(recording: Recording): void {
     this.#judge = new AttemptJudge(this.#terms);
     if (recording.run.tick === 0) return;
     const playback = recording.playback();

@@ -20,7 +20,7 @@ function now(): number {
   return (time += 5);
 }
 
-/** A worker whose slices come when the test says so. */
+/** A worker whose slices run when the test requests them. */
 function newLoader(open?: () => never) {
   const loop = new RunLoop(firstMaze, firstProgram, now);
   const parts: number[] = [];
@@ -29,14 +29,14 @@ function newLoader(open?: () => never) {
   const loader = new RunLoader({
     now,
     later: () => void waiting++,
-    tellPart: (_id, part) => void parts.push(part),
+    onPart: (_id, part) => void parts.push(part),
     answer: (id, loaded) => void answers.push({ id, loaded }),
   });
   const load = (id: number, run: RunDocument) =>
     loader.load({ id, run }, open ?? ((recording) => loop.open(recording)));
   const slice = () => {
     waiting--;
-    loader.goOn();
+    loader.next();
   };
   const finish = () => {
     while (waiting > 0) slice();
@@ -45,7 +45,7 @@ function newLoader(open?: () => never) {
 }
 
 describe("opening a recorded run", () => {
-  it("of some length leaves room for other messages, tells how far it is, and ends", () => {
+  it("of some length leaves room for other messages, reports its progress, and ends", () => {
     const run = longRun(6_000);
     const { load, loop, parts, finish, answers, isBusy } = newLoader();
     load(7, run);
@@ -60,7 +60,7 @@ describe("opening a recorded run", () => {
     expect(parts.every((part) => part > 0 && part < 1)).toBe(true);
   });
 
-  it("is given up for another one, by who asked, or by whatever else is opened", () => {
+  it("is cancelled by another one, by its requester, or by anything else that opens", () => {
     const run = longRun(6_000);
     const { load, loader, loop, slice, finish, answers } = newLoader();
     const cancelled = { ok: false, reason: "cancelled" };
@@ -78,7 +78,7 @@ describe("opening a recorded run", () => {
     expect(loop.snapshot().tick).toBe(0);
   });
 
-  it("is refused where it ends in other bits, and nothing has changed", () => {
+  it("is rejected if it ends in other bits, and nothing has changed", () => {
     const run = { ...longRun(300), digest: "0123456789abcdef" };
     const { load, loop, finish, answers } = newLoader();
     load(1, run);
@@ -88,7 +88,7 @@ describe("opening a recorded run", () => {
     expect(loop.snapshot().tick).toBe(0);
   });
 
-  it("is answered all the same where it breaks", () => {
+  it("is answered even if it breaks", () => {
     const { load, finish, answers } = newLoader(() => {
       throw new Error("broken");
     });

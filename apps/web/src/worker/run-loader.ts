@@ -1,33 +1,33 @@
 /**
- * Opens recorded runs: repeats one a slice at a time, so that the worker hears other messages
- * meanwhile, and answers each request once, whatever happens.
+ * Opens recorded runs: replays one a slice at a time, so that the worker handles other messages
+ * meanwhile, and answers each request exactly once.
  */
 import { Replay, type Recording } from "@corridor/recording";
 import type { LoadedRun, LoadRun } from "./worker-messages.ts";
 
-/** So long a slice may take: a robot that drives meanwhile does not stumble. */
+/** Longest slice, so that a driving robot does not stutter. */
 const SLICE_MS = 12;
-/** How far it is, is told at most this often. */
-const TELL_MS = 200;
+/** Least time between two progress reports. */
+const REPORT_MS = 200;
 
 export interface RunLoaderPorts {
   /** monotonic milliseconds */
   now: () => number;
-  /** comes back after the messages that wait already */
+  /** calls back after the messages that are already queued */
   later: () => void;
-  /** how much of the run is opened, from 0 to 1 */
-  tellPart: (id: number, part: number) => void;
+  /** progress from 0 to 1 */
+  onPart: (id: number, part: number) => void;
   answer: (id: number, loaded: LoadedRun) => void;
 }
 
-/** Shows the run from now on, or says why not. */
+/** Displays the run from now on, or returns why not. */
 type Open = (recording: Recording) => LoadedRun;
 
 interface Load {
   id: number;
   replay: Replay;
   open: Open;
-  toldAt: number;
+  reportedAt: number;
 }
 
 export class RunLoader {
@@ -38,30 +38,33 @@ export class RunLoader {
     this.#ports = ports;
   }
 
-  /** Begins to open a run; one that is being opened is given up. */
+  /** Starts to open a run, and cancels one that is being opened. */
   load({ id, run }: Pick<LoadRun, "id" | "run">, open: Open): void {
     this.cancel();
     this.#answering(id, () => {
-      this.#load = { id, replay: new Replay(run), open, toldAt: this.#ports.now() };
+      this.#load = { id, replay: new Replay(run), open, reportedAt: this.#ports.now() };
       this.#slice(this.#load);
     });
   }
 
-  /** Gives up what is being opened. @param id only this request; without it, any */
+  /**
+   * Cancels the run that is being opened.
+   * @param id only this request; without it, any
+   */
   cancel(id?: number): void {
     const load = this.#load;
     if (load === null || (id !== undefined && id !== load.id)) return;
     this.#answer(load.id, { ok: false, reason: "cancelled" });
   }
 
-  /** Does the next slice, if there is one. */
-  goOn(): void {
+  /** Runs the next slice, if there is one. */
+  next(): void {
     const load = this.#load;
     if (load !== null) this.#answering(load.id, () => this.#slice(load));
   }
 
   #slice(load: Load): void {
-    const { now, later, tellPart } = this.#ports;
+    const { now, later, onPart } = this.#ports;
     const { id, replay, open } = load;
     const until = now() + SLICE_MS;
     const end = replay.advance(() => now() < until);
@@ -70,14 +73,14 @@ export class RunLoader {
       this.#answer(id, loaded);
       return;
     }
-    if (now() - load.toldAt >= TELL_MS) {
-      load.toldAt = now();
-      tellPart(id, replay.tick / replay.ticks);
+    if (now() - load.reportedAt >= REPORT_MS) {
+      load.reportedAt = now();
+      onPart(id, replay.tick / replay.ticks);
     }
     later();
   }
 
-  /** Whoever asked hears of it as well where it goes wrong. */
+  /** Answers the request even if the task throws. */
   #answering(id: number, work: () => void): void {
     try {
       work();

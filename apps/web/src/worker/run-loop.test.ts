@@ -35,23 +35,23 @@ function loopOf(maze: MazeDocument = firstMaze, program: ProgramDocument = first
   return loop;
 }
 
-/** Lets real time pass in intervals as the worker's timer gives them, and collects what is told. */
+/** Lets real time pass in timer intervals, and collects the events. */
 function pass(loop: RunLoop, milliseconds: number): RunEvent[] {
-  const moments: RunEvent[] = [];
+  const events: RunEvent[] = [];
   for (const end = time + milliseconds; time < end;) {
     time += 8;
     loop.advance();
-    const news = loop.takeNews();
-    moments.push(...(news?.moments ?? []));
+    const update = loop.takeUpdate();
+    events.push(...(update?.events ?? []));
   }
-  return moments;
+  return events;
 }
 
 function deliver(loop: RunLoop, seq: number, command: Command): void {
   loop.accept(deliveryOf(seq, command));
 }
 
-it("reports the robot in words that a relay passes on without reading them further", () => {
+it("reports the robot in a form that a relay forwards without parsing it further", () => {
   const loop = loopOf();
   loop.run();
   for (let turn = 0; turn < 20; turn++) {
@@ -68,24 +68,24 @@ describe("a program", () => {
     expect(loop.snapshot()).toMatchObject({ tick: 0, state: "paused", line: "default" });
   });
 
-  it("drives to the goal, pauses there once, and tells where, when and by which line", () => {
+  it("drives to the goal, pauses there once, and reports where, when and by which line", () => {
     const loop = loopOf();
     loop.run();
-    const moments = pass(loop, 60_000);
-    expect(moments).toMatchObject([{ kind: "goal", tick: 2380, line: "default", bumps: 0 }]);
+    const events = pass(loop, 60_000);
+    expect(events).toMatchObject([{ kind: "goal", tick: 2380, line: "default", bumps: 0 }]);
     expect(loop.snapshot()).toMatchObject({ tick: 2380, state: "paused", goalReached: true });
     loop.run();
     expect(pass(loop, 2000)).toEqual([]);
     expect(loop.snapshot().tick).toBeGreaterThan(2400);
   });
 
-  it("tells a bump with the line that was in charge", () => {
+  it("reports a bump with the line that was in charge", () => {
     const loop = loopOf(firstMaze, { ...firstProgram, rules: [] });
     loop.run();
     expect(pass(loop, 5000)).toMatchObject([{ kind: "bump", line: "default", bumps: 1 }]);
   });
 
-  it("shows a line's numbers true at the moment it is lit", () => {
+  it("shows true numbers for a line at the tick at which it is lit", () => {
     const loop = loopOf();
     loop.run();
     let line: Snapshot["line"] = null;
@@ -93,7 +93,7 @@ describe("a program", () => {
     while (loop.isRunning) {
       time += 8;
       loop.advance();
-      const snapshot = loop.takeNews()?.frame.snapshot;
+      const snapshot = loop.takeUpdate()?.frame.snapshot;
       if (snapshot === undefined || snapshot.line === line) continue;
       line = snapshot.line;
       lit++;
@@ -103,7 +103,7 @@ describe("a program", () => {
     expect(lit).toBeGreaterThan(20);
   });
 
-  it("can be edited while it runs: the next decision is by the new lines", () => {
+  it("can be edited while it runs: the next decision uses the new lines", () => {
     const loop = loopOf();
     loop.run();
     pass(loop, 500);
@@ -175,7 +175,7 @@ describe("time", () => {
     const runs = [1, 7, 60].map((chunk) => {
       const loop = loopOf(maze, scraping);
       loop.setSpeed(16);
-      // The first bump of each line pauses the run, to be explained; they lie within these ticks.
+      // The first bump of each line pauses the run for an explanation; these ticks include them.
       while (loop.snapshot().tick < 2_100) {
         loop.run();
         time += 1000 / 60 / 16 + 1e-9;
@@ -183,7 +183,7 @@ describe("time", () => {
       }
       const snapshots: Snapshot[] = [];
       for (let ticks = chunk; ticks <= 100_000; ticks += chunk) {
-        // A hair more than the chunk takes, so that rounding never leaves a tick behind.
+        // Slightly more than the chunk takes, so that rounding never omits a tick.
         time += (chunk * 1000) / 60 / 16 + 1e-9;
         loop.advance();
         const snapshot = loop.snapshot();
@@ -214,12 +214,12 @@ describe("time", () => {
 });
 
 describe("Reset", () => {
-  it("puts the robot to its start, begins a new trail and keeps the driver", () => {
+  it("resets the robot, starts a new trail and retains the driver", () => {
     const loop = loopOf();
     loop.run();
     pass(loop, 3000);
     loop.reset();
-    const frame = loop.takeNews()?.frame;
+    const frame = loop.takeUpdate()?.frame;
     expect(frame).toMatchObject({
       trailReset: true,
       corners: [50, 650],
@@ -249,7 +249,7 @@ describe("a hand", () => {
     expect(loop.snapshot().pose.heading % 2.5).toBe(0);
   });
 
-  it("takes over from a running program; Run gives the robot back to the program", () => {
+  it("takes over from a running program; Run returns the robot to the program", () => {
     const loop = loopOf();
     loop.run();
     pass(loop, 300);
@@ -272,7 +272,7 @@ describe("a hand", () => {
     expect(loop.snapshot().pose.x).toBeGreaterThan(goal);
   });
 
-  it("letting go of a key that was pressed before the program ran does not stop the program", () => {
+  it("releasing a key that was pressed before the program ran does not stop the program", () => {
     const loop = loopOf();
     loop.run();
     loop.hold("stop");
@@ -320,7 +320,7 @@ describe("a remote script", () => {
     expect(loop.snapshot()).toMatchObject({ command: null, motion: "stop", bumping: true });
   });
 
-  it("hears at once that it may not drive while somebody else does", () => {
+  it("learns at once that it may not drive while another driver does", () => {
     const loop = loopOf();
     deliver(loop, 1, { action: "forward" });
     expect(endings[1]).toMatchObject({ state: "cancelled" });
@@ -352,7 +352,7 @@ describe("a remote script", () => {
   });
 });
 
-describe("a driver that is offered", () => {
+describe("an offered driver", () => {
   it("takes a robot that waits at its start", () => {
     const loop = loopOf();
     loop.offerDriver("me");
@@ -373,7 +373,7 @@ describe("a driver that is offered", () => {
   });
 });
 
-it("a script that reaches the goal and bumps within one frame is told of both", () => {
+it("a script that reaches the goal and bumps within one frame receives both", () => {
   const corridor = {
     ...firstMaze,
     blocks: ["..."],
@@ -386,7 +386,7 @@ it("a script that reaches the goal and bumps within one frame is told of both", 
   deliver(loop, 1, { action: "forward" });
   time += 240;
   loop.advance();
-  const kinds = loop.takeNews()?.moments.map(({ kind }) => kind);
+  const kinds = loop.takeUpdate()?.events.map(({ kind }) => kind);
   expect(kinds).toEqual(["goal", "bump"]);
 });
 

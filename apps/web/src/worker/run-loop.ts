@@ -1,10 +1,9 @@
 /**
- * The run: who drives, whether time flows and how fast, which moment is shown, and what the page is
- * told of it.
+ * The run: driver, clock, speed, displayed tick, and updates for the page.
  *
- * Knows neither timers nor sockets nor the worker it runs in: the entry calls `advance` as real time
- * passes and hands messages in. Speed changes how many ticks run, never what happens in one. What
- * happens is the recording's; while an earlier moment is shown, the live run waits.
+ * It depends on neither timers nor sockets nor the worker: the entry calls `advance` as real time
+ * passes and forwards messages. Speed changes how many ticks run, never what happens in one. While
+ * an earlier tick is displayed, the live run waits.
  */
 import type { Judgement } from "@corridor/challenge";
 import type { ProgramDocument } from "@corridor/program";
@@ -19,24 +18,24 @@ import { RunClock } from "./run-clock.ts";
 import type { DiagnosedRun } from "./diagnose-run.ts";
 import type { Diagnostics } from "./run-diagnosis.ts";
 import type { RunJudge } from "./run-judge.ts";
-import { RunWatch } from "./run-watch.ts";
-import { ScreenMoment } from "./screen-moment.ts";
+import { RunObserver } from "./run-observer.ts";
+import { DisplayedTick } from "./displayed-tick.ts";
 import type { DriveKey, Frame, GhostPose, RunEvent, Speed, StepLength } from "./worker-messages.ts";
 
-/** Where the ghosts of a race are at the end of a tick. */
+/** Poses of a race's ghosts at the end of a tick. */
 interface Ghosts {
   posesAt(tick: number): readonly GhostPose[];
 }
 
 export class RunLoop {
   #remote: RemoteDriver | null = null;
-  /** null while no race is on */
+  /** null without a race */
   #ghosts: Ghosts | null = null;
   readonly #clock: RunClock;
-  readonly #watch = new RunWatch();
+  readonly #observer = new RunObserver();
   readonly #live: LiveRun;
-  readonly #screen: ScreenMoment;
-  /** a script's robot goes on as soon as the newest moment is shown again */
+  readonly #screen: DisplayedTick;
+  /** a script's robot continues as soon as the newest tick is displayed again */
   #resumesNow = false;
   #isRunning = false;
   /** pause after the next tick, or at the next change of decision */
@@ -47,64 +46,64 @@ export class RunLoop {
   constructor(maze: MazeDocument, program: ProgramDocument, now: () => number) {
     this.#clock = new RunClock(now);
     this.#live = new LiveRun(maze, program);
-    this.#screen = new ScreenMoment(this.#live);
+    this.#screen = new DisplayedTick(this.#live);
   }
 
-  /** From now on scripts can drive, which many a visit never needs: what they need for it comes late. */
+  /** Enables driving by scripts, whose code loads on demand. */
   connect(driverOf: (robot: () => RemoteRobot) => RemoteDriver): void {
     this.#remote = driverOf(() => this.recording);
   }
 
-  /** the commands of scripts; they come in by `accept`, and all end by `cancelRemote` */
+  /** the commands of scripts; they arrive by `accept`, and all end by `cancelRemote` */
   get remote(): Pick<RemoteDriver, "cancelOne" | "reset" | "renew" | "running"> | null {
     return this.#remote;
   }
 
-  /** Whether nothing has happened to the robot that the page began with. */
+  /** Whether the robot is unchanged since the page started. */
   get isUntouched(): boolean {
     return this.#live.revision === 0 && this.#live.run.tick === 0;
   }
 
-  /** The live run, for who stores it. */
+  /** The live run, for storing it. */
   get recording(): Recording {
     return this.#live.recording;
   }
 
-  /** Whether these are the documents that are open. */
+  /** Whether these are the open documents. */
   isOf(maze: MazeDocument, program: ProgramDocument): boolean {
     return this.#live.isOf(maze, program);
   }
 
-  /** Whether simulated time flows, live or played again. */
+  /** Whether simulated time passes, live or in a playback. */
   get isRunning(): boolean {
     return this.#isRunning || this.#screen.isPlaying;
   }
 
-  /** Who drives the newest moment. */
+  /** The driver at the newest tick. */
   get driver(): DriverName {
     return this.#live.driver;
   }
 
-  /** The robot stays where it is; one that has no room any more goes to its start, and a new run begins. */
+  /** The robot stays where it is; without room it is moved to its start, which starts a new run. */
   editMaze(maze: MazeDocument): void {
     if (!this.#live.editMaze(maze)) return;
     this.now();
     this.#isDirty = true;
-    if (this.#live.run.tick > 0 && this.#live.bringMaze()) return;
+    if (this.#live.run.tick > 0 && this.#live.applyMaze()) return;
     this.#remote?.cancel("mazeChanged");
-    this.#beginRun();
+    this.#startRun();
   }
 
-  /** While the past is shown, the run gets the new program only when it goes on. */
+  /** While the past is displayed, the run receives the new program only when it continues. */
   editProgram(program: ProgramDocument): void {
     this.#live.editProgram(program);
     if (!this.#screen.isPast) this.#live.bringProgram();
     this.#isDirty = true;
   }
 
-  /** Lets time flow, from the shown moment on; where nobody but a hand drives, the program takes over. */
+  /** Starts the clock, from the displayed tick on; if a user drove, the program takes over. */
   run(): void {
-    this.#cutHere();
+    this.#truncateHere();
     if (this.driver === "me") this.setDriver("program");
     this.#stepping = null;
     this.#start();
@@ -119,8 +118,9 @@ export class RunLoop {
   }
 
   /**
-   * Goes on to the next change of decision and pauses: another line decides, or a manoeuvre begins or ends. A bump
-   * and a robot that stands end the step as well. In the past, the recorded change is displayed.
+   * Continues to the next change of decision and pauses: another line decides, or a manoeuvre
+   * starts or ends. A bump and a standing robot end the step, too. In the past, the recorded change
+   * is displayed.
    */
   step(length: StepLength = "decision"): void {
     if (this.#screen.isPast) {
@@ -132,17 +132,17 @@ export class RunLoop {
     this.#stepping = length;
   }
 
-  /** Robot to start; maze, program, driver and speed stay. A new run begins. */
+  /** Moves the robot to its start; maze, program, driver and speed stay. Starts a new run. */
   reset(): void {
     this.#remote?.cancel("reset");
-    this.#beginRun();
+    this.#startRun();
   }
 
   setSpeed(speed: Speed): void {
     this.#clock.speed = speed;
   }
 
-  /** Hands the robot over: it stops; a script's robot is live at once, the others wait. */
+  /** Changes the driver and stops the robot; a script's robot is live at once, the others wait. */
   setDriver(driver: DriverName): void {
     this.now();
     if (driver === this.driver) return;
@@ -152,19 +152,19 @@ export class RunLoop {
     if (driver === "remote") this.#start();
   }
 
-  /** Hands a robot that waits at its start to another than the program; a run that has begun goes on. */
+  /** Changes the driver of a robot that waits at its start; a run that has started continues. */
   offerDriver(driver: DriverName): void {
     if (this.#live.run.tick > 0 || this.#isRunning || this.driver !== "program") return;
     this.setDriver(driver);
   }
 
-  /** A drive key goes down or up; whoever drove before, the hand drives now, from the shown moment on. */
+  /** A drive key is pressed or released; the user drives from now on, from the displayed tick. */
   hold(key: DriveKey): void {
     const isLettingGo = key === "stop";
-    // What was held until now counts up to this moment.
+    // The key that was held until now counts up to this tick.
     this.advance();
     if (isLettingGo && (this.driver !== "me" || this.#screen.isPast)) return;
-    this.#cutHere();
+    this.#truncateHere();
     this.setDriver("me");
     this.recording.addInput({ do: "command", command: commandOfKey(key) });
     if (isLettingGo) this.pause();
@@ -172,8 +172,8 @@ export class RunLoop {
   }
 
   /**
-   * Takes a remote command; where Remote does not drive, it ends at once and says so. A script drives
-   * live: the newest moment is shown again.
+   * Accepts a remote command; if Remote does not drive, the command ends at once. A script drives
+   * live: the newest tick is displayed again.
    */
   accept(delivery: DeliveredCommand): void {
     this.#remote?.accept(delivery);
@@ -182,7 +182,7 @@ export class RunLoop {
     this.#isDirty = true;
   }
 
-  /** Ends what remote commands run and wait, and stops the robot. */
+  /** Ends running and queued remote commands, and stops the robot. */
   cancelRemote(reason: CancelReason): void {
     if (this.driver !== "remote") return;
     this.#remote?.cancel(reason);
@@ -190,14 +190,14 @@ export class RunLoop {
     this.#isDirty = true;
   }
 
-  /** Shows the moment at the end of a tick; the live run waits. */
+  /** Displays the state at the end of a tick; the live run waits. */
   seek(tick: number): void {
     this.#waitForPast();
     this.#screen.seek(tick);
     if (this.#screen.isAtEnd) this.now();
   }
 
-  /** Shows the decision before or after the shown moment; after the newest, takes the next one. */
+  /** Displays the previous or next decision; after the newest, takes the next one. */
   seekStep(by: 1 | -1): void {
     if (by === 1 && !this.#screen.isPast) {
       this.step();
@@ -208,14 +208,14 @@ export class RunLoop {
     if (this.#screen.isAtEnd) this.now();
   }
 
-  /** Plays the recording on from the shown moment up to the newest. */
+  /** Plays the recording from the displayed tick up to the newest. */
   play(): void {
     if (!this.#screen.isPast) return;
     this.#screen.play();
     this.#startClock();
   }
 
-  /** Shows the newest moment again; the run gets the program that was edited meanwhile. */
+  /** Displays the newest tick again; the run receives a program that was edited meanwhile. */
   now(): void {
     if (!this.#screen.isPast) return;
     this.#screen.leavePast();
@@ -229,18 +229,21 @@ export class RunLoop {
     return this.recording.toDocument(this.#live.maze.name);
   }
 
-  /** Shows another run where it ended, paused. @returns the documents that it ended with */
+  /**
+   * Displays another run where it ended, paused.
+   * @returns its last documents
+   */
   open(recording: Recording): { ok: true; maze: MazeDocument; program: ProgramDocument } {
     this.#remote?.cancel("movedInTime");
     this.#live.open(recording);
-    this.#begun();
+    this.#started();
     const { maze, program } = this.#live;
-    // A script's commands have ended long ago: Remote is chosen anew.
+    // The commands of the script ended long ago, so Remote has to be chosen again.
     if (this.driver === "remote") this.setDriver("program");
     return { ok: true, maze, program: program.document };
   }
 
-  /** Runs the ticks that real time asks for since the last call. */
+  /** Runs the ticks for the real time since the last call. */
   advance(): void {
     this.#remote?.update();
     const isAtSpeed = !this.#isByHand && !this.#isAwaitingScript;
@@ -252,70 +255,76 @@ export class RunLoop {
     return this.driver === "me" && !this.#screen.isPast;
   }
 
-  /** At speed "max", hours would pass while a script thinks. */
+  /** At speed "max", hours would pass while a script computes. */
   get #isAwaitingScript(): boolean {
     return this.driver === "remote" && !this.#screen.isPast && this.#remote?.isIdle !== false;
   }
 
-  /** What there is to draw and to tell since the last call; null when nothing changed. */
-  takeNews(): { frame: Frame; moments: RunEvent[]; forgottenAfter: number | null } | null {
+  /** Changes to draw and to report since the last call; null without any. */
+  takeUpdate(): { frame: Frame; events: RunEvent[]; truncatedAfter: number | null } | null {
     if (!this.#isDirty) return null;
     this.#isDirty = false;
     const frame = this.#screen.frame(this.#isRunning);
     if (this.#ghosts !== null) frame.ghosts = this.#ghosts.posesAt(frame.snapshot.tick);
-    const forgottenAfter = this.#watch.takeForgottenAfter();
-    return { frame, moments: this.#watch.takeMoments(), forgottenAfter };
+    const truncatedAfter = this.#observer.takeTruncatedAfter();
+    return { frame, events: this.#observer.takeEvents(), truncatedAfter };
   }
 
-  /** From now on frames carry the ghosts of a race, each at the displayed tick. Called again when they change. */
+  /**
+   * Frames contain the ghosts of a race from now on, each at the displayed tick. Called again when
+   * they change.
+   */
   raceWith(ghosts: Ghosts): void {
     this.#ghosts = ghosts;
     this.#isDirty = true;
   }
 
-  /** The module that says why a run failed has come. */
+  /** The diagnostics module has loaded. */
   useDiagnostics(diagnostics: Diagnostics): void {
-    this.#watch.useDiagnostics(diagnostics, this.recording);
+    this.#observer.useDiagnostics(diagnostics, this.recording);
     this.#isDirty = true;
   }
 
-  /** Why the program's robot does not get to the goal; null when nothing is new since the last call. */
+  /**
+   * Why the program's robot does not reach the goal; null without a new diagnosis since the last
+   * call.
+   */
   takeDiagnosed(): DiagnosedRun | null {
-    return this.#watch.takeDiagnosed();
+    return this.#observer.takeDiagnosed();
   }
 
   /** Judges the run by a challenge from its first tick on; null: by none. */
   judgeBy(judge: RunJudge | null): void {
-    this.#watch.judgeBy(judge, this.recording);
+    this.#observer.judgeBy(judge, this.recording);
   }
 
-  /** How the attempt at the challenge stands; null where that did not change since the last call. */
+  /** The judgement of the challenge if it changed since the last call; otherwise null. */
   takeJudgement(): Judgement | null {
     const isResting = !this.#screen.isPast && !this.#isRunning;
-    return this.#watch.takeJudgement(this.#live.run, isResting);
+    return this.#observer.takeJudgement(this.#live.run, isResting);
   }
 
-  /** What the timeline gained or lost since the last call; null when nothing changed. */
+  /** Changes of the timeline since the last call; null without any. */
   takeTimeline(): TimelineDelta | null {
     return this.recording.timeline.takeDelta();
   }
 
-  /** The newest maze, whichever moment is shown. */
+  /** The newest maze, whichever tick is displayed. */
   get maze(): MazeDocument {
     return this.#live.maze;
   }
 
-  /** The maze of the shown moment where it is not the newest one. */
-  get shownMaze(): MazeDocument | null {
+  /** The maze at the displayed tick if it is not the newest one; otherwise null. */
+  get pastMaze(): MazeDocument | null {
     return this.#screen.maze;
   }
 
-  /** The newest moment, for scripts; every call has its own seq. */
+  /** The newest state, for scripts; every call has its own seq. */
   snapshot(): Snapshot {
     return this.#screen.newest(this.#isRunning);
   }
 
-  /** The live run waits while an earlier moment is shown. */
+  /** The live run waits while an earlier tick is displayed. */
   #waitForPast(): void {
     if (!this.#screen.isPast) this.#resumesNow = this.#isRunning && this.driver === "remote";
     this.#isRunning = false;
@@ -323,8 +332,8 @@ export class RunLoop {
     this.#isDirty = true;
   }
 
-  /** Forgets what came after the shown moment; what is there now, maze and program, meets the robot. */
-  #cutHere(): void {
+  /** Truncates the run at the displayed tick, and applies the newest maze and program. */
+  #truncateHere(): void {
     if (!this.#screen.isPast) return;
     const wasRemote = this.driver === "remote";
     const { tick } = this.#screen;
@@ -333,9 +342,9 @@ export class RunLoop {
     this.#isDirty = true;
     this.#remote?.cancel("movedInTime");
     this.recording.truncate(tick);
-    this.#watch.cut(this.recording);
-    if (!this.#live.bringMaze()) {
-      this.#beginRun();
+    this.#observer.truncate(this.recording);
+    if (!this.#live.applyMaze()) {
+      this.#startRun();
       return;
     }
     this.#live.bringProgram();
@@ -353,7 +362,7 @@ export class RunLoop {
     this.#isDirty = true;
   }
 
-  /** @returns whether time still flows in the same way */
+  /** @returns whether the clock continues in the same way */
   #runTicks(count: number, isAtSpeed: boolean): boolean {
     if (count > 0) this.#isDirty = true;
     if (this.#screen.isPast) {
@@ -371,33 +380,35 @@ export class RunLoop {
     const { run } = recording;
     const isRemote = run.driver === "remote";
     if (isRemote) this.#remote?.start();
-    this.#watch.before(run);
+    this.#observer.before(run);
     const { bumps, pose } = run;
     recording.step();
-    const isToWait = this.#watch.after(recording);
+    const isToWait = this.#observer.after(recording);
     if (isRemote) this.#remote?.finish();
     if (isToWait) this.pause();
     if (this.#stepping === null) return;
-    // Readings that stay as they are choose the same line for ever.
+    // Constant readings choose the same line for ever.
     const isStanding = !run.isManoeuvring && isSamePose(run.pose, pose);
     const isChange = run.decidedAt === run.tick || run.bumps !== bumps || isStanding;
     if (isChange || this.#stepping === "tick") this.pause();
   }
 
-  /** A new run of the newest documents; the driver stays, and a script's robot is live at once. */
-  #beginRun(): void {
+  /**
+   * Starts a run of the newest documents; the driver stays, and a script's robot is live at once.
+   */
+  #startRun(): void {
     const { driver } = this;
     this.#live.begin();
-    this.#begun();
+    this.#started();
     if (driver === "program") return;
     this.recording.addInput({ do: "driver", driver });
     if (driver === "remote") this.#start();
   }
 
   /** Another run is the live one now. */
-  #begun(): void {
+  #started(): void {
     this.#screen.begin();
-    this.#watch.begin(this.recording);
+    this.#observer.begin(this.recording);
     this.pause();
   }
 }

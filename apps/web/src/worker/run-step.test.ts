@@ -1,4 +1,4 @@
-/** How far Step goes, and what the speed means under a hand. */
+/** How far Step goes, and what the speed means while a user drives. */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import { beforeEach, describe, expect, it } from "vitest";
@@ -15,7 +15,7 @@ function loopOf(maze: MazeDocument = firstMaze, program: ProgramDocument = first
   return new RunLoop(maze, program, () => time);
 }
 
-/** Lets real time pass in intervals as the worker's timer gives them. */
+/** Lets real time pass in timer intervals. */
 function pass(loop: RunLoop, milliseconds: number): void {
   for (const end = time + milliseconds; time < end;) {
     time += 8;
@@ -24,7 +24,7 @@ function pass(loop: RunLoop, milliseconds: number): void {
 }
 
 describe("Step", () => {
-  it("goes on to the next change of decision and pauses", () => {
+  it("continues to the next change of decision and pauses", () => {
     const loop = loopOf();
     const stops: unknown[] = [];
     for (let step = 0; step < 8; step++) {
@@ -34,7 +34,7 @@ describe("Step", () => {
       expect(state).toBe("paused");
       stops.push({ line, tick });
     }
-    // Without Step, the same changes come one after the other.
+    // Without Step, the same changes occur one after the other.
     const free = loopOf();
     free.run();
     const changes: unknown[] = [];
@@ -50,7 +50,7 @@ describe("Step", () => {
     expect(stops).toEqual(changes);
   });
 
-  it("is undone exactly by one decision back, and goes on to the same moments again", () => {
+  it("is reverted exactly by one decision back, and continues to the same ticks again", () => {
     const loop = loopOf();
     const stops = [loop.snapshot().tick];
     for (let step = 0; step < 8; step++) {
@@ -58,7 +58,7 @@ describe("Step", () => {
       pass(loop, 20_000);
       stops.push(loop.snapshot().tick);
     }
-    const shown = () => loop.takeNews()?.frame.snapshot.tick;
+    const shown = () => loop.takeUpdate()?.frame.snapshot.tick;
     const back = stops.slice(0, -1).map(() => {
       loop.seekStep(-1);
       return shown();
@@ -71,17 +71,17 @@ describe("Step", () => {
     expect(forward).toEqual(stops.slice(1));
   });
 
-  it("goes by one tick where that is asked for", () => {
+  it("goes by one tick on request", () => {
     const loop = loopOf();
     loop.step("tick");
     pass(loop, 500);
     expect(loop.snapshot()).toMatchObject({ tick: 1, state: "paused" });
     loop.seek(0);
     loop.step("tick");
-    expect(loop.takeNews()?.frame).toMatchObject({ view: "now", snapshot: { tick: 1 } });
+    expect(loop.takeUpdate()?.frame).toMatchObject({ view: "now", snapshot: { tick: 1 } });
   });
 
-  it("ends where the robot stands or bumps, since nothing is decided there any more", () => {
+  it("ends where the robot stands or bumps, because nothing is decided there any more", () => {
     const still = loopOf(firstMaze, { ...firstProgram, rules: [], default: "stop" });
     still.step();
     pass(still, 500);
@@ -124,7 +124,7 @@ describe("the speed", () => {
     },
   );
 
-  it("counts a key that is let go between two intervals up to that moment", () => {
+  it("counts a key that is released between two intervals up to that moment", () => {
     const loop = loopOf();
     const before = loop.snapshot().pose.x;
     loop.hold("forward");

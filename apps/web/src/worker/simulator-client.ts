@@ -1,7 +1,7 @@
 /** The main thread's end of the simulator worker: commands in, events out. */
 import type { FromWorker, ToWorker } from "./worker-messages.ts";
 
-/** As much of a Worker as is needed here. */
+/** The part of a Worker that is used. */
 export interface WorkerPort {
   postMessage(message: ToWorker, transfer: Transferable[]): void;
   onmessage: ((event: MessageEvent<FromWorker>) => void) | null;
@@ -14,37 +14,43 @@ export class SimulatorClient {
 
   constructor(port: WorkerPort) {
     this.#port = port;
-    port.onmessage = ({ data }) => this.#hear(data);
+    port.onmessage = ({ data }) => this.#receive(data);
   }
 
-  /** Whether the worker did not load or broke outside of its own care: it answers nothing any more. */
+  /**
+   * Whether the worker did not load or broke outside of its own error handling: it does not answer
+   * any more.
+   */
   get isGone(): boolean {
     return this.#isGone;
   }
 
-  /** The worker is gone; everybody who listens hears of it as of a fault. */
+  /** The worker is gone; all listeners receive a fault. */
   fail(reason: string): void {
     this.#isGone = true;
-    this.#hear({ type: "fault", reason });
+    this.#receive({ type: "fault", reason });
   }
 
-  /** @param transfer what is handed over for good, not copied */
+  /** @param transfer objects that are transferred instead of copied */
   send(message: ToWorker, transfer: Transferable[] = []): void {
     this.#port.postMessage(message, transfer);
   }
 
-  /** Hands on what the worker told before anybody could listen here. */
+  /** Delivers messages of the worker from before anybody could listen here. */
   catchUp(messages: readonly FromWorker[]): void {
-    for (const message of messages) this.#hear(message);
+    for (const message of messages) this.#receive(message);
   }
 
-  /** Hears every message of the worker. @returns a function that ends it */
+  /**
+   * Subscribes to every message of the worker.
+   * @returns a function that unsubscribes
+   */
   listen(listener: (message: FromWorker) => void): () => void {
     this.#listeners.add(listener);
     return () => this.#listeners.delete(listener);
   }
 
-  #hear(message: FromWorker): void {
+  #receive(message: FromWorker): void {
     for (const listener of this.#listeners) listener(message);
   }
 }

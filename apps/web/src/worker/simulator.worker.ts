@@ -1,14 +1,13 @@
 /**
- * Entry of the simulator worker: the simulation, the program and the relay link live here, so that
- * they keep going while the page is hidden. A thin shell; the logic is in `run-loop.ts` and
- * `remote-host.ts`.
+ * Entry of the simulator worker: simulation, program and relay link run here, so that they continue
+ * while the page is hidden. A thin shell; the logic is in `run-loop.ts` and `remote-host.ts`.
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { Race } from "./race.ts";
 import { loadRaceGhosts } from "../canvas/layers/lazy-race-ghosts.ts";
 import { describeFault } from "./describe-fault.ts";
-import { earlyWork, type FirstProject } from "./first-project.ts";
-import { FramePace } from "./frame-pace.ts";
+import { earlyProject, type FirstProject } from "./first-project.ts";
+import { FrameThrottle } from "./frame-throttle.ts";
 import type { RemoteHost } from "./remote-host.ts";
 import type { RestoredJournal } from "./restored-world.ts";
 import type { RunLoader } from "./run-loader.ts";
@@ -22,11 +21,13 @@ import type {
   SavedRun,
   ToWorker,
 } from "./worker-messages.ts";
-import type { WorldKeeper } from "./world-keeper.ts";
+import type { WorldRepository } from "./world-repository.ts";
 
-/** Twice as often as a screen repaints, so that no frame waits for a whole interval. */
+/** Half of a 60 Hz frame, so that no frame waits for a whole interval. */
 const INTERVAL_MS = 8;
-/** Snapshots to the relay: at most this often while the robot moves, and so often while it stands. */
+/**
+ * Least interval of snapshots to the relay while the robot moves, and the interval while it stands.
+ */
 const RELAY_INTERVAL_MS = 50;
 const RELAY_HEARTBEAT_MS = 1000;
 /** Held while a robot runs, so that browsers do not freeze the hidden page. */
@@ -40,21 +41,21 @@ let loop: RunLoop | null = null;
 let releaseLock: (() => void) | null = null;
 let sentToRelayAt = Number.NEGATIVE_INFINITY;
 let hasUnsentNews = false;
-let shownMaze: MazeDocument | null = null;
-/** of the newest challenge that the page asked to judge by */
+let pastMaze: MazeDocument | null = null;
+/** id of the newest `judge` message */
 let judgeId = 0;
 
-/** The relay link comes in a file of its own when Remote is opened for the first time. */
+/** The relay link is loaded when Remote is opened for the first time. */
 let remote: RemoteHost | null = null;
 let remoteLoading: Promise<RemoteHost> | null = null;
 
-/** Does something with the relay link, in the order of the calls. */
+/** Calls a function with the relay link, in the order of the calls. */
 function withRemote(use: (host: RemoteHost) => void): void {
   remoteLoading ??= loadRemote();
   void remoteLoading.then(
     (host) => guarded(() => use(host)),
     () => {
-      // The file did not come: that is a lost line, and the next try asks for it again.
+      // The file did not load: the connection is lost, and the next attempt loads it again.
       remoteLoading = null;
       const status = { kind: "lost", reason: "lineLost" } as const;
       post({
@@ -77,9 +78,9 @@ async function loadRemote(): Promise<RemoteHost> {
     onView: (view) => post({ type: "remote", remote: view }),
     onDelivery: (delivery) => loop?.accept(delivery),
     cancel: (reason) => loop?.cancelRemote(reason),
-    takeBack: (seq, reason) => loop?.remote?.cancelOne(seq, reason),
-    giveBack: () => loop?.remote?.reset(),
-    hear: (alive) => loop?.remote?.renew(alive),
+    cancelOne: (seq, reason) => loop?.remote?.cancelOne(seq, reason),
+    reset: () => loop?.remote?.reset(),
+    renew: (alive) => loop?.remote?.renew(alive),
     save: saveWorld,
     restored: () => restored,
     fetch: (url, request) => fetch(url, request),
@@ -89,30 +90,30 @@ async function loadRemote(): Promise<RemoteHost> {
   return host;
 }
 
-/** What stores the world comes in a file of its own once there is something to store. */
-let keeper: WorldKeeper | null = null;
-let keeperLoading: Promise<WorldKeeper> | null = null;
-/** of the world that this tab had before a reload, if it was restored */
+/** The world repository is loaded once there is something to store. */
+let repository: WorldRepository | null = null;
+let keeperLoading: Promise<WorldRepository> | null = null;
+/** of the world before a reload, if it was restored */
 let restored: RestoredJournal | null = null;
 const keyNotes: ((isNoted: boolean) => void)[] = [];
 
-function noteKey(key: string | null): Promise<boolean> {
+function storeKey(key: string | null): Promise<boolean> {
   post({ type: "run-key", key });
   return new Promise((resolve) => keyNotes.push(resolve));
 }
 
-function loadKeeper(): Promise<WorldKeeper> {
+function loadRepository(): Promise<WorldRepository> {
   keeperLoading ??= startKeeper();
   return keeperLoading;
 }
 
-async function startKeeper(): Promise<WorldKeeper> {
+async function startKeeper(): Promise<WorldRepository> {
   try {
-    const [{ WorldKeeper: Keeper }, { openWorldStore }] = await Promise.all([
-      import("./world-keeper.ts"),
+    const [{ WorldRepository: Keeper }, { openWorldStore }] = await Promise.all([
+      import("./world-repository.ts"),
       import("./world-store.ts"),
     ]);
-    keeper = new Keeper({
+    repository = new Keeper({
       openStore: () => openWorldStore(Date.now),
       recording: () => {
         if (loop === null) throw new Error("a world is stored before the documents came");
@@ -122,7 +123,7 @@ async function startKeeper(): Promise<WorldKeeper> {
         const journal = remote?.journal ?? null;
         return journal === null ? restored : { ...journal, running: loop?.remote?.running ?? null };
       },
-      noteKey,
+      storeKey,
       onClaimed: () => remote?.worldClaimed(),
       newId: () => crypto.getRandomValues(new Uint32Array(4)).join("-"),
       now,
@@ -131,27 +132,27 @@ async function startKeeper(): Promise<WorldKeeper> {
         return () => clearTimeout(timer);
       },
     });
-    return keeper;
+    return repository;
   } catch (error) {
-    // Its file did not come: a reload restores nothing.
-    await noteKey(null);
+    // The file did not load: a reload restores nothing.
+    await storeKey(null);
     throw error;
   }
 }
 
 /** Before an ending is sent. */
 async function saveWorld(): Promise<void> {
-  const loaded = await loadKeeper().catch(() => null);
+  const loaded = await loadRepository().catch(() => null);
   await loaded?.save();
 }
 
 async function restoreRun(message: RestoreRun): Promise<void> {
   const [storage, { restoreWorld }] = await Promise.all([
-    loadKeeper(),
+    loadRepository(),
     import("./restored-world.ts"),
   ]);
   await restoreWorld(message, {
-    keeper: storage,
+    repository: storage,
     run: () => loop,
     load: (run, open) =>
       withLoader(
@@ -164,17 +165,17 @@ async function restoreRun(message: RestoreRun): Promise<void> {
 }
 
 function runLoaded(id: number, loaded: LoadedRun): void {
-  keeper?.claimed();
+  repository?.claimed();
   post({ type: "run-loaded", id, loaded });
 }
 
 const failedLoad = (id: number): void => runLoaded(id, { ok: false, reason: "fault" });
 
-/** A run that was brought up to now so recently is not once more before it is drawn, in milliseconds. */
+/** Least milliseconds between two catch-ups before drawing. */
 const RECENT_MS = 2;
 let advancedAt = Number.NEGATIVE_INFINITY;
 
-const pace = new FramePace(now);
+const pace = new FrameThrottle(now);
 const painter = new StagePainter({
   post,
   requestFrame: (paint) => requestAnimationFrame(() => guarded(paint)),
@@ -188,19 +189,19 @@ const painter = new StagePainter({
   },
 });
 
-/** Comes back after the messages that wait already. */
+/** Calls back after the messages that are already queued. */
 const afterMessages = new MessageChannel();
-afterMessages.port1.onmessage = () => guarded(tellNews);
+afterMessages.port1.onmessage = () => guarded(postUpdate);
 
-/** The same for the slices of a run that is opened. */
+/** The same for the slices of a run that is being opened. */
 const afterSlice = new MessageChannel();
 afterSlice.port1.onmessage = () =>
   guarded(() => {
-    loader?.goOn();
-    tellNews();
+    loader?.next();
+    postUpdate();
   });
 
-/** What opens recorded runs comes in a file of its own with the first of them. */
+/** The loader of recorded runs is loaded with the first of them. */
 let loader: RunLoader | null = null;
 let loaderLoading: Promise<RunLoader> | null = null;
 
@@ -220,13 +221,13 @@ async function loadLoader(): Promise<RunLoader> {
   loader = new Loader({
     now,
     later: () => afterSlice.port2.postMessage(null),
-    tellPart: (id, part) => post({ type: "run-loading", id, part }),
+    onPart: (id, part) => post({ type: "run-loading", id, part }),
     answer: runLoaded,
   });
   return loader;
 }
 
-/** The ghosts of a race come in a file of its own with the first of them. */
+/** The race is loaded with the first ghost. */
 let raceLoading: Promise<Race> | null = null;
 
 function withRace(use: (race: Race) => void, orElse: () => void): void {
@@ -249,10 +250,10 @@ async function loadRace(): Promise<Race> {
     post,
     onChange: () => {
       loop?.raceWith(race);
-      tellNews();
+      postUpdate();
     },
   });
-  slices.port1.onmessage = () => guarded(() => race.goOn());
+  slices.port1.onmessage = () => guarded(() => race.next());
   return race;
 }
 
@@ -266,7 +267,8 @@ function addGhost(message: AddGhost): void {
 worker.onmessage = ({ data }: MessageEvent<ToWorker>) => {
   try {
     handle(data);
-    // Of several moments that are asked for, only the newest is gone to: the others came before this.
+    // Of several requested ticks, only the newest is displayed: the others arrived before this
+    // message.
     if (data.type === "seek") afterMessages.port2.postMessage(null);
     else advance();
   } catch (error) {
@@ -281,14 +283,14 @@ setInterval(() => {
   });
 }, INTERVAL_MS);
 
-/** Brings the run up to now, and tells what came of it. */
+/** Brings the run up to now, and posts its updates. */
 function advance(): void {
   loop?.advance();
   advancedAt = now();
-  tellNews();
+  postUpdate();
 }
 
-/** What goes wrong pauses the robot and is told, instead of happening again on every turn. */
+/** An error pauses the robot and is reported once, instead of recurring on every interval. */
 function guarded(work: () => void): void {
   try {
     work();
@@ -390,7 +392,7 @@ function handle(message: ToWorker): void {
   }
 }
 
-/** A run that began before the page was there goes on: nothing but names can be new to it. */
+/** A run that started before the page continues: only names can differ. */
 function load({ maze, program }: FirstProject): void {
   if (loop === null) {
     loop = new RunLoop(maze, program, now);
@@ -408,7 +410,7 @@ function saveRun(run: RunLoop, id: number): void {
   post({ type: "run-saved", id, saved });
 }
 
-/** The ticks that run until the judge is there are judged when it is. */
+/** Ticks that run before the judge has loaded are judged afterwards. */
 function judge(id: number, attempt: Extract<ToWorker, { type: "judge" }>["attempt"]): void {
   judgeId = id;
   loop?.judgeBy(null);
@@ -420,7 +422,7 @@ function judge(id: number, attempt: Extract<ToWorker, { type: "judge" }>["attemp
   );
 }
 
-/** What says why a run failed comes in a file of its own once the robot drives; without it runs go on unexplained. */
+/** Diagnostics load once the robot drives; without them runs continue unexplained. */
 let hasAskedForDiagnostics = false;
 
 function loadDiagnostics(): void {
@@ -430,41 +432,41 @@ function loadDiagnostics(): void {
     (diagnostics) =>
       guarded(() => {
         loop?.useDiagnostics(diagnostics);
-        tellNews();
+        postUpdate();
       }),
     () => (hasAskedForDiagnostics = false),
   );
 }
 
-function tellNews(): void {
-  const news = loop?.takeNews();
-  if (loop === null || news === undefined) return;
-  if (news !== null && news.frame.nowTick > 0) loadDiagnostics();
-  if (keeper !== null) keeper.follow();
-  else if (news !== null && !loop.isUntouched) void loadKeeper().catch(() => undefined);
-  if (news !== null) {
-    const { frame, forgottenAfter } = news;
-    if (forgottenAfter !== null) post({ type: "truncated", after: forgottenAfter });
+function postUpdate(): void {
+  const update = loop?.takeUpdate();
+  if (loop === null || update === undefined) return;
+  if (update !== null && update.frame.nowTick > 0) loadDiagnostics();
+  if (repository !== null) repository.update();
+  else if (update !== null && !loop.isUntouched) void loadRepository().catch(() => undefined);
+  if (update !== null) {
+    const { frame, truncatedAfter } = update;
+    if (truncatedAfter !== null) post({ type: "truncated", after: truncatedAfter });
     painter.add(frame);
     pace.add(frame);
   }
   const frame = pace.take();
   if (frame !== null) {
-    if (loop.shownMaze !== shownMaze) {
-      shownMaze = loop.shownMaze;
-      post({ type: "shown-maze", maze: shownMaze });
+    if (loop.pastMaze !== pastMaze) {
+      pastMaze = loop.pastMaze;
+      post({ type: "past-maze", maze: pastMaze });
     }
     const corners = Float64Array.from(frame.corners);
     post({ type: "frame", frame: { ...frame, corners }, timeline: loop.takeTimeline() });
   }
-  if (news !== null) {
-    for (const event of news.moments) post({ type: "event", event });
+  if (update !== null) {
+    for (const event of update.events) post({ type: "event", event });
     const diagnosed = loop.takeDiagnosed();
     if (diagnosed !== null) post({ type: "diagnosed", ...diagnosed });
   }
   const judgement = loop.takeJudgement();
   if (judgement !== null) post({ type: "judgement", id: judgeId, judgement });
-  hasUnsentNews ||= news !== null;
+  hasUnsentNews ||= update !== null;
   const wait = hasUnsentNews ? RELAY_INTERVAL_MS : RELAY_HEARTBEAT_MS;
   if (remote?.isOpen === true && now() - sentToRelayAt >= wait) {
     sentToRelayAt = now();
@@ -479,13 +481,14 @@ function holdLock(isWanted: boolean): void {
   releaseLock = null;
   if (!isWanted) return;
   const held = new Promise<void>((resolve) => (releaseLock = resolve));
-  // Without the Web Locks API (insecure origins) the robot runs all the same, only less protected.
+  // Without the Web Locks API (insecure origins) the robot runs all the same, but browsers may
+  // freeze it.
   void navigator.locks?.request(LOCK_NAME, { mode: "shared" }, () => held);
 }
 
 guarded(() => {
-  const work = earlyWork(worker.name);
+  const work = earlyProject(worker.name);
   if (work === null) return;
   load(work);
-  tellNews();
+  postUpdate();
 });

@@ -1,16 +1,18 @@
-/** What crosses between page and worker for drawing the stage. */
+/** Messages between page and worker for drawing the stage. */
 import type { Snapshot } from "@corridor/protocol";
 import type { LayerCanvases } from "../canvas/drawing-context.ts";
 import type { StageModel } from "../canvas/stage-model.ts";
 
 export type StageToWorker =
-  /** the worker draws on these canvases from now on; they are transferred. `font`: address of the page's font */
+  /**
+   * the worker draws on these canvases, which are transferred. `font`: address of the page's font
+   */
   | { type: "stage-mount"; canvases: LayerCanvases<OffscreenCanvas>; font: string }
-  /** the page draws by itself, and is sent every frame for it */
+  /** the page draws by itself, and receives every frame */
   | { type: "stage-mount-here" }
-  /** fields of the scene that changed; all of them after a mount */
+  /** changed fields of the stage model; all of them after a mount */
   | { type: "stage-model"; changes: Partial<StageModel> }
   /** the page displays the numbers of this snapshot from now on: the stage writes the same ones */
   | { type: "stage-numbers"; snapshot: Snapshot }
-  /** the canvases are gone */
+  /** the canvases were removed */
   | { type: "stage-unmount" };

@@ -3,7 +3,7 @@ import { StagePainter } from "./stage-painter.ts";
 import { frameOf } from "./testing/frame-of.ts";
 import type { FromWorker } from "./worker-messages.ts";
 
-/** A painter whose animation frames come when the test says so. */
+/** A painter whose animation frames run when the test requests them. */
 function newPainter() {
   const posted: FromWorker[] = [];
   const waiting: (() => void)[] = [];
@@ -24,7 +24,7 @@ function newPainter() {
 }
 
 describe("a stage that the page draws by itself", () => {
-  it("is sent every frame, first of all what it missed", () => {
+  it("receives every frame, and first the missed ones", () => {
     const { painter, posted, waiting } = newPainter();
     painter.add(frameOf({ corners: [1, 2], trailReset: true }));
     painter.add(frameOf({ corners: [3, 4] }));
@@ -38,7 +38,7 @@ describe("a stage that the page draws by itself", () => {
     expect(waiting).toHaveLength(0);
   });
 
-  it("is sent nothing any more once it is gone", () => {
+  it("receives nothing after it is unmounted", () => {
     const { painter, posted } = newPainter();
     painter.handle({ type: "stage-mount-here" });
     painter.handle({ type: "stage-unmount" });
@@ -48,7 +48,7 @@ describe("a stage that the page draws by itself", () => {
 });
 
 describe("a stage without canvases", () => {
-  it("asks for no animation frame, however much the robot drives", () => {
+  it("requests no animation frame, however much the robot drives", () => {
     const { painter, waiting, counts } = newPainter();
     painter.add(frameOf());
     painter.handle({ type: "stage-model", changes: { scroll: { x: 10, y: 0 } } });

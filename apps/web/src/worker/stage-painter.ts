@@ -1,10 +1,10 @@
 /**
- * Draws the stage in the worker, straight from the run's newest state, on canvases that the page has
- * handed over. The page's main thread takes no part in a frame. Where a browser cannot hand canvases
- * over, the page draws by itself and is sent every frame.
+ * Draws the stage in the worker, directly from the run's newest state, on canvases that the page
+ * has transferred. The main thread takes no part in a frame. Browsers without transferable canvases
+ * draw in the page, which receives every frame.
  *
- * A hidden page's worker is given no animation frames: nothing is drawn then, and the first frame after
- * it shows the newest state.
+ * The worker of a hidden page receives no animation frames: nothing is drawn then, and the next
+ * frame shows the newest state.
  */
 import { StageRenderer } from "../canvas/renderer.ts";
 import type { Palette } from "../canvas/palette.ts";
@@ -14,7 +14,7 @@ import type { StageToWorker } from "./stage-messages.ts";
 import type { Frame, FromWorker } from "./worker-messages.ts";
 
 /**
- * The page's font under a name of its own: a canvas that has drawn in a fallback keeps it for as long as
+ * The page's font under its own name: a canvas that has drawn with a fallback uses it as long as
  * the font's name stays the same.
  */
 const STAGE_FONT = "Corridor Stage";
@@ -23,9 +23,9 @@ export interface StagePainterPort {
   post: (message: FromWorker) => void;
   requestFrame: (paint: () => void) => number;
   cancelFrame: (request: number) => void;
-  /** brings the run up to this very moment, right before it is drawn; may `add` a frame */
+  /** brings the run up to now, immediately before it is drawn; may `add` a frame */
   catchUp: () => void;
-  /** Makes a font file known under a name. */
+  /** Registers a font file under a name. */
   loadFont: (name: string, address: string) => Promise<void>;
 }
 
@@ -37,7 +37,7 @@ export class StagePainter {
   #isPageDrawing = false;
   #font: string | null = null;
   #hasFont = false;
-  /** the newest palette as it came, and with the font that has arrived */
+  /** the newest palette as received, and with the loaded font */
   #plain: Palette | null = null;
   #inFont: Palette | null = null;
 
@@ -55,7 +55,7 @@ export class StagePainter {
     });
   }
 
-  /** What the run has come to. */
+  /** Adds the newest frame of the run. */
   add(frame: Frame): void {
     this.#frames.add(frame);
     if (this.#isPageDrawing) {
@@ -77,7 +77,7 @@ export class StagePainter {
         this.#post();
         return;
       case "stage-model":
-        // The first one after a mount is whole.
+        // The first message after a mount is complete.
         this.#model = { ...this.#model, ...message.changes } as StageModel;
         this.#show();
         return;
@@ -107,7 +107,7 @@ export class StagePainter {
     this.#renderer.show({ ...model, palette: this.#inFont ?? model.palette });
   }
 
-  /** Words are drawn in the fallback font until the page's own is there, and once more then. */
+  /** Text is drawn in the fallback font until the page's font has loaded, and redrawn then. */
   #useFont(address: string): void {
     if (this.#font === address) return;
     this.#font = address;
@@ -116,7 +116,7 @@ export class StagePainter {
         this.#hasFont = true;
         this.#show();
       },
-      // The fallback font says the same.
+      // The fallback font stays.
       () => {},
     );
   }

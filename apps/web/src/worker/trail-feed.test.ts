@@ -2,10 +2,10 @@ import { describe, expect, it } from "vitest";
 import { TrailFeed } from "./trail-feed.ts";
 
 const HOUR = 216_000;
-/** As many corners as the trail keeps. */
-const KEPT = 20_000;
+/** The largest number of corners in the trail. */
+const RETAINED = 20_000;
 
-/** The places of a robot that turned, and bumped, at the end of every tick. */
+/** Positions of a robot that turned and bumped at the end of every tick. */
 const places = {
   countUpTo: (tick: number) => tick,
   slice: (from: number, to: number) =>
@@ -14,7 +14,7 @@ const places = {
 const log = { corners: places, bumps: places };
 
 describe("TrailFeed", () => {
-  it("sends on the way forward only what was gained", () => {
+  it("sends only the new part on the way forward", () => {
     const feed = new TrailFeed();
     feed.take(log, 100);
     const { corners, bumps, trailReset } = feed.take(log, 102);
@@ -23,13 +23,13 @@ describe("TrailFeed", () => {
     expect(trailReset).toBe(false);
   });
 
-  it("sends after a jump forward over most of an hour no more than after one back: what is drawn", () => {
+  it("sends no more after a jump forward over most of an hour than after one back: the drawn part", () => {
     const feed = new TrailFeed();
     feed.take(log, 100);
     const forward = feed.take(log, HOUR);
-    expect(forward.corners).toHaveLength(2 * KEPT);
+    expect(forward.corners).toHaveLength(2 * RETAINED);
     expect(forward.corners.slice(-2)).toEqual([HOUR, 50]);
-    // A line across what was left out would be a way that the robot never drove.
+    // A line across the gap would be a path that the robot never drove.
     expect(forward.trailReset).toBe(true);
     feed.take(log, HOUR - 1);
     feed.take(log, HOUR + 1);

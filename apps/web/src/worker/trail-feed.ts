@@ -1,13 +1,13 @@
 /**
- * The trail and the bumps up to the shown moment, sent piece by piece: on the way forward what was
- * gained, after a jump all of it anew.
+ * The trail and the bumps up to the displayed tick, sent in pieces: the new part on the way
+ * forward, all of it after a jump.
  */
 import type { PositionLog } from "@corridor/recording";
 import type { Frame } from "./worker-messages.ts";
 
 type Places = Pick<PositionLog, "countUpTo" | "slice">;
 
-/** After a jump so many of the newest are sent: as many as are drawn, and quick to draw. */
+/** Largest number of corners after a jump: as many as are drawn, and fast to draw. */
 const MAX_CORNERS = 20_000;
 const MAX_BUMPS = 100;
 
@@ -16,12 +16,12 @@ export class TrailFeed {
   #bumps = 0;
   #isReset = true;
 
-  /** Another run: what was sent before is of no use. */
+  /** Another run: everything is sent again. */
   begin(): void {
     this.#isReset = true;
   }
 
-  /** What the trail gained from the moment of the last call to the one at the end of `tick`. */
+  /** Changes of the trail from the tick of the last call to the end of `tick`. */
   take(
     { corners, bumps }: { corners: Places; bumps: Places },
     tick: number,
@@ -29,7 +29,7 @@ export class TrailFeed {
     const cornerCount = corners.countUpTo(tick);
     const bumpCount = bumps.countUpTo(tick);
     const isBack = cornerCount < this.#corners || bumpCount < this.#bumps;
-    // Over more than is drawn, a jump forward costs no more than one back.
+    // A jump forward over more than is drawn costs no more than one back.
     const isFarAhead = cornerCount - this.#corners > MAX_CORNERS;
     const trailReset = this.#isReset || isBack || isFarAhead;
     if (trailReset) {

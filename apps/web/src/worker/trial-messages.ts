@@ -1,11 +1,11 @@
-/** What the page asks of a worker that tries programs in other mazes, and what it answers. */
+/** Requests to a worker that tries programs in other mazes, and its answers. */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { WrittenRun } from "@corridor/recording";
 import type { TrialMazes, TrialResult } from "./maze-trial.ts";
 
 export type ToTrialWorker =
-  /** adds mazes to those that wait; each is answered by a result */
+  /** queues mazes; each is answered by a result */
   | {
       type: "try";
       job: number;
@@ -13,7 +13,7 @@ export type ToTrialWorker =
       mazes: TrialMazes;
       seeds: readonly number[];
     }
-  /** drops the mazes that wait */
+  /** drops the queued mazes */
   | { type: "stop" }
   | { type: "record"; maze: MazeDocument; program: ProgramDocument; ticks: number };
 

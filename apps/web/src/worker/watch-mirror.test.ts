@@ -5,7 +5,7 @@ import { WatchMirror } from "./watch-mirror.ts";
 
 const EVERY_MS = 50;
 
-/** A robot that is seen from afar, and a screen that is drawn anew every 10 ms. */
+/** A robot that is watched remotely, and a screen that is redrawn every 10 ms. */
 function looking() {
   let now = 1_000;
   const mirror = new WatchMirror(() => now);
@@ -39,7 +39,7 @@ function looking() {
 const steps = (values: readonly number[]): number[] =>
   values.slice(1).map((value, index) => value - (values[index] ?? 0));
 
-describe("a robot that is seen from afar", () => {
+describe("a watched robot", () => {
   it("moves evenly between its snapshots, and comes to where it is", () => {
     const { at, see, pass, drawn } = looking();
     see(...Array.from({ length: 20 }, (_, n) => at(100 + 5 * n)));
@@ -63,7 +63,7 @@ describe("a robot that is seen from afar", () => {
     expect(xs.at(-1)).toBe(145);
   });
 
-  it("is drawn no more once it stands", () => {
+  it("is not redrawn once it stands", () => {
     const { at, see, pass, drawn } = looking();
     see(at(100), at(105), at(105));
     pass(1_000);

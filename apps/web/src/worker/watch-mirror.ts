@@ -1,20 +1,21 @@
 /**
- * The robot of another page, as an onlooker sees it: between the snapshots, which come some 20 times a
- * second and never quite evenly, it moves smoothly, a tenth of a second behind. A run that jumps (a reset,
- * another moment, a speed at which squares fly by) is shown as jumping. Pure but for the time it is given.
+ * The robot of another page for a viewer. Snapshots arrive some 20 times a second and never quite
+ * evenly; the displayed robot moves smoothly between them, a tenth of a second behind. Jumps of the
+ * run (a reset, another tick, a very high speed) are displayed as jumps. Pure except for the given
+ * time.
  */
 import type { Pose, Snapshot } from "@corridor/protocol";
 import type { Frame } from "./worker-messages.ts";
 
-/** A robot that is so far from where it was, in units, did not drive there. */
+/** A robot this far from its last position, in units, did not drive there. */
 const JUMP = 400;
-/** A reading that differs by so much looks at another wall. */
+/** A reading that differs by this much is of another wall. */
 const OTHER_WALL = 60;
-/** A place so far beside the straight way, in units, is a corner of the trail. */
+/** A position this far beside the straight line, in units, is a corner of the trail. */
 const BESIDE = 0.5;
-/** Snapshots that wait: of more, the oldest are passed at once, as in a tab that is hidden. */
+/** Largest number of queued snapshots; older ones are skipped, for example in a hidden tab. */
 const MOST_WAITING = 40;
-/** How evenly snapshots come, in ms between two: what is shown is behind by more than that. */
+/** Bounds of the interval between snapshots, in ms; the display is behind by more than that. */
 const LEAST_GAP_MS = 40;
 const MOST_GAP_MS = 250;
 const LATE_MS = 20;
@@ -26,11 +27,11 @@ interface Seen {
 
 export class WatchMirror {
   readonly #now: () => number;
-  /** the one that is shown, then those that follow */
+  /** the displayed snapshot, then its successors */
   #seen: Seen[] = [];
   #gapMs = 50;
   #shownAt = Number.NEGATIVE_INFINITY;
-  /** what the trail gained since the last frame */
+  /** new corners of the trail since the last frame */
   #corners: number[] = [];
   #bumps: number[] = [];
   #isReset = true;
@@ -46,7 +47,7 @@ export class WatchMirror {
     const at = this.#now();
     const newest = this.#seen.at(-1);
     if (newest !== undefined) {
-      // One that stands reports once a second; that says nothing of how evenly it does.
+      // A standing robot reports once a second, which says nothing about regularity.
       const gap = Math.min(MOST_GAP_MS, Math.max(LEAST_GAP_MS, at - newest.at));
       if (at - newest.at < 2 * MOST_GAP_MS) this.#gapMs += (gap - this.#gapMs) / 10;
     }
@@ -55,7 +56,7 @@ export class WatchMirror {
     while (this.#seen.length > MOST_WAITING) this.#pass();
   }
 
-  /** The robot at this moment; null where it has not moved since the last call. */
+  /** The robot now; null if it has not moved since the last call. */
   frame(): Frame | null {
     const wanted = this.#now() - 1.5 * this.#gapMs - LATE_MS;
     const at = (this.#shownAt = Math.max(this.#shownAt, wanted));
@@ -106,7 +107,7 @@ export class WatchMirror {
   }
 }
 
-/** The robot on its way from one snapshot to the next. */
+/** The robot between two snapshots. */
 function between(from: Seen, to: Seen, at: number): Snapshot {
   const a = from.snapshot;
   const b = to.snapshot;
@@ -133,7 +134,7 @@ function between(from: Seen, to: Seen, at: number): Snapshot {
   };
 }
 
-/** The shorter way round. */
+/** The shorter direction. */
 function turned(from: number, to: number, part: number): number {
   const way = ((to - from + 540) % 360) - 180;
   return (from + way * part + 360) % 360;
@@ -143,14 +144,14 @@ function isJump(a: Snapshot, b: Snapshot): boolean {
   return b.tick < a.tick || Math.abs(b.pose.x - a.pose.x) + Math.abs(b.pose.y - a.pose.y) > JUMP;
 }
 
-/** Whether the way from a corner by a place to another one has a bend there. */
+/** Whether the line from a corner by a point to another point has a bend there. */
 function isBeside(corner: { x: number; y: number } | null, by: Pose, to: Pose): boolean {
   if (corner === null) return false;
   const dx = to.x - corner.x;
   const dy = to.y - corner.y;
   const length = Math.sqrt(dx * dx + dy * dy);
   const cross = Math.abs((by.x - corner.x) * dy - (by.y - corner.y) * dx);
-  // Back to the corner itself: the farthest place is the bend.
+  // Back to the corner itself: the farthest point is the bend.
   if (length < BESIDE) return Math.abs(by.x - corner.x) + Math.abs(by.y - corner.y) > BESIDE;
   return cross / length > BESIDE;
 }

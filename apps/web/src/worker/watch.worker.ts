@@ -1,6 +1,6 @@
 /**
- * Entry of an onlooker's worker: the line to the relay and the drawing of the stage, so that the page has
- * nothing to do while the robot moves. A thin shell; what it shows is in `watch-mirror.ts`.
+ * Entry of a viewer's worker: the connection to the relay and the drawing of the stage, so that the
+ * page is idle while the robot moves. A thin shell; the displayed state is in `watch-mirror.ts`.
  */
 import { WatchLink } from "@corridor/client/watch";
 import { readMaze } from "@corridor/maze";
@@ -9,10 +9,10 @@ import { StagePainter } from "./stage-painter.ts";
 import type { FromWatcher, ToWatcher, WatchedRobot } from "./watch-messages.ts";
 import { WatchMirror } from "./watch-mirror.ts";
 
-/** The page is told of numbers so often. */
+/** Milliseconds between two updates of the page's numbers. */
 const NUMBERS_MS = 250;
 
-/** By then what is shown has come to the newest snapshot. */
+/** By then the display has reached the newest snapshot. */
 const REST_MS = 500;
 
 const worker = self as unknown as DedicatedWorkerGlobalScope;
@@ -20,9 +20,9 @@ const post = (message: FromWatcher): void => worker.postMessage(message);
 const now = (): number => performance.now();
 
 let link: WatchLink | null = null;
-let told: Snapshot | null = null;
-let toldAt = Number.NEGATIVE_INFINITY;
-let telling: ReturnType<typeof setTimeout> | undefined;
+let sent: Snapshot | null = null;
+let sentAt = Number.NEGATIVE_INFINITY;
+let sending: ReturnType<typeof setTimeout> | undefined;
 let resting: ReturnType<typeof setTimeout> | undefined;
 
 const mirror = new WatchMirror(now);
@@ -57,10 +57,10 @@ function watch(robot: WatchedRobot | null): void {
     onSnapshot: (snapshot) => {
       mirror.add(snapshot);
       draw();
-      // Where the page draws by itself, no frame asks for the next one: the last step is made here.
+      // If the page draws by itself, no frame requests the next one: the last step is made here.
       clearTimeout(resting);
       resting = setTimeout(draw, REST_MS);
-      tell(snapshot);
+      send(snapshot);
     },
     onMaze: (text) => {
       const read = text === null ? null : readMaze(text);
@@ -70,24 +70,24 @@ function watch(robot: WatchedRobot | null): void {
   });
 }
 
-/** As long as the robot moves, each frame brings the next one about. */
+/** While the robot moves, each frame requests the next one. */
 function draw(): void {
   const frame = mirror.frame();
   if (frame !== null) painter.add(frame);
 }
 
-function tell(snapshot: Snapshot): void {
-  clearTimeout(telling);
-  const waitMs = toldAt + NUMBERS_MS - now();
-  if (told === null || hasNews(told, snapshot) || waitMs <= 0) {
-    told = snapshot;
-    toldAt = now();
+function send(snapshot: Snapshot): void {
+  clearTimeout(sending);
+  const waitMs = sentAt + NUMBERS_MS - now();
+  if (sent === null || hasChanged(sent, snapshot) || waitMs <= 0) {
+    sent = snapshot;
+    sentAt = now();
     return post({ type: "watch-snapshot", snapshot });
   }
-  telling = setTimeout(() => tell(snapshot), waitMs);
+  sending = setTimeout(() => send(snapshot), waitMs);
 }
 
-function hasNews(before: Snapshot, after: Snapshot): boolean {
+function hasChanged(before: Snapshot, after: Snapshot): boolean {
   return (
     before.state !== after.state ||
     before.driver !== after.driver ||

@@ -1,6 +1,6 @@
 /**
- * Everything that crosses between the page's main thread and the simulator worker, and nothing else.
- * Documents were parsed and checked before they are sent; both ends are our own code.
+ * All messages between the page's main thread and the simulator worker. Documents are parsed and
+ * checked before they are sent.
  */
 import type { ChallengeDocument, Judgement } from "@corridor/challenge";
 import type { Diagnosis } from "@corridor/coach";
@@ -24,7 +24,7 @@ import type { Scroll } from "../canvas/viewport.ts";
 import type { CancelReason } from "../drivers/cancel-reason.ts";
 import type { StageToWorker } from "./stage-messages.ts";
 
-/** How many simulated seconds pass in one second; "max" is as many as the machine gives. */
+/** Simulated seconds per second; "max" is as many as the machine can. */
 export const speeds = [0.25, 0.5, 1, 2, 4, 8, 16, "max"] as const;
 export type Speed = (typeof speeds)[number];
 
@@ -37,7 +37,7 @@ export type StepLength = "decision" | "tick";
 /** A held drive key: forward and reverse drive, left and right turn on the spot. */
 export type DriveKey = "forward" | "reverse" | "left" | "right" | "stop";
 
-/** What the page needs to host its robot at the relay; `ownerKey` never leaves this device but to the relay. */
+/** What the page needs to host its robot at the relay; `ownerKey` is sent only to the relay. */
 export interface RemoteSession {
   id: string;
   ownerKey: string;
@@ -49,8 +49,8 @@ export interface RemoteSession {
 }
 
 /**
- * Opens a run where it ended, and pauses; answered by `run-loaded` with the same id. Until then the run that is
- * there goes on; Reset, or another run, gives this one up.
+ * Opens a run where it ended, paused; answered by `run-loaded` with the same id. Until then the
+ * current run continues; Reset, or another run, cancels the request.
  */
 export interface LoadRun {
   type: "load-run";
@@ -58,13 +58,16 @@ export interface LoadRun {
   run: RunDocument;
 }
 
-/** The same for the run that this tab had before a reload. */
+/** The same for this tab's run from before a reload. */
 export interface RestoreRun {
   type: "restore-run";
   id: number;
-  /** of the stored run */
+  /** key of the stored run */
   key: string;
-  /** whether the project was the one that is open now when the page was left; else the run's documents decide */
+  /**
+   * whether the current project was open when the page was left; otherwise the run's documents
+   * decide
+   */
   isSameProject: boolean;
 }
 
@@ -72,56 +75,62 @@ export interface RestoreRun {
 export interface AddGhost {
   type: "add-ghost";
   id: number;
-  /** the letter that it is drawn with */
+  /** the letter of the ghost */
   badge: string;
   run: RunDocument;
 }
 
 export type ToWorker =
   | StageToWorker
-  /** the first message: what the page starts with */
+  /** the first message: the page's documents */
   | { type: "load"; maze: MazeDocument; program: ProgramDocument }
-  /** the maze changed under the robot: it stays where it is, or goes to its start where it no longer fits */
+  /** the maze changed: the robot stays where it is, or is moved to its start if it has no room */
   | { type: "edit-maze"; maze: MazeDocument }
   | { type: "edit-program"; program: ProgramDocument }
   | { type: "run" }
   | { type: "pause" }
-  /** goes on to the next change of decision, or by one tick, then pauses */
+  /** continues to the next change of decision, or by one tick, then pauses */
   | { type: "step"; length: StepLength }
-  /** robot to start, everything else kept */
+  /** moves the robot to its start; everything else stays */
   | { type: "reset" }
-  /** pauses and shows the moment at the end of a tick of the run, everywhere */
+  /** pauses and displays the state at the end of a tick everywhere */
   | { type: "seek"; tick: number }
-  /** pauses and shows the moment of the decision before or after the shown one */
+  /** pauses and displays the previous or next decision */
   | { type: "seek-step"; by: 1 | -1 }
-  /** plays what was recorded on from the shown moment up to now; changes nothing */
+  /** plays the recording from the displayed tick to the newest; changes nothing */
   | { type: "play" }
-  /** shows the newest moment again */
+  /** displays the newest tick again */
   | { type: "now" }
-  /** forgets what came after the shown moment and runs on from it */
+  /** truncates the run at the displayed tick and continues from it */
   | { type: "run-here" }
   | LoadRun
   | RestoreRun
-  /** the tab has noted, or could not note, the key of `run-key` */
+  /** whether the tab could store the key of `run-key` */
   | { type: "run-key-noted"; ok: boolean }
-  /** gives up opening a run, which is then answered as cancelled */
+  /** cancels opening a run, which is answered as cancelled */
   | { type: "cancel-load"; id: number }
-  /** asks for the run so far, answered by `run-saved`; one longer than a document may be is not written */
+  /**
+   * requests the run so far, answered by `run-saved`; a run that is too long for a document is
+   * refused
+   */
   | { type: "save-run"; id: number }
   | AddGhost
-  /** takes a ghost out of the race */
+  /** removes a ghost from the race */
   | { type: "remove-ghost"; id: number }
-  /** judges the run by a maze of a challenge, answered by `judgement` with the same id; null: by none */
+  /**
+   * judges the run by a maze of a challenge, answered by `judgement` with the same id; null: by
+   * none
+   */
   | { type: "judge"; id: number; attempt: { challenge: ChallengeDocument; maze: number } | null }
   | { type: "speed"; speed: Speed }
   | { type: "driver"; driver: DriverName }
-  /** the same, where the run has not begun and nobody else was chosen */
+  /** the same, if the run has not started and no other driver was chosen */
   | { type: "offer-driver"; driver: DriverName }
   | { type: "hold"; key: DriveKey }
   | { type: "remote-open"; session: RemoteSession | null; fresh: boolean }
   | { type: "remote-close" }
   | { type: "remote-clear" }
-  /** runs a program, or commands at given ticks, beside the robot and answers with the digest */
+  /** runs a program, or commands at given ticks, without the robot and answers with the digest */
   | {
       type: "digest";
       maze: MazeDocument;
@@ -129,33 +138,36 @@ export type ToWorker =
       ticks: number;
     };
 
-/** Which moment of the run is shown: the newest, an earlier one, or one after the other on the way to now. */
+/** Which tick is displayed: the newest, an earlier one, or a playback towards the newest. */
 export type RunView = "now" | "past" | "playing";
 
-/** What is drawn: the snapshot of the shown moment, and what the trail up to it gained since the last frame. */
+/**
+ * The drawn state: the snapshot at the displayed tick, and changes of the trail since the last
+ * frame.
+ */
 export interface Frame {
   snapshot: Snapshot;
-  /** how far the running manoeuvre is at the shown moment; null when none runs */
+  /** progress of the running manoeuvre at the displayed tick; null if none runs */
   progress: Progress | null;
   view: RunView;
-  /** the run's last tick; the shown one is the snapshot's */
+  /** the run's last tick; the displayed tick is the snapshot's */
   nowTick: number;
-  /** ticks up to the shown moment in which a script let the robot wait */
+  /** ticks up to the displayed one in which a script made the robot wait */
   waited: number;
-  /** who drives the newest moment; the driver of the shown one is the snapshot's */
+  /** the driver at the newest tick; the driver at the displayed tick is the snapshot's */
   nowDriver: DriverName;
-  /** rises whenever inputs came to the run or were forgotten: then a run saved before is out of date */
+  /** increases with each added or discarded input: a run saved before is outdated then */
   revision: number;
   /**
-   * Corners of the trail since the last frame, x and y by turns, in units; its end is the pose. Packed where
-   * they cross to the page: a jump brings 40,000 numbers, and as many objects cost 15 ms of clearing up.
+   * New corners of the trail, x and y alternating, in units; its end is the pose. Packed when sent
+   * to the page: a jump has 40,000 numbers, and as many objects cost 15 ms of garbage collection.
    */
   corners: readonly number[] | Float64Array;
-  /** where the robot's centre was at bumps since the last frame, x and y by turns, in units */
+  /** positions of the robot's centre at new bumps, x and y alternating, in units */
   bumps: number[];
-  /** true when the trail and the bumps begin anew: forget those drawn so far */
+  /** true if the trail and the bumps start again: discard those drawn so far */
   trailReset: boolean;
-  /** the ghosts of a race at the displayed tick; absent where no race is on */
+  /** the ghosts of a race at the displayed tick; absent without a race */
   ghosts?: readonly GhostPose[];
 }
 
@@ -167,7 +179,7 @@ export interface GhostPose {
   heading: number;
 }
 
-/** What one run of a race took to the goal, or to its end where it reached none. */
+/** Result of one run of a race, at the goal or at its end if it reached none. */
 export interface Finish {
   /** null: the run ended before it reached the goal */
   goalTick: number | null;
@@ -178,31 +190,31 @@ export interface Finish {
   lines: number;
 }
 
-/** The answer to `add-ghost`: what the run took; or why it cannot be repeated. */
+/** The answer to `add-ghost`: the result of the run, or why it cannot be repeated. */
 export type AddedGhost =
   | { ok: true; finish: Finish }
-  /** no problems: the simulator broke, or the race has no room */
+  /** without problems: the simulator broke, or the race is full */
   | { ok: false; problems: FieldProblem[] };
 
-/** Something worth telling in words. `line` is null when no program line was in charge. */
+/** A bump or the goal. `line` is null if no program line was in charge. */
 export interface RunEvent {
   kind: "bump" | "goal";
   tick: number;
   pose: Pose;
   line: LineRef | null;
   driver: DriverName;
-  /** bumps so far, this one included */
+  /** bumps so far, including this one */
   bumps: number;
-  /** how it came to a bump; null for the goal */
+  /** how the bump came about; null for the goal */
   cause: BumpCause | null;
   /**
-   * why it happened; null for the goal, for a bump by hand, and for those of a line whose bump was
-   * explained before
+   * why it happened; null for the goal, for a bump by hand, and for a line whose bump was explained
+   * before
    */
   diagnosis: Diagnosis | null;
   /**
-   * the program that drove, where the page has something to explain of it: it may have been edited there while this
-   * was on its way; null for a bump that pauses no run
+   * the program that drove, if the page explains the event: the page's program may have been edited
+   * since; null for a bump that does not pause the run
    */
   program: ProgramDocument | null;
 }
@@ -212,32 +224,35 @@ export type RemoteStatus =
   | { kind: "off" }
   | { kind: "connecting" }
   | { kind: "waiting" }
-  /** `heardAt`: milliseconds since 1970, since worker and page count their own time from different starts */
-  | { kind: "connected"; client: string; heardAt: number }
-  /** not connected; the page tries again by itself, unless the service answered that it has no robot for it */
+  /**
+   * `seenAt`: milliseconds since 1970, because the clocks of worker and page have different
+   * origins
+   */
+  | { kind: "connected"; client: string; seenAt: number }
+  /** not connected; the page reconnects by itself, unless the service has no robot for it */
   | { kind: "lost"; reason: RemoteTrouble }
-  /** the session is gone for this page */
+  /** the session has ended for this page */
   | { kind: "over"; reason: RemoteTrouble };
 
-/** Why there is no connection: a close code by its name, or what went wrong without one. */
+/** Why there is no connection: the name of a close code, or another error. */
 export type RemoteTrouble =
   | keyof typeof closeReasons
   | Exclude<RegistrationError["code"], "noAnswer">
-  /** the connection broke without a close code, or nothing answers */
+  /** the connection broke without a close code, or nothing responds */
   | "lineLost";
 
-/** A command for this page's robot, and what became of it. */
+/** A command for this page's robot, and its state. */
 export interface ListedCommand extends Omit<CommandRecord, "reason"> {
   /** why this page ended it early */
   reason: CancelReason | null;
-  /** ms that it was given to start within */
+  /** ttl of the command in ms */
   ttl: number;
 }
 
-/** A script as the panel shows it. */
+/** A script in the panel. */
 export interface ListedScript extends Omit<ScriptView, "silentMs"> {
-  /** milliseconds since 1970; null: not lately */
-  heardAt: number | null;
+  /** milliseconds since 1970; null: not recently */
+  seenAt: number | null;
 }
 
 export interface RemoteView {
@@ -250,14 +265,14 @@ export interface RemoteView {
   isPaused: boolean;
 }
 
-/** The answer to `load-run`: the documents that the run ended with; or why nothing was loaded. */
+/** The answer to `load-run`: the last documents of the run, or why nothing was loaded. */
 export type LoadedRun =
   | { ok: true; maze: MazeDocument; program: ProgramDocument }
   /** it cannot be repeated */
   | { ok: false; reason: "refused"; problems: FieldProblem[] }
   /** the stored run is of another project, or there is none */
   | { ok: false; reason: "other-project" | "not-stored" }
-  /** given up for something else, or the simulator broke, which is told as a fault */
+  /** cancelled by another request, or the simulator broke, which is reported as a fault */
   | { ok: false; reason: "cancelled" | "fault" };
 
 /** The answer to `save-run`: the text of the document and its ticks, or why there is none. */
@@ -267,33 +282,33 @@ export type SavedRun =
 
 export type FromWorker =
   /**
-   * at the calm rate of the panels, and at once when something was decided, with what the timeline gained
-   * or lost: one message, so that the page draws both in one go
+   * throttled for the panels, and at once after important changes, with the changes of the
+   * timeline: one message, so that the page draws both together
    */
   | { type: "frame"; frame: Frame; timeline: TimelineDelta | null }
-  /** every frame, for a page that draws the stage by itself; `frame` comes beside it */
+  /** every frame, for a page that draws the stage by itself; in addition to `frame` */
   | { type: "picture"; frame: Frame }
   /** the camera follows the robot: scroll the stage there */
   | { type: "stage-scroll-to"; scroll: Scroll }
   /**
-   * what happened after the end of this tick is no part of the run any more, which goes on from there in
-   * another way; -1: it is another run. Comes before the frames and moments of the new way.
+   * the run was truncated after this tick and continues differently; -1: it is another run.
+   * Precedes the frames and events of the continued run.
    */
   | { type: "truncated"; after: number }
   | { type: "event"; event: RunEvent }
-  /** why the program's robot does not get to the goal; sent once, and once more when the time is over */
+  /** why the program's robot does not reach the goal; sent once, and again when the time is over */
   | { type: "diagnosed"; program: ProgramDocument; diagnosis: Diagnosis }
-  /** how the attempt stands by the newest `judge`, each time that this changes; open to begin with */
+  /** the judgement for the newest `judge`, on each change; initially open */
   | { type: "judgement"; id: number; judgement: Judgement }
-  /** the maze of the shown moment where it is not the newest one; null when it is */
-  | { type: "shown-maze"; maze: MazeDocument | null }
+  /** the maze at the displayed tick if it is not the newest one; otherwise null */
+  | { type: "past-maze"; maze: MazeDocument | null }
   /**
-   * where a reload finds the run; null: this device cannot store it, and a reload begins at the start. Answered by
-   * `run-key-noted`
+   * key of the stored run for a reload; null: this device cannot store it, and a reload starts at
+   * the start. Answered by `run-key-noted`
    */
   | { type: "run-key"; key: string | null }
   | { type: "run-saved"; id: number; saved: SavedRun }
-  /** how much of a long run is opened, from 0 to 1 */
+  /** progress of opening a long run, from 0 to 1 */
   | { type: "run-loading"; id: number; part: number }
   | { type: "run-loaded"; id: number; loaded: LoadedRun }
   | { type: "ghost-added"; id: number; added: AddedGhost }

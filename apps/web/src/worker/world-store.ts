@@ -1,8 +1,10 @@
 /**
- * The worlds of this device's tabs, in IndexedDB: of each the run as its inputs, and how the commands of scripts
- * have ended in it. Both are written in one transaction, so neither is ever newer than the other.
+ * The worlds of this device's tabs, in IndexedDB: each has the inputs of the run, and the endings
+ * of script commands in it. Both are written in one transaction, so neither is ever newer than the
+ * other.
  *
- * A world has one writer. A page that restores it claims it, and what the page before still writes is refused.
+ * A world has one writer. A page that restores it claims it, and later writes of the previous page
+ * are rejected.
  */
 import type { CommandJournal } from "@corridor/client/host";
 import type { MazeDocument } from "@corridor/maze";
@@ -10,14 +12,14 @@ import type { ProgramDocument } from "@corridor/program";
 import type { RunUpdate } from "@corridor/recording";
 
 const DATABASE = "corridor";
-/** A tab that was closed so long ago is not opened again. */
+/** A tab that was closed this long ago is not opened again. */
 const STORED_MS = 7 * 24 * 60 * 60 * 1000;
 
-/** How the commands of one robot have ended in a world. */
+/** Endings of one robot's commands in a world. */
 export interface WorldJournal extends CommandJournal {
   /** the robot's id at the relay */
   robot: string;
-  /** the command that runs, and the units driven before it */
+  /** the running command, and the units driven before it */
   running: { seq: number; distance: number } | null;
 }
 
@@ -28,11 +30,14 @@ export interface StoredWorld {
 }
 
 export interface WorldStore {
-  /** Makes the caller the writer of a world. @returns null where there is none */
+  /**
+   * Makes the caller the writer of a world.
+   * @returns null without a world
+   */
   claim(key: string, writer: string): Promise<StoredWorld | null>;
   /**
-   * Adds to a world, or replaces it where the update begins anew.
-   * @returns "claimed" where another page is its writer, "gone" where there is nothing to add to
+   * Appends to a world, or replaces it if the update starts again.
+   * @returns "claimed" if another page is its writer, "gone" if there is nothing to append to
    */
   write(key: string, writer: string, entry: WorldEntry): Promise<"stored" | "claimed" | "gone">;
 }
@@ -40,7 +45,7 @@ export interface WorldStore {
 export interface WorldEntry {
   update: RunUpdate;
   journal: WorldJournal | null;
-  /** whether it must survive a power failure as well */
+  /** whether it must survive a power failure, too */
   isStrict: boolean;
 }
 
@@ -49,14 +54,14 @@ interface Head {
   writer: string;
   /** when it was written, in ms since 1970 */
   at: number;
-  /** how many parts it has */
+  /** number of parts */
   parts: number;
   ticks: number;
   digest: string;
   journal: WorldJournal | null;
 }
 
-/** What one write has added, under the key [world, number]. */
+/** The content of one write, under the key [world, number]. */
 interface Part {
   first: { maze: MazeDocument; program: ProgramDocument } | null;
   inputs: RunUpdate["inputs"];
@@ -98,7 +103,7 @@ export async function openWorldStore(now: () => number): Promise<WorldStore> {
     };
     await doneOf(transaction);
   };
-  // What is asked for next waits for it anyway.
+  // Later requests wait for it anyway.
   deleteOld().catch(() => undefined);
 
   return {

@@ -67,9 +67,9 @@ export class FaultyPage {
       },
       onDelivery: (delivery) => this.#loop.accept(delivery),
       cancel: (reason) => this.#loop.cancelRemote(reason),
-      takeBack: (seq) => this.#loop.remote?.cancelOne(seq),
-      giveBack: () => this.#loop.remote?.reset(),
-      hear: (alive) => this.#loop.remote?.renew(alive),
+      cancelOne: (seq) => this.#loop.remote?.cancelOne(seq),
+      reset: () => this.#loop.remote?.reset(),
+      renew: (alive) => this.#loop.remote?.renew(alive),
       fetch: () => Promise.reject(new Error("A session is there already.")),
       platform: { ...platform, connect: (url, events) => this.#connect(url, events) },
     });
@@ -128,7 +128,7 @@ export class FaultyPage {
     this.#queued = [];
     for (const hear of queued) hear();
     this.#loop.advance();
-    this.#loop.takeNews();
+    this.#loop.takeUpdate();
     this.#loop.takeTimeline();
     if (this.#host.isOpen && time.now() - this.#shownAt >= SNAPSHOT_MS) {
       this.#shownAt = time.now();

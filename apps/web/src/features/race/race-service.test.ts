@@ -8,7 +8,7 @@ import { createScreenStore } from "../../stores/screen-store.ts";
 import { createWorkspaceStore, setMaze } from "../../stores/workspace-store.ts";
 import { firstMaze, firstProgram } from "../../worker/first-project.ts";
 import { SimulatorClient, type WorkerPort } from "../../worker/simulator-client.ts";
-import { momentAt } from "../../worker/testing/moment-at.ts";
+import { runEventAt } from "../../worker/testing/run-event-at.ts";
 import type { FromWorker, ToWorker } from "../../worker/worker-messages.ts";
 import { RaceService } from "./race-service.ts";
 
@@ -130,7 +130,7 @@ describe("a race", () => {
 
   it("notes what the robot took to the goal, until that is undone", async () => {
     const { race, say } = bench();
-    say({ type: "event", event: momentAt("goal", 540, firstProgram) });
+    say({ type: "event", event: runEventAt("goal", 540, firstProgram) });
     expect(race.getState().you).toEqual({
       goalTick: 540,
       bumps: 1,

@@ -22,7 +22,7 @@ export function viewConnection(
     return { kind: "paused" };
   }
   if (status.kind !== "connected") return status;
-  const silence = Math.max(0, now - status.heardAt);
+  const silence = Math.max(0, now - status.seenAt);
   return {
     kind: silence < QUIET_AFTER_MS ? "connected" : "quiet",
     client: status.client,

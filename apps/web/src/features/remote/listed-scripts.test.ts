@@ -6,32 +6,32 @@ const NOW = 1_000_000;
 
 function script(change: Partial<ListedScript>): ListedScript {
   const base = { id: "AAAAAAAA", driver: "Zx81qP", name: null, client: "Python" };
-  return { ...base, connections: 0, heardAt: NOW, last: null, isBlocked: false, ...change };
+  return { ...base, connections: 0, seenAt: NOW, last: null, isBlocked: false, ...change };
 }
 
 describe("the scripts in the panel", () => {
   it("keep their places, whichever was heard last", () => {
-    const anna = script({ id: "1", name: "Anna", heardAt: NOW });
-    const ben = script({ id: "2", name: "Ben", heardAt: NOW - 9_000 });
+    const anna = script({ id: "1", name: "Anna", seenAt: NOW });
+    const ben = script({ id: "2", name: "Ben", seenAt: NOW - 9_000 });
     const names = (list: ListedScript[]) => shownScripts(list, NOW).map(({ name }) => name);
     expect(names([ben, anna])).toEqual(["Anna", "Ben"]);
-    expect(names([anna, { ...ben, heardAt: NOW + 1 }])).toEqual(["Anna", "Ben"]);
+    expect(names([anna, { ...ben, seenAt: NOW + 1 }])).toEqual(["Anna", "Ben"]);
   });
 
   it("go when they have been silent for two minutes, unless they have a line or are away", () => {
-    const long = { heardAt: NOW - 130_000 };
+    const long = { seenAt: NOW - 130_000 };
     const list = [
       script({ id: "1", ...long }),
       script({ id: "2", ...long, connections: 1 }),
-      script({ id: "3", heardAt: null, isBlocked: true }),
+      script({ id: "3", seenAt: null, isBlocked: true }),
     ];
     expect(shownScripts(list, NOW).map(({ id }) => id)).toEqual(["2", "3"]);
   });
 
   it("are quiet once they have asked nothing for five seconds", () => {
-    expect(quietSeconds(script({ heardAt: NOW - 4_900 }), NOW)).toBe(0);
-    expect(quietSeconds(script({ heardAt: NOW - 12_300 }), NOW)).toBe(12);
-    expect(quietSeconds(script({ heardAt: NOW - 12_300, connections: 1 }), NOW)).toBe(0);
-    expect(quietSeconds(script({ heardAt: null, isBlocked: true }), NOW)).toBe(0);
+    expect(quietSeconds(script({ seenAt: NOW - 4_900 }), NOW)).toBe(0);
+    expect(quietSeconds(script({ seenAt: NOW - 12_300 }), NOW)).toBe(12);
+    expect(quietSeconds(script({ seenAt: NOW - 12_300, connections: 1 }), NOW)).toBe(0);
+    expect(quietSeconds(script({ seenAt: null, isBlocked: true }), NOW)).toBe(0);
   });
 });

@@ -10,23 +10,23 @@ const QUIET_AFTER_MS = 5_000;
 export function shownScripts(scripts: readonly ListedScript[], now: number): ListedScript[] {
   return scripts
     .filter(
-      ({ isBlocked, connections, heardAt }) =>
-        isBlocked || connections > 0 || silence(heardAt, now) < SHOWN_MS,
+      ({ isBlocked, connections, seenAt }) =>
+        isBlocked || connections > 0 || silence(seenAt, now) < SHOWN_MS,
     )
     .toSorted((a, b) => order(a.name ?? a.client, b.name ?? b.client) || order(a.id, b.id));
 }
 
 /** Whole seconds for which a script has been quiet; 0 while it is heard. */
 export function quietSeconds(
-  { isBlocked, connections, heardAt }: ListedScript,
+  { isBlocked, connections, seenAt }: ListedScript,
   now: number,
 ): number {
-  const ms = silence(heardAt, now);
+  const ms = silence(seenAt, now);
   return isBlocked || connections > 0 || ms < QUIET_AFTER_MS ? 0 : Math.floor(ms / 1_000);
 }
 
-function silence(heardAt: number | null, now: number): number {
-  return heardAt === null ? Infinity : Math.max(0, now - heardAt);
+function silence(seenAt: number | null, now: number): number {
+  return seenAt === null ? Infinity : Math.max(0, now - seenAt);
 }
 
 function order(a: string, b: string): number {

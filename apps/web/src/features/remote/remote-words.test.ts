@@ -36,12 +36,12 @@ describe("the connection", () => {
     { silence: 12_000, view: { kind: "quiet", client: "Python", seconds: 12 } },
     { silence: -50, view: { kind: "connected", client: "Python", seconds: 0 } },
   ])("is $view.kind when the script was heard $silence ms ago", ({ silence, view }) => {
-    const status = { kind: "connected", client: "Python", heardAt: 1_000_000 } as const;
+    const status = { kind: "connected", client: "Python", seenAt: 1_000_000 } as const;
     expect(viewConnection(status, false, 1_000_000 + silence)).toEqual(view);
   });
 
   it("says that the run is paused, not that the script is quiet", () => {
-    const heard = { kind: "connected", client: "Python", heardAt: 1_000 } as const;
+    const heard = { kind: "connected", client: "Python", seenAt: 1_000 } as const;
     expect(viewConnection(heard, true, 10_000)).toEqual({ kind: "paused" });
     expect(viewConnection({ kind: "waiting" }, true, 10_000)).toEqual({ kind: "paused" });
   });

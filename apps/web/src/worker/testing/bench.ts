@@ -1,4 +1,4 @@
-/** A run loop in tests, with a clock of its own and a script at its door. */
+/** A run loop in tests, with its own clock and a script. */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { Command, DeliveredCommand, Snapshot } from "@corridor/protocol";
@@ -7,7 +7,7 @@ import { firstMaze, firstProgram } from "../first-project.ts";
 import { RunLoop } from "../run-loop.ts";
 import type { Frame } from "../worker-messages.ts";
 
-/** A loop whose real time passes when the test says so. */
+/** A loop whose real time passes when the test requests it. */
 export class Bench {
   time = 0;
   story: string[] = [];
@@ -28,16 +28,16 @@ export class Bench {
     for (const end = this.time + milliseconds; this.time < end;) {
       this.time += each;
       this.loop.advance();
-      frame = this.loop.takeNews()?.frame ?? frame;
+      frame = this.loop.takeUpdate()?.frame ?? frame;
     }
     return frame;
   }
 
   frame(): Frame {
     this.loop.pause();
-    const news = this.loop.takeNews();
-    if (news === null) throw new Error("no news after a pause");
-    return news.frame;
+    const update = this.loop.takeUpdate();
+    if (update === null) throw new Error("no update after a pause");
+    return update.frame;
   }
 
   deliver(command: Command): void {
@@ -45,7 +45,7 @@ export class Bench {
   }
 }
 
-/** A command as the relay delivers it, with time enough. */
+/** A command as the relay delivers it, with plenty of time. */
 export function deliveryOf(
   seq: number,
   command: Command,
@@ -65,10 +65,10 @@ export function deliveryOf(
   };
 }
 
-/** What a snapshot shows of its moment. */
-export type Moment = Omit<Snapshot, "seq" | "state">;
+/** The state of a tick in a snapshot. */
+export type TickState = Omit<Snapshot, "seq" | "state">;
 
-export function momentOf(snapshot: Snapshot): Moment {
+export function momentOf(snapshot: Snapshot): TickState {
   const { seq: _seq, state: _state, ...moment } = snapshot;
   return moment;
 }

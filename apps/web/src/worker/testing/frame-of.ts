@@ -1,4 +1,4 @@
-/** A frame for tests: the newest moment of a robot at its start, changed as the test asks. */
+/** A frame for tests: the newest state of a robot at its start, with changes. */
 import { snapshotOf } from "@corridor/protocol/testing";
 import type { Frame } from "../worker-messages.ts";
 

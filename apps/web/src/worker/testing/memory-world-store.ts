@@ -1,4 +1,4 @@
-/** Stored worlds without IndexedDB: what a device has, for pages of tests that come one after the other. */
+/** Stored worlds without IndexedDB: the storage of a device, for consecutive pages in tests. */
 import type { StoredWorld, WorldEntry, WorldStore } from "../world-store.ts";
 
 interface World {
@@ -12,7 +12,7 @@ interface World {
 
 export class MemoryWorldStore implements WorldStore {
   readonly worlds = new Map<string, World>();
-  /** how often something was written */
+  /** number of writes */
   writes = 0;
   isFull = false;
 

@@ -4,8 +4,8 @@ import { describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "./first-project.ts";
 import { Bench, momentOf, tenSeconds } from "./testing/bench.ts";
 
-describe("the shown past", () => {
-  it("waits for nobody: the live run is paused and scripts still see the newest moment", () => {
+describe("the displayed past", () => {
+  it("delays nobody: the live run is paused and scripts still receive the newest state", () => {
     const bench = tenSeconds();
     const live = bench.loop.snapshot();
     bench.loop.seek(120);
@@ -18,14 +18,14 @@ describe("the shown past", () => {
     expect(momentOf(bench.loop.snapshot())).toEqual(momentOf(live));
   });
 
-  it("ends at now when the last moment is asked for", () => {
+  it("ends at the newest tick if the last one is requested", () => {
     const bench = tenSeconds();
     bench.loop.seek(60);
     bench.loop.seek(99_999_999);
     expect(bench.frame()).toMatchObject({ view: "now" });
   });
 
-  it("sends the trail up to the shown moment: what was gained forward, all of it back", () => {
+  it("sends the trail up to the displayed tick: the new part forwards, all of it backwards", () => {
     const bench = tenSeconds();
     const all = bench.frame();
     bench.loop.seek(100);
@@ -39,17 +39,17 @@ describe("the shown past", () => {
     expect(rest.trailReset).toBe(false);
     const whole = new Bench();
     whole.loop.run();
-    const corners = [...(whole.loop.takeNews()?.frame.corners ?? [])];
+    const corners = [...(whole.loop.takeUpdate()?.frame.corners ?? [])];
     for (let i = 0; i < 10_000 / 8; i++) {
       whole.time += 8;
       whole.loop.advance();
-      corners.push(...(whole.loop.takeNews()?.frame.corners ?? []));
+      corners.push(...(whole.loop.takeUpdate()?.frame.corners ?? []));
     }
     expect([...early.corners, ...later.corners, ...rest.corners]).toEqual(corners);
     expect(all.snapshot.tick).toBe(whole.loop.snapshot().tick);
   });
 
-  it("is played on at the chosen speed up to now, and changes nothing", () => {
+  it("is played at the chosen speed up to the newest tick, and changes nothing", () => {
     const bench = tenSeconds();
     const saved = bench.loop.saveRun();
     bench.loop.seek(60);
@@ -74,7 +74,7 @@ describe("the shown past", () => {
     expect(bench.frame()).toMatchObject({ view: "past", snapshot: { tick } });
   });
 
-  it("is stepped through decision by decision, and after the last one it is now", () => {
+  it("is stepped through decision by decision, up to the newest tick", () => {
     const bench = tenSeconds();
     const lines: Snapshot["line"][] = [];
     bench.loop.seekStep(-1);
@@ -91,7 +91,7 @@ describe("the shown past", () => {
     expect(lines.slice(0, -1).every((line, index) => line !== lines[index + 1])).toBe(true);
   });
 
-  it("shows what the newest program would do there; going on, the robot does it", () => {
+  it("shows what the newest program would do there; after resuming, the robot does it", () => {
     const bench = tenSeconds();
     bench.loop.seek(30);
     expect(bench.frame().snapshot.line).toBe("default");
@@ -107,7 +107,7 @@ describe("the shown past", () => {
     expect(frame?.nowTick).toBeLessThan(40);
   });
 
-  it("keeps the recording when the program was edited and now is shown again", () => {
+  it("retains the recording if the program was edited and the newest tick is displayed again", () => {
     const bench = tenSeconds();
     const { tick } = bench.loop.snapshot();
     bench.loop.seek(30);
@@ -126,15 +126,15 @@ describe("the shown past", () => {
     const bench = tenSeconds();
     const then = firstMaze;
     bench.loop.editMaze({ ...firstMaze, goals: [] });
-    expect(bench.loop.shownMaze).toBeNull();
+    expect(bench.loop.pastMaze).toBeNull();
     bench.loop.seek(30);
-    expect(bench.loop.shownMaze).toEqual(then);
+    expect(bench.loop.pastMaze).toEqual(then);
     bench.loop.editMaze({ ...firstMaze, name: "another" });
     expect(bench.frame().view).toBe("now");
-    expect(bench.loop.shownMaze).toBeNull();
+    expect(bench.loop.pastMaze).toBeNull();
   });
 
-  it("is gone on from by hand with a drive key", () => {
+  it("is continued by hand with a drive key", () => {
     const bench = tenSeconds();
     bench.loop.seek(30);
     bench.loop.hold("reverse");
@@ -143,7 +143,7 @@ describe("the shown past", () => {
     expect(frame?.nowTick).toBeLessThan(50);
   });
 
-  it("is left for now when a script sends a command, whose robot goes on", () => {
+  it("is left when a script sends a command, whose robot continues", () => {
     const bench = new Bench();
     bench.loop.setDriver("remote");
     bench.deliver({ action: "move", distance: 100 });
@@ -154,7 +154,7 @@ describe("the shown past", () => {
     expect(bench.story).toEqual(["started 1", "completed 1", "started 2", "completed 2"]);
   });
 
-  it("gone on from ends what a script had asked for, each command once", () => {
+  it("cancels a script's commands when it is continued, each command once", () => {
     const bench = new Bench();
     bench.loop.setDriver("remote");
     bench.deliver({ action: "move", distance: 300 });
@@ -169,11 +169,11 @@ describe("the shown past", () => {
   });
 });
 
-describe("an edit that is taken back while the past is shown", () => {
+describe("an edit that is reverted while the past is displayed", () => {
   it.each([
     { name: "back to now", goOn: ({ loop }: Bench) => loop.now() },
     { name: "on from there", goOn: ({ loop }: Bench) => loop.run() },
-  ])("changes nothing of the run that goes $name", ({ goOn }) => {
+  ])("changes nothing in the run that continues $name", ({ goOn }) => {
     const bench = tenSeconds();
     bench.loop.pause();
     bench.loop.seek(300);

@@ -1,14 +1,14 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import type { Snapshot } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { FramePace } from "./frame-pace.ts";
+import { FrameThrottle } from "./frame-throttle.ts";
 import { frameOf } from "./testing/frame-of.ts";
 import type { Frame } from "./worker-messages.ts";
 
-/** A pace whose time passes when the test says so. */
+/** A throttle with a clock that the test controls. */
 function start() {
   let time = 0;
-  const pace = new FramePace(() => time);
+  const pace = new FrameThrottle(() => time);
   const at = (milliseconds: number, changes: Partial<Snapshot>, frame: Partial<Frame> = {}) => {
     time = milliseconds;
     pace.add(frameOf({ snapshot: snapshotOf(changes), ...frame }));
@@ -21,8 +21,8 @@ function start() {
   return { at, wait };
 }
 
-describe("what the page is told while the robot drives", () => {
-  it("comes four times a second, with all that the trail gained in between", () => {
+describe("frames for the page while the robot drives", () => {
+  it("come four times a second, with everything that the trail gained in between", () => {
     const { at, wait } = start();
     expect(at(0, { tick: 1 }, { corners: [1, 1], trailReset: true })).not.toBeNull();
     expect(at(16, { tick: 2 }, { corners: [2, 2] })).toBeNull();
@@ -51,7 +51,7 @@ describe("what the page is told while the robot drives", () => {
     },
   );
 
-  it("keeps to four a second on average where every frame decides something", () => {
+  it("are limited to four a second on average if every frame changes something important", () => {
     const { at } = start();
     let sent = 0;
     for (let time = 0; time < 10_000; time += 8) {
@@ -61,7 +61,7 @@ describe("what the page is told while the robot drives", () => {
     expect(sent).toBeLessThan(46);
   });
 
-  it("comes at once while the reader looks for a moment of the past", () => {
+  it("come at once while the user seeks in the past", () => {
     const { at } = start();
     at(0, { tick: 90 });
     expect(at(1, { tick: 10 }, { view: "past" })).not.toBeNull();

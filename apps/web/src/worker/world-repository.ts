@@ -1,60 +1,66 @@
 /**
- * Stores the world as it goes on: at most every quarter of a second, and before an ending of a script's command is
- * sent. What is stored is the one place from which a reload restores the run.
+ * Stores the world continuously: at most every quarter of a second, and before an ending of a
+ * script's command is sent. A reload restores the run only from this world.
  *
- * While a write is under way, what asks for the next one waits for it together: many endings a second are few writes.
+ * Requests during a write wait for the next one together: many endings a second are few writes.
  */
 import type { Recording, RunCheckpoint } from "@corridor/recording";
 import type { StoredWorld, WorldJournal, WorldStore } from "./world-store.ts";
 
-/** Progress without an ending is stored this often. */
+/** Interval for storing progress without an ending. */
 const PROGRESS_MS = 250;
-/** A store that does not answer for so long counts as one that cannot store. */
-const PATIENCE_MS = 5_000;
+/** A store that does not respond for this long counts as unavailable. */
+const TIMEOUT_MS = 5_000;
 
-export interface WorldKeeperPorts {
+export interface WorldRepositoryPorts {
   openStore: () => Promise<WorldStore>;
   /** the live run */
   recording: () => Recording;
-  /** how commands have ended in it */
+  /** endings of commands in it */
   journal: () => WorldJournal | null;
-  /** Has the tab note where a reload finds the world, or that it finds none. @returns whether it has */
-  noteKey: (key: string | null) => Promise<boolean>;
-  /** Another page has claimed the world of this run: what this page sends of it from now on contradicts that page. */
+  /**
+   * Lets the tab store the key of the world for a reload, or that there is none.
+   * @returns whether the tab has stored it
+   */
+  storeKey: (key: string | null) => Promise<boolean>;
+  /**
+   * Another page has claimed the world of this run: later messages of this page would contradict
+   * that page.
+   */
   onClaimed: () => void;
   newId: () => string;
   /** monotonic milliseconds */
   now: () => number;
-  /** calls back after so many milliseconds, unless it is cancelled by what this returns */
+  /** calls back after so many milliseconds; the returned function cancels */
   after: (milliseconds: number, call: () => void) => () => void;
 }
 
-export class WorldKeeper {
-  readonly #ports: WorldKeeperPorts;
+export class WorldRepository {
+  readonly #ports: WorldRepositoryPorts;
   readonly #writer: string;
   #store: Promise<WorldStore> | null = null;
-  /** of the stored world; null before there is one */
+  /** key of the stored world; null before there is one */
   #key: string | null = null;
   #isClaiming = false;
-  /** what is stored */
+  /** the stored state */
   #stored: { recording: Recording; revision: number; mark: RunCheckpoint; ticks: number } | null =
     null;
   /** the run that cannot be stored */
   #refused: Recording | null = null;
   #isWriting = false;
-  /** for those who wait for the next write */
+  /** for requests that wait for the next write */
   #next: { promise: Promise<void>; resolve: () => void } | null = null;
   #wroteAt = Number.NEGATIVE_INFINITY;
 
-  constructor(ports: WorldKeeperPorts) {
+  constructor(ports: WorldRepositoryPorts) {
     this.#ports = ports;
     this.#writer = ports.newId();
   }
 
   /**
-   * Stores the world as it is at the end of this turn, so that it survives whatever happens.
-   * Resolves once it is stored, or once a reload is sure to restore nothing, and after `onClaimed` where another
-   * page has claimed this world.
+   * Stores the world as it is at the end of this event-loop turn. Resolves once it is stored, or
+   * once a reload is certain to restore nothing, and after `onClaimed` if another page has claimed
+   * this world.
    */
   save(): Promise<void> {
     if (this.#refused === this.#ports.recording()) return Promise.resolve();
@@ -64,8 +70,8 @@ export class WorldKeeper {
     return promise;
   }
 
-  /** Stores the progress of the run, where there is some and it is time. */
-  follow(): void {
+  /** Stores the progress of the run if there is any and the interval has passed. */
+  update(): void {
     const { now, recording } = this.#ports;
     if (this.#isWriting || this.#isClaiming || now() - this.#wroteAt < PROGRESS_MS) return;
     if (this.#refused === recording() || !this.#hasNews()) return;
@@ -73,9 +79,9 @@ export class WorldKeeper {
   }
 
   /**
-   * Takes over the world that this tab had before a reload. Nothing is written before `claimed` is called: a page
-   * that goes earlier leaves it to the next one.
-   * @returns null where there is none
+   * Claims this tab's world from before a reload. Nothing is written before `claimed` is called: if
+   * this page closes earlier, the next one can claim the world.
+   * @returns null without a world
    */
   async claim(key: string): Promise<StoredWorld | null> {
     this.#isClaiming = true;
@@ -85,7 +91,7 @@ export class WorldKeeper {
     return world;
   }
 
-  /** The claimed world is the live run now, or is given up. */
+  /** The claimed world is the live run now, or was discarded. */
   claimed(): void {
     this.#isClaiming = false;
   }
@@ -104,7 +110,7 @@ export class WorldKeeper {
     if (this.#isWriting) return;
     this.#isWriting = true;
     this.#wroteAt = this.#ports.now();
-    // What happens in the same turn belongs to the same world.
+    // Changes in the same turn belong to the same world.
     void Promise.resolve().then(() => this.#write());
   }
 
@@ -122,12 +128,12 @@ export class WorldKeeper {
   }
 
   async #writeNow(isStrict: boolean): Promise<void> {
-    const { noteKey, onClaimed, newId, recording, journal } = this.#ports;
+    const { storeKey, onClaimed, newId, recording, journal } = this.#ports;
     const store = await this.#within(this.#opened());
     if (this.#key === null) {
       const key = newId();
-      // On a first visit over a slow network, the page may come long after its robot.
-      if (!(await noteKey(key))) throw new Error("the tab cannot note the key");
+      // On a first visit over a slow network, the page may load long after its robot has started.
+      if (!(await storeKey(key))) throw new Error("the tab cannot note the key");
       this.#key = key;
     }
     const run = recording();
@@ -146,13 +152,13 @@ export class WorldKeeper {
     this.#stored = { recording: run, revision, mark: update.checkpoint, ticks: update.ticks };
   }
 
-  /** This run is not stored any more: the page says so, and after a reload there is none to restore. */
+  /** Stops storing this run: the page reports it, and a reload restores nothing. */
   async #refuse(): Promise<void> {
     this.#refused = this.#ports.recording();
     this.#key = null;
     this.#stored = null;
     this.#store = null;
-    await this.#ports.noteKey(null);
+    await this.#ports.storeKey(null);
   }
 
   #opened(): Promise<WorldStore> {
@@ -160,11 +166,11 @@ export class WorldKeeper {
     return this.#store;
   }
 
-  /** What takes too long fails. */
+  /** Rejects after a timeout. */
   async #within<Result>(work: Promise<Result>): Promise<Result> {
     let cancel = (): void => undefined;
     const late = new Promise<never>((_resolve, reject) => {
-      cancel = this.#ports.after(PATIENCE_MS, () => reject(new Error("the store does not answer")));
+      cancel = this.#ports.after(TIMEOUT_MS, () => reject(new Error("the store does not answer")));
     });
     try {
       return await Promise.race([work, late]);

@@ -1,21 +1,18 @@
-/**
- * The moment of the run that is on the screen: the newest, or an earlier one that was gone back to; and
- * the frames that show it.
- */
+/** The displayed tick of the run, the newest or an earlier one, and the frames that show it. */
 import type { MazeDocument } from "@corridor/maze";
 import type { Snapshot } from "@corridor/protocol";
 import type { Run } from "@corridor/recording";
 import type { LiveRun } from "./live-run.ts";
-import { isDecidedAnew, shownLine } from "./shown-line.ts";
-import { ShownPast } from "./shown-past.ts";
+import { isDecidedAnew, displayedLine } from "./displayed-line.ts";
+import { PastPlayback } from "./past-playback.ts";
 import { TrailFeed } from "./trail-feed.ts";
 import type { Frame, RunView } from "./worker-messages.ts";
 
-export class ScreenMoment {
+export class DisplayedTick {
   readonly #live: LiveRun;
   readonly #trail = new TrailFeed();
-  /** null while the newest moment is shown */
-  #past: ShownPast | null = null;
+  /** null while the newest tick is displayed */
+  #past: PastPlayback | null = null;
   #seq = 0;
 
   constructor(live: LiveRun) {
@@ -26,12 +23,12 @@ export class ScreenMoment {
     return this.#past !== null;
   }
 
-  /** Whether one moment after the other is shown, towards the newest. */
+  /** Whether the recording is played towards the newest tick. */
   get isPlaying(): boolean {
     return this.#past?.isPlaying === true;
   }
 
-  /** Whether playing or stepping on has come to the newest moment. */
+  /** Whether playing or stepping has reached the newest tick. */
   get isAtEnd(): boolean {
     return this.#past?.isAtEnd === true;
   }
@@ -40,30 +37,30 @@ export class ScreenMoment {
     return this.#past?.tick ?? this.#live.run.tick;
   }
 
-  /** The maze of the shown moment where it is not the newest one. */
+  /** The maze at the displayed tick if it is not the newest one; otherwise null. */
   get maze(): MazeDocument | null {
     const { maze } = this.#run;
     return maze === this.#live.maze ? null : maze;
   }
 
-  /** Goes to the moment at the end of a tick. */
+  /** Displays the state at the end of a tick. */
   seek(tick: number): void {
     this.#lookBack().goTo(tick);
   }
 
-  /** Goes to the decision before or after the shown moment. */
+  /** Displays the previous or next decision. */
   seekStep(by: 1 | -1): void {
     const past = this.#lookBack();
     if (by === 1) past.goToDecisionAfter();
     else past.goToDecisionBefore();
   }
 
-  /** Begins to play on from the shown moment. */
+  /** Starts to play the recording from the displayed tick. */
   play(): void {
     if (this.#past !== null) this.#past.isPlaying = true;
   }
 
-  /** Plays so many ticks on. */
+  /** Plays this many ticks. */
   playOn(ticks: number): void {
     this.#past?.playOn(ticks);
   }
@@ -72,7 +69,7 @@ export class ScreenMoment {
     if (this.#past !== null) this.#past.isPlaying = false;
   }
 
-  /** Shows the newest moment again. */
+  /** Displays the newest tick again. */
   leavePast(): void {
     this.#past = null;
   }
@@ -83,7 +80,7 @@ export class ScreenMoment {
     this.#trail.begin();
   }
 
-  /** @param isRunning whether the live run goes on */
+  /** @param isRunning whether the live run continues */
   frame(isRunning: boolean): Frame {
     const { recording, program, driver, revision } = this.#live;
     const run = this.#run;
@@ -99,7 +96,10 @@ export class ScreenMoment {
     };
   }
 
-  /** The newest moment, for scripts; every snapshot has its own seq. @param isRunning whether it goes on */
+  /**
+   * The newest state, for scripts; every snapshot has its own seq.
+   * @param isRunning whether the run continues
+   */
   newest(isRunning: boolean): Snapshot {
     return this.#snapshotOf(this.#live.run, isRunning);
   }
@@ -113,22 +113,22 @@ export class ScreenMoment {
     return this.#past.isPlaying ? "playing" : "past";
   }
 
-  #lookBack(): ShownPast {
-    this.#past ??= new ShownPast(this.#live.recording);
+  #lookBack(): PastPlayback {
+    this.#past ??= new PastPlayback(this.#live.recording);
     this.#past.isPlaying = false;
     return this.#past;
   }
 
   #snapshotOf(run: Run, isRunning: boolean): Snapshot {
     const { tick, ...report } = run.report();
-    // In this order a relay passes it on without reading it further.
+    // A relay forwards a snapshot with this field order without parsing it further.
     return {
       seq: ++this.#seq,
       tick,
       state: isRunning ? "running" : "paused",
       driver: run.driver,
       ...report,
-      line: shownLine(run, this.#live.program),
+      line: displayedLine(run, this.#live.program),
       command: run.command,
     };
   }

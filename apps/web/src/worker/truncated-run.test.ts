@@ -13,54 +13,54 @@ function newBench(program = straight) {
   let time = 0;
   const loop = new RunLoop(firstMaze, program, () => time);
   loop.useDiagnostics(diagnostics);
-  const forgotten: number[] = [];
-  const news = (): RunEvent[] => {
-    const taken = loop.takeNews();
+  const truncated: number[] = [];
+  const takeEvents = (): RunEvent[] => {
+    const taken = loop.takeUpdate();
     if (taken === null) return [];
-    if (taken.forgottenAfter !== null) forgotten.push(taken.forgottenAfter);
-    return taken.moments;
+    if (taken.truncatedAfter !== null) truncated.push(taken.truncatedAfter);
+    return taken.events;
   };
   const pass = (seconds: number) => {
     const moments: RunEvent[] = [];
     for (let i = 0; i < seconds * 60; i++) {
       time += 1000 / 60;
       loop.advance();
-      moments.push(...news());
+      moments.push(...takeEvents());
     }
     return moments;
   };
-  return { loop, pass, news, forgotten };
+  return { loop, pass, takeEvents, truncated };
 }
 
-describe("a run that goes on from an earlier moment", () => {
-  it("makes the page forget what came after it when it goes on, not while it is looked at", () => {
-    const { loop, pass, news, forgotten } = newBench();
+describe("a run that continues from an earlier tick", () => {
+  it("discards on the page what came after it when it continues, not while it is displayed", () => {
+    const { loop, pass, takeEvents, truncated } = newBench();
     loop.run();
     const [bump] = pass(5);
     expect(bump?.kind).toBe("bump");
     loop.seek(60);
-    news();
+    takeEvents();
     pass(1);
-    expect(forgotten).toEqual([]);
+    expect(truncated).toEqual([]);
     loop.editProgram(firstProgram);
     loop.run();
-    news();
-    expect(forgotten).toEqual([60]);
+    takeEvents();
+    expect(truncated).toEqual([60]);
   });
 
-  it("says it once for several cuts in a frame, with the earliest", () => {
-    const { loop, pass, news, forgotten } = newBench();
+  it("is reported once for several truncations in a frame, with the earliest", () => {
+    const { loop, pass, takeEvents, truncated } = newBench();
     loop.run();
     pass(2);
     for (const tick of [90, 30]) {
       loop.seek(tick);
       loop.run();
     }
-    news();
-    expect(forgotten).toEqual([30]);
+    takeEvents();
+    expect(truncated).toEqual([30]);
   });
 
-  it("explains the same bump again, and waits for the reader again", () => {
+  it("explains the same bump again, and waits for the user again", () => {
     const { loop, pass } = newBench();
     loop.run();
     const [first] = pass(5);
@@ -84,12 +84,12 @@ describe("another run", () => {
         if (saved.ok) loadRun(loop, saved.run);
       },
     },
-  ])("$name makes the page forget all that was told", ({ begin }) => {
-    const { loop, pass, news, forgotten } = newBench();
+  ])("$name discards all events on the page", ({ begin }) => {
+    const { loop, pass, takeEvents, truncated } = newBench();
     loop.run();
     pass(5);
     begin(loop);
-    news();
-    expect(forgotten).toEqual([-1]);
+    takeEvents();
+    expect(truncated).toEqual([-1]);
   });
 });

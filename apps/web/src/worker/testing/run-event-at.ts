@@ -1,7 +1,7 @@
-/** A moment in tests as the worker tells it: line 1 drove, and nothing is known of why. */
+/** A run event in tests: line 1 drove, and the cause is unknown. */
 import type { RunEvent } from "../worker-messages.ts";
 
-export function momentAt(
+export function runEventAt(
   kind: RunEvent["kind"],
   tick: number,
   program: RunEvent["program"] = null,

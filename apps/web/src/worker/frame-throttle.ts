@@ -1,19 +1,20 @@
 /**
- * How often the page is told of the run: its panels are read, not watched, so a calm rate will do, but
- * what decides is shown at once. Judged in the worker, so that nothing crosses in vain.
+ * Throttles the frames for the page's panels. Readers need a low rate, but important changes are
+ * displayed at once. It runs in the worker, so that nothing is sent in vain.
  */
 import { FrameBuffer } from "./frame-buffer.ts";
 import type { Frame } from "./worker-messages.ts";
 
 /**
- * Milliseconds between two frames in which nothing was decided; four frames a second on average. Digits that
- * change more often are not read any better, and each change lays out, paints and puts together the page.
+ * Milliseconds between two frames without important changes; four frames a second on average.
+ * Digits that change faster are not more readable, and each change costs layout, paint and
+ * compositing.
  */
 const INTERVAL_MS = 1000 / 4;
-/** Frames that may come sooner, one after the other, before the average has to be kept. */
+/** Frames that may be sent early before the average applies. */
 const SPARE = 4;
 
-export class FramePace {
+export class FrameThrottle {
   readonly #now: () => number;
   readonly #waiting = new FrameBuffer();
   #hasNews = false;
@@ -31,14 +32,15 @@ export class FramePace {
     this.#hasNews = true;
   }
 
-  /** The frame that the page is to be sent now; null while it can wait, or when nothing is new. */
+  /** The frame to send now; null if it can wait, or if nothing changed. */
   take(): Frame | null {
     const frame = this.#waiting.newest;
     if (!this.#hasNews || frame === null) return null;
     const now = this.#now();
     const intervals = (now - this.#sentAt) / INTERVAL_MS;
     const spare = Math.min(SPARE, this.#spare + intervals);
-    // At high speed something is decided in every frame; nobody can read that, and nobody has to wait for it.
+    // At high speed every frame changes something important; nobody can read that, and nobody has
+    // to wait for it.
     const isEarly = intervals < 1;
     if (isEarly && !isDue(this.#sent, frame, spare)) return null;
     this.#spare = Math.max(0, spare - 1);
@@ -49,15 +51,15 @@ export class FramePace {
   }
 }
 
-/** Whether a frame may come before its time. Who looks for a moment of the past sets the pace. */
+/** Whether a frame may be sent early. Seeking is not throttled. */
 function isDue(sent: Frame | null, frame: Frame, spare: number): boolean {
   if (sent === null || frame.view === "past") return true;
   return spare >= 1 && isDecided(sent, frame);
 }
 
 /**
- * Whether a frame must be shown at once: the deciding line, the state, the driver, a bump or the
- * goal changed, the run took its first tick, or the robot was put back. Numbers that merely move can wait.
+ * Whether a frame must be sent at once: the deciding line, state, driver, bumps or goal changed,
+ * the run took its first tick, or the robot was reset. Changed numbers can wait.
  */
 function isDecided(before: Frame, after: Frame): boolean {
   const shown = before.snapshot;

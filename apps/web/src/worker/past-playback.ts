@@ -1,14 +1,14 @@
 /**
- * An earlier moment of the run that is shown, or played on towards now. Moments that were asked for and
- * not shown yet cost nothing: only the newest is gone to.
+ * An earlier displayed tick of the run, which can be played towards the newest. Only the newest of
+ * several requested ticks is computed.
  */
 import type { Playback, Recording, Run } from "@corridor/recording";
 
-export class ShownPast {
+export class PastPlayback {
   readonly #recording: Recording;
   readonly #playback: Playback;
   #tick: number;
-  /** whether one moment after the other is shown */
+  /** whether the recording is being played */
   isPlaying = false;
 
   constructor(recording: Recording) {
@@ -21,35 +21,35 @@ export class ShownPast {
     return this.#tick;
   }
 
-  /** The run at the shown moment; not to be changed. */
+  /** The run at the displayed tick; read-only. */
   get run(): Run {
     this.#playback.seek(this.#tick);
     return this.#playback.run;
   }
 
-  /** Shows the moment at the end of a tick, as far as the recording goes. */
+  /** Displays the state at the end of a tick, as far as the recording goes. */
   goTo(tick: number): void {
     this.#tick = Math.min(Math.max(0, Math.floor(tick)), this.#recording.run.tick);
   }
 
-  /** Plays so many ticks on; done at once, so that its time is part of the playing. */
+  /** Plays this many ticks, immediately, so that their time is part of the playback. */
   playOn(ticks: number): void {
     this.goTo(this.#tick + ticks);
     this.#playback.seek(this.#tick);
   }
 
-  /** Shows the decision before the shown moment. */
+  /** Displays the previous decision. */
   goToDecisionBefore(): void {
     this.goTo(this.#recording.decisionBefore(this.#tick, this.#playback));
   }
 
-  /** Shows the decision after the shown moment; without one, the recording's end. */
+  /** Displays the next decision; without one, the end of the recording. */
   goToDecisionAfter(): void {
     const decision = this.#recording.decisionAfter(this.#tick, this.#playback);
     this.goTo(decision ?? this.#recording.run.tick);
   }
 
-  /** Whether the shown moment is the recording's last. */
+  /** Whether the displayed tick is the recording's last. */
   get isAtEnd(): boolean {
     return this.#tick >= this.#recording.run.tick;
   }

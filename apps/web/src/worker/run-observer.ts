@@ -1,35 +1,35 @@
 /**
- * Observes the live run tick by tick: collects what is worth reporting, why the run failed and how an
- * attempt at a challenge stands, and decides when the robot waits for the student.
+ * Observes the live run tick by tick: collects events, diagnoses and judgements, and decides when
+ * the robot waits for the student.
  */
 import type { Judgement } from "@corridor/challenge";
 import type { LoopNotice } from "@corridor/coach";
 import type { DriverName, LineRef } from "@corridor/protocol";
 import type { Recording, Run } from "@corridor/recording";
-import { Moments } from "./moments.ts";
+import { RunEvents } from "./run-events.ts";
 import type { DiagnosedRun, TaskOf } from "./diagnose-run.ts";
 import { RunDiagnosis, type Diagnostics } from "./run-diagnosis.ts";
 import type { RunJudge } from "./run-judge.ts";
 import type { RunEvent } from "./worker-messages.ts";
 
-/** The program does not get to the goal, since this tick. */
+/** The program does not reach the goal, since this tick. */
 interface NoGoal {
   failure: "late" | LoopNotice;
   tick: number;
 }
 
-export class RunWatch {
-  readonly #moments = new Moments();
+export class RunObserver {
+  readonly #events = new RunEvents();
   readonly #coach = new RunDiagnosis();
   #diagnosed: DiagnosedRun | null = null;
-  /** what waits for its diagnosis, because the module has not come yet: no way to the goal, and a bump */
+  /** pending until the diagnostics load: a robot that gets nowhere, and a bump */
   #noGoal: NoGoal | null = null;
   #waiting: { tick: number; line: LineRef | null; driver: DriverName } | null = null;
-  /** the last tick that stays of what was told before; null while all of it does */
-  #forgottenAfter: number | null = null;
-  /** null while no challenge is open */
+  /** the tick after which reported events were truncated; null without a truncation */
+  #truncatedAfter: number | null = null;
+  /** null without a challenge */
   #judge: RunJudge | null = null;
-  /** the run before the tick */
+  /** state of the run before the tick */
   #bumps = 0;
   #goalTick: number | null = null;
   #driver: DriverName = "program";
@@ -44,14 +44,14 @@ export class RunWatch {
 
   /** Another run. */
   begin(recording: Recording): void {
-    this.#forgetAfter(-1);
+    this.#truncate(-1);
     this.#judge?.begin(recording);
   }
 
-  /** The run forgot what came after its newest moment. */
-  cut(recording: Recording): void {
-    this.#forgetAfter(recording.run.tick);
-    this.#judge?.cut(recording);
+  /** The run was truncated at its newest tick. */
+  truncate(recording: Recording): void {
+    this.#truncate(recording.run.tick);
+    this.#judge?.truncate(recording);
   }
 
   /** A tick is about to run. */
@@ -64,55 +64,68 @@ export class RunWatch {
     this.#judge?.before(run);
   }
 
-  /** The tick has run. @returns whether the robot waits for the reader now */
+  /**
+   * The tick has run.
+   * @returns whether the robot waits for the user now
+   */
   after(recording: Recording): boolean {
     const { run } = recording;
     this.#judge?.after(run);
     const line = this.#line;
     const driver = this.#driver;
-    const isOver = driver === "program" && line !== null && this.#lookForNoGoal(recording, line);
+    const isOver = driver === "program" && line !== null && this.#detectNoGoal(recording, line);
     const isExplained = run.bumps > this.#bumps && this.#bumped(recording);
     if (run.goalTick === this.#goalTick) return isExplained || isOver;
-    this.#moments.add("goal", run, line, driver);
-    // A script decides for itself what comes after the goal; under a hand the robot rests there like a program's.
+    this.#events.add("goal", run, line, driver);
+    // A script decides by itself after the goal; a robot that a user drives rests there like a
+    // program's.
     return isExplained || driver !== "remote";
   }
 
-  takeMoments(): RunEvent[] {
-    return this.#moments.take();
+  takeEvents(): RunEvent[] {
+    return this.#events.take();
   }
 
-  /** Why the program's robot does not get to the goal; null when nothing is new since the last call. */
+  /**
+   * Why the program's robot does not reach the goal; null without a new diagnosis since the last
+   * call.
+   */
   takeDiagnosed(): DiagnosedRun | null {
     const diagnosed = this.#diagnosed;
     this.#diagnosed = null;
     return diagnosed;
   }
 
-  /** After which tick all that was told before is forgotten; null where nothing is since the last call. */
-  takeForgottenAfter(): number | null {
-    const after = this.#forgottenAfter;
-    this.#forgottenAfter = null;
+  /**
+   * The tick after which reported events were truncated since the last call; null without a
+   * truncation.
+   */
+  takeTruncatedAfter(): number | null {
+    const after = this.#truncatedAfter;
+    this.#truncatedAfter = null;
     return after;
   }
 
-  /** How the attempt at the challenge stands; null where that did not change since the last call. */
+  /** The judgement of the challenge if it changed since the last call; otherwise null. */
   takeJudgement(run: Run, isResting: boolean): Judgement | null {
     return this.#judge?.take(run, isResting) ?? null;
   }
 
-  /** A program's bump is explained, and the robot waits meanwhile; once a line, or nobody could run on. */
+  /**
+   * A program's bump is explained while the robot waits; once per line, so that the user can
+   * continue.
+   */
   #bumped(recording: Recording): boolean {
     const line = this.#line;
     const driver = this.#driver;
     const explained = this.#coach.bump(recording, driver, line, this.#task);
     const isLater = explained === "later";
     this.#waiting = isLater ? { tick: recording.run.tick, line, driver } : null;
-    this.#moments.add("bump", recording.run, line, driver, isLater ? null : explained);
+    this.#events.add("bump", recording.run, line, driver, isLater ? null : explained);
     return explained !== null && driver === "program";
   }
 
-  /** The module that diagnoses has come: explains the bump at which the robot waits. */
+  /** The diagnostics module has loaded: explains the bump at which the robot waits. */
   useDiagnostics(diagnostics: Diagnostics, recording: Recording): void {
     this.#coach.use(diagnostics);
     if (this.#noGoal !== null) this.#diagnoseNoGoal(recording, this.#noGoal);
@@ -124,13 +137,13 @@ export class RunWatch {
     const cause = driver === "program" ? line : null;
     const explained = this.#coach.explain(recording, cause, this.#task);
     if (explained === null || explained === "later") return;
-    this.#moments.add("bump", run, line, driver, explained);
+    this.#events.add("bump", run, line, driver, explained);
   }
 
-  /** @returns whether the time of the challenge is over with this tick */
-  #lookForNoGoal(recording: Recording, line: LineRef): boolean {
+  /** @returns whether the time of the challenge ends with this tick */
+  #detectNoGoal(recording: Recording, line: LineRef): boolean {
     const { run } = recording;
-    const notice = this.#coach.look(run, line, this.#isWaiting);
+    const notice = this.#coach.observe(run, line, this.#isWaiting);
     const isLate = this.#judge?.isLate(run) === true;
     const failure = isLate ? "late" : notice;
     if (failure !== null) this.#diagnoseNoGoal(recording, { failure, tick: run.tick });
@@ -149,10 +162,10 @@ export class RunWatch {
     return judge && ((isWhole) => judge.task(isWhole));
   }
 
-  /** What happened later is no part of the run: nobody tells it, and what was said of it may be said again. */
-  #forgetAfter(tick: number): void {
-    this.#forgottenAfter = Math.min(this.#forgottenAfter ?? tick, tick);
-    this.#moments.forgetAfter(tick);
+  /** Discards later events; their explanations may be repeated. */
+  #truncate(tick: number): void {
+    this.#truncatedAfter = Math.min(this.#truncatedAfter ?? tick, tick);
+    this.#events.truncate(tick);
     this.#coach.begin();
     this.#diagnosed = null;
     this.#waiting = null;

@@ -2,18 +2,18 @@ import { Recording } from "@corridor/recording";
 import { describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "./first-project.ts";
 import { MemoryWorldStore } from "./testing/memory-world-store.ts";
-import { WorldKeeper } from "./world-keeper.ts";
+import { WorldRepository } from "./world-repository.ts";
 import type { WorldStore } from "./world-store.ts";
 
-/** A keeper whose patience is over as soon as nothing else is to be done. */
+/** A repository whose timeout ends as soon as nothing else is pending. */
 function newKeeper(store: WorldStore, noteKey = (_key: string | null) => Promise.resolve(true)) {
   const recording = new Recording(firstMaze, firstProgram);
   const keys: (string | null)[] = [];
-  const keeper = new WorldKeeper({
+  const keeper = new WorldRepository({
     openStore: async () => store,
     recording: () => recording,
     journal: () => null,
-    noteKey: (key) => {
+    storeKey: (key) => {
       keys.push(key);
       return noteKey(key);
     },
@@ -28,8 +28,8 @@ function newKeeper(store: WorldStore, noteKey = (_key: string | null) => Promise
   return { keeper, recording, keys };
 }
 
-describe("a world that is stored", () => {
-  it("waits for a page that comes long after its robot, and is stored then", async () => {
+describe("a stored world", () => {
+  it("waits for a page that loads long after its robot, and is stored then", async () => {
     const store = new MemoryWorldStore();
     const late = () => new Promise<boolean>((resolve) => setTimeout(() => resolve(true), 30));
     const { keeper, keys } = newKeeper(store, late);
@@ -38,7 +38,7 @@ describe("a world that is stored", () => {
     expect(store.worlds.size).toBe(1);
   });
 
-  it("is given up where the store does not answer: endings are not held up for ever", async () => {
+  it("is given up if the store does not respond: endings are not delayed for ever", async () => {
     const store = new MemoryWorldStore();
     store.write = () => new Promise(() => undefined);
     const { keeper, keys } = newKeeper(store);
@@ -48,7 +48,7 @@ describe("a world that is stored", () => {
     expect(keys).toHaveLength(2);
   });
 
-  it("is written whole again where the device has forgotten it", async () => {
+  it("is written completely again if the device has deleted it", async () => {
     const store = new MemoryWorldStore();
     const { keeper, recording } = newKeeper(store);
     recording.addInput({ do: "driver", driver: "me" });
@@ -63,7 +63,7 @@ describe("a world that is stored", () => {
     });
   });
 
-  it("adds what is new, and begins anew where inputs were taken back", async () => {
+  it("appends changes, and starts again if inputs were discarded", async () => {
     const store = new MemoryWorldStore();
     const { keeper, recording } = newKeeper(store);
     const kinds = async () => {
