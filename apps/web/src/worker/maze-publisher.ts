@@ -8,7 +8,7 @@ const REST_MS = 500;
 /** Delay before a failed request is repeated. */
 const RETRY_MS = 3_000;
 
-export interface MazeTellerPorts {
+export interface MazePublisherPorts {
   /** monotonic milliseconds */
   now(): number;
   /**
@@ -19,7 +19,7 @@ export interface MazeTellerPorts {
 }
 
 export class MazePublisher {
-  readonly #ports: MazeTellerPorts;
+  readonly #ports: MazePublisherPorts;
   #maze: MazeDocument | null = null;
   #changedAt = Number.NEGATIVE_INFINITY;
   /** the maze that the relay has, or will never accept */
@@ -29,7 +29,7 @@ export class MazePublisher {
   /** increases with each robot: requests for an earlier one have no meaning for this one */
   #robot = 0;
 
-  constructor(ports: MazeTellerPorts) {
+  constructor(ports: MazePublisherPorts) {
     this.#ports = ports;
   }
 
