@@ -16,7 +16,7 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import type { Advice } from "./advice.ts";
 import { adviseProgram } from "./advise-program.ts";
-import { applyMend } from "./apply-mend.ts";
+import { applyMend } from "./apply-fix.ts";
 
 /** Numbers as students type them, with some that no maze can give. */
 const typed = fc.constantFrom(

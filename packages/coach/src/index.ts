@@ -1,5 +1,5 @@
 export { adviseProgram } from "./advise-program.ts";
-export { applyMend } from "./apply-mend.ts";
+export { applyMend } from "./apply-fix.ts";
 export type {
   Advice,
   DelayedAboutFront,
@@ -9,7 +9,7 @@ export type {
   NeverTrueHere,
   Side,
 } from "./advice.ts";
-export { LoopWatch, type LoopNotice } from "./loop-watch.ts";
+export { LoopWatch, type LoopNotice } from "./loop-detector.ts";
 export {
   bumpEvent,
   diagnoseFreePlay,

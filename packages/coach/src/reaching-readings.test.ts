@@ -7,7 +7,7 @@ import {
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { ReachingReadings, type ReadingRange } from "./reaching-readings.ts";
-import { nearProgram, tellingReadings } from "./testing/near-programs.ts";
+import { nearProgram, tellingReadings } from "./testing/random-programs.ts";
 import { winningLines } from "./winning-lines.ts";
 
 /** Numbers of the random programs lie on both sides of both ends. */

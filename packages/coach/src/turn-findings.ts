@@ -7,7 +7,7 @@ import { numberOf, type Condition, type ProgramDocument, type Rule } from "@corr
 import type { PlainAction } from "@corridor/protocol";
 import { DELAY_DISTANCE, ROBOT_RADIUS } from "@corridor/simulation";
 import type { DelayedAboutFront, ImmediateIntoOpening, Side } from "./advice.ts";
-import type { MazeSight } from "./maze-sight.ts";
+import type { MazeSight } from "./visibility.ts";
 import type { ReachingReadings } from "./reaching-readings.ts";
 
 type Unmended<A> = A extends { mend: unknown } ? Omit<A, "mend"> : never;

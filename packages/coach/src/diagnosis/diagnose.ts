@@ -7,8 +7,8 @@ import type { ProgramDocument } from "@corridor/program";
 import type { Command, LineRef, Pose } from "@corridor/protocol";
 import { ROBOT_RADIUS, contactOf, type BumpCause } from "@corridor/simulation";
 import type { Mend } from "../advice.ts";
-import { applyMend } from "../apply-mend.ts";
-import type { LoopNotice } from "../loop-watch.ts";
+import { applyMend } from "../apply-fix.ts";
+import type { LoopNotice } from "../loop-detector.ts";
 import { candidates } from "./candidates.ts";
 import { causeOf } from "./cause-of.ts";
 import type {

@@ -8,7 +8,7 @@ import type { Condition } from "@corridor/program";
 import type { Command, LineRef, PlainAction, SensorName, SensorReadings } from "@corridor/protocol";
 import type { Contact } from "@corridor/simulation";
 import type { Mend, Side } from "../advice.ts";
-import type { LoopNotice } from "../loop-watch.ts";
+import type { LoopNotice } from "../loop-detector.ts";
 
 /** A moment at which a line decided. */
 export interface DecisionMoment {

@@ -12,7 +12,7 @@ import {
   type BumpCause,
   type SimulationState,
 } from "@corridor/simulation";
-import { LoopWatch } from "../loop-watch.ts";
+import { LoopWatch } from "../loop-detector.ts";
 import type { DecisionMoment, StuckEvent } from "./diagnosis.ts";
 
 /** A state is saved this often, so that any tick is a short drive from one. */

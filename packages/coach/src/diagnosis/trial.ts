@@ -5,7 +5,7 @@
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
 import { ProgramRun } from "@corridor/simulation";
-import { LoopWatch } from "../loop-watch.ts";
+import { LoopWatch } from "../loop-detector.ts";
 import type { RunTrace, SolvedCheck } from "./run-trace.ts";
 
 /** How long after the place of a failure a changed program must do without a bump, in ticks. */

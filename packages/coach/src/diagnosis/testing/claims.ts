@@ -2,7 +2,7 @@
 import type { MazeDocument } from "@corridor/maze";
 import { numberOf, evaluateCondition, type ProgramDocument } from "@corridor/program";
 import type { SensorReadings } from "@corridor/protocol";
-import { applyMend } from "../../apply-mend.ts";
+import { applyMend } from "../../apply-fix.ts";
 import { causeLine, type Cause, type Diagnosis, type WrongNumber } from "../diagnosis.ts";
 import { actionIn, plainRun, squareOf, switchedRun, type PlainTick } from "./plain-run.ts";
 

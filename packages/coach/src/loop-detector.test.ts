@@ -3,7 +3,7 @@ import { CompiledProgram, type ProgramDocument, type Rule } from "@corridor/prog
 import { paperPrograms } from "@corridor/program/testing";
 import { ProgramRun, Simulation } from "@corridor/simulation";
 import { describe, expect, it } from "vitest";
-import { LoopWatch, type LoopNotice } from "./loop-watch.ts";
+import { LoopWatch, type LoopNotice } from "./loop-detector.ts";
 
 function mazeOf(blocks: string[], heading: MazeDocument["start"]["heading"]): MazeDocument {
   const start = { column: 0, row: 0, heading };

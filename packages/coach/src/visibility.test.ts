@@ -3,7 +3,7 @@ import { arbitraryMaze } from "@corridor/maze/testing";
 import { Simulation } from "@corridor/simulation";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { sightIn } from "./maze-sight.ts";
+import { sightIn } from "./visibility.ts";
 
 function mazeOf(...blocks: string[]): MazeDocument {
   const row = blocks.findIndex((text) => text.includes("S"));
