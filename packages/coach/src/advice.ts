@@ -1,18 +1,18 @@
 /**
- * What the coach says about a program before it runs: data only, the page makes the sentences.
- * A line gets at most one advice, the one that makes all others pointless first.
+ * Advice on a program before it runs, as data; the page creates the sentences. Each line has at
+ * most one advice: the most fundamental one.
  */
 import type { Condition, Rule } from "@corridor/program";
 import type { LineRef, PlainAction } from "@corridor/protocol";
 
-/** The sides that a turn goes to. */
+/** The side of a turn. */
 export type Side = "left" | "right";
 
 /**
- * A small edit that answers an advice. Lines are indices in the document that the advice is about;
- * `to` is the index that the moved line has afterwards.
+ * A small edit that resolves an advice. Lines are indices in the document of the advice; `to` is
+ * the index of the moved line afterwards.
  */
-export type Mend =
+export type Fix =
   | { kind: "action"; line: LineRef; action: PlainAction }
   | { kind: "number"; line: number; number: number }
   | { kind: "condition"; line: number; when: Condition }
@@ -20,49 +20,51 @@ export type Mend =
   | { kind: "delete"; line: number }
   | { kind: "insert"; at: number; rule: Rule };
 
-/** The line never decides: whenever its condition is true, one of `above` is true before it. */
+/** The line never decides: whenever its condition is true, a line of `above` is true as well. */
 export interface NeverDecides {
   kind: "never-decides";
   line: LineRef;
-  /** a smallest set of lines that win, in their order; never empty */
+  /** a smallest set of such lines in order; never empty */
   above: number[];
-  mend: Mend | null;
+  fix: Fix | null;
 }
 
-/** No place of this maze makes the condition true. */
+/** The condition is true nowhere in this maze. */
 export interface NeverTrueHere {
   kind: "never-true-here";
   line: number;
   /**
-   * farthest: the reading can not get above `bound`; nearest: not below; difference: left and right
-   * never differ by as much as `bound`
+   * farthest: the reading never exceeds `bound`; nearest: it is never below; difference: left and
+   * right always differ by less
    */
   limit: "farthest" | "nearest" | "difference";
   /** units */
   bound: number;
-  mend: Mend | null;
+  fix: Fix | null;
 }
 
-/** A delayed turn that asks about the front: it drives on towards what it has just seen. */
+/**
+ * A delayed turn with a condition on the front sensor: it drives towards a wall that it detected.
+ */
 export interface DelayedAboutFront {
   kind: "delayed-about-front";
   line: number;
-  /** near: too little room ahead; free: the side that it turns to was not asked */
+  /** near: too little room ahead; free: no condition checks the side of the turn */
   why: "near" | "free";
   side: Side;
-  /** units from the robot's middle that driving on takes, its own radius included */
+  /** the front reading that the delay needs, in units */
   needs: number;
-  mend: Mend | null;
+  fix: Fix | null;
 }
 
-/** A turn on the spot because its side is open: it begins at the edge of the opening. */
+/** A turn on the spot into an opening: it starts at the edge of the opening. */
 export interface ImmediateIntoOpening {
   kind: "immediate-into-opening";
   line: number;
   side: Side;
-  /** units that the delayed turn drives on, to the middle of the opening */
+  /** units that a delayed turn drives first, to the middle of the opening */
   drivesOn: number;
-  mend: Mend | null;
+  fix: Fix | null;
 }
 
 export type Advice = NeverDecides | NeverTrueHere | DelayedAboutFront | ImmediateIntoOpening;

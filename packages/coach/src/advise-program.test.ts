@@ -16,9 +16,9 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import type { Advice } from "./advice.ts";
 import { adviseProgram } from "./advise-program.ts";
-import { applyMend } from "./apply-fix.ts";
+import { applyFix } from "./apply-fix.ts";
 
-/** Numbers as students type them, with some that no maze can give. */
+/** Numbers as students type them, including impossible readings. */
 const typed = fc.constantFrom(
   0,
   10,
@@ -108,7 +108,7 @@ describe("the paper's wrong programs", () => {
     return found;
   };
 
-  it("Figure 25: the delayed turn that asks about the front becomes the turn of Figure 22", () => {
+  it("Figure 25: the delayed turn with a front condition becomes the turn of Figure 22", () => {
     const [advice, ...others] = adviseProgram(figure(25), tree);
     expect(others).toEqual([]);
     expect(advice).toEqual({
@@ -117,10 +117,10 @@ describe("the paper's wrong programs", () => {
       why: "near",
       side: "left",
       needs: 75,
-      mend: { kind: "action", line: 1, action: "left 90" },
+      fix: { kind: "action", line: 1, action: "left 90" },
     });
-    const mended = advice?.mend ? applyMend(figure(25), advice.mend) : null;
-    expect(mended?.rules).toEqual(figure(22).rules);
+    const withFix = advice?.fix ? applyFix(figure(25), advice.fix) : null;
+    expect(withFix?.rules).toEqual(figure(22).rules);
   });
 
   it("Figure 26: both of its turns are changed, and it is Figure 22", () => {
@@ -129,14 +129,14 @@ describe("the paper's wrong programs", () => {
       { line: 0, kind: "immediate-into-opening" },
       { line: 1, kind: "delayed-about-front" },
     ]);
-    for (let [advice] = adviseProgram(program, tree); advice?.mend;) {
-      program = applyMend(program, advice.mend);
+    for (let [advice] = adviseProgram(program, tree); advice?.fix;) {
+      program = applyFix(program, advice.fix);
       [advice] = adviseProgram(program, tree);
     }
     expect(program.rules).toEqual(figure(22).rules);
   });
 
-  it("Figure 24: none of the four mistakes is in it, so nothing is said", () => {
+  it("Figure 24: it has none of the four mistakes, so there is no advice", () => {
     expect(adviseProgram(figure(24), tree)).toEqual([]);
   });
 });
@@ -158,26 +158,26 @@ describe("a line that can never decide", () => {
       ["front > 50", "front < 60", "left > 60"],
       { kind: "move", line: 2, to: 0 },
     ],
-  ] as const)("%s", (_, lines, mend) => {
+  ] as const)("%s", (_, lines, fix) => {
     const actions = ["forward", "turn 180", "reverse"] as const;
     const program = programOf(...lines.map((when, at) => [when, actions[at] ?? "stop"] as Line));
     const advice = adviseProgram(program, tree).find(({ line }) => line === lines.length - 1);
-    expect(advice).toMatchObject({ kind: "never-decides", mend });
+    expect(advice).toMatchObject({ kind: "never-decides", fix });
   });
 
-  it("goes away where it would do the same as the line above", () => {
+  it("is deleted if it has the same action as the line above", () => {
     const program = programOf(["front > 50", "forward"], ["front > 60", "forward"]);
-    expect(adviseProgram(program, tree)[0]?.mend).toEqual({ kind: "delete", line: 1 });
+    expect(adviseProgram(program, tree)[0]?.fix).toEqual({ kind: "delete", line: 1 });
   });
 
-  it("may be otherwise", () => {
+  it("may be the default action", () => {
     const program = programOf(["front > 50", "forward"], ["front < 60", "left 90"]);
     expect(adviseProgram(program, tree)).toEqual([
-      { kind: "never-decides", line: "default", above: [0, 1], mend: null },
+      { kind: "never-decides", line: "default", above: [0, 1], fix: null },
     ]);
   });
 
-  it("is never one that does nothing", () => {
+  it("is never a line without a condition", () => {
     const program = programOf(["", "reverse"], ["front < 50", "turn 180"], ["", "reverse"]);
     expect(adviseProgram(program, tree)).toEqual([]);
   });
@@ -197,9 +197,9 @@ describe("a condition that is never true here", () => {
     ["front < 20", "nearest", { kind: "number", line: 0, number: 50 }],
     ["left > right + 690", "difference", { kind: "number", line: 0, number: 1 }],
     ["left < right + -690", "difference", { kind: "number", line: 0, number: 1 }],
-  ] as const)("%s", (when, limit, mend) => {
+  ] as const)("%s", (when, limit, fix) => {
     expect(adviseProgram(programOf([when, "turn 180"]), corridor)).toMatchObject([
-      { kind: "never-true-here", line: 0, limit, mend },
+      { kind: "never-true-here", line: 0, limit, fix },
     ]);
   });
 
@@ -259,12 +259,12 @@ describe("turns at the wrong moment", () => {
     expect(adviseProgram(programOf(...lines.map(([a, b]) => [a, b] as Line)), tree)).toEqual([]);
   });
 
-  it("is not a turn of a robot that only turns", () => {
+  it("are not reported for a robot that only turns", () => {
     const program = { ...programOf(["right > 60", "right 90"]), default: "stop" as const };
     expect(adviseProgram(program, tree)).toEqual([]);
   });
 
-  it("is not a turn in a room without corners", () => {
+  it("are not reported in a room without corners", () => {
     const room = {
       ...tree,
       blocks: ["....", "....", "...."],
@@ -274,7 +274,7 @@ describe("turns at the wrong moment", () => {
     expect(adviseProgram(programOf(["right > 60", "right 90"]), room)).toEqual([]);
   });
 
-  it("bumps each time that a delayed turn has too little room", () => {
+  it("bump each time that a delayed turn has too little room", () => {
     fc.assert(
       fc.property(
         fc.integer({ min: 30, max: 75 }),
@@ -297,7 +297,7 @@ describe("turns at the wrong moment", () => {
 });
 
 describe("every advice", () => {
-  it("on a condition that is never true holds in any run", () => {
+  it("on a condition that is never true is correct in any run", () => {
     fc.assert(
       fc.property(
         studentProgram,
@@ -308,7 +308,7 @@ describe("every advice", () => {
             each.kind === "never-true-here" ? [program.rules[each.line]?.when ?? null] : [],
           );
           const simulation = new Simulation(maze);
-          // A hand may have turned the robot before the program begins.
+          // A student may have turned the robot before the program starts.
           simulation.apply({ action: "turn", degrees });
           while (simulation.isManoeuvring) simulation.step();
           const run = new ProgramRun(simulation, new CompiledProgram(program));
@@ -326,7 +326,7 @@ describe("every advice", () => {
     );
   });
 
-  it("on a line that never decides holds in any run", () => {
+  it("on a line that never decides is correct in any run", () => {
     fc.assert(
       fc.property(studentProgram, arbitraryMaze, (program, maze) => {
         const advised = adviseProgram(program, maze).filter(({ kind }) => kind.startsWith("never"));
@@ -340,16 +340,16 @@ describe("every advice", () => {
     );
   });
 
-  it("is gone after its mend, no other of its kind comes, and there is one for every line", () => {
-    let mends = 0;
+  it("is resolved by its fix without new advice of its kind, and every line has a fix", () => {
+    let fixes = 0;
     fc.assert(
       fc.property(studentProgram, (program) => {
         const before = adviseProgram(program, tree);
         for (const advice of before) {
-          expect(advice.mend === null).toBe(advice.line === "default");
-          if (advice.mend === null) continue;
-          mends++;
-          const after = adviseProgram(applyMend(program, advice.mend), tree);
+          expect(advice.fix === null).toBe(advice.line === "default");
+          if (advice.fix === null) continue;
+          fixes++;
+          const after = adviseProgram(applyFix(program, advice.fix), tree);
           const count = (list: Advice[]) => list.filter(({ kind }) => kind === advice.kind).length;
           expect(count(after)).toBe(Math.min(count(after), count(before) - 1));
           expect(after.length).toBeLessThan(before.length);
@@ -357,21 +357,21 @@ describe("every advice", () => {
       }),
       { numRuns: 1000 },
     );
-    expect(mends).toBeGreaterThan(500);
+    expect(fixes).toBeGreaterThan(500);
   });
 
-  it("that takes a line away changes no decision", () => {
+  it("that deletes a line changes no decision", () => {
     fc.assert(
       fc.property(studentProgram, arbitraryMaze, (program, maze) => {
-        for (const { mend } of adviseProgram(program, maze)) {
-          if (mend?.kind !== "delete") continue;
-          const runs = [program, applyMend(program, mend)].map(
+        for (const { fix } of adviseProgram(program, maze)) {
+          if (fix?.kind !== "delete") continue;
+          const runs = [program, applyFix(program, fix)].map(
             (each) => new ProgramRun(new Simulation(maze), new CompiledProgram(each)),
           );
           for (let tick = 0; tick < 300; tick++) {
             for (const run of runs) run.step();
             const lines = runs.map(({ line }) => line);
-            const shifted = Number(lines[1]) >= mend.line ? Number(lines[1]) + 1 : lines[1];
+            const shifted = Number(lines[1]) >= fix.line ? Number(lines[1]) + 1 : lines[1];
             expect(shifted).toBe(lines[0]);
           }
         }
@@ -380,7 +380,7 @@ describe("every advice", () => {
     );
   });
 
-  it("is given for any legal program in any legal maze, in the order of the lines, once each", () => {
+  it("is ordered by line, at most one per line, for any valid program and maze", () => {
     fc.assert(
       fc.property(arbitraryProgram, arbitraryMaze, (program, maze) => {
         const lines = adviseProgram(program, maze).map(({ line }) =>

@@ -1,4 +1,3 @@
-/** Mends taken: document in, document out, like every edit of a program. */
 import {
   moveRule,
   removeRule,
@@ -8,34 +7,35 @@ import {
   type ProgramDocument,
   type ProgramEdit,
 } from "@corridor/program";
-import type { Mend } from "./advice.ts";
+import type { Fix } from "./advice.ts";
 
 /**
- * Puts a mend into the program that its advice was given for.
- * @throws RangeError when the mend does not fit the program, such as one of another document
+ * Applies a fix to the program of its advice.
+ * @returns the changed document
+ * @throws RangeError if the fix does not fit the program
  */
-export function applyMend(program: ProgramDocument, mend: Mend): ProgramDocument {
-  switch (mend.kind) {
+export function applyFix(program: ProgramDocument, fix: Fix): ProgramDocument {
+  switch (fix.kind) {
     case "action":
-      return mend.line === "default"
-        ? setDefault(program, mend.action)
-        : accepted(setAction(program, mend.line, mend.action));
+      return fix.line === "default"
+        ? setDefault(program, fix.action)
+        : accepted(setAction(program, fix.line, fix.action));
     case "number":
-      return accepted(setNumber(program, mend.line, mend.number));
+      return accepted(setNumber(program, fix.line, fix.number));
     case "condition":
-      return withCondition(program, mend);
+      return withCondition(program, fix);
     case "move":
-      return accepted(moveRule(program, mend.line, mend.to - mend.line));
+      return accepted(moveRule(program, fix.line, fix.to - fix.line));
     case "delete":
-      return accepted(removeRule(program, mend.line));
+      return accepted(removeRule(program, fix.line));
     case "insert":
-      return { ...program, rules: program.rules.toSpliced(mend.at, 0, mend.rule) };
+      return { ...program, rules: program.rules.toSpliced(fix.at, 0, fix.rule) };
   }
 }
 
 function withCondition(
   program: ProgramDocument,
-  { line, when }: Extract<Mend, { kind: "condition" }>,
+  { line, when }: Extract<Fix, { kind: "condition" }>,
 ): ProgramDocument {
   const rule = program.rules[line];
   if (rule === undefined) throw new RangeError(`The program has no line at ${line}.`);
@@ -43,6 +43,6 @@ function withCondition(
 }
 
 function accepted(edit: ProgramEdit): ProgramDocument {
-  if (!edit.ok) throw new RangeError(`The mend does not fit the program: ${edit.code}.`);
+  if (!edit.ok) throw new RangeError(`The fix does not fit the program: ${edit.code}.`);
   return edit.program;
 }

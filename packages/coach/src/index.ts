@@ -1,15 +1,15 @@
 export { adviseProgram } from "./advise-program.ts";
-export { applyMend } from "./apply-fix.ts";
+export { applyFix } from "./apply-fix.ts";
 export type {
   Advice,
   DelayedAboutFront,
   ImmediateIntoOpening,
-  Mend,
+  Fix,
   NeverDecides,
   NeverTrueHere,
   Side,
 } from "./advice.ts";
-export { LoopWatch, type LoopNotice } from "./loop-detector.ts";
+export { LoopDetector, type LoopNotice } from "./loop-detector.ts";
 export {
   bumpEvent,
   diagnoseFreePlay,
@@ -23,7 +23,7 @@ export {
   causeLine,
   type BumpEvent,
   type Cause,
-  type DecisionMoment,
+  type Decision,
   type Diagnosis,
   type FailureEvent,
   type WrongNumber,

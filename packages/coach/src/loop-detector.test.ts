@@ -3,7 +3,7 @@ import { CompiledProgram, type ProgramDocument, type Rule } from "@corridor/prog
 import { paperPrograms } from "@corridor/program/testing";
 import { ProgramRun, Simulation } from "@corridor/simulation";
 import { describe, expect, it } from "vitest";
-import { LoopWatch, type LoopNotice } from "./loop-detector.ts";
+import { LoopDetector, type LoopNotice } from "./loop-detector.ts";
 
 function mazeOf(blocks: string[], heading: MazeDocument["start"]["heading"]): MazeDocument {
   const start = { column: 0, row: 0, heading };
@@ -14,7 +14,7 @@ function programOf(rules: Rule[], otherwise: ProgramDocument["default"]): Progra
   return { format: "corridor/program", version: 1, name: "", default: otherwise, rules };
 }
 
-/** Runs a program and returns what is noticed, with the tick. */
+/** Runs a program and returns the notice with its tick. */
 function noticeOf(
   maze: MazeDocument,
   program: ProgramDocument,
@@ -22,20 +22,20 @@ function noticeOf(
 ): (LoopNotice & { tick: number }) | null {
   const simulation = new Simulation(maze);
   const run = new ProgramRun(simulation, new CompiledProgram(program));
-  const watch = new LoopWatch(maze);
+  const detector = new LoopDetector(maze);
   for (let tick = 1; tick <= seconds * 60; tick++) {
     run.step();
     const { cell, isStopped, isManoeuvring } = simulation;
     const { line } = run;
     const action = line === "default" ? program.default : program.rules[line]?.do;
-    const notice = watch.look(cell, isStopped, isManoeuvring, line, action === "stop");
+    const notice = detector.update(cell, isStopped, isManoeuvring, line, action === "stop");
     if (notice !== null) return { ...notice, tick };
   }
   return null;
 }
 
 const ring = mazeOf(["...", ".#.", "..."], "east");
-/** The same ring with a way out of it that the robot drives past. */
+/** The same ring with an exit that the robot drives past. */
 const ringWithExit = mazeOf(["....", ".#.#", "...#"], "east");
 const rightAtWalls = programOf(
   [{ when: { sensor: "front", is: "<", than: 51 }, do: "right 90" }],
@@ -49,28 +49,28 @@ const rightAtOpenings = programOf(
   "forward",
 );
 
-describe("LoopWatch", () => {
-  it("says nothing of a robot whose round has taken it everywhere", () => {
+describe("LoopDetector", () => {
+  it("permits loops after the robot has visited every square", () => {
     expect(noticeOf(ring, rightAtWalls, 60)).toBeNull();
   });
 
-  it("names the line that turns a robot round and round past a square that it never sees", () => {
+  it("names the line that turns the robot in circles past an unvisited square", () => {
     const notice = noticeOf(ringWithExit, rightAtOpenings, 60);
     expect(notice).toMatchObject({ kind: "circles", times: 3, line: 1 });
   });
 
-  it("names the line that pushes against a wall, two seconds after it was met", () => {
+  it("names the line that pushes against a wall, two seconds after the bump", () => {
     const notice = noticeOf(mazeOf([".."], "east"), programOf([], "forward"), 10);
     expect(notice).toMatchObject({ kind: "pushing", line: "default", cell: 1, times: 0 });
     expect((notice?.tick ?? 0) / 60).toBeCloseTo(1.25 + 2, 1);
   });
 
-  it("names the line that turns on the spot for ever", () => {
+  it("names the line that turns on the spot endlessly", () => {
     const notice = noticeOf(mazeOf([".."], "east"), programOf([], "turn 180"), 30);
     expect(notice).toMatchObject({ kind: "staying", line: "default", cell: 0 });
   });
 
-  it("says nothing of a robot that stands because it was told to stop", () => {
+  it("permits a robot that stops on purpose", () => {
     expect(noticeOf(mazeOf([".."], "east"), programOf([], "stop"), 60)).toBeNull();
     const atWalls = programOf(
       [{ when: { sensor: "front", is: "<", than: 60 }, do: "stop" }],
@@ -79,15 +79,15 @@ describe("LoopWatch", () => {
     expect(noticeOf(mazeOf(["...."], "east"), atWalls, 60)).toBeNull();
   });
 
-  it("is told once", () => {
-    const watch = new LoopWatch(mazeOf([".."], "east"));
-    const told = Array.from({ length: 1000 }, () => watch.look(1, true, false, 0, false)).filter(
-      Boolean,
-    );
-    expect(told).toHaveLength(1);
+  it("reports once", () => {
+    const detector = new LoopDetector(mazeOf([".."], "east"));
+    const notices = Array.from({ length: 1000 }, () =>
+      detector.update(1, true, false, 0, false),
+    ).filter(Boolean);
+    expect(notices).toHaveLength(1);
   });
 
-  it("never doubts the right-wall program on its way through a tree", () => {
+  it("does not report the right-wall program in a tree", () => {
     const rightWall = paperPrograms.find(({ figure }) => figure === 22);
     for (let seed = 1; seed <= 8; seed++) {
       const maze = generateTree({ columns: 11, rows: 9, seed, name: "" });

@@ -7,10 +7,10 @@ import {
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { ReachingReadings, type ReadingRange } from "./reaching-readings.ts";
-import { nearProgram, tellingReadings } from "./testing/random-programs.ts";
+import { randomProgram, distinctReadings } from "./testing/random-programs.ts";
 import { winningLines } from "./winning-lines.ts";
 
-/** Numbers of the random programs lie on both sides of both ends. */
+/** The numbers of random programs lie on both sides of both ends. */
 const range: ReadingRange = { min: 11, max: 18 };
 
 /** By brute force: the lines that decide for some reading, and those that are true for some. */
@@ -18,7 +18,7 @@ function tried(program: ProgramDocument): { decide: Set<number>; true: Set<numbe
   const compiled = new CompiledProgram(program);
   const decide = new Set<number>();
   const isTrue = new Set<number>();
-  for (const readings of tellingReadings(program, range)) {
+  for (const readings of distinctReadings(program, range)) {
     const { front, right, back, left } = readings;
     const line = compiled.decide(Float64Array.of(front, right, back, left));
     decide.add(line === -1 ? program.rules.length : line);
@@ -42,7 +42,7 @@ function reasoned({ rules }: ProgramDocument): Set<number> {
   return decide;
 }
 
-/** Only these lines of a program, in their order; the others do nothing. */
+/** A program in which only these lines have conditions. */
 function only(program: ProgramDocument, lines: readonly number[]): ProgramDocument {
   const rules = program.rules.map((rule, at) =>
     lines.includes(at) ? rule : { ...rule, when: null },
@@ -51,9 +51,9 @@ function only(program: ProgramDocument, lines: readonly number[]): ProgramDocume
 }
 
 describe("which lines can decide", () => {
-  it("is the same as trying all readings, for any program: no false alarm, no miss", () => {
+  it("is the same as with brute force, for any program", () => {
     fc.assert(
-      fc.property(nearProgram(8), (program) => {
+      fc.property(randomProgram(8), (program) => {
         const { decide } = tried(program);
         expect([...reasoned(program)].toSorted((a, b) => a - b)).toEqual(
           [...decide].toSorted((a, b) => a - b),
@@ -63,10 +63,10 @@ describe("which lines can decide", () => {
     );
   });
 
-  it("is not so few or so many that the property would say nothing", () => {
+  it("varies enough for the property to be meaningful", () => {
     let some = 0;
     let all = 0;
-    for (const program of fc.sample(nearProgram(8), { numRuns: 500, seed: 7 })) {
+    for (const program of fc.sample(randomProgram(8), { numRuns: 500, seed: 7 })) {
       const lines = program.rules.filter(({ when }) => when !== null).length + 1;
       if (reasoned(program).size < lines) some++;
       else all++;
@@ -77,9 +77,9 @@ describe("which lines can decide", () => {
 });
 
 describe("the lines that win", () => {
-  it("are named just where a line never decides, and none where its condition is never true", () => {
+  it("exist if and only if a line never decides, and are none if its condition is never true", () => {
     fc.assert(
-      fc.property(nearProgram(8), (program) => {
+      fc.property(randomProgram(8), (program) => {
         const { decide, true: isTrue } = tried(program);
         for (const [line, { when }] of program.rules.entries()) {
           if (when === null) continue;
@@ -94,9 +94,9 @@ describe("the lines that win", () => {
     );
   });
 
-  it("win by themselves, and no smaller set does", () => {
+  it("are sufficient, and no smaller set is", () => {
     fc.assert(
-      fc.property(nearProgram(6), (program) => {
+      fc.property(randomProgram(6), (program) => {
         for (let line = 0; line <= program.rules.length; line++) {
           const own = program.rules[line];
           if (own?.when === null) continue;
@@ -112,7 +112,7 @@ describe("the lines that win", () => {
     );
   });
 
-  it("are the uppermost ones that do", () => {
+  it("are the uppermost sufficient ones", () => {
     const front = (than: number) => ({
       when: { sensor: "front" as const, is: ">" as const, than },
       do: "forward" as const,

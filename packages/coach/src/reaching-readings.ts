@@ -1,24 +1,25 @@
 /**
- * Which readings reach a line: those for which every line above is false. Exact, without trying values.
+ * The readings that reach a line: those for which every line above is false. Exact, without
+ * sampling.
  *
  * A line that is false gives one closed bound, on a reading or on the difference of left and right:
  * "right > 60" false is right <= 60, "left > right + 1" false is left - right <= 1. So the readings
- * that reach a line are a system of difference constraints over left, right and 0, beside two plain
- * intervals for front and back. Only the tightest bound of each kind matters, and over three nodes
- * there are few ways around: every question costs a fixed number of comparisons, whatever the program.
+ * that reach a line are a system of difference constraints over left, right and 0, and two
+ * intervals for front and back. Only the tightest bound of each kind matters, and three nodes have
+ * few cycles: each query takes a constant number of comparisons.
  * @see Cormen, Leiserson, Rivest, Stein: Introduction to Algorithms, difference constraints
  *
- * Sums are those that the program computes itself, a right reading plus the number of a line.
+ * All sums are sums that the program computes as well: a right reading plus the number of a line.
  */
 import { numberOf, type Condition } from "@corridor/program";
 
-/** All readings that there are: each of the four sensors from `min` to `max`, in units. */
+/** The range of all four sensors, in units. */
 export interface ReadingRange {
   min: number;
   max: number;
 }
 
-/** What a condition bounds: a reading, or left minus right. */
+/** The quantity of a condition: a reading, or left minus right. */
 export type Quantity = Condition["sensor"] | "difference";
 
 /** @returns the quantity that a condition compares with its number */
@@ -37,7 +38,7 @@ export class ReachingReadings {
     this.#high = { front: max, right: max, back: max, left: max, difference: Infinity };
   }
 
-  /** Goes below a line: what it decides for does not reach the next one. */
+  /** Excludes the readings for which a line decides. */
   pass(condition: Condition): void {
     const quantity = quantityOf(condition);
     const number = numberOf(condition);
@@ -45,7 +46,7 @@ export class ReachingReadings {
     else this.#low[quantity] = Math.max(this.#low[quantity], number);
   }
 
-  /** Whether no reading is left: the lines passed so far decide for all of them. */
+  /** Whether the passed lines decide for all readings. */
   get isEmpty(): boolean {
     const low = this.#low;
     const high = this.#high;
@@ -60,7 +61,7 @@ export class ReachingReadings {
     );
   }
 
-  /** Whether a condition is true for some reading that is left. */
+  /** Whether a condition is true for any remaining reading. */
   allows(condition: Condition): boolean {
     if (this.isEmpty) return false;
     const quantity = quantityOf(condition);
@@ -79,7 +80,7 @@ export class ReachingReadings {
     return quantity !== "difference" || high.right + number > low.left;
   }
 
-  /** The largest reading of a sensor that is left; meaningless when none is. */
+  /** The largest remaining reading of a sensor; undefined if none remains. */
   max(sensor: Condition["sensor"]): number {
     const high = this.#high;
     if (sensor === "left") return Math.min(high.left, high.right + high.difference);
@@ -87,7 +88,7 @@ export class ReachingReadings {
     return high[sensor];
   }
 
-  /** The smallest reading of a sensor that is left; meaningless when none is. */
+  /** The smallest remaining reading of a sensor; undefined if none remains. */
   min(sensor: Condition["sensor"]): number {
     const low = this.#low;
     if (sensor === "left") return Math.max(low.left, low.right + low.difference);

@@ -1,26 +1,26 @@
 /**
- * Turns that begin at the wrong moment: a delayed turn that asks about the front, and a turn on the
- * spot into a side opening. Each is looked at with the readings that reach its line, because a line
- * above may have asked what this one does not.
+ * Finds turns that start at the wrong moment: a delayed turn with a condition on the front sensor,
+ * and a turn on the spot into a side opening. Considers only readings that reach the line, because
+ * lines above exclude others.
  */
 import { numberOf, type Condition, type ProgramDocument, type Rule } from "@corridor/program";
 import type { PlainAction } from "@corridor/protocol";
 import { DELAY_DISTANCE, ROBOT_RADIUS } from "@corridor/simulation";
 import type { DelayedAboutFront, ImmediateIntoOpening, Side } from "./advice.ts";
-import type { MazeSight } from "./visibility.ts";
+import type { MazeVisibility } from "./visibility.ts";
 import type { ReachingReadings } from "./reaching-readings.ts";
 
-type Unmended<A> = A extends { mend: unknown } ? Omit<A, "mend"> : never;
-export type TurnFinding = Unmended<DelayedAboutFront> | Unmended<ImmediateIntoOpening>;
+type WithoutFix<A> = A extends { fix: unknown } ? Omit<A, "fix"> : never;
+export type TurnFinding = WithoutFix<DelayedAboutFront> | WithoutFix<ImmediateIntoOpening>;
 
-/** From the robot's middle to the wall: what a delayed turn needs ahead. */
+/** The front reading that a delayed turn needs. */
 const ROOM = DELAY_DISTANCE + ROBOT_RADIUS;
 
-/** In a corridor one cell wide a wall at the side is at most as far as the robot's other side lets it. */
+/** Upper bound of a side reading in a corridor of one cell. */
 const CORRIDOR = 100;
-/** In its middle a wall at the side is this far; a number below is true beside a wall, too. */
+/** The side reading in the middle of a corridor; lower numbers are true beside a wall as well. */
 const MIDDLE = CORRIDOR / 2;
-/** The nearest that the far wall of an opening can be: one cell behind the wall that ended. */
+/** Smallest side reading in an opening: the wall is one cell further. */
 export const OPENING = CORRIDOR + ROBOT_RADIUS;
 
 const delayed: Partial<Record<PlainAction, Side>> = {
@@ -29,42 +29,41 @@ const delayed: Partial<Record<PlainAction, Side>> = {
 };
 const immediate: Partial<Record<PlainAction, Side>> = { "left 90": "left", "right 90": "right" };
 
-/** Whether any line that can decide drives: a robot that only turns bumps nowhere. */
+/** Whether any line drives: a robot that only turns never bumps. */
 export function drives({ rules, default: otherwise }: ProgramDocument): boolean {
   const actions = [otherwise, ...rules.flatMap((rule) => (rule.when === null ? [] : [rule.do]))];
   return actions.some((action) => !(action in immediate) && !/^(?:stop|turn 180)$/.test(action));
 }
 
 /**
- * Looks at the turn of a line that can decide.
+ * Checks the turn of a line that can decide.
  * @param reaching the readings for which no line above decides
- * @param sight of the maze
- * @param isDriving whether the program drives at all
+ * @param visibility of the maze
+ * @param isDriving whether any line drives
  */
 export function turnFinding(
   rule: Rule,
   line: number,
   reaching: ReachingReadings,
-  sight: MazeSight,
+  visibility: MazeVisibility,
   isDriving: boolean,
 ): TurnFinding | null {
   if (rule.when === null) return null;
   const delayedSide = delayed[rule.do];
   if (delayedSide !== undefined) return delayedAboutFront(rule.when, line, delayedSide, reaching);
   const side = immediate[rule.do];
-  if (side === undefined || !isDriving || !sight.hasOpenings) return null;
-  if (!asksForOpening(rule.when, side)) return null;
-  // Beside a wall ahead that is this near, the robot stands in front of the opening as it should.
+  if (side === undefined || !isDriving || !visibility.hasOpenings) return null;
+  if (!isTrueAtOpening(rule.when, side)) return null;
+  // With a wall this near ahead, the robot stands in the middle of the opening.
   if (reaching.max("front") <= ROOM) return null;
-  // Lines above have taken all readings that an opening gives.
+  // Lines above decide for all readings of an opening.
   if (reaching.max(side) < OPENING) return null;
   return { kind: "immediate-into-opening", line, side, drivesOn: DELAY_DISTANCE };
 }
 
 /**
- * "front < n" with n up to the room that driving on takes bumps each time that it decides. A larger n
- * leaves room and is right where it is meant. "front > n" says nothing about the side that the robot
- * turns to, unless a line above has asked that side.
+ * "front < n" bumps each time that it decides if n is at most the room that the delay needs. A
+ * larger n may be right. "front > n" does not check the side of the turn, unless a line above does.
  */
 function delayedAboutFront(
   when: Condition,
@@ -78,8 +77,8 @@ function delayedAboutFront(
   return reaching.min(side) >= MIDDLE ? null : { ...finding, why: "free" };
 }
 
-/** Whether a condition becomes true at the edge of an opening on this side, and not beside a wall. */
-function asksForOpening(when: Condition, side: Side): boolean {
+/** Whether a condition is true at the edge of an opening on this side, and false beside a wall. */
+function isTrueAtOpening(when: Condition, side: Side): boolean {
   const number = numberOf(when);
   if (when.than !== "right") return when.sensor === side && when.is === ">" && number >= MIDDLE;
   // In the middle of a corridor left and right are equal.

@@ -3,7 +3,7 @@ import { arbitraryMaze } from "@corridor/maze/testing";
 import { Simulation } from "@corridor/simulation";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { sightIn } from "./visibility.ts";
+import { visibilityIn } from "./visibility.ts";
 
 function mazeOf(...blocks: string[]): MazeDocument {
   const row = blocks.findIndex((text) => text.includes("S"));
@@ -17,7 +17,7 @@ function mazeOf(...blocks: string[]): MazeDocument {
   };
 }
 
-/** Any way to drive, as a hand or a script may. */
+/** Any driving by a student or a script. */
 const drive = fc.oneof(
   fc.record({
     action: fc.constant("move" as const),
@@ -32,11 +32,11 @@ const drive = fc.oneof(
   ),
 );
 
-describe("how far the robot can see", () => {
-  it("is never less than it reads anywhere, however it is driven and turned", () => {
+describe("the bounds of readings", () => {
+  it("include every reading, for any driving and heading", () => {
     fc.assert(
       fc.property(arbitraryMaze, fc.array(drive, { maxLength: 12 }), (maze, drives) => {
-        const { range } = sightIn(maze);
+        const { range } = visibilityIn(maze);
         const simulation = new Simulation(maze);
         let [least, most] = [Infinity, -Infinity];
         for (const command of drives) {
@@ -62,7 +62,7 @@ describe("how far the robot can see", () => {
     ["cells that no way leads to do not count", mazeOf("S.#......"), Math.sqrt(5)],
     ["stairs, along which one can look", mazeOf("S.##", "#..#", "##.."), 5],
   ])("%s", (_, maze, cells) => {
-    expect(sightIn(maze).range.max).toBeCloseTo(cells * 100 - 24.5, 6);
+    expect(visibilityIn(maze).range.max).toBeCloseTo(cells * 100 - 24.5, 6);
   });
 
   it.each(mazePresets)(
@@ -74,18 +74,18 @@ describe("how far the robot can see", () => {
       );
       const runs = [...blocks, ...columns].flatMap((text) => text.split("#"));
       const longest = Math.max(...runs.map((run) => run.length)) * 100;
-      const { max } = sightIn(preset.maze).range;
+      const { max } = visibilityIn(preset.maze).range;
       expect(max).toBeGreaterThan(longest - 25);
       expect(max).toBeLessThan(longest * 2);
     },
   );
 
-  it("is bounded by the box around the largest mazes", () => {
+  it("are the diagonal of the bounding box in the largest mazes", () => {
     const empty = mazeOf(
       "S" + ".".repeat(255),
       ...Array.from({ length: 255 }, () => ".".repeat(256)),
     );
-    expect(sightIn(empty).range.max).toBeCloseTo(256 * 100 * Math.SQRT2 - 24.5, 6);
+    expect(visibilityIn(empty).range.max).toBeCloseTo(256 * 100 * Math.SQRT2 - 24.5, 6);
   });
 });
 
@@ -97,11 +97,11 @@ describe("openings", () => {
     ["a side corridor", mazeOf("S...", "#.##"), true],
     ["a bend that no way leads to", mazeOf("S.#.#", "###..", "#####"), false],
   ])("%s", (_, maze, expected) => {
-    expect(sightIn(maze).hasOpenings).toBe(expected);
+    expect(visibilityIn(maze).hasOpenings).toBe(expected);
   });
 
-  it("are in every tree", () => {
+  it("exist in every tree", () => {
     const tree = generateTree({ columns: 11, rows: 11, seed: 3, name: "" });
-    expect(sightIn(tree).hasOpenings).toBe(true);
+    expect(visibilityIn(tree).hasOpenings).toBe(true);
   });
 });

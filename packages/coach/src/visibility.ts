@@ -1,52 +1,51 @@
 /**
- * How far the robot can see in a maze: bounds that no reading ever breaks, whoever turned the robot.
+ * Bounds of all sensor readings in a maze, for any heading of the robot.
  *
- * A program turns by quarters, but a hand or a script may have turned the robot askew before it began,
- * and then beams run diagonally. So the upper bound is that of the longest straight line of any slope
- * through the open cells that the start is connected with; only cells count, and the result may be
- * longer than the longest line by the part of a cell at each end.
+ * A program turns by quarters, but a student or a script may have turned the robot by any angle
+ * before, and then the beams are diagonal. So the upper bound is the longest straight line of any
+ * slope through the open cells that are connected with the start. It is exact to the part of a cell
+ * at each end.
  *
- * A line that goes right and down, at most one row for each column, crosses each row that it does not
- * begin or end in within K or K + 1 cells, K being the columns that it takes for a row, rounded up; in
- * the first and the last row it touches at most K + 1. Rows that follow each other share the column of
- * the crossing. For each K one pass from the bottom finds how far such a chain of runs can go. The
- * maze mirrored and with rows and columns exchanged gives the other slopes.
+ * Consider a line to the right and down, by at most one row per column. Let K be the number of
+ * columns per row, rounded up. The line crosses each inner row within K or K + 1 cells, and touches
+ * at most K + 1 cells of the first and the last row. Consecutive rows share the column of the
+ * crossing. For each K, one pass from the bottom finds the longest chain of such runs. Mirroring
+ * and transposing the maze covers the other slopes.
  */
 import { CELL, distancesFromStart, sizeOf, UNREACHABLE, type MazeDocument } from "@corridor/maze";
 import type { ReadingRange } from "./reaching-readings.ts";
 
 /**
- * No reading is below: a beam from the middle of a disc of radius 25 is at least 25 long. At corners
- * that are passed askew the physics lets the disc in by some hundredths of a unit, and at a wall it is
- * off by rounding; half a unit is room for both, and no line asks about less.
+ * Lower bound of readings: the radius of the robot is 25. At corners the physics permits an overlap
+ * of some hundredths of a unit, and at walls there are rounding errors. Half a unit covers both.
  */
 const NEAREST = 24.5;
 
-/** Cells looked at before a looser bound has to do: large mazes with long corridors. */
-const MOST_WORK = 1_000_000;
+/** Maximum number of visited cells; mazes that need more get a looser bound. */
+const MAX_WORK = 1_000_000;
 
-export interface MazeSight {
+export interface MazeVisibility {
   /** all readings that the robot can have, in units */
   range: ReadingRange;
-  /** whether a corridor opens to a side somewhere: an outer corner that the robot can drive past */
+  /** whether there is an outer corner, so that a corridor opens to a side somewhere */
   hasOpenings: boolean;
 }
 
-const known = new WeakMap<MazeDocument, MazeSight>();
+const cache = new WeakMap<MazeDocument, MazeVisibility>();
 
-/** What can be seen from the cells that the start is connected with. Remembered for each document. */
-export function sightIn(maze: MazeDocument): MazeSight {
-  const before = known.get(maze);
-  if (before !== undefined) return before;
+/** The visibility from the cells that are connected with the start; cached per document. */
+export function visibilityIn(maze: MazeDocument): MazeVisibility {
+  const cached = cache.get(maze);
+  if (cached !== undefined) return cached;
   const cells = reachableCells(maze);
-  // The beam to the other side is at least as long as the radius, and the two lie on one line.
+  // The opposite beam lies on the same line and is at least as long as the radius.
   const max = longestLine(cells) * CELL - NEAREST;
-  const sight = { range: { min: NEAREST, max }, hasOpenings: hasOuterCorner(cells) };
-  known.set(maze, sight);
-  return sight;
+  const visibility = { range: { min: NEAREST, max }, hasOpenings: hasOuterCorner(cells) };
+  cache.set(maze, visibility);
+  return visibility;
 }
 
-/** Cells as rows of 0 and 1, 1 where the robot can get. */
+/** Cells by rows: 1 if reachable, else 0. */
 interface Cells {
   columns: number;
   rows: number;
@@ -60,7 +59,7 @@ function reachableCells(maze: MazeDocument): Cells {
   return { ...sizeOf(maze), isOpen };
 }
 
-/** Three open cells around a point and one that is not. */
+/** Whether three of four cells around a point are open. */
 function hasOuterCorner({ columns, rows, isOpen }: Cells): boolean {
   for (let row = 1; row < rows; row++) {
     for (let at = row * columns + 1; at < (row + 1) * columns; at++) {
@@ -78,12 +77,12 @@ function longestLine(cells: Cells): number {
   const turned = transposed(cells);
   const runs = [longestRun(cells), longestRun(turned)];
   const work = ((runs[0] ?? 0) + (runs[1] ?? 0)) * cells.isOpen.length;
-  if (work > MOST_WORK) return diagonalOfBox(cells);
+  if (work > MAX_WORK) return diagonalOfBox(cells);
   const views = [cells, upsideDown(cells), turned, upsideDown(turned)];
   return Math.sqrt(Math.max(...views.map((view) => longestFall(view))));
 }
 
-/** Square of the longest line that goes right and down, at most a row for each column. */
+/** Square of the longest line to the right and down, by at most one row per column. */
 function longestFall(cells: Cells): number {
   const steepest = longestRun(cells);
   const toRight = runsToRight(cells);
@@ -94,14 +93,14 @@ function longestFall(cells: Cells): number {
   return longest;
 }
 
-/** The same for lines that take `run` columns for a row, rounded up. */
+/** The same for lines with `run` columns per row, rounded up. */
 function longestChain(
   { columns, rows }: Cells,
   toRight: Readonly<Int32Array>,
   run: number,
 ): number {
-  // Columns and rows of the longest chain that enters a row from above, by its first column: of the
-  // row below, and of this one. Both are 0 where a block is.
+  // Columns and rows of the longest chain that enters a row from above, by its first column, for
+  // the row below and for this one. Both are 0 at blocks.
   let wide = new Int32Array(columns);
   let high = new Int32Array(columns);
   let ownWide = new Int32Array(columns);
@@ -112,25 +111,25 @@ function longestChain(
     for (let column = 0; column < columns; column++) {
       const free = toRight[row * columns + column] ?? 0;
       toLeft = free === 0 ? 0 : toLeft + 1;
-      let mostWide = Math.min(free, run + 1);
-      let mostHigh = free === 0 ? 0 : 1;
-      // The line crosses this row within `run` cells or one more, and falls into the next.
+      let maxWide = Math.min(free, run + 1);
+      let maxHigh = free === 0 ? 0 : 1;
+      // The line crosses this row within `run` or `run` + 1 cells, and continues in the next.
       for (let length = run; length <= run + 1 && length <= free; length++) {
         const crossing = column + length - 1;
         const below = high[crossing] ?? 0;
         if (below === 0) continue;
-        mostWide = Math.max(mostWide, length - 1 + (wide[crossing] ?? 0));
-        mostHigh = Math.max(mostHigh, 1 + below);
+        maxWide = Math.max(maxWide, length - 1 + (wide[crossing] ?? 0));
+        maxHigh = Math.max(maxHigh, 1 + below);
       }
-      ownWide[column] = mostWide;
-      ownHigh[column] = mostHigh;
+      ownWide[column] = maxWide;
+      ownHigh[column] = maxHigh;
       if (free === 0) continue;
-      // The line begins in this row, somewhere to the left, and falls into the next one here.
+      // The line starts in this row, to the left, and enters the next row here.
       const across = Math.min(toLeft, run + 1) - 1 + Math.max(1, wide[column] ?? 0);
       const down = 1 + (high[column] ?? 0);
-      const began = across * across + down * down;
-      const whole = mostWide * mostWide + mostHigh * mostHigh;
-      longest = Math.max(longest, began, whole);
+      const starting = across * across + down * down;
+      const whole = maxWide * maxWide + maxHigh * maxHigh;
+      longest = Math.max(longest, starting, whole);
     }
     [wide, ownWide] = [ownWide, wide];
     [high, ownHigh] = [ownHigh, high];
@@ -138,7 +137,7 @@ function longestChain(
   return longest;
 }
 
-/** Open cells in a row from each cell to the right, itself included. */
+/** Number of consecutive open cells to the right of each cell, including itself. */
 function runsToRight({ columns, isOpen }: Cells): Int32Array {
   const runs = new Int32Array(isOpen.length);
   for (let at = isOpen.length - 1; at >= 0; at--) {

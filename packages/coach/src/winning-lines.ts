@@ -1,26 +1,27 @@
 /**
- * Which lines keep a line from ever deciding: a smallest set that wins whenever it is true.
+ * Finds a smallest set of lines because of which a line never decides: one of them is true whenever
+ * the line is true.
  *
- * A contradiction runs around one of seven cycles: a lower against an upper bound of one quantity, or
- * right, difference and left together. The tightest bound of each kind finds the smallest set; then the
- * uppermost line that is tight enough takes its place, because that is the one that decides.
+ * Each contradiction is one of seven cycles: a lower and an upper bound of one quantity, or right,
+ * difference and left together. The tightest bounds result in the smallest set. Then the uppermost
+ * line that is tight enough replaces each, because that line decides.
  */
 import { numberOf, type Condition, type Rule } from "@corridor/program";
 import { quantityOf, type Quantity, type ReadingRange } from "./reaching-readings.ts";
 
-/** `line` is null for a bound of the range, and for that of the line in question. */
+/** `line` is null for a bound of the range, and for the bound of the examined line. */
 interface Bound {
   value: number;
-  /** whether the value itself is excluded: only where a condition has to be true */
+  /** whether the value itself is excluded: for a condition that must be true */
   isStrict: boolean;
   line: number | null;
 }
 
-/** Bounds of one kind that may be used, each tighter than the one before it. */
+/** Bounds of one kind, each tighter than the one before it. */
 type Ladder = Bound[];
 type Ladders = Record<Quantity, Ladder>;
 
-/** Ladders of a way around, and whether one bound of each contradict each other. */
+/** The ladders of a cycle, and whether one bound of each contradict each other. */
 interface Cycle {
   ladders: Ladder[];
   isEmpty: (bounds: readonly Bound[]) => boolean;
@@ -29,9 +30,9 @@ interface Cycle {
 /**
  * @param rules of the program
  * @param line the line that never decides; `rules.length` for "otherwise"
- * @param range all readings that there are
- * @returns a smallest set of lines above, uppermost first; empty where none is needed, because no
- *   reading of the range makes the condition true; null where the line can decide
+ * @param range of all readings
+ * @returns a smallest set of lines above, uppermost first; empty if no reading of the range makes
+ * the condition true; null if the line can decide
  */
 export function winningLines(
   rules: readonly Rule[],
@@ -64,7 +65,7 @@ function cyclesOf(above: readonly Rule[], own: Condition | null, range: ReadingR
   if (own !== null) {
     const side = own.is === ">" ? low : high;
     const bound = { value: numberOf(own), isStrict: true, line: null };
-    // The condition itself has to be true: its own bound counts before all that only bind more loosely.
+    // The condition itself must be true: its own bound comes before all looser ones.
     side[quantityOf(own)].unshift(bound);
   }
   const pairs = (Object.keys(low) as Quantity[]).map((quantity): Cycle => ({
@@ -100,26 +101,26 @@ function sum(a: Bound | undefined, b: Bound | undefined): number {
   return (a?.value ?? 0) + (b?.value ?? 0);
 }
 
-/** Whether nothing lies from one value to the other, with the ends only where no bound excludes them. */
+/** Whether the interval is empty; its ends belong to it unless a bound is strict. */
 function contradict(from = 0, to = 0, bounds: readonly (Bound | undefined)[]): boolean {
   return bounds.some((bound) => bound?.isStrict) ? from >= to : from > to;
 }
 
-/** The bounds that cost no line, and the tightest one that does. */
+/** The bounds without a line, and the tightest one with a line. */
 function candidates(ladder: Ladder): Bound[] {
   const tightest = ladder.at(-1);
   const free = ladder.filter(({ line }) => line === null);
   return tightest === undefined || tightest.line === null ? free : [...free, tightest];
 }
 
-/** One of each, in every combination. */
+/** All combinations with one bound of each column. */
 function* choices(columns: readonly Bound[][], chosen: Bound[] = []): Generator<Bound[]> {
   const column = columns[chosen.length];
   if (column === undefined) yield chosen;
   else for (const bound of column) yield* choices(columns, [...chosen, bound]);
 }
 
-/** The lines of a contradiction, each replaced by the uppermost that contradicts the others as well. */
+/** The lines of a contradiction, each replaced by the uppermost sufficient one. */
 function uppermost(bounds: readonly Bound[], { ladders, isEmpty }: Cycle): number[] {
   let chosen = bounds;
   for (const [at, bound] of bounds.entries()) {

@@ -2,7 +2,7 @@
  * Observes the displayed run for its diagnosis: detects a robot that gets nowhere, and requests why
  * a run failed. Each line's bump is explained once per run, so that the user can continue.
  */
-import { LoopWatch, type LoopNotice } from "@corridor/coach";
+import { LoopDetector, type LoopNotice } from "@corridor/coach";
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { DriverName, LineRef } from "@corridor/protocol";
@@ -18,7 +18,7 @@ export interface Diagnostics {
 export class RunDiagnosis {
   readonly #explained = new Set<LineRef>();
   #diagnostics: Diagnostics | null = null;
-  #watch: LoopWatch | null = null;
+  #detector: LoopDetector | null = null;
   #maze: MazeDocument | null = null;
   #program: ProgramDocument | null = null;
 
@@ -30,7 +30,7 @@ export class RunDiagnosis {
   /** A new run: explanations of the previous one may be repeated. */
   begin(): void {
     this.#explained.clear();
-    this.#watch = null;
+    this.#detector = null;
   }
 
   /**
@@ -40,8 +40,8 @@ export class RunDiagnosis {
    */
   observe(run: Run, line: LineRef, isWaiting: boolean): LoopNotice | null {
     this.#follow(run);
-    this.#watch ??= new LoopWatch(run.maze);
-    return this.#watch.look(run.cell, run.isStopped, run.isManoeuvring, line, isWaiting);
+    this.#detector ??= new LoopDetector(run.maze);
+    return this.#detector.update(run.cell, run.isStopped, run.isManoeuvring, line, isWaiting);
   }
 
   /**

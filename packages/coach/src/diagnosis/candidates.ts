@@ -1,6 +1,6 @@
 /**
- * Changes of one thing in a program that could remove a failure, in the order in which a teacher would
- * try them: what drove last comes first, and the mistakes that students make most come before others.
+ * Changes of one thing in a program that may remove a failure, in the order in which a teacher
+ * would try them: first the lines that decided last, and the most common mistakes of students.
  */
 import {
   MAX_RULES,
@@ -12,17 +12,17 @@ import {
   type Rule,
 } from "@corridor/program";
 import { sensorNames, type LineRef, type PlainAction } from "@corridor/protocol";
-import type { Mend } from "../advice.ts";
+import type { Fix } from "../advice.ts";
 import type { BumpEvent, FailureEvent } from "./diagnosis.ts";
 import type { RunTrace } from "./run-trace.ts";
 
-/** A robot that turned too early may turn again at once, as its side is still open. */
+/** A robot that turned too early may turn again at once, because its side is still open. */
 const RECENT_TURNS = 3;
-/** Numbers of the paper beside multiples of half a cell, in units. */
+/** The paper's numbers, in addition to multiples of half a cell, in units. */
 const USUAL_NUMBERS = [60, 75];
 const NUMBER_STEP = 50;
-const MOST_NUMBERS = 40;
-/** For left compared with right, in units. */
+const MAX_NUMBERS = 40;
+/** Numbers for comparisons of left and right, in units. */
 const DIFFERENCES = [1, 0, 10, 50, 100, -1, -10, -50, -100];
 const WALL_NEAR = 50;
 const SIDE_OPEN = 60;
@@ -44,13 +44,13 @@ const mirrored: Partial<Record<PlainAction, PlainAction>> = {
 const plainTurns: readonly PlainAction[] = ["left 90", "right 90", "turn 180"];
 const delayedTurns: readonly PlainAction[] = ["delayed left 90", "delayed right 90"];
 
-/** Every change that is worth a trial, the likeliest first; the same change may come twice. */
-export function* candidates(trace: RunTrace, event: FailureEvent): Generator<Mend> {
+/** All changes to try, the most likely first; may contain duplicates. */
+export function* candidates(trace: RunTrace, event: FailureEvent): Generator<Fix> {
   if (event.kind === "bump") yield* forBump(trace, event);
   else yield* forNoGoal(trace);
 }
 
-function* forBump(trace: RunTrace, event: BumpEvent): Generator<Mend> {
+function* forBump(trace: RunTrace, event: BumpEvent): Generator<Fix> {
   const { program } = trace;
   const { line, phase } = event;
   const lines = trace.decidingLines();
@@ -87,7 +87,7 @@ function* forBump(trace: RunTrace, event: BumpEvent): Generator<Mend> {
   yield* deletions(lines);
 }
 
-function* forNoGoal(trace: RunTrace): Generator<Mend> {
+function* forNoGoal(trace: RunTrace): Generator<Fix> {
   const { program } = trace;
   const lines = trace.decidingLines();
   const turning = lines.filter((line) => isTurn(actionOf(program, line)));
@@ -121,7 +121,7 @@ function numbered(lines: readonly LineRef[]): number[] {
   return lines.filter((line): line is number => typeof line === "number");
 }
 
-/** Lines that took the newest turns, the newest first. */
+/** Lines of the latest turns, newest first. */
 function recentTurns({ decisions }: RunTrace): LineRef[] {
   const turns = decisions.filter(({ action }) => isTurn(action)).slice(-RECENT_TURNS);
   return [...new Set(turns.map(({ line }) => line).toReversed())];
@@ -145,29 +145,29 @@ function swapped(
   program: ProgramDocument,
   line: LineRef,
   table: Partial<Record<PlainAction, PlainAction>>,
-): Mend[] {
+): Fix[] {
   const action = table[actionOf(program, line)];
   return action === undefined ? [] : [{ kind: "action", line, action }];
 }
 
-function actions(program: ProgramDocument, line: LineRef, menu: readonly PlainAction[]): Mend[] {
+function actions(program: ProgramDocument, line: LineRef, menu: readonly PlainAction[]): Fix[] {
   const own = actionOf(program, line);
-  return menu.flatMap((action): Mend[] =>
+  return menu.flatMap((action): Fix[] =>
     action === own ? [] : [{ kind: "action", line, action }],
   );
 }
 
-/** Each line moved up to right above a line that decided; the nearest place first. */
-function orders({ rules }: ProgramDocument, lines: readonly LineRef[]): Mend[] {
+/** Moves each line above a line that decided; the nearest position first. */
+function orders({ rules }: ProgramDocument, lines: readonly LineRef[]): Fix[] {
   return numbered(lines).flatMap((to) =>
     [...rules.keys()]
       .filter((line) => line > to && rules[line]?.when !== null)
-      .map((line): Mend => ({ kind: "move", line, to })),
+      .map((line): Fix => ({ kind: "move", line, to })),
   );
 }
 
-/** Other numbers for a line, the nearest first. */
-function* numbers({ program, maze }: RunTrace, line: LineRef): Generator<Mend> {
+/** Other numbers of a line, nearest first. */
+function* numbers({ program, maze }: RunTrace, line: LineRef): Generator<Fix> {
   const when = typeof line === "number" ? program.rules[line]?.when : null;
   if (typeof line !== "number" || when === null || when === undefined) return;
   const own = numberOf(when);
@@ -178,13 +178,13 @@ function* numbers({ program, maze }: RunTrace, line: LineRef): Generator<Mend> {
   const sorted = menu
     .filter((number) => number !== own && number >= min && number <= max)
     .toSorted((a, b) => Math.abs(a - own) - Math.abs(b - own))
-    .slice(0, MOST_NUMBERS);
+    .slice(0, MAX_NUMBERS);
   for (const number of sorted) yield { kind: "number", line, number };
 }
 
 /** The other comparison with the same number. */
-function comparisons({ rules }: ProgramDocument, lines: readonly LineRef[]): Mend[] {
-  return numbered(lines).flatMap((line): Mend[] => {
+function comparisons({ rules }: ProgramDocument, lines: readonly LineRef[]): Fix[] {
+  return numbered(lines).flatMap((line): Fix[] => {
     const when = rules[line]?.when ?? null;
     if (when === null) return [];
     return [{ kind: "condition", line, when: flipped(when) }];
@@ -196,18 +196,18 @@ function flipped(when: Condition): Condition {
 }
 
 /** Every other sensor for the conditions that compare one with a number. */
-function sensors({ rules }: ProgramDocument): Mend[] {
+function sensors({ rules }: ProgramDocument): Fix[] {
   return rules.flatMap(({ when }, line) =>
     when === null || when.than === "right"
       ? []
       : sensorNames
           .filter((sensor) => sensor !== when.sensor)
-          .map((sensor): Mend => ({ kind: "condition", line, when: { ...when, sensor } })),
+          .map((sensor): Fix => ({ kind: "condition", line, when: { ...when, sensor } })),
   );
 }
 
-/** A line for a wall and for an opening on either side, above the others and right above "otherwise". */
-function* newLines({ program, last }: RunTrace, side: "front" | "back"): Generator<Mend> {
+/** New lines for a wall and for an opening on either side, at the end and at the top. */
+function* newLines({ program, last }: RunTrace, side: "front" | "back"): Generator<Fix> {
   if (program.rules.length >= MAX_RULES) return;
   const [, right = 0, , left = 0] = last.readings;
   const turns: PlainAction[] =
@@ -226,13 +226,13 @@ function* newLines({ program, last }: RunTrace, side: "front" | "back"): Generat
   }
 }
 
-/** A line that drives on where there is room ahead. */
-function forwardLines({ rules }: ProgramDocument): Mend[] {
+/** New lines that drive forward if there is room ahead. */
+function forwardLines({ rules }: ProgramDocument): Fix[] {
   if (rules.length >= MAX_RULES) return [];
   const rule: Rule = { when: { sensor: "front", is: ">", than: WALL_NEAR }, do: "forward" };
-  return [...new Set([0, rules.length])].map((at): Mend => ({ kind: "insert", at, rule }));
+  return [...new Set([0, rules.length])].map((at): Fix => ({ kind: "insert", at, rule }));
 }
 
-function deletions(lines: readonly LineRef[]): Mend[] {
-  return numbered(lines).map((line): Mend => ({ kind: "delete", line }));
+function deletions(lines: readonly LineRef[]): Fix[] {
+  return numbered(lines).map((line): Fix => ({ kind: "delete", line }));
 }

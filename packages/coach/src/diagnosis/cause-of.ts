@@ -1,28 +1,30 @@
 /**
- * From a change that removes a failure to the cause that it shows: which line, when, on which readings.
- * Whatever is stated here is read from the trace.
+ * Derives the cause from a change that removes the failure: the line, the moment and the readings.
+ * All values are from the trace.
  */
 import { numberOf, evaluateCondition, type ProgramDocument } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
 import { DELAY_DISTANCE, ROBOT_RADIUS } from "@corridor/simulation";
-import type { Mend, Side } from "../advice.ts";
+import type { Fix, Side } from "../advice.ts";
 import { OPENING } from "../turn-findings.ts";
 import { actionOf, delayedTurn, isTurn, turnOnTheSpot } from "./candidates.ts";
-import type { Cause, DecisionMoment, WrongAction, WrongNumber } from "./diagnosis.ts";
+import type { Cause, Decision, WrongAction, WrongNumber } from "./diagnosis.ts";
 import type { RunTrace } from "./run-trace.ts";
 
-/** The reading ahead that a delayed turn needs. */
+/** The front reading that a delayed turn needs. */
 export const DELAY_NEEDS = DELAY_DISTANCE + ROBOT_RADIUS;
-/** A robot that saw the side open so many ticks ago, within 20 cm, is at the edge of it. */
+/**
+ * Ticks after the side opened, within 20 cm, during which the robot is at the edge of the opening.
+ */
 const EDGE_TICKS = 12;
-/** So many times forward and back are no coincidence. */
+/** Number of reversals that count as driving forward and back. */
 const MANY_REVERSALS = 10;
 
 /**
- * @param fix the change; it was tried and removes the failure
- * @param from the tick of the first different decision with which it does
+ * @param fix a change that removes the failure
+ * @param from the tick of its first different decision
  */
-export function causeOf(trace: RunTrace, fix: Mend, from: number): Cause | null {
+export function causeOf(trace: RunTrace, fix: Fix, from: number): Cause | null {
   const moment = trace.decisionAt(from);
   if (moment === null) return null;
   const { program } = trace;
@@ -39,7 +41,7 @@ export function causeOf(trace: RunTrace, fix: Mend, from: number): Cause | null 
     }
     case "move": {
       const when = program.rules[fix.line]?.when ?? null;
-      // The line has to be true there, and another one decided.
+      // The line must be true there although another one decided.
       if (when === null || evaluateCondition(when, moment.readings)?.isTrue !== true) return null;
       return { kind: "order", line: fix.line, when, moment };
     }
@@ -57,12 +59,12 @@ export function causeOf(trace: RunTrace, fix: Mend, from: number): Cause | null 
 
 function actionCause(
   trace: RunTrace,
-  { action }: Extract<Mend, { kind: "action" }>,
-  moment: DecisionMoment,
+  { action }: Extract<Fix, { kind: "action" }>,
+  moment: Decision,
 ): Cause {
   const side = sideOf(moment.action);
   if (side !== null && delayedTurn[moment.action] === action) {
-    const isAtEdge = beginsAt(trace, moment, side);
+    const isAtEdge = isAtEdgeOfOpening(trace, moment, side);
     return { kind: "not-delayed", moment, side, drivesOn: DELAY_DISTANCE, isAtEdge };
   }
   if (side !== null && turnOnTheSpot[moment.action] === action) {
@@ -71,8 +73,8 @@ function actionCause(
   return { kind: "action", moment, detail: detailOf(trace, moment) };
 }
 
-/** Whether the side opened just before the moment, while the robot drove on: in a room it is open all along. */
-function beginsAt(trace: RunTrace, { tick, readings }: DecisionMoment, side: Side): boolean {
+/** Whether the side opened just before the moment. In a room it is always open. */
+function isAtEdgeOfOpening(trace: RunTrace, { tick, readings }: Decision, side: Side): boolean {
   if (readings[side] < OPENING) return false;
   for (let at = tick; at > tick - EDGE_TICKS; at--) {
     const before = trace.decisionBefore(at);
@@ -82,10 +84,7 @@ function beginsAt(trace: RunTrace, { tick, readings }: DecisionMoment, side: Sid
   return false;
 }
 
-function detailOf(
-  trace: RunTrace,
-  { line, action, readings }: DecisionMoment,
-): WrongAction["detail"] {
+function detailOf(trace: RunTrace, { line, action, readings }: Decision): WrongAction["detail"] {
   const side = sideOf(action);
   if (action in turnOnTheSpot && readings.front < DELAY_NEEDS) {
     return { kind: "no-room", needs: DELAY_NEEDS };
@@ -95,12 +94,15 @@ function detailOf(
     if (readings[other] >= OPENING) return { kind: "into-wall", side, open: other };
     if (readings.front >= OPENING) return { kind: "into-wall", side, open: "front" };
   }
-  const other = action === "reverse" ? undoneBy(trace, line) : null;
+  const other = action === "reverse" ? alternatingLine(trace, line) : null;
   return other === null ? null : { kind: "undoing", other };
 }
 
-/** The line that drove forward right before or after this one drove back, many times; null where none did. */
-function undoneBy({ decisions }: RunTrace, line: LineRef): LineRef | null {
+/**
+ * The line that repeatedly drove forward before or after this one drove back; null if there is
+ * none.
+ */
+function alternatingLine({ decisions }: RunTrace, line: LineRef): LineRef | null {
   const times = new Map<LineRef, number>();
   for (const [at, { line: forward, action }] of decisions.entries()) {
     if (action !== "forward") continue;
@@ -116,7 +118,7 @@ function numberCause(
   trace: RunTrace,
   line: number,
   better: number,
-  moment: DecisionMoment,
+  moment: Decision,
 ): WrongNumber | null {
   const when = trace.program.rules[line]?.when ?? null;
   if (when === null) return null;
@@ -146,20 +148,20 @@ function extremeOf(
 }
 
 /**
- * With the better number the line does not decide at the moment, or it does. Which of the two ends of its
- * being true is wrong shows the decision before.
+ * Whether the line decides at the moment shows if it is true too much or too little. The previous
+ * decision shows whether the beginning or the end is wrong.
  */
 function numberKind(
   trace: RunTrace,
   line: number,
-  { tick, line: decided }: DecisionMoment,
+  { tick, line: decided }: Decision,
 ): WrongNumber["kind"] {
   const hasDecidedBefore = trace.decisionBefore(tick)?.line === line;
   if (decided === line) return hasDecidedBefore ? "too-long" : "too-early";
   return hasDecidedBefore ? "too-short" : "too-late";
 }
 
-/** The side that a turn goes to; null for what turns to neither. */
+/** The side of a turn; null for other actions. */
 export function sideOf(action: string): Side | null {
   if (!action.endsWith("90")) return null;
   return action.includes("left") ? "left" : "right";

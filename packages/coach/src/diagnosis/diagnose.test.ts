@@ -29,7 +29,7 @@ const maze = (...blocks: string[]): MazeDocument => ({
 
 const reachesGoal: DiagnosisTask["newSolvedCheck"] = () => (robot) => robot.goalTick !== null;
 
-/** In free play: the first bump, or the goal not reached in time. */
+/** In free play: the first bump, or a goal that was not reached in time. */
 function diagnosed(where: MazeDocument, what: ProgramDocument, ticks: number): Diagnosis | null {
   return diagnoseProgram(
     { maze: where, program: what, state: new Simulation(where).save() },
@@ -135,14 +135,14 @@ describe("the mistakes of the thesis", () => {
 });
 
 describe("a bump", () => {
-  it("counts from the decision that led to it, though two lines say forward", () => {
+  it("starts with the decision that led to it, although two lines drive forward", () => {
     const what = program("forward", rule(front(">", 100), "forward"));
     const event = diagnosed(dead, what, 600)?.event;
-    expect(event).toMatchObject({ kind: "bump", line: "default", begunAt: 0, reading: 350 });
+    expect(event).toMatchObject({ kind: "bump", line: "default", startedAt: 0, reading: 350 });
   });
 
-  it("at a corner that the beam passes says so", () => {
-    // It turns at the edge of the opening, and the block beside it is 23 cm in its way.
+  it("at a corner beside the beam is reported as such", () => {
+    // It turns at the edge of the opening, and the block beside it reaches 23 cm into its path.
     const early = program("forward", rule({ sensor: "back", is: ">", than: 200 }, "right 90"));
     const found = diagnosed(opening, early, 600);
     if (found === null) throw new Error("no failure");
@@ -161,19 +161,19 @@ describe("a change in free play", () => {
   const back = (than: number) =>
     program("forward", rule({ sensor: "back", is: ">", than }, "right 90"));
 
-  it("that reaches the goal comes before one that only bumps later", () => {
+  it("that reaches the goal precedes one that only bumps later", () => {
     const found = diagnosed(toSide, back(100), 1800);
     expect(found?.cause).toMatchObject({ kind: "too-early", better: 450 });
     expect(found?.fixes[0]).toEqual({ kind: "number", line: 0, number: 450 });
   });
 
-  it("is no number with which the robot dances in its square, or bumps at the same turn later", () => {
+  it("is not a number with which the robot stays in its square, or bumps at the same turn later", () => {
     const found = diagnosed(corridor, back(100), 1800);
     const numbers = found?.fixes.flatMap((fix) => (fix.kind === "number" ? [fix.number] : []));
     expect(numbers).toEqual([450]);
   });
 
-  it("is no number with which the line only stays false until the next bump", () => {
+  it("is not a number with which the line only stays false until the next bump", () => {
     const what = program("forward", rule(front(">", 50), "left 90"));
     const found = diagnosed(toSide, what, 1800);
     expect(found?.cause).toMatchObject({ kind: "comparison", line: 0 });
@@ -212,7 +212,7 @@ const anyMaze = fc
   .map(({ kind, side, seed }) => generateMaze({ kind, columns: side, rows: side, seed, name: "" }));
 
 describe("a diagnosis of any program in any maze", () => {
-  it("claims nothing that the run does not show, and names a cause only with a fix that works", () => {
+  it("contains no false claims, and names a cause only with a fix that works", () => {
     fc.assert(
       fc.property(anyMaze, anyProgram, (where, what) => {
         const ticks = 60 * 30;
@@ -224,7 +224,7 @@ describe("a diagnosis of any program in any maze", () => {
     );
   });
 
-  it("is the same each time", () => {
+  it("is deterministic", () => {
     fc.assert(
       fc.property(anyMaze, anyProgram, (where, what) => {
         expect(diagnosed(where, what, 900)).toEqual(diagnosed(where, what, 900));

@@ -1,13 +1,13 @@
 /**
- * Decides why a run failed. A cause is named only after a change of one thing was simulated and removed
- * the failure; otherwise the diagnosis says what happened and blames no line.
+ * Diagnoses a failed run. Names a cause only if a simulated change of one thing removed the
+ * failure; otherwise the diagnosis contains only the event.
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { Command, LineRef, Pose } from "@corridor/protocol";
 import { ROBOT_RADIUS, contactOf, type BumpCause } from "@corridor/simulation";
-import type { Mend } from "../advice.ts";
-import { applyMend } from "../apply-fix.ts";
+import type { Fix } from "../advice.ts";
+import { applyFix } from "../apply-fix.ts";
 import type { LoopNotice } from "../loop-detector.ts";
 import { candidates } from "./candidates.ts";
 import { causeOf } from "./cause-of.ts";
@@ -22,36 +22,39 @@ import type {
 import { RunTrace, type SolvedCheck, type TraceStart } from "./run-trace.ts";
 import { tryProgram, type TrialResult, type TrialTask } from "./trial.ts";
 
-/** Simulated ticks that trials may take together: it bounds the time, and the same everywhere. */
-const MOST_TRIAL_TICKS = 60_000;
-/** Changes that solve the task here and are tried in the other mazes as well. */
-const MOST_WHOLE_TRIALS = 4;
-const MOST_FIXES = 2;
-/** Decisions of a line before the failure that its change may begin with, the newest first. */
-const MOST_MOMENTS = 3;
-/** In free play a failure is looked into from a minute before it, in ticks. */
+/** Maximum number of simulated ticks of all trials: a limit of time that is deterministic. */
+const MAX_TRIAL_TICKS = 60_000;
+/** Changes that solve this maze and are tried in the other mazes. */
+const MAX_WHOLE_TRIALS = 4;
+const MAX_FIXES = 2;
+/** Decisions of a line that are tried as the first changed one. */
+const MAX_MOMENTS = 3;
+/** In free play, the diagnosis starts this many ticks before the failure. */
 export const FREE_PLAY_PAST = 3600;
-/** How long after the failure a changed program may take to reach the goal there, in ticks. */
+/** In free play, a changed program must reach the goal within this many ticks after the failure. */
 const FREE_PLAY_FUTURE = 3600;
 
-/** What the run was for, and what may be changed. */
+/** The task of the run, and the permitted changes. */
 export interface DiagnosisTask {
   /** the last tick of a whole run */
   until: number;
-  /** more bumps than this are a failure; null: bumps are allowed */
+  /** more bumps than this are a failure; null: bumps are permitted */
   bumps: number | null;
-  /** null where nothing is to be solved, or where the stretch does not begin at the start */
+  /** null if there is no task, or the stretch does not begin at the start */
   newSolvedCheck: (() => SolvedCheck) | null;
   /** whether the student may write this program */
   allows: (program: ProgramDocument) => boolean;
   /**
-   * whether a program solves every maze of the task; null in free play, where a change that gets past the
-   * failure is as good as one that reaches the goal
+   * whether a program solves every maze of the task; null in free play, where getting past the
+   * failure is as good as reaching the goal
    */
   solvesAll: ((program: ProgramDocument) => boolean) | null;
 }
 
-/** Free play: reach the goal, where there is one, without a bump. @param failedAt tick of the failure */
+/**
+ * Free play: reach the goal, if there is one, without a bump.
+ * @param failedAt tick of the failure
+ */
 export function freePlayTask({ goals }: MazeDocument, failedAt: number): DiagnosisTask {
   return {
     until: failedAt + FREE_PLAY_FUTURE,
@@ -62,7 +65,7 @@ export function freePlayTask({ goals }: MazeDocument, failedAt: number): Diagnos
   };
 }
 
-/** Drives a program from a state until it fails, and says why. @returns null where it does not fail */
+/** Runs a program from a state, and diagnoses its failure. @returns null if it does not fail */
 export function diagnoseProgram(start: TraceStart, task: DiagnosisTask): Diagnosis | null {
   const { until, bumps, newSolvedCheck } = task;
   const isSolved = newSolvedCheck?.() ?? null;
@@ -73,8 +76,8 @@ export function diagnoseProgram(start: TraceStart, task: DiagnosisTask): Diagnos
 }
 
 /**
- * Drives a program in free play as the page does: a bump ends the run, and a robot that gets nowhere has
- * failed where that was noticed. Only without either, the time counts.
+ * Runs a program in free play as the page does: the run fails at a bump, or when a lack of progress
+ * is detected, or else at the end of the time.
  * @param until the last tick of the run
  */
 export function diagnoseFreePlay(start: TraceStart, until: number): Diagnosis | null {
@@ -91,8 +94,8 @@ export function diagnoseFreePlay(start: TraceStart, until: number): Diagnosis | 
 }
 
 /**
- * A run that failed at `until`: by a bump there, because the time was over, or with a sign that it gets nowhere.
- * @returns null where the stretch shows no such failure, or the robot got to the goal all the same
+ * Diagnoses a run that failed at `until`: by a bump, at the end of the time, or without progress.
+ * @returns null if the stretch has no such failure, or the robot reached the goal nevertheless
  */
 export function diagnoseStretch(
   start: TraceStart,
@@ -108,7 +111,7 @@ export function diagnoseStretch(
   return diagnose(trace, task, { ...failure, tick: until });
 }
 
-/** Whether the program as it is solves the task later on: a sign that it gets nowhere was none then. */
+/** Whether the unchanged program solves the task later, so that the notice was wrong. */
 function isSolvedLater(
   { maze, program, last }: RunTrace,
   { until, bumps, newSolvedCheck }: DiagnosisTask,
@@ -131,7 +134,7 @@ function eventOf({ bump, maze, last, until, decisions }: RunTrace): FailureEvent
   return bumpEvent(maze, bump, last.pose, until, decisions.at(-1)?.line);
 }
 
-/** What is known of a bump, whoever drove. */
+/** The event of a bump, for any driver. */
 export function bumpEvent(
   maze: MazeDocument,
   cause: BumpCause,
@@ -147,7 +150,7 @@ export function bumpEvent(
     action,
     phase: phaseOf(action, cause),
     side,
-    begunAt: startedAt,
+    startedAt: startedAt,
     reading,
     needs: needed === null ? null : needed + ROBOT_RADIUS,
     contact: contactOf(maze, pose, side),
@@ -162,7 +165,7 @@ function phaseOf(action: Command["action"], { needed, part }: BumpCause): BumpPh
 }
 
 interface Found {
-  fix: Mend;
+  fix: Fix;
   from: number;
   program: ProgramDocument;
   outcome: TrialResult["outcome"];
@@ -183,8 +186,8 @@ function explain(
   const found: Found[] = [];
   let cost = 0;
   for (const fix of candidates(trace, event)) {
-    if (cost > MOST_TRIAL_TICKS || isEnough(found, task)) break;
-    const program = applyMend(trace.program, fix);
+    if (cost > MAX_TRIAL_TICKS || isEnough(found, task)) break;
+    const program = applyFix(trace.program, fix);
     const text = JSON.stringify([program.default, program.rules]);
     if (tried.has(text) || !task.allows(program)) continue;
     tried.add(text);
@@ -193,24 +196,24 @@ function explain(
     cost += trial.cost;
     if (trial.from === null || trial.outcome === "fails") continue;
     if (trial.outcome === "further" && !isMissingDelay(trace, fix, trial.from)) continue;
-    // In another maze of the task it may be what is needed.
+    // It may be the right change for another maze of the task.
     const isIdleHere = fix.kind === "number" && isIdle(trace, program, fix.line, trial);
     if (isIdleHere && task.solvesAll?.(program) !== true) continue;
     found.push({ fix, from: trial.from, program, outcome: trial.outcome });
   }
   const best = ranked(trace, found, task);
-  const named = best.flatMap((each): { cause: Cause; fix: Mend }[] => {
+  const named = best.flatMap((each): { cause: Cause; fix: Fix }[] => {
     const cause = causeOf(trace, each.fix, momentToName(trace, each, trialTask, isBump));
     return cause === null ? [] : [{ cause, fix: each.fix }];
   });
   const [first] = named;
   if (first === undefined) return { cause: null, fixes: [] };
-  return { cause: first.cause, fixes: named.slice(0, MOST_FIXES).map(({ fix }) => fix) };
+  return { cause: first.cause, fixes: named.slice(0, MAX_FIXES).map(({ fix }) => fix) };
 }
 
 /**
- * Whether a line with another number does nothing any more: the run then shows that the line is wrong there,
- * but not by how much.
+ * Whether a line with another number never decides any more: then the run shows that the number is
+ * wrong, but not the right one.
  */
 function isIdle(
   trace: RunTrace,
@@ -221,23 +224,23 @@ function isIdle(
   const hasDecided = trace.decisions.some((each) => each.line === line && each.tick < (from ?? 0));
   if (hasDecided || lines.has(line)) return false;
   const when = rules[line]?.when ?? null;
-  // A trial that ends soon after the failure may not have come to the place of the line yet.
+  // A trial that ends soon after the failure may not have reached the decision of the line.
   return outcome === "solved" || when === null || !trace.isEverTrue(when);
 }
 
-/** Several numbers of one line count once: they name the same cause. */
+/** Whether there are enough candidates; numbers of the same line count once. */
 function isEnough(found: readonly Found[], { solvesAll, newSolvedCheck }: DiagnosisTask): boolean {
   const best = newSolvedCheck === null ? "lasts" : "solved";
   const solving = found.filter(({ outcome }) => outcome === best);
-  if (solvesAll === null) return solving.length >= MOST_FIXES;
+  if (solvesAll === null) return solving.length >= MAX_FIXES;
   const numbers = solving.flatMap(({ fix }) => (fix.kind === "number" ? [fix.line] : []));
-  return solving.length - numbers.length + new Set(numbers).size >= MOST_WHOLE_TRIALS;
+  return solving.length - numbers.length + new Set(numbers).size >= MAX_WHOLE_TRIALS;
 }
 
 /**
- * Changes that solve every maze of the task come first, then those that solve this one, then those after which the
- * robot meets no other failure. A missing delay at the edge of an opening counts as much as a solution: two mistakes
- * need two changes. Only where the same lines in another order solve every maze, none of them is wrong.
+ * Changes that solve every maze of the task come first, then those that solve this one, then those
+ * without another failure. A missing delay at the edge of an opening ranks like a solution, because
+ * two mistakes need two changes. If another order of the lines solves every maze, it ranks first.
  */
 function ranked(trace: RunTrace, found: readonly Found[], { solvesAll }: DiagnosisTask): Found[] {
   const rank = ({ fix, from, outcome, program }: Found): number => {
@@ -255,18 +258,18 @@ function ranked(trace: RunTrace, found: readonly Found[], { solvesAll }: Diagnos
 }
 
 /**
- * A turn at the edge of an opening: it is wrong for itself, whatever else keeps the robot from the goal. It is named
- * where with the delay the robot gets further.
+ * A turn at the edge of an opening is wrong independent of other mistakes. It is named if the robot
+ * gets further with the delay.
  */
-function isMissingDelay(trace: RunTrace, fix: Mend, from: number): boolean {
+function isMissingDelay(trace: RunTrace, fix: Fix, from: number): boolean {
   const cause = causeOf(trace, fix, from);
   return cause?.kind === "not-delayed" && cause.isAtEdge;
 }
 
 /**
- * The decision to name. A line may have turned well five times before it failed: before a bump it is the newest one
- * from which on the change still removes the failure. Where there was no bump, it is the first one, or an early one
- * that turned to a wall, if the first one shows nothing wrong.
+ * The decision to name. Before a bump, it is the newest one from which on the change still removes
+ * the failure, because earlier turns of the line may have been right. Without a bump, it is the
+ * first one, or an early one that turned to a wall if the first one shows nothing wrong.
  */
 function momentToName(
   trace: RunTrace,
@@ -284,17 +287,17 @@ function momentToName(
   };
   if (isBump) {
     const soon = { ...task, until: 0, newSolvedCheck: null };
-    const newest = moments.slice(-MOST_MOMENTS).toReversed();
+    const newest = moments.slice(-MAX_MOMENTS).toReversed();
     return newest.find((tick) => helpsFrom(tick, soon)) ?? from;
   }
   if (hasDetail(causeOf(trace, fix, from))) return from;
-  const early = moments.slice(0, MOST_MOMENTS);
+  const early = moments.slice(0, MAX_MOMENTS);
   return (
     early.find((tick) => hasDetail(causeOf(trace, fix, tick)) && helpsFrom(tick, task)) ?? from
   );
 }
 
-/** Whether what was measured at the moment shows what was wrong with the action. */
+/** Whether the readings at the moment show why the action was wrong. */
 function hasDetail(cause: Cause | null): boolean {
   return cause !== null && (cause.kind !== "action" || cause.detail !== null);
 }

@@ -1,6 +1,6 @@
 /**
- * One stretch of a run that a program alone drove, driven once more from the same state: every
- * decision with its readings, how a bump came about, and the robot at any tick of it.
+ * Replays a stretch of a run that only a program drove, from a saved state. Records every decision
+ * with its readings, the cause of a bump, and the robot's state at any tick.
  */
 import type { MazeDocument } from "@corridor/maze";
 import { CompiledProgram, type Condition, type ProgramDocument } from "@corridor/program";
@@ -12,30 +12,30 @@ import {
   type BumpCause,
   type SimulationState,
 } from "@corridor/simulation";
-import { LoopWatch } from "../loop-detector.ts";
-import type { DecisionMoment, StuckEvent } from "./diagnosis.ts";
+import { LoopDetector } from "../loop-detector.ts";
+import type { Decision, StuckEvent } from "./diagnosis.ts";
 
-/** A state is saved this often, so that any tick is a short drive from one. */
+/** Interval of saved states, from which any tick can be simulated quickly. */
 const STATE_TICKS = 120;
-/** Beside the rules: no decision, because a manoeuvre ran. */
+/** Instead of a rule: no decision, because a manoeuvre ran. */
 const NO_DECISION = -2;
 
 export interface TraceStart {
   maze: MazeDocument;
   program: ProgramDocument;
-  /** the robot where the stretch begins: at the start, or at a tick on which the program decides */
+  /** the robot at the beginning of the stretch: at the start, or at a tick of a decision */
   state: SimulationState;
 }
 
-/** Says after each tick whether the task is solved; a new one for each run. */
+/** Checks after each tick whether the task is solved. Stateful: one per run. */
 export type SolvedCheck = (robot: Simulation) => boolean;
 
 export interface TraceLimits {
   /** the last tick */
   until: number;
-  /** more bumps than this end it; null: bumps do not end it */
+  /** the stretch ends after more bumps than this; null: bumps do not end it */
   bumps: number | null;
-  /** null where nothing is to be solved */
+  /** null if there is no task */
   isSolved: SolvedCheck | null;
 }
 
@@ -47,20 +47,20 @@ export class RunTrace {
   readonly from: number;
   readonly until: number;
   readonly end: TraceEnd;
-  /** how it came to the bump that ended the stretch; null where none did */
+  /** the cause of the bump that ended the stretch; null if none did */
   readonly bump: BumpCause | null;
   /** the robot at the last tick */
   readonly last: Simulation;
-  /** decisions that differ from the one before, and every turn, in their order */
-  readonly decisions: readonly DecisionMoment[];
-  /** the first sign that the robot gets nowhere; null where there was none */
+  /** decisions that differ from the previous one, and every turn, in order */
+  readonly decisions: readonly Decision[];
+  /** the first sign that the robot makes no progress; null if there was none */
   readonly notice: StuckEvent | null;
-  /** squares on which the robot was */
+  /** visited squares */
   readonly cells: ReadonlySet<number>;
   readonly #states: SimulationState[] = [];
   /** front, right, back, left at the beginning of each tick */
   readonly #readings: Float64Array;
-  /** rule that decided for each tick, -1 for the default, -2 where a manoeuvre ran */
+  /** the deciding rule of each tick; -1 for the default, -2 during a manoeuvre */
   readonly #rules: Int16Array;
   readonly #compiled: CompiledProgram;
 
@@ -73,12 +73,12 @@ export class RunTrace {
     simulation.restore(state);
     const run = new ProgramRun(simulation, this.#compiled);
     run.reconsider();
-    const watch = new LoopWatch(maze);
+    const detector = new LoopDetector(maze);
     const approach = new Approach();
     const most = Math.max(0, until - this.from);
     const readings = new Float64Array(most * 4);
     const rules = new Int16Array(most);
-    const decisions: DecisionMoment[] = [];
+    const decisions: Decision[] = [];
     const cells = new Set([simulation.cell]);
     let notice: RunTrace["notice"] = null;
     let bump: BumpCause | null = null;
@@ -104,7 +104,7 @@ export class RunTrace {
       const action = decisions.at(-1)?.action;
       const { cell, isStopped, isManoeuvring, tick } = simulation;
       cells.add(cell);
-      const found = watch.look(cell, isStopped, isManoeuvring, line, action === "stop");
+      const found = detector.update(cell, isStopped, isManoeuvring, line, action === "stop");
       if (found !== null) notice ??= { ...found, tick };
       if (simulation.bumps > before) bump = approach.cause(simulation);
       approach.update(simulation);
@@ -141,21 +141,21 @@ export class RunTrace {
     return simulation;
   }
 
-  /** The robot at the first tick from `tick` on for which the program decides. */
+  /** The robot at the first tick from `tick` on with a decision. */
   stateFrom(tick: number): SimulationState {
     let from = Math.max(this.from, tick);
     while (this.decisionAt(from) === null && from < this.until - 1) from++;
     return this.at(from).save();
   }
 
-  /** What the sensors read at the beginning of a tick. */
+  /** The readings at the beginning of a tick. */
   readingsAt(tick: number): SensorReadings {
     const at = (tick - this.from) * 4;
     return namedReadings(this.#readings.subarray(at, at + 4));
   }
 
-  /** The decision for a tick; null where a manoeuvre runs. */
-  decisionAt(tick: number): DecisionMoment | null {
+  /** The decision of a tick; null during a manoeuvre. */
+  decisionAt(tick: number): Decision | null {
     const rule = this.#rules[tick - this.from] ?? NO_DECISION;
     if (rule === NO_DECISION) return null;
     const { action } = this.#compiled.commandOf(rule);
@@ -164,13 +164,16 @@ export class RunTrace {
     return { tick, line, when, action, readings: this.readingsAt(tick) };
   }
 
-  /** The decision for the tick before, where the robot drives on; null where a manoeuvre ran, and at the start. */
-  decisionBefore(tick: number): DecisionMoment | null {
+  /**
+   * The decision of the previous tick for an endless motion; null after a manoeuvre and at the
+   * start.
+   */
+  decisionBefore(tick: number): Decision | null {
     const before = tick > this.from ? this.decisionAt(tick - 1) : null;
     return before !== null && isSteady(before.action) ? before : null;
   }
 
-  /** The first tick from `from` on for which another program chooses another action; null: none. */
+  /** The first tick from `from` on at which another program chooses another action; null: none. */
   firstDifference(other: CompiledProgram, from: number = this.from): number | null {
     const readings = new Float64Array(4);
     for (let tick = from; tick < this.until; tick++) {
@@ -184,7 +187,7 @@ export class RunTrace {
     return null;
   }
 
-  /** Whether a condition holds for the readings of any tick from `from` on for which the program decides. */
+  /** Whether a condition is true at any decision from the tick `from` on. */
   isEverTrue(when: Condition, from: number = this.from): boolean {
     const asked = new CompiledProgram({ ...this.program, rules: [{ when, do: "stop" }] });
     const readings = new Float64Array(4);
@@ -196,7 +199,7 @@ export class RunTrace {
     return false;
   }
 
-  /** Lines that decided, the newest decision first. */
+  /** The lines that decided, newest first. */
   decidingLines(): LineRef[] {
     return [...new Set(this.decisions.map(({ line }) => line).toReversed())];
   }
@@ -211,7 +214,7 @@ function namedReadings(readings: Float64Array): SensorReadings {
   return { front, right, back, left };
 }
 
-/** Whether the action lasts until another one is chosen. */
+/** Whether the action lasts until the next decision. */
 function isSteady(action: PlainAction): boolean {
   return action === "forward" || action === "reverse" || action === "stop";
 }

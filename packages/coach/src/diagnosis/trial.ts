@@ -1,40 +1,40 @@
 /**
- * Tries a changed program on a failed run: from the first decision that it takes differently, because
- * up to there the two runs are the same.
+ * Simulates a changed program on a failed run, from its first different decision on: until then
+ * both runs are the same.
  */
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
 import { ProgramRun } from "@corridor/simulation";
-import { LoopWatch } from "../loop-detector.ts";
+import { LoopDetector } from "../loop-detector.ts";
 import type { RunTrace, SolvedCheck } from "./run-trace.ts";
 
-/** How long after the place of a failure a changed program must do without a bump, in ticks. */
+/** Ticks after the failure during which a changed program must not bump. */
 const PROVING_TICKS = 120;
-/** And how far away it must get by then or later: a robot that stands or dances is no better off. In units. */
+/** Distance in units that the robot must get away from the failure. */
 const PROVING_DISTANCE = 100;
-/** So many squares on which the failed run never was are further; one may be a wider circle. */
+/** New squares that count as progress; one alone may be a wider circle. */
 const FURTHER_SQUARES = 2;
 
-/** What counts as success. */
+/** The criteria of success. */
 export interface TrialTask {
   /** the last tick of a whole run */
   until: number;
-  /** bumps that are allowed; null: any number, but a failure that is a bump may not come again */
+  /** permitted bumps; null: any number, but a bump that is the failure must not recur */
   bumps: number | null;
-  /** null where nothing is to be solved: then to get past the failure is all there is */
+  /** null if there is no task: then getting past the failure is the success */
   newSolvedCheck: (() => SolvedCheck) | null;
 }
 
 export interface TrialResult {
   /**
-   * solved: the task is done; lasts: this failure is gone, and no other one comes in the time of the task; past: it is
-   * gone, and another one comes; further: the goal is not reached either, but the robot gets to squares on which the
-   * failed run never was; fails: it is not gone
+   * solved: the task is solved; lasts: the failure is removed, and no other one occurs within the
+   * time; past: it is removed, and another one occurs; further: the goal is not reached either, but
+   * the robot gets to new squares; fails: the failure recurs
    */
   outcome: "solved" | "lasts" | "past" | "further" | "fails";
-  /** the first tick on which the changed program decides differently; null where it never does */
+  /** tick of the first different decision; null if there is none */
   from: number | null;
-  /** ticks that were simulated */
+  /** number of simulated ticks */
   cost: number;
   /** lines that decided since the first different decision */
   lines: ReadonlySet<LineRef>;
@@ -43,10 +43,10 @@ export interface TrialResult {
 /**
  * @param trace the failed run
  * @param program the changed program
- * @param from the change counts from the first different decision at or after this tick
+ * @param from applies the change from the first different decision at or after this tick
  * @param isBump whether the failure is a bump; otherwise only a solved task removes it
- * @param renumbered the line whose number was changed: where it only decides later and then bumps at once, the bump
- *   has been put off, not removed
+ * @param renumbered the line whose number was changed: if it only decides later and then bumps at
+ * once, the bump was postponed, not removed
  */
 export function tryProgram(
   trace: RunTrace,
@@ -63,7 +63,7 @@ export function tryProgram(
   const simulation = trace.at(start);
   const run = new ProgramRun(simulation, compiled);
   const solved = task.newSolvedCheck?.() ?? null;
-  const watch = new LoopWatch(trace.maze);
+  const detector = new LoopDetector(trace.maze);
   const result = (outcome: TrialResult["outcome"]): TrialResult => ({
     outcome,
     from: start,
@@ -86,8 +86,8 @@ export function tryProgram(
     lines.add(run.line);
     if (run.line === renumbered) decidedAt ??= simulation.tick;
     if (simulation.bumps > allowed) {
-      const isPutOff = decidedAt !== null && simulation.tick - decidedAt < PROVING_TICKS;
-      return isPast && !isPutOff ? result("past") : failed();
+      const isPostponed = decidedAt !== null && simulation.tick - decidedAt < PROVING_TICKS;
+      return isPast && !isPostponed ? result("past") : failed();
     }
     if (solved?.(simulation) === true) {
       if (simulation.tick <= task.until) return result("solved");
@@ -101,9 +101,9 @@ export function tryProgram(
     }
     const { cell, isStopped, isManoeuvring, readings } = simulation;
     if (!trace.cells.has(cell)) fresh.add(cell);
-    // It begins with this tick: what the failed run did before does not count against the change.
+    // The detector starts with this tick, independent of the failed run.
     const isWaiting = compiled.commandOf(compiled.decide(readings)).action === "stop";
-    if (watch.look(cell, isStopped, isManoeuvring, run.line, isWaiting) !== null) {
+    if (detector.update(cell, isStopped, isManoeuvring, run.line, isWaiting) !== null) {
       return isPast ? result("past") : failed();
     }
   }

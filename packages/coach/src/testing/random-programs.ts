@@ -1,6 +1,6 @@
 /**
- * Random programs whose numbers lie close together, so that lines cover each other in every way, and
- * all readings that can make a difference to such a program.
+ * Random programs with close numbers, so that lines overlap in every way, and their distinct
+ * readings.
  */
 import {
   conditionKinds,
@@ -13,24 +13,24 @@ import { plainActions } from "@corridor/protocol";
 import fc from "fast-check";
 import type { ReadingRange } from "../reaching-readings.ts";
 
-/** Eighths are exact in binary, and so are their sums. */
+/** Halves and their sums are exact in binary. */
 const near = fc.integer({ min: 18, max: 40 }).map((number) => number / 2);
 const plus = fc.integer({ min: -8, max: 8 }).map((number) => number / 2);
 
 /** Any condition with a number around 15. */
-export const nearCondition: fc.Arbitrary<Condition> = fc
+export const randomCondition: fc.Arbitrary<Condition> = fc
   .constantFrom(...conditionKinds, ...conditionKinds.slice(4), ...conditionKinds.slice(8))
   .chain((kind) =>
     (kind.than === "right" ? plus : near).map((number) => conditionOf(kind, number)),
   );
 
-/** A program of up to `most` lines, some of which do nothing. */
-export function nearProgram(most: number): fc.Arbitrary<ProgramDocument> {
+/** A program of up to `max` lines, some without a condition. */
+export function randomProgram(max: number): fc.Arbitrary<ProgramDocument> {
   const rule = fc.record({
-    when: fc.option(nearCondition, { freq: 8 }),
+    when: fc.option(randomCondition, { freq: 8 }),
     do: fc.constantFrom(...plainActions),
   });
-  return fc.array(rule, { minLength: 1, maxLength: most }).map((rules) => ({
+  return fc.array(rule, { minLength: 1, maxLength: max }).map((rules) => ({
     format: "corridor/program",
     version: 1,
     name: "",
@@ -40,10 +40,10 @@ export function nearProgram(most: number): fc.Arbitrary<ProgramDocument> {
 }
 
 /**
- * One reading for each way in which the conditions can be true and false together: on every number
- * and on every sum of numbers, between each two neighbours, and at the ends of the range.
+ * One reading for each combination of true and false conditions: at every number and sum of
+ * numbers, between neighbours, and at the ends of the range.
  */
-export function* tellingReadings(
+export function* distinctReadings(
   { rules }: ProgramDocument,
   range: ReadingRange,
 ): Generator<{ front: number; right: number; back: number; left: number }> {

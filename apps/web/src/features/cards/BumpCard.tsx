@@ -1,5 +1,5 @@
 /** Why the robot bumped: what happened, the line that caused it and, in free play, changes that were tried. */
-import { applyMend, causeLine, type Mend } from "@corridor/coach";
+import { applyFix, causeLine, type Fix } from "@corridor/coach";
 import { History, Play } from "lucide-react";
 import { useMemo } from "react";
 import { useTranslation } from "react-i18next";
@@ -61,10 +61,10 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
   const offered = isSame && !isChallenge ? fixes : [];
   // The room is that of the line that drove: beside a sentence about another one it would be taken for its.
   const isAboutDriver = cause === null || line === event.line;
-  const since = cause === null ? event.begunAt : Math.min(event.begunAt, cause.moment.tick);
+  const since = cause === null ? event.startedAt : Math.min(event.startedAt, cause.moment.tick);
 
-  function take(chosen: Mend) {
-    takeMend(workspace, chosen, applyMend(program, chosen));
+  function take(chosen: Fix) {
+    takeMend(workspace, chosen, applyFix(program, chosen));
     tellMended({ screen, run, simulator, words: i18n });
     onClose();
   }

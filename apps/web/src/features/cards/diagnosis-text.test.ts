@@ -16,7 +16,7 @@ const bump = {
   action: "delayed left 90" as const,
   phase: "delay" as const,
   side: "front" as const,
-  begunAt: 100,
+  startedAt: 100,
   reading: 49.6,
   needs: 75,
   contact,

@@ -3,7 +3,7 @@ import {
   causeLine,
   type BumpEvent,
   type Cause,
-  type DecisionMoment,
+  type Decision,
   type Diagnosis,
   type FailureEvent,
   type WrongNumber,
@@ -84,7 +84,7 @@ function eventText(words: DiagnosisWords, event: FailureEvent, isShort: boolean)
   if (isShort) return t("diagnosis:event.bump", { seconds });
   const known = {
     seconds,
-    from: secondsAt(words, event.begunAt),
+    from: secondsAt(words, event.startedAt),
     ...roomText(words, event.reading, event.needs),
     action: actionText(words, event.action),
   };
@@ -252,7 +252,7 @@ const numberKeys = {
  */
 function shownReadings(
   { language }: DiagnosisWords,
-  { readings, when }: DecisionMoment,
+  { readings, when }: Decision,
   asked: Condition | null,
 ): Record<SensorName, string> {
   const { front, right, back, left } = readings;

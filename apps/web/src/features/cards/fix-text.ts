@@ -1,5 +1,5 @@
 /** What the button of a fix does, with the numbers that it changes. */
-import type { Mend } from "@corridor/coach";
+import type { Fix } from "@corridor/coach";
 import { numberOf, type ProgramDocument } from "@corridor/program";
 import type { TFunction } from "i18next";
 
@@ -7,7 +7,7 @@ import type { TFunction } from "i18next";
 export function fixText(
   t: TFunction<["diagnosis", "words"]>,
   program: ProgramDocument,
-  fix: Mend,
+  fix: Fix,
 ): string {
   switch (fix.kind) {
     case "action": {

@@ -55,7 +55,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   );
   const given = useStore(advice, (state) => adviceOn(index, state));
   const adviceText = useAdviceText(given, rule.when);
-  const by = given?.mend ?? null;
+  const by = given?.fix ?? null;
   const isChallenge = useStore(challenge, (state) => state.challenge !== null);
   const isBumped = bump !== null;
   useLineLabel(element, feed, { index, rule, advice: adviceText?.reason ?? null, truth });

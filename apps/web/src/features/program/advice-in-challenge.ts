@@ -8,13 +8,13 @@ import type { ChallengeState } from "../../stores/challenge-store.ts";
 import { allowsMend } from "./mend-rights.ts";
 
 export function concernsReader(
-  { mend }: Pick<Advice, "mend">,
+  { fix }: Pick<Advice, "fix">,
   program: ProgramDocument,
   { challenge, rights }: Pick<ChallengeState, "challenge" | "rights">,
 ): boolean {
   if (challenge === null) return true;
   if (challenge.program !== null && doesTheSame(program, challenge.program)) return false;
-  return mend !== null && allowsMend(mend, program.rules.length, rights);
+  return fix !== null && allowsMend(fix, program.rules.length, rights);
 }
 
 function doesTheSame(one: ProgramDocument, other: ProgramDocument): boolean {

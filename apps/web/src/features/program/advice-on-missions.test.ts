@@ -1,9 +1,9 @@
 /**
  * The coach and the lessons agree: what a mission gives is not advised on, a solution is not doubted, a
- * typical mistake is seen while it is made, and no mend leads away from the goal.
+ * typical mistake is seen while it is made, and no fix leads away from the goal.
  */
 import { checkChallenge, rightsOf, type ChallengeDocument } from "@corridor/challenge";
-import { adviseProgram, applyMend, type Advice } from "@corridor/coach";
+import { adviseProgram, applyFix, type Advice } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
 import { describe, expect, it } from "vitest";
 import { challengeOf } from "../lessons/missions/mission.ts";
@@ -69,10 +69,10 @@ describe("advice on the missions", () => {
     const astray = programs.flatMap((program) => {
       const [passed, seen] = progress(challenge, program);
       const mends = challenge.mazes.flatMap((maze) =>
-        adviseProgram(program, maze).flatMap(({ mend }) => (mend === null ? [] : [mend])),
+        adviseProgram(program, maze).flatMap(({ fix }) => (fix === null ? [] : [fix])),
       );
       return mends.filter((mend) => {
-        const [nowPassed, nowSeen] = progress(challenge, applyMend(program, mend));
+        const [nowPassed, nowSeen] = progress(challenge, applyFix(program, mend));
         // What passes needs not see all that there is.
         return nowPassed < passed || (nowPassed === passed && nowSeen < seen);
       });
@@ -86,8 +86,8 @@ describe("advice on the missions", () => {
     const program = found?.challenge.program;
     if (found === undefined || maze === undefined || !program) throw new Error("no such mission");
     const [advice] = adviseProgram(program, maze);
-    if (!advice?.mend) throw new Error("no mend");
-    expect(advice.mend).toEqual({ kind: "action", line: 2, action: "turn 180" });
-    expect(checkChallenge(found.challenge, applyMend(program, advice.mend)).passed).toBe(true);
+    if (!advice?.fix) throw new Error("no fix");
+    expect(advice.fix).toEqual({ kind: "action", line: 2, action: "turn 180" });
+    expect(checkChallenge(found.challenge, applyFix(program, advice.fix)).passed).toBe(true);
   });
 });

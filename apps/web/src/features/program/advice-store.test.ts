@@ -158,7 +158,7 @@ describe("advice on the lines", () => {
   it("is taken in one step of the history", async () => {
     const { workspace, advice, settle, lines } = setUp();
     await settle();
-    const mend = adviceOn(1, advice.getState())?.mend;
+    const mend = adviceOn(1, advice.getState())?.fix;
     const mended = mend ? advice.mended(mend) : null;
     if (mend && mended) takeMend(workspace, mend, mended);
     expect(workspace.getState().program.rules[1]?.do).toBe("left 90");

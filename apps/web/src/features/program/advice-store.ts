@@ -3,7 +3,7 @@
  * the reader has hidden. Advice goes at once when its reason is gone and comes only when the edits have
  * settled, so that nothing flickers while a number is being typed. React-free.
  */
-import type { Advice, Mend } from "@corridor/coach";
+import type { Advice, Fix } from "@corridor/coach";
 import type { MazeDocument } from "@corridor/maze";
 import type { Condition, ProgramDocument } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
@@ -21,7 +21,7 @@ type AdviceWords = (
 /** The coach's functions; they come in a file of their own once the page has time. */
 export interface Coach {
   adviseProgram: (program: ProgramDocument, maze: MazeDocument) => Advice[];
-  applyMend: (program: ProgramDocument, mend: Mend) => ProgramDocument;
+  applyFix: (program: ProgramDocument, mend: Fix) => ProgramDocument;
   adviceText: AdviceWords;
   /** whether an advice on this program is for the reader of the open challenge */
   concernsReader: (advice: Advice, program: ProgramDocument, open: ChallengeState) => boolean;
@@ -50,7 +50,7 @@ export interface AdviceStore extends Pick<
   /** shows this advice no more, wherever a line says the same */
   hide: (advice: Advice) => void;
   /** the program with the advice's mend in it; null when there is none or the coach is away */
-  mended: (mend: Mend) => ProgramDocument | null;
+  mended: (mend: Fix) => ProgramDocument | null;
   /** an advice in words; null while the coach is away */
   textOf: (...about: Parameters<AdviceWords>) => AdviceText | null;
 }
@@ -137,7 +137,7 @@ export function createAdviceStore({
       refresh();
     },
     textOf: (...about) => coach && coach.adviceText(...about),
-    mended: (mend) => coach?.applyMend(workspace.getState().program, mend) ?? null,
+    mended: (mend) => coach?.applyFix(workspace.getState().program, mend) ?? null,
   };
 }
 

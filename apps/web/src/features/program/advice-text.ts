@@ -1,5 +1,5 @@
 /** An advice in words: what is the matter with its numbers, and what the one button does about it. */
-import type { Advice, Mend } from "@corridor/coach";
+import type { Advice, Fix } from "@corridor/coach";
 import type { Condition } from "@corridor/program";
 import type { TFunction } from "i18next";
 import { conditionText } from "./condition-text.ts";
@@ -51,7 +51,7 @@ export function adviceText(
     }
   }
 
-  function mendText(mend: Mend): string {
+  function mendText(mend: Fix): string {
     switch (mend.kind) {
       case "action":
         return t("program.mend.action", { action: t(`program.action.${mend.action}`) });
@@ -74,6 +74,6 @@ export function adviceText(
 
   return {
     reason: reasonText(advice),
-    mend: advice.mend === null ? null : mendText(advice.mend),
+    mend: advice.fix === null ? null : mendText(advice.fix),
   };
 }

@@ -1,4 +1,4 @@
 /** The coach as the page fetches it once it has time, with the words of its advice and for whom it is. */
-export { adviseProgram, applyMend } from "@corridor/coach";
+export { adviseProgram, applyFix } from "@corridor/coach";
 export { concernsReader } from "./advice-in-challenge.ts";
 export { adviceText } from "./advice-text.ts";

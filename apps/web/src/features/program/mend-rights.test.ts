@@ -1,5 +1,5 @@
 import type { Rights } from "@corridor/challenge";
-import type { Mend } from "@corridor/coach";
+import type { Fix } from "@corridor/coach";
 import { conditionKinds, menuActions } from "@corridor/program";
 import { describe, expect, it } from "vitest";
 import { allowsMend } from "./mend-rights.ts";
@@ -13,7 +13,7 @@ const all: Rights = {
   maze: true,
 };
 const front = { sensor: "front", is: "<", than: 50 } as const;
-const mends: Record<Mend["kind"], Mend> = {
+const mends: Record<Fix["kind"], Fix> = {
   action: { kind: "action", line: 0, action: "left 90" },
   number: { kind: "number", line: 0, number: 50 },
   condition: { kind: "condition", line: 0, when: front },

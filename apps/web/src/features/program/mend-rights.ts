@@ -1,13 +1,13 @@
 /** Whether an open challenge leaves a mend to the reader: its button is not offered otherwise. */
 import type { Rights } from "@corridor/challenge";
-import type { Mend } from "@corridor/coach";
+import type { Fix } from "@corridor/coach";
 import { kindOf, type Rule } from "@corridor/program";
 
 /**
  * @param lines of the program
  * @param rights null while no challenge is open: then everything
  */
-export function allowsMend(mend: Mend, lines: number, rights: Rights | null): boolean {
+export function allowsMend(mend: Fix, lines: number, rights: Rights | null): boolean {
   if (rights === null) return true;
   const { edits, actions } = rights;
   switch (mend.kind) {

@@ -1,4 +1,4 @@
-import { applyMend, type Mend } from "@corridor/coach";
+import { applyFix, type Fix } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
 import { describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "../../worker/first-project.ts";
@@ -16,7 +16,7 @@ const three: ProgramDocument = {
 const condition = { sensor: "left", is: ">", than: 60 } as const;
 
 describe("a mend that is taken", () => {
-  it.each<[Mend, (string | null)[]]>([
+  it.each<[Fix, (string | null)[]]>([
     [{ kind: "action", line: 1, action: "right 90" }, ["a", "b", "c"]],
     [{ kind: "number", line: 1, number: 50 }, ["a", "b", "c"]],
     [{ kind: "condition", line: 1, when: condition }, ["a", "b", "c"]],
@@ -32,7 +32,7 @@ describe("a mend that is taken", () => {
       [b, "b"],
       [c, "c"],
     ]);
-    const mended = applyMend(three, mend);
+    const mended = applyFix(three, mend);
     takeMend(workspace, mend, mended);
     const { program, lineIds } = workspace.getState();
     expect(program).toBe(mended);

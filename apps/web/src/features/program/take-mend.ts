@@ -1,14 +1,14 @@
 /** Takes a mend into the workspace: one step of the history, and every line keeps its id. */
-import type { Mend } from "@corridor/coach";
+import type { Fix } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
 import { newLineIds, setProgram, type WorkspaceStore } from "../../stores/workspace-store.ts";
 
 /** @param mended the workspace's program with the mend in it */
-export function takeMend(workspace: WorkspaceStore, mend: Mend, mended: ProgramDocument): void {
+export function takeMend(workspace: WorkspaceStore, mend: Fix, mended: ProgramDocument): void {
   setProgram(workspace, mended, idsAfter(mend, workspace.getState().lineIds));
 }
 
-function idsAfter(mend: Mend, ids: readonly number[]): readonly number[] {
+function idsAfter(mend: Fix, ids: readonly number[]): readonly number[] {
   switch (mend.kind) {
     case "move":
       return ids

@@ -1,18 +1,18 @@
-/** Checks every claim of a diagnosis against the plain run, and says which do not hold. */
+/** Checks every claim of a diagnosis against a plain run. */
 import type { MazeDocument } from "@corridor/maze";
 import { numberOf, evaluateCondition, type ProgramDocument } from "@corridor/program";
 import type { SensorReadings } from "@corridor/protocol";
-import { applyMend } from "../../apply-fix.ts";
+import { applyFix } from "../../apply-fix.ts";
 import { causeLine, type Cause, type Diagnosis, type WrongNumber } from "../diagnosis.ts";
 import { actionIn, plainRun, squareOf, switchedRun, type PlainTick } from "./plain-run.ts";
 
-/** Readings of two runs that are the same differ by nothing; text rounds to whole numbers. */
+/** Equal runs have exactly equal readings. */
 const sameReadings = (a: SensorReadings, b: SensorReadings | undefined): boolean =>
   JSON.stringify(a) === JSON.stringify(b);
 
 /**
- * @param goalBy the last tick at which a fix may reach the goal, where the failure was no bump
- * @returns the claims that are false; none where all hold
+ * @param goalBy the last tick at which a fix may reach the goal, if the failure was not a bump
+ * @returns the false claims
  */
 export function falseClaims(
   maze: MazeDocument,
@@ -33,7 +33,7 @@ export function falseClaims(
     claim("a bump at this tick", (last?.bumps ?? 0) === (before?.bumps ?? 0) + 1);
     const decided = ticks.findLast(({ line }) => line !== null);
     claim("the line that drove", decided?.line === event.line);
-    const begun = ticks[event.begunAt]?.readings[event.side];
+    const begun = ticks[event.startedAt]?.readings[event.side];
     claim("the reading as the motion began", begun === event.reading);
     const { x = 0, y = 0 } = last ?? {};
     const away = Math.sqrt((event.contact.x - x) ** 2 + (event.contact.y - y) ** 2);
@@ -54,7 +54,7 @@ export function falseClaims(
     "the first fix changes the blamed line",
     line === null || !("line" in fix) || fix.line === line,
   );
-  const changed = applyMend(program, fix);
+  const changed = applyFix(program, fix);
   const isBump = event.kind === "bump";
   const until = isBump ? event.tick + 60 : goalBy;
   const after = switchedRun(maze, [program, changed], moment.tick, until);
@@ -68,7 +68,7 @@ export function falseClaims(
   return wrong;
 }
 
-/** A missing delay is named also where another mistake remains, if the robot gets to other squares. */
+/** A missing delay is also named if another mistake remains, but the robot gets to new squares. */
 function isFurther(
   cause: Cause,
   ticks: readonly PlainTick[],
@@ -79,7 +79,7 @@ function isFurther(
   return [...squares].filter((square) => !before.has(square)).length >= 2;
 }
 
-/** Where the beam showed room enough, the robot touched a corner beside it. */
+/** Otherwise the robot touched a corner beside the beam. */
 function hadLess({
   needs,
   reading,
@@ -122,7 +122,7 @@ function falseReason(
           extremeHolds(cause, ticks)
         );
       case "comparison":
-        // What is said of it: it decided, or it was not true.
+        // The diagnosis states that it decided, or that it was not true.
         return moment.line === cause.line || !isTrue(cause.line);
       case "sensor":
         return cause.when.sensor === program.rules[cause.line]?.when?.sensor;

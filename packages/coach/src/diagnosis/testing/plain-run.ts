@@ -1,6 +1,6 @@
 /**
- * A run as a plain list of its ticks, driven by the simulation alone: what the claims of a diagnosis are
- * checked against. It shares no code with the diagnosis.
+ * A run as a list of ticks, to check the claims of a diagnosis. It uses only the simulation and
+ * shares no code with the diagnosis.
  */
 import type { MazeDocument } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
@@ -10,7 +10,7 @@ import { ProgramRun, Simulation } from "@corridor/simulation";
 export interface PlainTick {
   /** before the tick */
   readings: SensorReadings;
-  /** the line that decided for it; null where a manoeuvre ran */
+  /** the deciding line; null during a manoeuvre */
   line: LineRef | null;
   action: PlainAction | null;
   /** after the tick */
@@ -32,7 +32,10 @@ export function plainRun(maze: MazeDocument, program: ProgramDocument, ticks: nu
   });
 }
 
-/** The first program up to a tick, the second from there on. @returns tick of each bump and of the goal, and all places */
+/**
+ * Runs one program until a tick, then another.
+ * @returns ticks of bumps and goal, and visited squares
+ */
 export function switchedRun(
   maze: MazeDocument,
   [first, second]: readonly [ProgramDocument, ProgramDocument],
