@@ -1,4 +1,4 @@
-/** One thing that a robot's host must do. */
+/** A requirement for a robot's host. */
 import type { HostFeature } from "@corridor/protocol";
 import type { Host } from "./host.ts";
 
@@ -7,9 +7,9 @@ export interface Check {
   promise: string;
   /** what a script may rely on, as a sentence */
   name: string;
-  /** A host that does not offer these is not asked. */
+  /** skipped if the host does not offer one of these */
   needs?: readonly HostFeature[];
-  /** @throws Mismatch when the host does something else, NotTestable when it cannot be seen here */
+  /** @throws Mismatch if the host fails the check; NotTestable if it cannot be checked here */
   run: (host: Host) => Promise<void>;
 }
 

@@ -1,4 +1,4 @@
-/** The kit: it has one check for each promise, and its report contains the results. */
+/** There is one check for each promise, and the report contains the results. */
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { describe, expect, it } from "vitest";

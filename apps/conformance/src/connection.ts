@@ -1,4 +1,4 @@
-/** A connection of messages, as a script's library opens it: a WebSocket, or the same by long poll. */
+/** A connection as a client library opens it: a WebSocket or a long-poll connection. */
 import {
   fetchedMessagesSchema,
   openedConnectionSchema,
@@ -10,25 +10,25 @@ import type { HelloTerms, Host } from "./host.ts";
 import { must, shaped } from "./mismatch.ts";
 
 const GIVE_UP_MS = 15_000;
-/** seconds for which a request waits for a message */
+/** wait of a long poll in seconds */
 const WAIT = 1;
 /** messages of a script, and what it says first */
 type Sent = Readonly<Record<string, unknown>> & { type: string };
 
 export abstract class Connection {
-  /** all that has come, in its order */
+  /** all received messages, in order */
   readonly received: RelayToDriver[] = [];
 
   abstract send(message: Sent): Promise<void>;
   abstract close(): Promise<void>;
-  /** Waits until something came, or a second. @throws Mismatch when the connection is over */
+  /** Waits for a message, at most a second. @throws Mismatch if the connection was closed */
   protected abstract wait(): Promise<void>;
 
   protected took(message: unknown): void {
     this.received.push(shaped(relayToDriverSchema, message, "a message to a script"));
   }
 
-  /** Waits until it holds. @throws Mismatch when that takes too long or the connection is over */
+  /** Waits for a condition. @throws Mismatch after the timeout, or if the connection was closed */
   async until<T>(find: () => T | undefined, what: string): Promise<T> {
     const giveUp = performance.now() + GIVE_UP_MS;
     for (;;) {
@@ -40,7 +40,7 @@ export abstract class Connection {
     }
   }
 
-  /** Waits for a message of a type. @param fits which of them; default: the first */
+  /** Waits for a message of a type. @param fits default: any */
   async message<T extends RelayToDriver["type"]>(
     type: T,
     fits: (message: Extract<RelayToDriver, { type: T }>) => boolean = () => true,
@@ -156,7 +156,7 @@ export const openByWebSocket: OpenConnection = async (host, terms) => {
   return connection;
 };
 
-/** Sends one message on a new WebSocket. @returns the code by which the host closes it; null: it does not */
+/** Sends one message on a new WebSocket. @returns the host's close code; null if it stays open */
 export async function closeCodeAfter(host: Host, first: Sent): Promise<number | null> {
   const { socket, closed } = await openSocket(host);
   socket.send(JSON.stringify(first));

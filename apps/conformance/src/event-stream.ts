@@ -1,4 +1,4 @@
-/** The server-sent events of a robot, as they arrive. It never asks: a silent script may hold one. */
+/** The server-sent events of a robot. An open stream does not count as activity of its script. */
 import {
   commandRecordSchema,
   eventGapSchema,
@@ -48,7 +48,7 @@ export class EventStream {
     this.#controller.abort();
   }
 
-  /** Waits until it holds. @throws Mismatch when that takes too long or the stream ends */
+  /** Waits for a condition. @throws Mismatch after the timeout, or if the stream ends */
   async until<T>(find: () => T | undefined, ms: number, what: string): Promise<T> {
     const giveUp = performance.now() + ms;
     for (;;) {

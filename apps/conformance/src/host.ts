@@ -1,4 +1,4 @@
-/** The host of a robot, as a script meets it: HTTP calls below the robot's address, by `fetch`. */
+/** HTTP requests to the host of a robot, as scripts send them. */
 import {
   commandRecordSchema,
   hasEnded,
@@ -14,7 +14,7 @@ import { must, shaped } from "./mismatch.ts";
 
 const ADDRESS = /^(https?:\/\/[^/?#\s@]+)\/r\/([A-Za-z0-9_-]{1,64})#([A-Za-z0-9_-]{8,64})$/;
 const ANSWER_MS = 40_000;
-/** A robot that obeys needs less for what the checks ask of it. */
+/** Timeout for any command of the checks. */
 const FINISH_MS = 60_000;
 const START_MS = 10_000;
 const MOST_PAUSES = 10;
@@ -23,7 +23,7 @@ export interface Answer {
   status: number;
   header(name: string): string;
   text: string;
-  /** undefined where the body is not JSON */
+  /** undefined if the body is not JSON */
   json: unknown;
 }
 
@@ -31,12 +31,12 @@ export interface AskOptions {
   method?: string;
   /** null: without a key */
   key?: string | null;
-  /** sent as it is where it is text or bytes, else as JSON */
+  /** text and bytes are sent unchanged, other values as JSON */
   body?: unknown;
   headers?: Record<string, string>;
 }
 
-/** What a hello says besides the usual. */
+/** Optional fields of `hello`. */
 export interface HelloTerms {
   /** `STREAM-n` of the last state of an earlier connection */
   since?: string;
@@ -53,7 +53,7 @@ export class Host {
   #keys = 0;
   readonly #run = Math.trunc(performance.timeOrigin + performance.now()).toString(36);
 
-  /** @throws Error when this is no robot's address */
+  /** @throws Error if this is not a robot's address */
   constructor(address: string) {
     const [, origin, id, key] = ADDRESS.exec(address.trim()) ?? [];
     if (origin === undefined || id === undefined || key === undefined) {
@@ -97,7 +97,7 @@ export class Host {
     }
   }
 
-  /** One call, whatever the answer is. */
+  /** One request, without retries. */
   async askOnce(path: string, options: AskOptions = {}): Promise<Answer> {
     const response = await fetch(this.api + path, {
       ...this.#request(options),
@@ -108,12 +108,12 @@ export class Host {
     return { status: response.status, header, text, json: parse(text) };
   }
 
-  /** A stream that goes on until the signal ends it. */
+  /** A stream, until `signal` is aborted. */
   async open(path: string, signal: AbortSignal, headers: Record<string, string> = {}) {
     return fetch(this.api + path, { ...this.#request({ headers }), signal });
   }
 
-  /** What the host does not offer, with its reasons. 404: it offers everything. */
+  /** The features that the host does not offer, with reasons. 404: it offers all. */
   async features(): Promise<FeatureList> {
     const answer = await this.ask("/features");
     if (answer.status === 404) return { notOffered: [] };
@@ -121,7 +121,7 @@ export class Host {
     return shaped(featureListSchema, answer.json, "a list of features");
   }
 
-  /** Sends a command that must be taken. */
+  /** Sends a command, which must be accepted. */
   async send(order: Order, key?: string): Promise<CommandRecord> {
     const headers = key === undefined ? {} : { "Idempotency-Key": key };
     const answer = await this.ask("/commands", { method: "POST", body: order, headers });
@@ -135,7 +135,7 @@ export class Host {
     return shaped(commandRecordSchema, answer.json, "a command record");
   }
 
-  /** Waits until a command runs, so that what is sent next waits behind it. */
+  /** Waits until a command runs, so that later commands are queued. */
   async begun(seq: number): Promise<void> {
     const giveUp = performance.now() + START_MS;
     for (;;) {
@@ -196,7 +196,7 @@ export async function pause(milliseconds: number): Promise<void> {
   await new Promise((resolve) => setTimeout(resolve, milliseconds));
 }
 
-/** Pauses for the seconds of `Retry-After`. */
+/** Waits for the seconds of `Retry-After`. */
 export async function pauseForRetryAfter(answer: Answer): Promise<void> {
   const seconds = Number(answer.header("retry-after") || 1);
   await pause(Math.min(10, Number.isFinite(seconds) ? seconds : 1) * 1000);

@@ -1,4 +1,7 @@
-/** `npm run conformance -- "ADDRESS"`: whether a robot's host does all that scripts rely on. */
+/**
+ * `npm run conformance -- "ADDRESS"`: checks that a robot's host implements everything that scripts
+ * rely on.
+ */
 import { linesOf, passes, verdict } from "./report.ts";
 import { groups, runChecks, type Result } from "./run-checks.ts";
 

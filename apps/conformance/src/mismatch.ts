@@ -1,7 +1,7 @@
-/** In which words it is said that a robot's host does something else than it must. */
+/** The errors of checks. */
 import { describeProblem, readValue } from "@corridor/protocol";
 
-/** The host does something else than it must. */
+/** The host fails a check. */
 export class Mismatch extends Error {
   override readonly name = "Mismatch";
   readonly expected: string;
@@ -14,7 +14,7 @@ export class Mismatch extends Error {
   }
 }
 
-/** The check needs something that is missing here, such as the robot's place in the pen. */
+/** A precondition of the check is missing, such as the robot's position in the pen. */
 export class NotTestable extends Error {
   override readonly name = "NotTestable";
 }
@@ -24,7 +24,7 @@ export function must(condition: boolean, expected: string, found: unknown): asse
   if (!condition) throw new Mismatch(expected, show(found));
 }
 
-/** The value in the shape that it must have. */
+/** Validates a value. @throws Mismatch */
 export function shaped<T>(
   schema: Parameters<typeof readValue<T>>[0],
   value: unknown,

@@ -1,4 +1,4 @@
-/** The report of a run as text: a line for each check, and one last line that a builder can publish. */
+/** The report of a run as text: one line per check, and a summary to publish. */
 import { PROTOCOL_VERSION } from "@corridor/protocol";
 import type { Outcome, Result } from "./run-checks.ts";
 
@@ -25,7 +25,7 @@ export function linesOf({ check, outcome }: Result): string[] {
   return lines;
 }
 
-/** Passes: nothing failed, and nothing that the host offers was left untested. */
+/** Whether no check failed, and all offered features were tested. */
 export function passes(results: readonly Result[]): boolean {
   return results.every(({ outcome }) => ["passed", "not offered"].includes(outcome.kind));
 }

@@ -1,4 +1,4 @@
-/** Runs every check in order, each on a robot that stands, and gives what came out. */
+/** Runs every check in order, each with a robot that stands. */
 import type { HostFeature } from "@corridor/protocol";
 import { access } from "./checks/access.ts";
 import { badInput } from "./checks/bad-input.ts";
@@ -16,7 +16,7 @@ import type { Check, CheckGroup } from "./check.ts";
 import { Host } from "./host.ts";
 import { Mismatch, NotTestable } from "./mismatch.ts";
 
-/** Units and directions come first: the robot is where its builder put it. */
+/** Units and directions come first, while the robot is at its initial position. */
 export const groups: readonly CheckGroup[] = [
   access,
   directions,
@@ -35,9 +35,9 @@ export const groups: readonly CheckGroup[] = [
 export type Outcome =
   | { kind: "passed" }
   | { kind: "failed"; expected: string; found: string }
-  /** the host says that it cannot do this; no fault */
+  /** the host reports that it does not offer the feature; not a failure */
   | { kind: "not offered"; feature: HostFeature; why: string }
-  /** it cannot be seen here; nobody knows whether the host does it */
+  /** it cannot be checked here */
   | { kind: "not testable"; why: string };
 
 export interface Result {
@@ -48,7 +48,7 @@ export interface Result {
 }
 
 export interface RunOptions {
-  /** receives each result as it comes */
+  /** receives each result immediately */
   onResult?: (result: Result) => void;
   /** default: all */
   groups?: readonly CheckGroup[];
@@ -69,14 +69,14 @@ export async function runChecks(address: string, options: RunOptions = {}): Prom
       options.onResult?.(result);
       if (outcome.kind !== "failed") continue;
       if (options.stopsAtFailure === true) return results;
-      // Whatever a failed check has left running must not spoil the next one.
+      // Commands of a failed check must not affect the next one.
       await host.done({ action: "stop" }).catch(() => undefined);
     }
   }
   return results;
 }
 
-/** Why the host does not offer which feature. A list that cannot be read offers all; a check says so. */
+/** The features that the host does not offer. An invalid list offers all; a check reports it. */
 async function missingFeatures(host: Host): Promise<ReadonlyMap<HostFeature, string>> {
   try {
     const { notOffered } = await host.features();

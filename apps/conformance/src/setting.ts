@@ -1,19 +1,19 @@
 /**
- * The pen in which the robot is tested: an empty rectangle of straight walls, 2 m wide and 5 m long,
- * with the robot in its near right corner, 50 cm from both walls, looking along the right wall.
- * What it measures there, and how that changes with each motion, is known without asking it.
+ * The pen in which the robot is tested: an empty rectangle of straight walls, 2 m wide and 5 m
+ * long, with the robot in its near right corner, 50 cm from both walls, facing along the right
+ * wall. The readings there, and after each motion, are known in advance.
  */
 import type { SensorReadings, Snapshot } from "@corridor/protocol";
 import type { Host } from "./host.ts";
 import { must, NotTestable } from "./mismatch.ts";
 
-/** cm to the walls from the robot's place; no two directions of looking read the same. */
+/** cm to the walls from the robot's position; each direction has another distance. */
 export const HOME: SensorReadings = { front: 450, right: 50, back: 50, left: 150 };
 
-/** cm and share by which a reading may be off, for real range finders and carpets */
+/** absolute (cm) and relative tolerance of readings, for real sensors and carpets */
 const SLACK_CM = 6;
 const SLACK_SHARE = 0.15;
-/** An earlier check may leave the robot a little away from its place. */
+/** Tolerance of the robot's position after earlier checks. */
 const PLACE_SLACK = 2;
 
 const sides = ["front", "right", "back", "left"] as const;
@@ -26,13 +26,13 @@ export function areNear(found: SensorReadings, expected: SensorReadings, factor 
   return sides.every((side) => isNear(found[side], expected[side], factor));
 }
 
-/** What it reads after so many quarter turns to the right (negative: to the left). */
+/** The expected readings after quarter turns to the right (negative: to the left). */
 export function turned(readings: SensorReadings, quarters: number): SensorReadings {
   const at = (index: number) => readings[sides[(((index + quarters) % 4) + 4) % 4] ?? "front"];
   return { front: at(0), right: at(1), back: at(2), left: at(3) };
 }
 
-/** What it reads after so many cm straight on (negative: backward). */
+/** The expected readings after cm forward (negative: backward). */
 export function moved(readings: SensorReadings, distance: number): SensorReadings {
   return { ...readings, front: readings.front - distance, back: readings.back + distance };
 }
@@ -41,15 +41,15 @@ export async function readings(host: Host): Promise<SensorReadings> {
   return (await host.snapshot()).sensors;
 }
 
-/** @throws Mismatch unless the robot reads this now */
+/** @throws Mismatch unless the current readings are these */
 export async function mustRead(host: Host, expected: SensorReadings, after: string) {
   const found = await readings(host);
   must(areNear(found, expected), `about ${show(expected)} ${after}`, show(found));
 }
 
 /**
- * Brings the robot back along its right wall and makes sure that it stands at its place.
- * @throws NotTestable where it does not
+ * Returns the robot along its right wall to its position.
+ * @throws NotTestable if it does not arrive
  */
 export async function atHome(host: Host): Promise<Snapshot> {
   const { sensors } = await host.snapshot();
@@ -64,7 +64,7 @@ export async function atHome(host: Host): Promise<Snapshot> {
   );
 }
 
-/** @throws Mismatch unless it stands: nothing moves in half a second */
+/** @throws Mismatch if the robot moves within half a second */
 export async function mustStand(host: Host): Promise<void> {
   const first = await host.snapshot();
   await new Promise((resolve) => setTimeout(resolve, 500));

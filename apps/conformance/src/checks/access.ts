@@ -1,4 +1,4 @@
-/** Who is let in: the key of the address, and nobody else. */
+/** Access: only the key of the address is accepted. */
 import type { CheckGroup } from "../check.ts";
 import { must } from "../mismatch.ts";
 

@@ -1,11 +1,11 @@
-/** Whatever arrives, the answer is a problem document that a reader can act on. */
+/** Invalid requests result in problem documents. */
 import { problemSchema, type ProblemDocument } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
 import type { Answer } from "../host.ts";
 import { must, shaped } from "../mismatch.ts";
 import { mustRead, readings } from "../setting.ts";
 
-/** Bodies that are no command, by what is wrong with them. */
+/** Invalid bodies by their error. */
 const wrongBodies: Record<string, { body: string | Uint8Array; path?: string }> = {
   "no JSON": { body: '{"action":' },
   nothing: { body: "" },

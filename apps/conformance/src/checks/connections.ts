@@ -1,4 +1,4 @@
-/** What libraries rely on that speak in messages: the same over a WebSocket and by long poll. */
+/** Connections: the same messages by WebSocket and by long poll. */
 import {
   fetchedMessagesSchema,
   hasEnded,
@@ -25,17 +25,17 @@ import { FORWARD_MS, mustTake } from "./leases.ts";
 
 const LEFT = { action: "left 90" } as const;
 const RIGHT = { action: "right 90" } as const;
-/** ms by which a command is held up, and the time to live that this is too long for */
+/** delay of a command in ms, and a shorter time to live */
 const HELD_MS = 1_500;
 const SHORT_TTL = 1_000;
 const SILENCE_MS = 8_000;
 
 interface Door {
   feature: HostFeature & ("websocket" | "long-poll");
-  /** as the name of a check begins */
+  /** prefix of the checks' names */
   over: string;
   open: OpenConnection;
-  /** what the host answers to a hello that it must refuse: a close code, or a status */
+  /** the response to an invalid hello: a close code, or a status */
   refusals: { wrongKey: number; version: number };
   answerTo: (host: Host, hello: ReturnType<Host["hello"]>) => Promise<number | null>;
 }
@@ -288,7 +288,7 @@ function statesOf({ received }: Connection) {
   return received.flatMap((message) => (message.type === "state" ? [message] : []));
 }
 
-/** The states are numbered on from `n`, without a hole. */
+/** The numbers of the states follow `n` without a gap. */
 function mustFollow(connection: Connection, n: number): void {
   const numbers = statesOf(connection).map((state) => state.n);
   const isWhole = numbers.every((each, index) => each === n + index + 1);

@@ -1,4 +1,4 @@
-/** Units, sides, directions and signs, seen by the range finders in a pen of known size. */
+/** Units, sides, directions and signs, measured by the range sensors in a pen of known size. */
 import type { CommandRecord, Order, SensorReadings, Snapshot } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
 import { pause, type Host } from "../host.ts";

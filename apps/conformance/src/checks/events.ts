@@ -1,4 +1,4 @@
-/** Events: server-sent and by long poll, resumed without a loss, with a gap where one was lost. */
+/** Events: server-sent and by long poll, resumed without loss, or with a gap. */
 import { eventPageSchema, hasEnded, type CommandState, type StateEvent } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
 import { EventStream, withEvents } from "../event-stream.ts";

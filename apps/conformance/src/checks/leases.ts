@@ -1,4 +1,4 @@
-/** The dead man's switch: a motion without an end stops when its script falls silent. */
+/** Leases: an endless motion stops when its script goes silent. */
 import type { CommandState, Order } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
 import { withEvents, type EventStream } from "../event-stream.ts";
@@ -183,7 +183,7 @@ async function toTheFarWall(host: Host): Promise<void> {
   await host.done({ action: "move", distance: sensors.front - FAR_WALL });
 }
 
-/** Sends a motion without an end. @returns ms until it was cancelled */
+/** Sends an endless motion. @returns ms until it was cancelled */
 async function lasts(host: Host, events: EventStream, order: Order): Promise<number> {
   const sentAt = performance.now();
   const { seq } = await host.send(order);

@@ -1,4 +1,4 @@
-/** A command from its acceptance to its one ending. */
+/** The states of a command, from its acceptance to its one ending. */
 import { commandRecordSchema, hasEnded } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
 import { withEvents } from "../event-stream.ts";

@@ -1,4 +1,4 @@
-/** The room that a host must have, and what it says when that is full. */
+/** The limits that a host must support, and its response when they are exceeded. */
 import { commandRecordSchema, problemSchema, type Order } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
 import { pause, pauseForRetryAfter, type Host } from "../host.ts";

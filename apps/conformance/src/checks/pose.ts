@@ -1,4 +1,4 @@
-/** Where a robot says that it is, for hosts that can measure it. */
+/** The pose, for hosts that can measure it. */
 import type { Pose } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
 import { must } from "../mismatch.ts";

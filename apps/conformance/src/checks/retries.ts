@@ -1,11 +1,11 @@
-/** A command that is sent again is done once, and never late. */
+/** A repeated command is executed once, and never late. */
 import { commandRecordSchema, problemSchema, type Order } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
 import type { Host } from "../host.ts";
 import { must, shaped } from "../mismatch.ts";
 import { atHome, HOME, mustRead } from "../setting.ts";
 
-/** ms that a command was on its way longer than another request */
+/** additional transit time of a command in ms */
 const HELD_MS = 1_500;
 const DEFAULT_TTL_MS = 10_000;
 /** A slow network delays both ends of a wait. */
@@ -185,7 +185,7 @@ export const retries: CheckGroup = {
   ],
 };
 
-/** Keeps the robot busy, so that what is sent next waits. */
+/** Occupies the robot, so that later commands are queued. */
 async function busy(host: Host, milliseconds: number): Promise<void> {
   const { seq } = await host.send({ action: "drive", left: 0, right: 0, milliseconds });
   await host.begun(seq);

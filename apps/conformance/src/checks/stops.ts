@@ -1,4 +1,4 @@
-/** A stop overtakes everything; other ways to end what was sent. */
+/** `stop` bypasses the queue; other ways to cancel commands. */
 import { commandRecordSchema, type CommandRecord } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
 import { pause, type Host } from "../host.ts";

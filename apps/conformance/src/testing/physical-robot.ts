@@ -1,4 +1,4 @@
-/** The example of a physical robot as a process of its own, unchanged or with a fault planted in it. */
+/** The example of a physical robot in its own process, unchanged or with an injected fault. */
 import { spawn } from "node:child_process";
 import { once } from "node:events";
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -10,7 +10,7 @@ const ROBOT = join(import.meta.dirname, "../../../../examples/physical-robot");
 /** The pen of docs/conformance.md: 2 m wide, 5 m long, the goal in its far right corner. */
 export const PEN = "####,#.G#,#..#,#..#,#..#,#.S#,####";
 
-/** Text of one Python file that is replaced. It must be there exactly once. */
+/** A replacement in a Python file. The text must occur exactly once. */
 export interface Edit {
   file: string;
   before: string;
@@ -19,9 +19,9 @@ export interface Edit {
 
 export interface RobotOptions {
   room: string;
-  /** how many times faster its motors are; leases and times to live stay as they are */
+  /** speed factor of its motors; leases and times to live are unchanged */
   haste?: number;
-  /** its pose is measured */
+  /** whether it measures its pose */
   isTracked?: boolean;
   edits?: readonly Edit[];
 }
@@ -61,7 +61,7 @@ export async function startPhysicalRobot(options: RobotOptions): Promise<Running
   }
 }
 
-/** @throws Error where a text to replace is not there exactly once */
+/** @throws Error unless each text occurs exactly once */
 function copyWith(edits: readonly Edit[]): string {
   const folder = mkdtempSync(join(tmpdir(), "corridor-robot-"));
   cpSync(ROBOT, folder, { recursive: true });

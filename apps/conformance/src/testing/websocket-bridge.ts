@@ -1,6 +1,6 @@
 /**
- * Puts a WebSocket before a host that has none, so that the checks of one can be tested: commands go on
- * as requests, and events come from its stream. A fault can be planted in what goes through.
+ * Adds a WebSocket to a host without one, to test the checks of WebSockets. Forwards commands as
+ * requests and events from the event stream. Messages can have injected faults.
  */
 import { createHash } from "node:crypto";
 import { createServer, request, type IncomingMessage, type ServerResponse } from "node:http";
@@ -25,15 +25,15 @@ export interface Message {
 }
 
 export interface BridgeFault {
-  /** changes what a script sends; `connection` is the number of its connection */
+  /** changes a message of the script; `connection` is the number of its connection */
   toHost?: (message: Message, connection: number) => Message;
-  /** changes what a script gets; null: it does not get it */
+  /** changes a message to the script; null drops it */
   toScript?: (message: Message, connection: number) => Message | null;
   /** in place of 4401 */
   closeCode?: number;
-  /** takes a hello of any version */
+  /** accepts a hello of any version */
   takesAnyVersion?: boolean;
-  /** asks the host for something again and again while a connection is open */
+  /** polls the host while a connection is open */
   isRestless?: boolean;
 }
 
@@ -76,7 +76,7 @@ export async function startBridge(address: string, fault: BridgeFault = {}): Pro
   };
 }
 
-/** A plain request, as it is; the list of what is not offered goes without the WebSocket. */
+/** Forwards a plain request; removes the WebSocket from the list of missing features. */
 async function forward(origin: string, asked: IncomingMessage, answer: ServerResponse) {
   const { method = "GET", url = "/", headers } = asked;
   if (url.endsWith("/features")) {
@@ -104,7 +104,7 @@ class BridgedSocket {
   readonly #closed = new AbortController();
   #bytes: Buffer = Buffer.alloc(0);
   #key: string | null = null;
-  /** messages are served one after the other */
+  /** messages are processed one at a time */
   #work: Promise<void> = Promise.resolve();
 
   constructor(socket: Duplex, api: string, fault: BridgeFault, connection: number) {
@@ -233,7 +233,10 @@ class BridgedSocket {
   }
 }
 
-/** One whole frame of a client, which masks it; null while it has not come. Frames here are short and whole. */
+/**
+ * One whole frame of a client, which masks it; null while it has not come. Frames here are short
+ * and whole.
+ */
 function takeFrame(bytes: Buffer) {
   if (bytes.length < 2) return null;
   const [first = 0, second = 0] = bytes;

@@ -1,15 +1,15 @@
 /**
- * Faults for the example of a physical robot: what is wrong, the text of its Python source that makes
- * it so, and the promise whose check is the first to fail.
+ * Faults for the example of a physical robot: a description, the edits of its Python source, and
+ * the promise whose check must fail first.
  */
 import type { Edit } from "./physical-robot.ts";
 import type { BridgeFault, Message } from "./websocket-bridge.ts";
 
-export interface PlantedFault {
+export interface InjectedFault {
   fault: string;
   edits: readonly Edit[];
   caughtBy: string;
-  /** for a WebSocket, which the example has by a bridge alone */
+  /** for a WebSocket, which the example only has through a bridge */
   bridge?: BridgeFault;
 }
 
@@ -22,12 +22,12 @@ const CONTROLLER = "physical_robot/controller.py";
 const VALIDATION = "physical_robot/validation.py";
 const SERVER = "physical_robot/server.py";
 
-/** A fault that is one replaced text. */
+/** A fault by one replaced text. */
 function fault(caughtBy: string, what: string, file: string, before: string, after: string) {
   return { fault: what, caughtBy, edits: [{ file, before, after }] };
 }
 
-const access: PlantedFault[] = [
+const access: InjectedFault[] = [
   fault("key-address", "the log cannot be read", SERVER, '"GET": lambda: self._log(query),', ""),
   fault(
     "key-required",
@@ -59,7 +59,7 @@ const access: PlantedFault[] = [
   ),
 ];
 
-const directions: PlantedFault[] = [
+const directions: InjectedFault[] = [
   fault(
     "unit-length",
     "readings in millimetres",
@@ -209,7 +209,7 @@ const directions: PlantedFault[] = [
   ),
 ];
 
-const pose: PlantedFault[] = [
+const pose: InjectedFault[] = [
   fault(
     "pose-heading",
     "headings are counterclockwise",
@@ -233,7 +233,7 @@ const pose: PlantedFault[] = [
   ),
 ];
 
-const stops: PlantedFault[] = [
+const stops: InjectedFault[] = [
   fault(
     "stop-overtakes",
     "a stop waits behind queued turns",
@@ -307,7 +307,7 @@ const stops: PlantedFault[] = [
   ),
 ];
 
-const retries: PlantedFault[] = [
+const retries: InjectedFault[] = [
   fault(
     "retry",
     "keys are forgotten",
@@ -434,7 +434,7 @@ const retries: PlantedFault[] = [
   ),
 ];
 
-const life: PlantedFault[] = [
+const life: InjectedFault[] = [
   fault(
     "accepted",
     "the answer does not say where the record is",
@@ -479,7 +479,7 @@ const life: PlantedFault[] = [
   ),
 ];
 
-const reading: PlantedFault[] = [
+const reading: InjectedFault[] = [
   fault(
     "snapshot",
     "the robot says that it is paused",
@@ -531,7 +531,7 @@ const reading: PlantedFault[] = [
   ),
 ];
 
-const events: PlantedFault[] = [
+const events: InjectedFault[] = [
   fault(
     "stream",
     "states have another name in the stream",
@@ -598,7 +598,7 @@ const events: PlantedFault[] = [
   ),
 ];
 
-const badInput: PlantedFault[] = [
+const badInput: InjectedFault[] = [
   fault(
     "bad-command",
     "a refusal names no field",
@@ -671,7 +671,7 @@ const badInput: PlantedFault[] = [
   ),
 ];
 
-const leases: PlantedFault[] = [
+const leases: InjectedFault[] = [
   fault(
     "silence",
     "forward runs for ever after its script fell silent",
@@ -775,7 +775,7 @@ const leases: PlantedFault[] = [
   ),
 ];
 
-const limits: PlantedFault[] = [
+const limits: InjectedFault[] = [
   fault(
     "burst",
     "only 30 commands may wait",
@@ -839,7 +839,7 @@ const limits: PlantedFault[] = [
   ),
 ];
 
-const longPoll: PlantedFault[] = [
+const longPoll: InjectedFault[] = [
   fault(
     "long-poll-command",
     "states have the number of the next one",
@@ -947,11 +947,11 @@ function keyOfScript(message: Message, connection: number): Message {
   return { ...message, record: { ...record, key } };
 }
 
-function bridged(caughtBy: string, what: string, bridge: BridgeFault): PlantedFault {
+function bridged(caughtBy: string, what: string, bridge: BridgeFault): InjectedFault {
   return { fault: what, caughtBy, edits: [], bridge };
 }
 
-const webSocket: PlantedFault[] = [
+const webSocket: InjectedFault[] = [
   bridged("websocket-command", "states have the number of the next one", {
     toScript: (message) =>
       message.type === "state" ? { ...message, n: (message.n ?? 0) + 1 } : message,
@@ -982,7 +982,7 @@ const webSocket: PlantedFault[] = [
   bridged("websocket-silence", "an open connection holds a motion", { isRestless: true }),
 ];
 
-export const plantedFaults: readonly PlantedFault[] = [
+export const injectedFaults: readonly InjectedFault[] = [
   ...access,
   ...directions,
   ...pose,

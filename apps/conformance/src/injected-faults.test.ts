@@ -1,12 +1,12 @@
 /**
- * The example of a physical robot passes the kit, and each check catches a fault that is planted in a
- * copy of it, as the first of all checks.
+ * The example of a physical robot passes all checks. For each check, a copy with an injected fault
+ * fails this check first.
  */
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { connections } from "./checks/connections.ts";
 import { passes } from "./report.ts";
 import { groups, runChecks, type Outcome, type Result, type RunOptions } from "./run-checks.ts";
-import { plantedFaults, type PlantedFault } from "./testing/planted-faults.ts";
+import { injectedFaults, type InjectedFault } from "./testing/injected-faults.ts";
 import {
   PEN,
   startPhysicalRobot,
@@ -15,9 +15,9 @@ import {
 } from "./testing/physical-robot.ts";
 import { startBridge, type BridgeFault } from "./testing/websocket-bridge.ts";
 
-/** Robots at the same time: a run mostly waits for leases and times to live. */
-const AT_ONCE = 24;
-/** They give up then. */
+/** Robots that run concurrently: a run mostly waits for leases and times to live. */
+const CONCURRENCY = 24;
+/** Timeout of all runs. */
 const RUN_MS = 600_000;
 
 const running = new Set<RunningRobot>();
@@ -33,7 +33,7 @@ async function kitOn(robotOptions: Partial<RobotOptions>, options?: RunOptions):
   }
 }
 
-async function firstFailure({ edits, bridge }: PlantedFault): Promise<Result | undefined> {
+async function firstFailure({ edits, bridge }: InjectedFault): Promise<Result | undefined> {
   const results =
     bridge === undefined
       ? await kitOn({ isTracked: true, edits }, { stopsAtFailure: true })
@@ -41,7 +41,9 @@ async function firstFailure({ edits, bridge }: PlantedFault): Promise<Result | u
   return results.find(({ outcome }) => outcome.kind === "failed");
 }
 
-/** What the checks of connections say of the example with a WebSocket; all others see the same as without. */
+/**
+ * Runs the checks of connections with a WebSocket bridge; the bridge does not affect other checks.
+ */
 async function connectionsOn(fault?: BridgeFault): Promise<Result[]> {
   const robot = await startPhysicalRobot({ room: PEN, haste: 8, isTracked: true });
   running.add(robot);
@@ -56,14 +58,14 @@ async function connectionsOn(fault?: BridgeFault): Promise<Result[]> {
 }
 
 describe("the physical robot", () => {
-  const outcomes = new Map<PlantedFault, Result | undefined | Error>();
+  const outcomes = new Map<InjectedFault, Result | undefined | Error>();
   let unchanged: Result[] = [];
   let bridged: Result[] = [];
 
   beforeAll(async () => {
-    // The longest runs first: a late check is reached after all others.
-    const rest = [...plantedFaults];
-    const work = Array.from({ length: AT_ONCE }, async () => {
+    // The longest runs first: those of the last checks.
+    const rest = [...injectedFaults];
+    const work = Array.from({ length: CONCURRENCY }, async () => {
       for (let fault = rest.pop(); fault !== undefined; fault = rest.pop()) {
         const found = await firstFailure(fault).catch((error: unknown) => error as Error);
         outcomes.set(fault, found);
@@ -76,7 +78,7 @@ describe("the physical robot", () => {
     for (const robot of running) robot.stop();
   });
 
-  it("does all that scripts rely on, and says what it does not offer", () => {
+  it("passes all checks, and reports the features that it does not offer", () => {
     const of = (kind: Outcome["kind"]) =>
       unchanged.filter(({ outcome }) => outcome.kind === kind).map(({ promise }) => promise);
     expect(unchanged.filter(({ outcome }) => outcome.kind === "failed")).toEqual([]);
@@ -92,20 +94,20 @@ describe("the physical robot", () => {
     expect(passes(unchanged)).toBe(true);
   });
 
-  it("does the same by WebSocket, where it has one", () => {
+  it("passes the checks of connections with a WebSocket", () => {
     expect(bridged.filter(({ outcome }) => outcome.kind !== "passed")).toEqual([]);
   });
 
-  it.each(plantedFaults)("with a fault, $fault: caught by $caughtBy", (fault) => {
+  it.each(injectedFaults)("with a fault, $fault: caught by $caughtBy", (fault) => {
     const found = outcomes.get(fault);
     if (found instanceof Error) throw found;
     // All fields of the failure, so that the report shows which other check failed first.
     expect(found).toEqual({ ...found, promise: fault.caughtBy });
   });
 
-  it("has such a fault for every check", () => {
+  it("has an injected fault for every check", () => {
     const checks = groups.flatMap((group) => group.checks.map(({ promise }) => promise));
-    const caught = new Set(plantedFaults.map(({ caughtBy }) => caughtBy));
+    const caught = new Set(injectedFaults.map(({ caughtBy }) => caughtBy));
     expect(checks.filter((promise) => !caught.has(promise))).toEqual([]);
   });
 });
