@@ -128,7 +128,7 @@ function problemIn(answer: Answer, status: number, what: string): ProblemDocumen
   const problem = shaped(problemSchema, answer.json, `a problem document for ${what}`);
   must(problem.status === status, `status ${status} in the document`, problem.status);
   must(problem.detail.length > 10, "a sentence in detail", problem.detail);
-  const tells = /\bat \w+.*:\d+:\d+|Traceback|node_modules/.exec(answer.text);
-  must(tells === null, "a document without a stack or a path", tells?.[0]);
+  const leak = /\bat \w+.*:\d+:\d+|Traceback|node_modules/.exec(answer.text);
+  must(leak === null, "a document without a stack or a path", leak?.[0]);
   return problem;
 }

@@ -145,7 +145,7 @@ export const directions: CheckGroup = {
     },
     {
       promise: "record-distance",
-      name: "a record tells the cm that its command drove, never below 0",
+      name: "a record contains the cm driven by its command, 0 or more",
       run: async (host) => {
         await atHome(host);
         for (const distance of [60, -60]) {

@@ -17,7 +17,7 @@ const STOPS = 20;
 const MOST_PAUSES = 20;
 const LOG_PAGE = 200;
 /** The protocol promises 1,000; a run may have fewer. */
-const KEPT_EVENTS = { least: 400, most: 1_000 };
+const RETAINED_EVENTS = { min: 400, max: 1_000 };
 
 export const limits: CheckGroup = {
   title: "Limits",
@@ -99,15 +99,15 @@ export const limits: CheckGroup = {
     },
     {
       promise: "events-kept",
-      name: "events are kept: a reader that missed hundreds of them gets them all",
+      name: "events are retained: a reader that missed hundreds of them receives all",
       run: async (host) => {
         const newest = await eventsSince(host, null);
         const [stream = "", n = "0"] = newest.since.split("-");
-        must(Number(n) >= KEPT_EVENTS.least, `${KEPT_EVENTS.least} events of this run`, n);
-        const kept = Math.min(Number(n), KEPT_EVENTS.most);
-        const { gap, states } = await eventsSince(host, `${stream}-${Number(n) - kept}`);
-        must(gap === null, `no gap after the newest ${kept}`, gap);
-        must(states.length >= kept, `${kept} states`, states.length);
+        must(Number(n) >= RETAINED_EVENTS.min, `${RETAINED_EVENTS.min} events of this run`, n);
+        const retained = Math.min(Number(n), RETAINED_EVENTS.max);
+        const { gap, states } = await eventsSince(host, `${stream}-${Number(n) - retained}`);
+        must(gap === null, `no gap after the newest ${retained}`, gap);
+        must(states.length >= retained, `${retained} states`, states.length);
       },
     },
   ],

@@ -5,7 +5,7 @@ import { pause, type Host } from "../host.ts";
 import { must, shaped } from "../mismatch.ts";
 import { areNear, atHome, HOME, mustRead, mustStand, readings, show } from "../setting.ts";
 
-/** Far more than a robot needs, far less than what it is kept busy with. */
+/** Far more than a robot needs, far less than the commands that occupy it. */
 const STOP_MS = 5_000;
 const BUSY = { action: "drive", left: 0, right: 0, milliseconds: 20_000 } as const;
 

@@ -202,7 +202,7 @@ const directions: InjectedFault[] = [
   ),
   fault(
     "goal",
-    "the goal is forgotten",
+    "the goal is not stored",
     CONTROLLER,
     "self._goal_reached or self._body.at_goal",
     "self._body.at_goal",
@@ -310,7 +310,7 @@ const stops: InjectedFault[] = [
 const retries: InjectedFault[] = [
   fault(
     "retry",
-    "keys are forgotten",
+    "keys are not stored",
     COMMAND_STORE,
     "None if key is None else self._by_key.get(key)",
     "None",
@@ -591,7 +591,7 @@ const events: InjectedFault[] = [
   ),
   fault(
     "gap-stream",
-    "a stream does not tell its gap",
+    "a stream does not report its gap",
     SERVER,
     'self._event("gap", gap, n)',
     "pass",
@@ -923,7 +923,7 @@ const longPoll: InjectedFault[] = [
   ),
   fault(
     "long-poll-numbers",
-    "messages are forgotten before they are confirmed",
+    "messages are deleted before they are confirmed",
     LONG_POLL,
     '            messages = connection.outbox[:MAX_MESSAGES]\n            return {"first": connection.first, "messages": messages, "closed": None}',
     [

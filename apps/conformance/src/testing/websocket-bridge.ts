@@ -182,11 +182,11 @@ class BridgedSocket {
     for await (const chunk of body?.pipeThrough(new TextDecoderStream()) ?? []) {
       const blocks = (text + chunk).split("\n\n");
       text = blocks.pop() ?? "";
-      for (const block of blocks) await this.#tell(block);
+      for (const block of blocks) await this.#publish(block);
     }
   }
 
-  async #tell(block: string): Promise<void> {
+  async #publish(block: string): Promise<void> {
     const event = /^event: ?(.*)$/m.exec(block)?.[1];
     const value: unknown = JSON.parse(/^data: ?(.*)$/m.exec(block)?.[1] ?? "null");
     if (event === "snapshot") this.#say({ type: "snapshot", snapshot: value });
