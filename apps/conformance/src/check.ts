@@ -9,7 +9,12 @@ export interface Check {
   name: string;
   /** skipped if the host does not offer one of these */
   needs?: readonly HostFeature[];
-  /** @throws Mismatch if the host fails the check; NotTestable if it cannot be checked here */
+  /** It only waits for messages: it starts with its group and runs beside the other checks. */
+  onlyListens?: boolean;
+  /**
+   * @throws Mismatch if the host fails the check, NotTestable if it cannot be checked here,
+   * NeverTestable if no run of the kit can test it
+   */
   run: (host: Host) => Promise<void>;
 }
 

@@ -21,7 +21,12 @@ function resultsOf(...outcomes: Outcome[]): Result[] {
 const passed: Outcome = { kind: "passed" };
 const failed: Outcome = { kind: "failed", expected: "completed", found: "started" };
 const notOffered: Outcome = { kind: "not offered", feature: "pose", why: "It has no camera." };
-const notTestable: Outcome = { kind: "not testable", why: "the robot is not at its place" };
+const notTestable: Outcome = {
+  kind: "not testable",
+  why: "the robot is not at its place",
+  isNever: false,
+};
+const neverTestable: Outcome = { kind: "not testable", why: "it takes 10 minutes", isNever: true };
 
 describe("the conformance kit", () => {
   it("has one check for each promise of the documentation, and no other", () => {
@@ -51,6 +56,10 @@ describe("the conformance kit", () => {
   it.each([
     { outcomes: [passed, passed], word: "PASSED, 2 passed, 0 failed, 0 not offered, 0 not" },
     { outcomes: [passed, notOffered], word: "PASSED, 1 passed, 0 failed, 1 not offered (pose), 0" },
+    {
+      outcomes: [passed, neverTestable],
+      word: "PASSED, 1 passed, 0 failed, 0 not offered, 1 not testable here",
+    },
     { outcomes: [passed, notTestable], word: "INCOMPLETE, 1 passed, 0 failed, 0 not offered, 1" },
     { outcomes: [failed, notTestable], word: "FAILED, 0 passed, 1 failed, 0 not offered, 1 not" },
   ])("ends with one line to publish: $word", ({ outcomes, word }) => {

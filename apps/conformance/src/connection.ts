@@ -12,6 +12,8 @@ import { must, shaped } from "./mismatch.ts";
 const GIVE_UP_MS = 15_000;
 /** wait of a long poll in seconds */
 const WAIT = 1;
+/** maximum size of a message or a request */
+export const MAX_BYTES = 16 * 1024;
 /** messages of a script, and what it says first */
 type Sent = Readonly<Record<string, unknown>> & { type: string };
 
@@ -19,23 +21,28 @@ export abstract class Connection {
   /** all received messages, in order */
   readonly received: RelayToDriver[] = [];
 
-  abstract send(message: Sent): Promise<void>;
+  /** Sends messages at once. @param size minimum bytes of each message, or of their request */
+  abstract sendAll(messages: readonly Sent[], size?: number): Promise<void>;
   abstract close(): Promise<void>;
   /** Waits for a message, at most a second. @throws Mismatch if the connection was closed */
-  protected abstract wait(): Promise<void>;
+  abstract wait(): Promise<void>;
+
+  async send(message: Sent, size?: number): Promise<void> {
+    await this.sendAll([message], size);
+  }
 
   protected took(message: unknown): void {
     this.received.push(shaped(relayToDriverSchema, message, "a message to a script"));
   }
 
   /** Waits for a condition. @throws Mismatch after the timeout, or if the connection was closed */
-  async until<T>(find: () => T | undefined, what: string): Promise<T> {
-    const giveUp = performance.now() + GIVE_UP_MS;
+  async until<T>(find: () => T | undefined, what: string, ms = GIVE_UP_MS): Promise<T> {
+    const giveUp = performance.now() + ms;
     for (;;) {
       const found = find();
       if (found !== undefined) return found;
       const types = [...new Set(this.received.map(({ type }) => type))].join(", ");
-      must(performance.now() < giveUp, what, `nothing of it within 15 s, but ${types}`);
+      must(performance.now() < giveUp, what, `nothing of it within ${ms / 1_000} s, but ${types}`);
       await this.wait();
     }
   }
@@ -44,10 +51,11 @@ export abstract class Connection {
   async message<T extends RelayToDriver["type"]>(
     type: T,
     fits: (message: Extract<RelayToDriver, { type: T }>) => boolean = () => true,
+    ms?: number,
   ): Promise<Extract<RelayToDriver, { type: T }>> {
     const isOf = (each: RelayToDriver): each is Extract<RelayToDriver, { type: T }> =>
       each.type === type;
-    return this.until(() => this.received.filter(isOf).find(fits), `a message ${type}`);
+    return this.until(() => this.received.filter(isOf).find(fits), `a message ${type}`, ms);
   }
 }
 
@@ -64,9 +72,10 @@ class LongPollConnection extends Connection {
     this.#key = key;
   }
 
-  async send(message: Sent): Promise<void> {
-    this.#sent += 1;
-    const body = { first: this.#sent, messages: [message] };
+  async sendAll(messages: readonly Sent[], size?: number): Promise<void> {
+    const first = this.#sent + 1;
+    this.#sent += messages.length;
+    const body = textOf({ first, messages }, size);
     const answer = await this.ask("/messages", "POST", body);
     must(answer.status === 200, "200 for posted messages", `${answer.status} ${answer.text}`);
     const { taken } = shaped(takenMessagesSchema, answer.json, "how many were taken");
@@ -77,7 +86,7 @@ class LongPollConnection extends Connection {
     await this.ask("", "DELETE");
   }
 
-  protected async wait(): Promise<void> {
+  async wait(): Promise<void> {
     const answer = await this.ask(`/messages?after=${this.received.length}&wait=${WAIT}`);
     must(answer.status === 200, "200 for messages", `${answer.status} ${answer.text}`);
     const fetched = shaped(fetchedMessagesSchema, answer.json, "fetched messages");
@@ -87,7 +96,7 @@ class LongPollConnection extends Connection {
     for (const message of fetched.messages) this.took(message);
   }
 
-  private async ask(path: string, method = "GET", body?: object) {
+  private async ask(path: string, method = "GET", body?: string) {
     const options = { method, key: this.#key, ...(body !== undefined && { body }) };
     return this.#host.ask(`/long-poll${path}`, options);
   }
@@ -114,8 +123,8 @@ class WebSocketConnection extends Connection {
     });
   }
 
-  async send(message: Sent): Promise<void> {
-    this.#socket.send(JSON.stringify(message));
+  async sendAll(messages: readonly Sent[], size?: number): Promise<void> {
+    for (const message of messages) this.#socket.send(textOf(message, size));
   }
 
   async close(): Promise<void> {
@@ -123,7 +132,7 @@ class WebSocketConnection extends Connection {
     await this.#closed;
   }
 
-  protected async wait(): Promise<void> {
+  async wait(): Promise<void> {
     if (this.#texts.length === 0) {
       must(this.#code === null, "a connection that goes on", `close code ${this.#code}`);
       await new Promise<void>((resolve) => {
@@ -156,10 +165,10 @@ export const openByWebSocket: OpenConnection = async (host, terms) => {
   return connection;
 };
 
-/** Sends one message on a new WebSocket. @returns the host's close code; null if it stays open */
-export async function closeCodeAfter(host: Host, first: Sent): Promise<number | null> {
+/** Sends messages on a new WebSocket. @returns the host's close code; null if it stays open */
+export async function closeCodeAfter(host: Host, ...texts: string[]): Promise<number | null> {
   const { socket, closed } = await openSocket(host);
-  socket.send(JSON.stringify(first));
+  for (const text of texts) socket.send(text);
   const giveUp = new Promise<null>((resolve) => setTimeout(resolve, GIVE_UP_MS, null));
   const code = await Promise.race([closed, giveUp]);
   socket.close();
@@ -177,4 +186,10 @@ async function openSocket(host: Host) {
   const code = await Promise.race([opened, closed]);
   must(code === null, "a WebSocket", `close code ${code} instead of its opening`);
   return { socket, closed };
+}
+
+/** JSON, padded with spaces to a size in bytes. */
+export function textOf(value: object, size = 0): string {
+  const text = JSON.stringify(value);
+  return text + " ".repeat(Math.max(0, size - Buffer.byteLength(text)));
 }

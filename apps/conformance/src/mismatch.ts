@@ -19,6 +19,11 @@ export class NotTestable extends Error {
   override readonly name = "NotTestable";
 }
 
+/** A script cannot test this during a run, at any host. It does not count against the host. */
+export class NeverTestable extends Error {
+  override readonly name = "NeverTestable";
+}
+
 /** @throws Mismatch unless the condition holds */
 export function must(condition: boolean, expected: string, found: unknown): asserts condition {
   if (!condition) throw new Mismatch(expected, show(found));

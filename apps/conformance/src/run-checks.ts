@@ -14,7 +14,7 @@ import { retries } from "./checks/retries.ts";
 import { stops } from "./checks/stops.ts";
 import type { Check, CheckGroup } from "./check.ts";
 import { Host } from "./host.ts";
-import { Mismatch, NotTestable } from "./mismatch.ts";
+import { Mismatch, NeverTestable, NotTestable } from "./mismatch.ts";
 
 /** Units and directions come first, while the robot is at its initial position. */
 export const groups: readonly CheckGroup[] = [
@@ -37,8 +37,8 @@ export type Outcome =
   | { kind: "failed"; expected: string; found: string }
   /** the host reports that it does not offer the feature; not a failure */
   | { kind: "not offered"; feature: HostFeature; why: string }
-  /** it cannot be checked here */
-  | { kind: "not testable"; why: string };
+  /** not tested; `isNever`: no run can test it, so it does not count against the host */
+  | { kind: "not testable"; why: string; isNever: boolean };
 
 export interface Result {
   group: string;
@@ -62,8 +62,12 @@ export async function runChecks(address: string, options: RunOptions = {}): Prom
   const missing = await missingFeatures(host);
   const results: Result[] = [];
   for (const { title, checks } of options.groups ?? groups) {
+    const early = new Map<Check, Promise<Outcome>>();
     for (const check of checks) {
-      const outcome = await outcomeOf(check, host, missing);
+      if (check.onlyListens === true) early.set(check, outcomeOf(check, host, missing));
+    }
+    for (const check of checks) {
+      const outcome = await (early.get(check) ?? outcomeOf(check, host, missing));
       const result = { group: title, promise: check.promise, check: check.name, outcome };
       results.push(result);
       options.onResult?.(result);
@@ -99,7 +103,10 @@ async function outcomeOf(
     await check.run(host);
     return { kind: "passed" };
   } catch (error) {
-    if (error instanceof NotTestable) return { kind: "not testable", why: error.message };
+    if (error instanceof NotTestable || error instanceof NeverTestable) {
+      const isNever = error instanceof NeverTestable;
+      return { kind: "not testable", why: error.message, isNever };
+    }
     if (error instanceof Mismatch) {
       return { kind: "failed", expected: error.expected, found: error.found };
     }

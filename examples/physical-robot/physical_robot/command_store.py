@@ -140,6 +140,9 @@ class CommandStore:
     def start_next(self) -> Optional[Entry]:
         """Starts and returns the next command, after expired commands have ended."""
         self.expire()
+        # Of waiting velocities only the newest counts.
+        while len(self._waiting) > 1 and all(map(_is_velocity, list(self._waiting)[:2])):
+            self.end(self._waiting[0], "superseded", "a newer velocity came")
         if not self._waiting:
             return None
         self.running = self._waiting.popleft()
@@ -179,6 +182,11 @@ class CommandStore:
         self.newest_event += 1
         self._events.append((self.newest_event, entry.record()))
         self.changed.notify_all()
+
+
+def _is_velocity(entry: Entry) -> bool:
+    command = entry.request.command
+    return command["action"] == "drive" and "milliseconds" not in command
 
 
 def _now() -> str:

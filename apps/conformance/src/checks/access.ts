@@ -35,6 +35,17 @@ export const access: CheckGroup = {
       },
     },
     {
+      promise: "key-wrong-reading",
+      name: "with a wrong key, sensors, events and the command log are rejected with 401 or 403",
+      run: async (host) => {
+        for (const path of ["/sensors", "/commands?after=0", "/events?wait=0", "/events"]) {
+          const answer = await host.ask(path, { key: host.wrongKey });
+          const isRefused = [401, 403].includes(answer.status);
+          must(isRefused, `401 or 403 for ${path} with a wrong key`, answer.status);
+        }
+      },
+    },
+    {
       promise: "key-secret",
       name: "no answer repeats the key that was sent",
       run: async (host) => {

@@ -22,6 +22,7 @@ import { must, shaped } from "../mismatch.ts";
 import { areNear, atHome, readings, show, turned } from "../setting.ts";
 import { mustLive } from "./events.ts";
 import { FORWARD_MS, mustTake } from "./leases.ts";
+import { messageFlow } from "./message-flow.ts";
 
 const LEFT = { action: "left 90" } as const;
 const RIGHT = { action: "right 90" } as const;
@@ -46,7 +47,7 @@ const doors: readonly Door[] = [
     over: "over a WebSocket",
     open: openByWebSocket,
     refusals: { wrongKey: 4401, version: 4401 },
-    answerTo: closeCodeAfter,
+    answerTo: async (host, hello) => closeCodeAfter(host, JSON.stringify(hello)),
   },
   {
     feature: "long-poll",
@@ -99,6 +100,7 @@ export const connections: CheckGroup = {
         must([401, 404].includes(over.status), "401 or 404 once it is closed", over.status);
       },
     },
+    ...messageFlow,
   ],
 };
 

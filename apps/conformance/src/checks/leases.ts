@@ -1,6 +1,7 @@
 /** Leases: an endless motion stops when its script goes silent. */
-import type { CommandState, Order } from "@corridor/protocol";
+import { hasEnded, type CommandRecord, type CommandState, type Order } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
+import { openByLongPoll } from "../connection.ts";
 import { withEvents, type EventStream } from "../event-stream.ts";
 import { pause, type Host } from "../host.ts";
 import { must } from "../mismatch.ts";
@@ -17,6 +18,9 @@ const LONG_DRIVE_MS = { least: 1_900, most: 4_500 };
 const FAR_WALL = 50;
 /** Longer than any lease. */
 const GIVE_UP_MS = 8_000;
+/** Drives of one burst, and how many of them may start: three do not make a burst yet. */
+const BURST = 12;
+const BURST_STARTS = 4;
 
 /** Not ended by silence; the wall may have come nearer than expected. */
 const HELD: readonly CommandState[] = ["started", "collided"];
@@ -144,6 +148,33 @@ export const leases: CheckGroup = {
         for (const { seq } of waits) states.push((await host.ended(seq)).state);
         const wanted = ["superseded", "superseded", "cancelled"];
         must(states.join() === wanted.join(), wanted.join(), states.join());
+      },
+    },
+    {
+      promise: "drive-burst",
+      name: "only the last drive of a burst runs",
+      needs: ["long-poll"],
+      run: async (host) => {
+        await withEvents(host, async (events) => {
+          // One request brings them all at once, however slow the network is.
+          const connection = await openByLongPoll(host);
+          const keys = Array.from({ length: BURST }, () => host.newKey());
+          await connection.sendAll(
+            keys.map((key) => ({ type: "command", key, command: { ...STILL, lease: 1_000 } })),
+          );
+          const of = ({ record }: { record: CommandRecord }) => keys.indexOf(record.key ?? "");
+          const isLast = (each: { record: CommandRecord }) => of(each) === BURST - 1;
+          const { record } = await events.until(
+            () => events.states.find((each) => isLast(each) && hasEnded(each.record.state)),
+            GIVE_UP_MS,
+            "the last drive of the burst to end",
+          );
+          must(record.state === "cancelled", "the last one to end with its lease", record);
+          const started = events.states.filter((each) => each.record.state === "started").map(of);
+          const few = started.length <= BURST_STARTS && started.at(-1) === BURST - 1;
+          must(few, `the last of ${BURST} to start, after at most 3 others`, started);
+          await connection.close();
+        });
       },
     },
     {

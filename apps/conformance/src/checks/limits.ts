@@ -2,7 +2,7 @@
 import { commandRecordSchema, problemSchema, type Order } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
 import { pause, pauseForRetryAfter, type Host } from "../host.ts";
-import { must, Mismatch, shaped } from "../mismatch.ts";
+import { must, Mismatch, NeverTestable, shaped } from "../mismatch.ts";
 
 const BUSY = { action: "drive", left: 0, right: 0, milliseconds: 60_000 } as const;
 const WAITING = 64;
@@ -16,7 +16,8 @@ const STOPS = 20;
 /** Pauses while the queue is filled; a host that takes 20 a second needs four. */
 const MOST_PAUSES = 20;
 const LOG_PAGE = 200;
-/** The protocol promises 1,000; a run may have fewer. */
+/** The protocol promises 10,000 and 1,000; a run may have fewer. */
+const RETAINED_RECORDS = { min: 250, max: 10_000 };
 const RETAINED_EVENTS = { min: 400, max: 1_000 };
 
 export const limits: CheckGroup = {
@@ -98,6 +99,17 @@ export const limits: CheckGroup = {
       },
     },
     {
+      promise: "records-retained",
+      name: "the oldest record of the run can still be read",
+      run: async (host) => {
+        const newest = await host.done({ action: "stop" });
+        const oldest = Math.max(1, newest.seq - RETAINED_RECORDS.max + 1);
+        must(newest.seq >= RETAINED_RECORDS.min, `${RETAINED_RECORDS.min} commands`, newest.seq);
+        const { seq } = await host.record(oldest);
+        must(seq === oldest, `the record ${oldest}`, seq);
+      },
+    },
+    {
       promise: "events-kept",
       name: "events are retained: a reader that missed hundreds of them receives all",
       run: async (host) => {
@@ -108,6 +120,13 @@ export const limits: CheckGroup = {
         const { gap, states } = await eventsSince(host, `${stream}-${Number(n) - retained}`);
         must(gap === null, `no gap after the newest ${retained}`, gap);
         must(states.length >= retained, `${retained} states`, states.length);
+      },
+    },
+    {
+      promise: "events-time",
+      name: "events are retained for 10 minutes",
+      run: async () => {
+        throw new NeverTestable("a run is shorter than 10 minutes");
       },
     },
   ],

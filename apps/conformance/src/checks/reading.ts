@@ -1,7 +1,7 @@
 /** Reading: sensors, the maze, the log. */
 import { commandRecordSchema, snapshotSchema } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
-import { must, shaped } from "../mismatch.ts";
+import { must, NeverTestable, shaped } from "../mismatch.ts";
 
 /** Robots report at least once a second, also while they stand. */
 const REPORT_MS = 5_000;
@@ -50,6 +50,13 @@ export const reading: CheckGroup = {
         await host.snapshot("?after=900000000000000&wait=0.3");
         const waited = performance.now() - began;
         must(waited < 5_000, "an answer after 0.3 s", `${Math.round(waited)} ms`);
+      },
+    },
+    {
+      promise: "state-change",
+      name: "readers are notified within 5 s that the robot is paused or gone",
+      run: async () => {
+        throw new NeverTestable("a script cannot pause a robot or disconnect its host");
       },
     },
     {

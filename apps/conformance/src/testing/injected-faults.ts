@@ -2,16 +2,9 @@
  * Faults for the example of a physical robot: a description, the edits of its Python source, and
  * the promise whose check must fail first.
  */
-import type { Edit } from "./physical-robot.ts";
+import type { InjectedFault } from "./injected-fault.ts";
+import { messageFlow } from "./message-flow-faults.ts";
 import type { BridgeFault, Message } from "./websocket-bridge.ts";
-
-export interface InjectedFault {
-  fault: string;
-  edits: readonly Edit[];
-  caughtBy: string;
-  /** for a WebSocket, which the example only has through a bridge */
-  bridge?: BridgeFault;
-}
 
 const BODY = "physical_robot/body.py";
 const HOST = "robot_host.py";
@@ -745,13 +738,23 @@ const leases: InjectedFault[] = [
     "        if self._store.has_waiting:\n",
     "        if self._store.has_waiting and not entry.request.lease:\n",
   ),
-  fault(
-    "drive-newest",
-    "drives that wait run one after the other",
-    CONTROLLER,
-    "        if self._store.has_waiting:\n",
-    '        if self._store.has_waiting and (entry.request.lease or command["action"] != "drive"):\n',
-  ),
+  {
+    fault: "drives that wait run one after the other",
+    caughtBy: "drive-newest",
+    edits: [
+      {
+        file: CONTROLLER,
+        before: "        if self._store.has_waiting:\n",
+        after:
+          '        if self._store.has_waiting and (entry.request.lease or command["action"] != "drive"):\n',
+      },
+      {
+        file: COMMAND_STORE,
+        before: "while len(self._waiting) > 1 and all(",
+        after: "while False and all(",
+      },
+    ],
+  },
   fault(
     "runs-to-end",
     "a drive with milliseconds ends with the silence of its script",
@@ -996,4 +999,5 @@ export const injectedFaults: readonly InjectedFault[] = [
   ...limits,
   ...longPoll,
   ...webSocket,
+  ...messageFlow,
 ];

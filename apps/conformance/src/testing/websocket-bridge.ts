@@ -11,7 +11,9 @@ import {
   type CommandRecord,
   type EventPage,
   type ProblemDocument,
+  type Snapshot,
 } from "@corridor/protocol";
+import { MAX_BYTES } from "../connection.ts";
 
 export interface Message {
   type: string;
@@ -35,6 +37,10 @@ export interface BridgeFault {
   takesAnyVersion?: boolean;
   /** polls the host while a connection is open */
   isRestless?: boolean;
+  /** sends snapshots that are not acknowledged */
+  ignoresSeen?: boolean;
+  /** in place of 16 KiB */
+  maxBytes?: number;
 }
 
 interface Bridge {
@@ -45,6 +51,9 @@ interface Bridge {
 
 const GUID = "258EAFA5-E914-47DA-95CA-C5AB0DC85B11";
 const REFUSED = 4401;
+const TOO_LARGE = 1009;
+const HEARTBEAT_MS = 20_000;
+const CREDIT = 2;
 
 /** @param address of a robot whose host has no WebSocket */
 export async function startBridge(address: string, fault: BridgeFault = {}): Promise<Bridge> {
@@ -104,6 +113,10 @@ class BridgedSocket {
   readonly #closed = new AbortController();
   #bytes: Buffer = Buffer.alloc(0);
   #key: string | null = null;
+  /** numbers of the snapshots that the script has not acknowledged; null before it does */
+  #unseen: number[] | null = null;
+  /** the newest snapshot that waits for an acknowledgement */
+  #heldSnapshot: Snapshot | null = null;
   /** messages are processed one at a time */
   #work: Promise<void> = Promise.resolve();
 
@@ -126,11 +139,13 @@ class BridgedSocket {
       this.#bytes = frame.rest;
       if (frame.opcode === 8) return this.#close(1000);
       if (frame.opcode !== 1) continue;
+      const { maxBytes = MAX_BYTES } = this.#fault;
+      if (frame.payload.length > maxBytes) return this.#close(TOO_LARGE);
       const message = JSON.parse(frame.payload.toString()) as Message;
       const { toHost } = this.#fault;
       const changed = toHost === undefined ? message : toHost(message, this.#connection);
       this.#work = this.#work
-        .then(() => (this.#key === null ? this.#hello(changed) : this.#command(changed)))
+        .then(() => (this.#key === null ? this.#hello(changed) : this.#take(changed)))
         .catch(() => this.#close(1011));
     }
   }
@@ -150,11 +165,37 @@ class BridgedSocket {
     if (page.gap !== null) this.#say({ ...page.gap, type: "gap" });
     for (const state of page.states) this.#say({ ...state, type: "state" });
     void this.#follow(page.since).catch(() => this.#close(1011));
-    const { signal } = this.#closed;
-    if (!isRestless || signal.aborted) return;
+    this.#every(HEARTBEAT_MS, () => this.#say({ type: "heartbeat" }));
     const ask = () => this.#ask("/commands?after=0").catch(() => this.#close(1011));
-    const timer = setInterval(() => void ask(), 500);
+    if (isRestless) this.#every(500, () => void ask());
+  }
+
+  #every(ms: number, act: () => void): void {
+    const { signal } = this.#closed;
+    if (signal.aborted) return;
+    const timer = setInterval(act, ms);
     signal.addEventListener("abort", () => clearInterval(timer));
+  }
+
+  async #take(message: Message): Promise<void> {
+    if (message.type !== "seen") return this.#command(message);
+    this.#unseen = (this.#unseen ?? []).filter((seq) => seq > Number(message["seq"]));
+    const held = this.#heldSnapshot;
+    this.#heldSnapshot = null;
+    if (held !== null) this.#offer(held);
+  }
+
+  /** Sends a snapshot, or holds it until earlier ones are acknowledged. */
+  #offer(snapshot: Snapshot): void {
+    const isFull = this.#unseen !== null && this.#unseen.length >= CREDIT;
+    if (isFull && this.#fault.ignoresSeen !== true) this.#heldSnapshot = snapshot;
+    else this.#sendSnapshot(snapshot);
+  }
+
+  #sendSnapshot(snapshot: Snapshot): void {
+    this.#heldSnapshot = null;
+    this.#unseen?.push(snapshot.seq);
+    this.#say({ type: "snapshot", snapshot });
   }
 
   async #command({ key, command, sentAt }: Message): Promise<void> {
@@ -189,12 +230,11 @@ class BridgedSocket {
   async #publish(block: string): Promise<void> {
     const event = /^event: ?(.*)$/m.exec(block)?.[1];
     const value: unknown = JSON.parse(/^data: ?(.*)$/m.exec(block)?.[1] ?? "null");
-    if (event === "snapshot") this.#say({ type: "snapshot", snapshot: value });
+    if (event === "snapshot") this.#offer(value as Snapshot);
     if (event !== "state") return;
     const record = value as CommandRecord;
     if (hasEnded(record.state)) {
-      const snapshot = await (await this.#ask("/sensors")).json();
-      this.#say({ type: "snapshot", snapshot });
+      this.#sendSnapshot((await (await this.#ask("/sensors")).json()) as Snapshot);
     }
     const n = Number(/^id: ?.*-(\d+)$/m.exec(block)?.[1]);
     this.#say({ type: "state", n, record });
