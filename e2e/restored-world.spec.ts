@@ -7,6 +7,8 @@ import { api, copyAddress, setSpeed } from "./support/remote-robot.ts";
 
 const TURN = 11;
 
+const RELOADED = "The robot's page was reloaded and ended this command. Send a new command.";
+
 /** Turns the robot once and waits for the command to end. */
 async function turn(address: string): Promise<CommandRecord> {
   const posted = await api(address, "/commands", { action: "turn", degrees: TURN, ttl: 20_000 });
@@ -53,7 +55,7 @@ test("ends a command that a reload interrupts at the restored pose", async ({ pa
     .poll(async () => (await (await api(address, `/commands/${seq}`)).json()).state)
     .toBe("cancelled");
   const ended = commandRecordSchema.parse(await (await api(address, `/commands/${seq}`)).json());
-  expect(ended).toMatchObject({ reason: "the page was reloaded", distance: 0 });
+  expect(ended).toMatchObject({ reason: RELOADED, distance: 0 });
   expect(ended.pose?.x).toBe(first.pose?.x);
   const next = await turn(address);
   const heading = ((ended.pose?.heading ?? Number.NaN) + TURN) % 360;
@@ -84,7 +86,7 @@ test("reports once that the device cannot store the run, and restarts the run af
   await page.reload();
   expect((await turn(address)).pose?.heading).toBe(start);
   const cut = commandRecordSchema.parse(await (await api(address, `/commands/${seq}`)).json());
-  expect(cut).toMatchObject({ state: "cancelled", reason: "the page was reloaded", distance: 0 });
+  expect(cut).toMatchObject({ state: "cancelled", reason: RELOADED, distance: 0 });
   expect(cut.pose?.heading).toBeCloseTo((start ?? Number.NaN) - TURN, 6);
 });
 
@@ -111,7 +113,7 @@ test("cancels a running command because of the reload where the device has no da
     .poll(async () => (await (await api(address, `/commands/${seq}`)).json()).state)
     .toBe("cancelled");
   const cut = commandRecordSchema.parse(await (await api(address, `/commands/${seq}`)).json());
-  expect(cut).toMatchObject({ state: "cancelled", reason: "the page was reloaded", distance: 0 });
+  expect(cut).toMatchObject({ state: "cancelled", reason: RELOADED, distance: 0 });
   expect(cut.pose?.heading).toBeCloseTo((start ?? Number.NaN) - TURN, 6);
   expect((await turn(address)).pose?.heading).toBe(start);
 });

@@ -80,7 +80,7 @@ describe("readConfig", () => {
   ])("never prints the password of a store: %s", (value) => {
     const result = readConfig({ STORE_URL: value });
     const text = result.ok ? "" : describeConfigProblems(result.problems);
-    expect(text).toContain("STORE_URL: found something else");
+    expect(text).toContain("STORE_URL: found another value");
     expect(text).not.toContain("hunter2");
   });
 
@@ -99,7 +99,7 @@ describe("readConfig", () => {
   ])("rejects the misspelt setting $name and suggests $nearest", ({ name, nearest }) => {
     const result = readConfig({ [name]: "1" });
     const text = result.ok ? "" : describeConfigProblems(result.problems);
-    expect(text).toContain(`${name}: found a name that is not a setting, expected ${nearest}`);
+    expect(text).toContain(`${name}: found an unknown setting, expected ${nearest}`);
   });
 
   it("ignores the variables of other programs", () => {

@@ -108,7 +108,7 @@ const secretNames: ReadonlySet<string> = new Set(["STORE_URL"]);
 
 function withoutSecrets(problem: FieldProblem): FieldProblem {
   return secretNames.has(problem.path)
-    ? { ...problem, found: "something else (not shown: it may hold a password)" }
+    ? { ...problem, found: "another value (hidden because it may contain a password)" }
     : problem;
 }
 
@@ -150,7 +150,7 @@ export function readConfig(
 /** Formats the problems as text for the operator. */
 export function describeConfigProblems(problems: readonly FieldProblem[]): string {
   const lines = problems.map((each) => `  ${describeProblem(each)}`);
-  return ["Corridor cannot start: a setting in the environment is wrong.", ...lines].join("\n");
+  return ["Corridor cannot start: invalid settings in the environment.", ...lines].join("\n");
 }
 
 /** Hosts that a browser on this machine reaches as localhost. */

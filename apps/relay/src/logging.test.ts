@@ -64,7 +64,7 @@ describe("the log", () => {
     expect(lines.map((line) => JSON.parse(line) as unknown)).toMatchObject([
       { method: "POST", route: "/robots", status: 201, key: null, msg: "request completed" },
       { method: "GET", route: "/robots/:id/commands/:seq", status: 404, msg: "request completed" },
-      { role: "drive", client: "Python", msg: "WebSocket client introduced itself" },
+      { role: "drive", client: "Python", msg: "WebSocket client authenticated" },
       { code: 1005, msg: "WebSocket closed" },
     ]);
   });

@@ -27,7 +27,7 @@ export function misspeltSettings(
       .filter((setting) => resembles(setting, name.toUpperCase()))
       .toSorted((a, b) => leven(a, name) - leven(b, name))[0];
     if (nearest === undefined || given.includes(nearest)) return [];
-    return [{ path: name, found: "a name that is not a setting", expected: nearest }];
+    return [{ path: name, found: "an unknown setting", expected: nearest }];
   });
 }
 

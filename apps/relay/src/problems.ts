@@ -43,7 +43,7 @@ export class Refusal extends Error {
  */
 export function badRequest(what: string, errors: FieldProblem[]): Refusal {
   const first = errors.slice(0, 1).map((each) => ` ${describeProblem(each)}.`);
-  const rest = errors.length > 1 ? " The field 'errors' lists all that is wrong." : "";
+  const rest = errors.length > 1 ? " The field 'errors' lists all problems." : "";
   const detail = `${what}${first.join("")}${rest}`.replaceAll('"', "'");
   return new Refusal("bad-request", detail, { errors });
 }
@@ -60,7 +60,7 @@ export function retryAfter(milliseconds: number): Record<string, string> {
 
 /** Response to requests during shutdown. */
 export function restarting(): Refusal {
-  return new Refusal("restarting", "The relay restarts. Send the request again in a moment.", {
+  return new Refusal("restarting", "The relay is restarting. Send the request again in 2 s.", {
     headers: retryAfter(2_000),
   });
 }
@@ -69,7 +69,7 @@ export function restarting(): Refusal {
 export function noRobot(): Refusal {
   return new Refusal(
     "no-robot",
-    "There is no robot with this id. Robots are deleted after 2 hours without use: open the page and copy the new address.",
+    "There is no robot with this id. The relay deletes robots after 2 hours without use: open the robot's page and copy the new address.",
   );
 }
 
@@ -78,18 +78,25 @@ export function asRefusal(error: unknown): Refusal {
   if (error instanceof Refusal) return error;
   // The disk causes this, not the request, and waiting may help.
   if (isDiskFull(error)) {
-    return new Refusal("storage-full", "Nothing was stored. Try again in a minute.", {
-      headers: retryAfter(60_000),
-    });
+    return new Refusal(
+      "storage-full",
+      "The relay cannot store new data because its disk is full. Try again in a minute.",
+      {
+        headers: retryAfter(60_000),
+      },
+    );
   }
   if (error instanceof StoreAway) {
     return new Refusal(
       "no-store",
-      "Send the request again in a moment, with the same idempotency key.",
+      "The relay's database does not respond. Send the request again in 2 s, with the same idempotency key.",
       {
         headers: retryAfter(2_000),
       },
     );
   }
-  return new Refusal("internal", "The relay's log has the details. Try again in a moment.");
+  return new Refusal(
+    "internal",
+    "The relay failed to process the request. Try again in a few seconds. The relay's log contains the details.",
+  );
 }

@@ -44,7 +44,7 @@ export class Readiness {
     try {
       return (await this.#store.check()) === "full" ? "degraded" : "ready";
     } catch (error) {
-      this.#log.error({ err: error }, "the store does not answer");
+      this.#log.error({ err: error }, "the store is unavailable");
       return "unavailable";
     }
   }

@@ -18,8 +18,8 @@ z.config({
     if (issue.code === "invalid_type") return types[issue.expected] ?? issue.expected;
     if (issue.code === "too_big") return `at most ${issue.maximum}${unitOf(issue.origin)}`;
     if (issue.code === "too_small") return `at least ${issue.minimum}${unitOf(issue.origin)}`;
-    if (issue.code === "invalid_format") return "a text of another form";
-    if (issue.code !== "invalid_value") return "something else";
+    if (issue.code === "invalid_format") return "a text in another format";
+    if (issue.code !== "invalid_value") return "another value";
     return issue.values.length === 1
       ? JSON.stringify(issue.values[0])
       : `one of ${issue.values.join(", ")}`;

@@ -107,4 +107,4 @@ def _error(path: str, found: str, expected: str) -> Dict[str, str]:
 
 
 def _invalid(errors: List[Dict[str, str]]) -> Problem:
-    return bad_request("The command is invalid.", errors)
+    return bad_request("Invalid command.", errors)

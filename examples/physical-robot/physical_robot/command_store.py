@@ -20,7 +20,7 @@ from .problems import Problem
 ENDINGS = ("completed", "collided", "cancelled", "superseded", "expired")
 MAX_WAITING = 64
 MAX_EVENTS = 1_000
-CANCELLED_BY_SCRIPT = "Its script cancelled it. Send it again if the robot should still do it."
+CANCELLED_BY_SCRIPT = "The script cancelled this command. To run it, send a new command."
 LOG_PAGE = 200
 
 
@@ -82,17 +82,23 @@ class CommandStore:
         if before is not None:
             if before.request.command == request.command:
                 return before.record(duplicate=True)
-            detail = f"This key belongs to command {before.seq}. Use a new key for each command."
+            detail = (
+                f"Command {before.seq} already uses this idempotency key. "
+                "Use a new key for each command."
+            )
             raise Problem(409, "key-conflict", detail)
         if request.age >= request.ttl:
             detail = (
-                f"This command was to start within {request.ttl:g} ms and is {request.age:g} ms old. "
-                "Look where the robot is now, then send what fits as a new command."
+                f"The command is {request.age:g} ms old, and its time to live (ttl) is {request.ttl:g} ms. "
+                "Check where the robot is now, then send a new command, with a longer ttl if possible."
             )
             raise Problem(422, "too-late", detail)
         is_stop = request.command["action"] == "stop"
         if len(self._waiting) >= MAX_WAITING and not is_stop and not request.replace:
-            detail = f"{MAX_WAITING} commands wait at this robot. Wait until one has ended."
+            detail = (
+                f"{MAX_WAITING} commands wait at this robot, the maximum. "
+                "Wait until one ends, then send this command again."
+            )
             raise Problem(429, "queue-full", detail, headers={"Retry-After": "1"})
         deadline = self._clock() + (request.ttl - request.age) / 1_000
         entry = Entry(len(self._entries) + 1, key, request, _now(), deadline)
@@ -100,9 +106,9 @@ class CommandStore:
         if key is not None:
             self._by_key[key] = entry
         if is_stop:
-            self._end_all("cancelled", f"stopped by command {entry.seq}")
+            self._end_all("cancelled", f"Command {entry.seq} stopped this command.")
         elif request.replace:
-            self._end_all("superseded", f"replaced by command {entry.seq}")
+            self._end_all("superseded", f"Command {entry.seq} replaced this command.")
         self._waiting.append(entry)
         self.changed.notify_all()
         return entry.record()
@@ -117,7 +123,7 @@ class CommandStore:
     def entry(self, seq: int) -> Entry:
         if 1 <= seq <= len(self._entries):
             return self._entries[seq - 1]
-        detail = f"This robot has no command {seq}. GET .../commands lists those that it has."
+        detail = f"This robot has no command {seq}. List its commands with GET .../commands."
         raise Problem(404, "no-command", detail)
 
     def log(self, after: int) -> List[Json]:
@@ -158,7 +164,8 @@ class CommandStore:
         """Ends waiting commands whose time to live has passed."""
         now = self._clock()
         for entry in [entry for entry in self._waiting if entry.deadline <= now]:
-            self.end(entry, "expired", "it could not begin in time")
+            reason = f"Not started within {entry.request.ttl / 1_000:g} s: earlier commands took longer."
+            self.end(entry, "expired", reason)
 
     def end(self, entry: Entry, state: str, reason: Optional[str] = None) -> None:
         """Ends a command. The caller ensures that it has not ended before."""

@@ -110,7 +110,7 @@ class Controller:
         if not _has_no_end(command):
             return False
         if self._store.has_waiting:
-            self._end(entry, "superseded", "another command came")
+            self._end(entry, "superseded", "A newer command replaced this command.")
             return True
         is_drive = command["action"] == "drive"
         drive_lease = (entry.request.lease or DRIVE_LEASE * 1_000) / 1_000
@@ -119,7 +119,7 @@ class Controller:
         is_connected = not is_drive and self._store.open_requests > 0
         if is_connected or now - since < lease:
             return False
-        self._end(entry, "cancelled", f"nothing was heard of its script for {lease:g} s")
+        self._end(entry, "cancelled", f"The script sent nothing for {lease:g} s, so the robot stopped.")
         return True
 
     def _execute(self, entry: Entry, seconds: float) -> None:

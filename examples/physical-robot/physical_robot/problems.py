@@ -47,5 +47,5 @@ def bad_request(what: str, errors: List[Dict[str, str]]) -> Problem:
     """Invalid input. `detail` contains the first invalid field, for scripts that show only it."""
     first = errors[0]
     named = f"{first['path'] or 'document'}: found {first['found']}, expected {first['expected']}."
-    more = " The field 'errors' lists all errors." if len(errors) > 1 else ""
+    more = " The field 'errors' lists all problems." if len(errors) > 1 else ""
     return Problem(400, "bad-request", f"{what} {named}{more}".replace('"', "'"), errors)

@@ -88,7 +88,7 @@ class _Handler(BaseHTTPRequestHandler):
         except Exception:
             # The stack trace is printed for the owner of the robot and not sent to the client.
             traceback.print_exc()
-            detail = "The host has logged the error. Try again later."
+            detail = "The host failed to process the request. Try again later. Its log contains the details."
             self._send(500, Problem(500, "internal", detail).document)
 
     def _body(self) -> bytes:
@@ -96,7 +96,7 @@ class _Handler(BaseHTTPRequestHandler):
         length = self.headers.get("Content-Length", "0")
         if not length.isdigit() or "Transfer-Encoding" in self.headers:
             self.close_connection = True
-            raise Problem(400, "bad-request", "Send the body with its Content-Length.")
+            raise Problem(400, "bad-request", "The header Content-Length is missing or invalid. Send the length of the body.")
         remaining, body = int(length), b""
         while remaining > 0:
             chunk = self.rfile.read(min(remaining, 65_536))
@@ -105,7 +105,7 @@ class _Handler(BaseHTTPRequestHandler):
             remaining -= len(chunk)
             body = (body + chunk)[: MAX_BYTES + 1]
         if len(body) > MAX_BYTES:
-            raise Problem(413, "too-large", f"The maximum size is {MAX_BYTES // 1024} KiB.")
+            raise Problem(413, "too-large", f"The body has more than {MAX_BYTES // 1024} KiB. Send a smaller body.")
         return body
 
     def _route(self, body: bytes) -> None:

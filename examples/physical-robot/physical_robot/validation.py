@@ -28,11 +28,11 @@ def parse_wait(query: Dict[str, str]) -> float:
 
 def invalid(path: str, found: str, expected: str) -> Problem:
     error = {"path": path, "found": found[:60], "expected": expected}
-    return bad_request("The request is invalid.", [error])
+    return bad_request("Invalid request.", [error])
 
 
 def not_found() -> Problem:
-    return Problem(404, "not-found", "Check the address. The API starts with /api/v1/robots/ID.")
+    return Problem(404, "not-found", "Check the path for typing errors. API paths start with /api/v1/robots/ID.")
 
 
 def method_not_allowed(method: str, allowed: str) -> Problem:

@@ -286,7 +286,7 @@ def test_the_first_request_has_a_shorter_timeout() -> None:
 
 def test_an_error_names_each_field_once() -> None:
     errors = [{"path": "action", "found": '"fly"', "expected": "one of forward, reverse"}]
-    detail = "The command is wrong. action: found 'fly', expected one of forward, reverse."
+    detail = "Invalid command. action: found 'fly', expected one of forward, reverse."
     harness = Harness(problem(400, "bad-request", detail, errors=errors))
     with pytest.raises(CommandError) as error:
         harness.move()
@@ -295,11 +295,11 @@ def test_an_error_names_each_field_once() -> None:
 
 def test_an_error_names_the_invalid_field_and_the_expected_value() -> None:
     errors = [{"path": "distance", "found": "text", "expected": "a distance in cm"}]
-    harness = Harness(problem(400, "bad-request", "The command is wrong.", errors=errors))
+    harness = Harness(problem(400, "bad-request", "Invalid command.", errors=errors))
     with pytest.raises(CommandError) as error:
         harness.move()
     assert error.value.code == "refused"
-    assert "The command is wrong. distance: found text, expected a distance in cm." in str(error.value)
+    assert "Invalid command. distance: found text, expected a distance in cm." in str(error.value)
     assert len(harness.requests) == 1
 
 
@@ -332,8 +332,8 @@ def test_permanent_failures_are_not_retried(answer: Response, kind: Any, code: s
 
 @pytest.mark.parametrize("state", ["cancelled", "superseded", "expired"])
 def test_a_command_that_ended_early_is_an_error_with_its_reason(state: str) -> None:
-    harness = Harness(record("accepted"), record(state, "the page was reloaded"))
-    with pytest.raises(CommandEndedError, match="The page was reloaded.") as error:
+    harness = Harness(record("accepted"), record(state, "the robot was switched off"))
+    with pytest.raises(CommandEndedError, match="The robot was switched off.") as error:
         harness.move()
     assert error.value.code == state
     assert str(error.value).count(state) == 1

@@ -8,7 +8,7 @@ export function closeError({ code, cause, remedy }: CloseReason, key: string): C
     return new ClientError(
       "blocked",
       "This script is blocked",
-      "The robot's owner has blocked this script. Ask them to press Unblock under Remote, then start it again.",
+      "The robot's owner has blocked this script. Ask the owner to press 'Unblock', then restart the script.",
     );
   }
   const isKey = code === closeReasons.notAuthorised.code || code === closeReasons.forbidden.code;

@@ -136,9 +136,9 @@ describe("RobotClient", () => {
       const { robot, report } = await connected();
       const turn = robot.turn(45);
       report("ack", 1);
-      report("state", 1, { state, reason: "stopped by command 2" });
+      report("state", 1, { state, reason: "Command 2 stopped this command." });
       const error = await turn.catch((thrown: unknown) => thrown);
-      expect(error).toMatchObject({ code: state, hint: "stopped by command 2" });
+      expect(error).toMatchObject({ code: state, hint: "Command 2 stopped this command." });
       // The sentence contains the code already.
       expect(String(error).split(state)).toHaveLength(2);
     },

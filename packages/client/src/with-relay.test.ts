@@ -157,7 +157,7 @@ describe("a script and a robot at a real relay", () => {
     host(true, () => undefined);
     await expect(waiting).rejects.toMatchObject({
       code: "cancelled",
-      hint: "the page was reloaded",
+      hint: "The robot's page was reloaded and ended this command. Send a new command.",
     });
   });
 

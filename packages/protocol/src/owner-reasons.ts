@@ -8,7 +8,7 @@ export const PAUSED_REASON =
   "The owner paused remote driving. Press 'Let scripts drive' under Remote on the robot's page, then send a new command.";
 
 export const REVOKED_REASON =
-  "The owner revoked its key. Ask the owner for the robot's new address.";
+  "The owner revoked the key that sent this command. Ask the owner for the robot's new address.";
 
 export const BLOCKED_REASON =
-  "The owner blocked its script. Press 'Unblock' under Remote, More on the robot's page, then start the script again.";
+  "The owner blocked the script that sent this command. Press 'Unblock' under Remote, More on the robot's page, then start the script again.";

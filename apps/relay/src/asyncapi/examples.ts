@@ -99,7 +99,7 @@ export const messageExamples: { [S in keyof MessageKinds]: OfEachKind<MessageKin
         type: "/problems/bad-request",
         title: "Invalid request",
         status: 400,
-        detail: "The message is wrong. command.distance: found 'far', expected a number.",
+        detail: "Invalid message. command.distance: found 'far', expected a number.",
         errors: [{ path: "command.distance", found: '"far"', expected: "a number" }],
       },
       key,
@@ -114,7 +114,12 @@ export const messageExamples: { [S in keyof MessageKinds]: OfEachKind<MessageKin
     stored: { type: "stored", seq },
     refused: {
       type: "refused",
-      record: { ...recordExample, state: "cancelled", reason: "the robot's page is gone" },
+      record: {
+        ...recordExample,
+        state: "cancelled",
+        reason:
+          "The robot disconnected. Check that its page is open and connected under Remote, then send a new command.",
+      },
     },
     state: {
       type: "state",

@@ -37,7 +37,10 @@ export class CheckSocket {
         throw new Refusal("forbidden", "Pages of other sites cannot open this socket.");
       }
       if (this.#server.clients.size >= limits.heldChecks) {
-        throw new Refusal("too-many-readers", "Too many network checks are running.");
+        throw new Refusal(
+          "too-many-readers",
+          "Too many network checks are running. Try again in a minute.",
+        );
       }
     } catch (error) {
       return refuseUpgrade(socket, asRefusal(error));

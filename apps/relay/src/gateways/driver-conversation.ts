@@ -110,7 +110,7 @@ export class DriverConversation implements Conversation, ReaderSink {
     const { session, key: grant } = this.#options.grant;
     const message = decodeDriverFrame(text);
     if (!message.ok) {
-      return this.#refuse(badRequest("The message is wrong.", message.problems), keyIn(text));
+      return this.#refuse(badRequest("Invalid message.", message.problems), keyIn(text));
     }
     const { value } = message;
     const { type } = value;
@@ -183,7 +183,7 @@ export class DriverConversation implements Conversation, ReaderSink {
     closeWith(
       this.#options.connection,
       closeReasons.badFrame,
-      "Too many commands too fast. Wait for the ack of each command before the next.",
+      "Too many commands. Wait for the ack of each command before you send the next one.",
     );
   }
 

@@ -56,7 +56,7 @@ export class LongPollConnections {
     if (fromAddress >= limits.socketsPerAddress) {
       throw new Refusal(
         "too-many-readers",
-        "Too many long-poll connections are open from this network.",
+        "Too many long-poll connections are open from this network. Close one, then try again.",
         {
           headers: retryAfter(5_000),
         },
@@ -84,7 +84,7 @@ export class LongPollConnections {
     this.#connections.set(hash, connection);
     log.info(
       { role: hello.role, client, key: markOf(hello.key) },
-      "long-poll client introduced itself",
+      "long-poll client authenticated",
     );
     return { key };
   }

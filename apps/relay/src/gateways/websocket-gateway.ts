@@ -127,7 +127,10 @@ export class WebSocketGateway {
     guard.checkHost(request);
     const id = PATH.exec((request.url ?? "").split("?")[0] ?? "")?.[1];
     if (id === undefined) {
-      throw new Refusal("not-found", "WebSockets are at /api/v1/robots/ID/socket only.");
+      throw new Refusal(
+        "not-found",
+        "There is no WebSocket at this path. Connect to /api/v1/robots/ID/socket.",
+      );
     }
     if (!guard.isOwnPage(request)) {
       throw new Refusal(
@@ -168,7 +171,12 @@ export class WebSocketGateway {
       // Messages still arrive while a socket closes, but responses could not be sent.
       if (!client.port.isOpen) return;
       client.lastMessageAt = clock.now();
-      if (isBinary) return closeWith(socket, closeReasons.badFrame, "Send text, not bytes.");
+      if (isBinary)
+        return closeWith(
+          socket,
+          closeReasons.badFrame,
+          "Binary messages are not supported. Send JSON text.",
+        );
       if (client.conversation !== null) return this.#handle(client, data);
       work = work
         .then(() => this.#hello(client, data))
@@ -204,7 +212,7 @@ export class WebSocketGateway {
     const hello = decodeFrame(helloSchema, bytes.toString(), MAX_HELLO_BYTES);
     if (!hello.ok) {
       const [first] = hello.problems;
-      const detail = first && `The first message is not a hello. ${describeProblem(first)}`;
+      const detail = first && `The first message is not a valid hello. ${describeProblem(first)}`;
       return closeWith(socket, closeReasons.notAuthorised, detail);
     }
     if (!robotIdSchema.safeParse(id).success) return closeWith(socket, closeReasons.noRobot);
@@ -215,7 +223,7 @@ export class WebSocketGateway {
     client.key = markOf(key);
     this.#options.log.info(
       { role, client: language, key: client.key },
-      "WebSocket client introduced itself",
+      "WebSocket client authenticated",
     );
     client.conversation = startConversation({
       hello: hello.value,

@@ -232,13 +232,13 @@ function pairingEnded(): Refusal {
 function ownerDeclined(): Refusal {
   return new Refusal(
     "pairing-refused",
-    "Ask the owner of the robot for a new code, then pair again.",
+    "The robot's owner declined this script. Ask the owner for a new code, then pair again.",
   );
 }
 
 function requestClosed(): Refusal {
   return new Refusal(
     "no-question",
-    "The request is no longer open: it was answered or has expired.",
+    "No pairing request has this id: it was answered or has expired. Create a new code, then pair the script again.",
   );
 }

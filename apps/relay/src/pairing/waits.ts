@@ -49,7 +49,7 @@ export class Waits {
     if (same >= limits.waitsPerPairing || this.#waiters.size >= limits.pairingWaits) {
       throw new Refusal(
         "too-many-readers",
-        "Too many requests wait for this already. Wait a moment.",
+        "Too many requests wait for a pairing. Send this request again in 2 s.",
         {
           headers: retryAfter(2_000),
         },

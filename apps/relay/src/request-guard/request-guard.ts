@@ -34,7 +34,7 @@ export class RequestGuard {
     if (URL.canParse(url) && this.#hosts.has(new URL(url).hostname)) return;
     throw new Refusal(
       "wrong-host",
-      "The header Host names another service. Use the address of this service. Its operator lists its names in ALLOWED_HOSTS.",
+      "Unknown name in the header Host. Use the address of this service. Its operator lists its names in ALLOWED_HOSTS.",
     );
   }
 
@@ -66,7 +66,10 @@ export class RequestGuard {
  */
 export function requireOneHost(request: IncomingMessage): void {
   if (request.headers.host === undefined && request.httpVersion !== "1.0") {
-    throw new Refusal("bad-request", "The header Host is missing. Every HTTP/1.1 request has it.");
+    throw new Refusal(
+      "bad-request",
+      "The header Host is missing. HTTP/1.1 requires it in every request.",
+    );
   }
   // Node uses the first of several Host headers, and a proxy may use another.
   if (countHeaders("host", request) > 1) {

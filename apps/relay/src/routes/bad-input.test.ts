@@ -108,7 +108,7 @@ testEndpoints({
     },
     answers: {
       "too large": "431 headers-too-large | 8 KiB",
-      deep: "404 not-found | Check the address",
+      deep: "404 not-found | Check the path",
       "prototype keys": "400 bad-request | whole number",
       NaN: "400 bad-request | whole number",
       Infinity: "400 bad-request | whole number",

@@ -24,7 +24,7 @@ describe("an invalid command", () => {
     expect(problem).toMatchObject({ status: 400, type: "/problems/bad-request" });
     expect(problem.errors[0]?.path).toBe(path);
     // Scripts may print only `detail`, or read it without a JSON parser.
-    expect(problem.detail).toContain(`The command is wrong. ${path || "document"}: found `);
+    expect(problem.detail).toContain(`Invalid command. ${path || "document"}: found `);
     expect(problem.detail).not.toContain('"');
     const log = await relay.ask(robot, "/commands");
     expect(await log.json()).toEqual({ commands: [] });

@@ -178,7 +178,7 @@ describe("an invalid document", () => {
     expect(problem.errors[0]?.path).toBe(path);
     expect(problem.errors[0]?.found).not.toBe("");
     expect(problem.errors[0]?.expected).toMatch(/\w/);
-    expect(problem.detail).toMatch(/^The document is wrong\./);
+    expect(problem.detail).toMatch(/^Invalid document\./);
   });
 
   it.each([

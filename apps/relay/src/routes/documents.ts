@@ -13,12 +13,7 @@ export function documentRoutes(service: DocumentService, guard: RequestGuard): R
   router
     .route("/mazes")
     .post(jsonText(MAX_DOCUMENT_BYTES), async (request, response) => {
-      const document = readBody(
-        request,
-        documentSchema,
-        MAX_DOCUMENT_BYTES,
-        "The document is wrong.",
-      );
+      const document = readBody(request, documentSchema, MAX_DOCUMENT_BYTES, "Invalid document.");
       const from = guard.addressOf(request);
       const link = await service.add(document, from, guard.originOf(request));
       response.status(201).location(`/api/v1/mazes/${link.id}`).json(link);

@@ -16,7 +16,10 @@ export function methodNotAllowed(allowed: string): RequestHandler {
 }
 
 export const notFound: RequestHandler = () => {
-  throw new Refusal("not-found", "Check the address. API paths start with /api/v1/robots.");
+  throw new Refusal(
+    "not-found",
+    "Check the path for typing errors. API paths start with /api/v1/robots.",
+  );
 };
 
 /** Converts every error to a problem document. Only internal errors are logged. */
@@ -46,10 +49,16 @@ function refusalOf(error: unknown): Refusal {
   const status = error instanceof Error && "status" in error ? error.status : undefined;
   if (status === 413) {
     const limit = error instanceof Error && "limit" in error ? Number(error.limit) : 0;
-    return new Refusal("too-large", `The body is limited to ${limit / 1024} KiB here.`);
+    return new Refusal(
+      "too-large",
+      `The body has more than ${limit / 1024} KiB, the maximum at this path. Send a smaller body.`,
+    );
   }
   if (status === 415) {
-    return new Refusal("not-json", "Send the body as plain JSON in UTF-8, not compressed.");
+    return new Refusal(
+      "not-json",
+      "The body is compressed or has an unsupported encoding. Send uncompressed JSON in UTF-8.",
+    );
   }
   if (typeof status === "number" && status >= 400 && status < 500) {
     return new Refusal("bad-request", "The request is malformed or incomplete. Send it again.");

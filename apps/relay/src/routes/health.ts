@@ -25,9 +25,13 @@ export function healthRoutes(readiness: Readiness): Router {
       const status = await readiness.status();
       if (status === "draining") throw restarting();
       if (status === "unavailable") {
-        throw new Refusal("no-store", "The relay's log has the reason.", {
-          headers: retryAfter(5_000),
-        });
+        throw new Refusal(
+          "no-store",
+          "The relay's store is unavailable. The relay's log contains the reason.",
+          {
+            headers: retryAfter(5_000),
+          },
+        );
       }
       const ready: Ready = { status };
       response.json(ready);

@@ -34,7 +34,7 @@ export function keyRoutes(hub: SessionHub, guard: RequestGuard): Router {
           request,
           keyRequestSchema,
           MAX_FRAME_BYTES,
-          "The request is wrong.",
+          "Invalid key request.",
         );
         const made = await session.keys.make(options);
         const address = `${guard.originOf(request)}/r/${session.id}#${made.key}`;
@@ -57,7 +57,7 @@ export function keyRoutes(hub: SessionHub, guard: RequestGuard): Router {
     .route("/robots/:id/keys/:keyId")
     .delete(async (request, response) => {
       const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
-      const { keyId } = read(keyPath, { keyId: request.params.keyId }, "The path is wrong.");
+      const { keyId } = read(keyPath, { keyId: request.params.keyId }, "Invalid path.");
       await session.keys.revoke(keyId);
       response.status(204).end();
     })

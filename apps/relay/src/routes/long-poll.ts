@@ -12,7 +12,7 @@ export function longPollRoutes(connections: LongPollConnections, guard: RequestG
   router
     .route("/robots/:id/long-poll")
     .post(jsonText(), async (request, response) => {
-      const hello = readBody(request, helloSchema, MAX_FRAME_BYTES, "The hello is wrong.");
+      const hello = readBody(request, helloSchema, MAX_FRAME_BYTES, "Invalid hello.");
       const from = guard.addressOf(request);
       const opened = await connections.open(request.params.id, hello, from, readClient(request));
       response.status(201).set("Cache-Control", "no-store").json(opened);
@@ -33,12 +33,7 @@ export function longPollRoutes(connections: LongPollConnections, guard: RequestG
       },
       jsonText(),
       (request, response) => {
-        const sent = readBody(
-          request,
-          sentMessagesSchema,
-          MAX_FRAME_BYTES,
-          "The messages are wrong.",
-        );
+        const sent = readBody(request, sentMessagesSchema, MAX_FRAME_BYTES, "Invalid messages.");
         response.json(connections.receive(request.params.id, readBearer(request), sent));
       },
     )

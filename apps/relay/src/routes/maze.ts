@@ -41,7 +41,7 @@ export function mazeRoutes(hub: SessionHub): Router {
       jsonText(MAX_DOCUMENT_BYTES),
       async (request, response) => {
         const { session } = await hub.authorise(request.params.id, readBearer(request), "host");
-        const maze = readBody(request, mazeSchema, MAX_DOCUMENT_BYTES, "The maze is wrong.");
+        const maze = readBody(request, mazeSchema, MAX_DOCUMENT_BYTES, "Invalid maze.");
         const version = await session.mazes.keep(maze);
         response.status(204).set("ETag", entityTag(version)).end();
       },

@@ -50,12 +50,7 @@ export function pairingRoutes(
       jsonText(),
       async (request, response) => {
         const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
-        const reply = readBody(
-          request,
-          pairingReplySchema,
-          MAX_FRAME_BYTES,
-          "The answer is wrong.",
-        );
+        const reply = readBody(request, pairingReplySchema, MAX_FRAME_BYTES, "Invalid answer.");
         await service.reply(session, reply.id, reply.accept);
         response.status(204).end();
       },
@@ -74,7 +69,7 @@ export function pairingRoutes(
         request,
         pairingRequestSchema,
         MAX_FRAME_BYTES,
-        "The pairing code is wrong.",
+        "Invalid pairing code.",
       );
       const asked = await service.ask({
         code,

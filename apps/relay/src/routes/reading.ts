@@ -109,41 +109,41 @@ export function read<T>(schema: z.ZodType<T>, input: unknown, what: string): T {
 
 /** Query of a request that only has a wait. */
 export function readWait(request: Request): { wait: number } {
-  return read(waitQuery, request.query, "The query is wrong.");
+  return read(waitQuery, request.query, "Invalid query.");
 }
 
 /** Query for a snapshot. */
 export function readNewer(request: Request): { after?: number | undefined; wait: number } {
-  return read(newerQuery, request.query, "The query is wrong.");
+  return read(newerQuery, request.query, "Invalid query.");
 }
 
 /** Query for events. A stream that reconnects sends its position in a header. */
 export function readEvents(request: Request): z.infer<typeof eventsQuery> {
   const header = { "Last-Event-ID": request.get("Last-Event-ID") };
-  const { "Last-Event-ID": last } = read(lastEventHeader, header, "The request is wrong.");
+  const { "Last-Event-ID": last } = read(lastEventHeader, header, "Invalid header.");
   const query = { ...(last !== undefined && { since: last }), ...request.query };
-  return read(eventsQuery, query, "The query is wrong.");
+  return read(eventsQuery, query, "Invalid query.");
 }
 
 /** `?seconds=S` of a response that only waits. */
 export function readWaitSeconds(request: Request): number {
   const query = z.object({ seconds: waitText });
-  return read(query, request.query, "The query is wrong.").seconds;
+  return read(query, request.query, "Invalid query.").seconds;
 }
 
 /** Query for the messages of a long-poll connection. */
 export function readFetch(request: Request): z.infer<typeof fetchQuery> {
-  return read(fetchQuery, request.query, "The query is wrong.");
+  return read(fetchQuery, request.query, "Invalid query.");
 }
 
 /** Query for the log. */
 export function readAfter(request: Request): { after: number } {
-  return read(logQuery, request.query, "The query is wrong.");
+  return read(logQuery, request.query, "Invalid query.");
 }
 
 /** Number of a command in the path. */
 export function readSeq(text: unknown): number {
-  return read(seqPath, { seq: text }, "The path is wrong.").seq;
+  return read(seqPath, { seq: text }, "Invalid path.").seq;
 }
 
 /** Key of `Authorization: Bearer KEY`, or null. */
@@ -171,7 +171,7 @@ export function readIntroduction(request: Request): Introduction {
 /** Time at which a script sent the request, by its own clock, or null. */
 export function readScriptTime(request: Request): ScriptTime | null {
   const given = { "Script-Clock": request.get("Script-Clock") };
-  const { "Script-Clock": text } = read(clockHeader, given, "The request is wrong.");
+  const { "Script-Clock": text } = read(clockHeader, given, "Invalid header.");
   if (text === undefined) return null;
   const [clock = "", sentAt] = text.split(" ");
   return { clock, sentAt: Number(sentAt) };
@@ -230,7 +230,7 @@ function isJson(type: string): boolean {
 
 /**
  * Parses and validates the body.
- * @param what sentence for the error, such as "The command is wrong."
+ * @param what sentence for the error, such as "Invalid command."
  */
 export function readBody<T>(
   request: Request,
@@ -249,14 +249,14 @@ export function readBody<T>(
 
 /** Command in the body with its terms, and the idempotency key in the header. */
 export function readCommandRequest(request: Request): { key: string | null } & CommandTerms {
-  const order = readBody(request, orderSchema, MAX_FRAME_BYTES, "The command is wrong.");
+  const order = readBody(request, orderSchema, MAX_FRAME_BYTES, "Invalid command.");
   return { key: readIdempotencyKey(request), ...termsOf(order) };
 }
 
 /** Header Idempotency-Key, or null. */
 export function readIdempotencyKey(request: Request): string | null {
   const given = { "Idempotency-Key": request.get("Idempotency-Key") };
-  return read(idempotencyHeader, given, "The request is wrong.")["Idempotency-Key"] ?? null;
+  return read(idempotencyHeader, given, "Invalid header.")["Idempotency-Key"] ?? null;
 }
 
 /**

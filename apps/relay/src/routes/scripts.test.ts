@@ -118,7 +118,7 @@ describe("a blocked script", () => {
     expect(refused.status).toBe(403);
     expect(await refused.json()).toMatchObject({
       type: "/problems/blocked",
-      detail: expect.stringContaining("press Unblock"),
+      detail: expect.stringContaining("press 'Unblock'"),
     });
     const again = await TestSocket.open(relay, robot.id);
     again.send({ type: "hello", version: 1, role: "drive", key: robot.driverKey, name: "Anna" });

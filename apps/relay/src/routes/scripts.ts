@@ -53,12 +53,7 @@ export function scriptRoutes(hub: SessionHub): Router {
       jsonText(),
       async (request, response) => {
         const { session } = await hub.authorise(request.params.id, readBearer(request), "moderate");
-        const reference = readBody(
-          request,
-          scriptRefSchema,
-          MAX_FRAME_BYTES,
-          "The script is wrong.",
-        );
+        const reference = readBody(request, scriptRefSchema, MAX_FRAME_BYTES, "Invalid script.");
         const script = await session.gate.sendAway(reference);
         const blocked: BlockedScript = { ...script, driver: keyId(script.driver) };
         response
@@ -73,11 +68,7 @@ export function scriptRoutes(hub: SessionHub): Router {
     .route("/robots/:id/blocked/:scriptId")
     .delete(async (request, response) => {
       const { session } = await hub.authorise(request.params.id, readBearer(request), "moderate");
-      const { scriptId } = read(
-        scriptPath,
-        { scriptId: request.params.scriptId },
-        "The path is wrong.",
-      );
+      const { scriptId } = read(scriptPath, { scriptId: request.params.scriptId }, "Invalid path.");
       await session.gate.letBack(scriptId);
       response.status(204).end();
     })

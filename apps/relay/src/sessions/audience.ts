@@ -75,7 +75,7 @@ export class Audience {
     if (key.kind !== "watch" && ofKey >= limits.readersPerKey) {
       throw new Refusal(
         "too-many-readers",
-        `${limits.readersPerKey} scripts are connected with this key. End one of them first.`,
+        `${limits.readersPerKey} connections use this key, the maximum. End a script, then try again.`,
         { headers: retryAfter(5000) },
       );
     }
@@ -95,7 +95,7 @@ export class Audience {
     const { promise, resolve, reject } = Promise.withResolvers<void>();
     const over = (reason: AwayReason): void => {
       if (reason === "revoked") return reject(keyRevoked());
-      if (reason === "busy") return reject(new StoreAway("which keys count is not known"));
+      if (reason === "busy") return reject(new StoreAway("the valid keys are unknown"));
       if (reason === "blocked") return reject(scriptIsAway());
       return resolve();
     };
@@ -155,7 +155,7 @@ export class Audience {
     if (alike.length >= limits.readersPerRobot) {
       throw new Refusal(
         "too-many-readers",
-        `${limits.readersPerRobot} connections read this robot already. End some of them first.`,
+        `${limits.readersPerRobot} connections read this robot, the maximum. End a script, then try again.`,
         { headers: retryAfter(5000) },
       );
     }

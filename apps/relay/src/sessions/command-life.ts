@@ -198,7 +198,11 @@ export class CommandLife {
     await this.#work.run(async () => {
       if (this.#seat.page !== null || this.#seat.isElsewhere) return;
       const { epoch } = this.#seat;
-      const ended = await this.#store.abandon(this.#robot, epoch, "the robot's page is gone");
+      const ended = await this.#store.abandon(
+        this.#robot,
+        epoch,
+        "The robot disconnected. Check that its page is open and connected under Remote, then send a new command.",
+      );
       // Another relay has it after all, which is heard in a moment.
       if (ended === null) return;
       this.#seat.settleAway();

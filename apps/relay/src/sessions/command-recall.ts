@@ -34,8 +34,7 @@ export interface CommandRecallParts {
 
 /** As the record of a command says it. */
 const reasons = {
-  sender:
-    "Its script cancelled it before it started. Send it again if the robot should still do it.",
+  sender: "The script cancelled this command before it started. To run it, send a new command.",
   revoked: REVOKED_REASON,
   blocked: BLOCKED_REASON,
   paused: PAUSED_REASON,

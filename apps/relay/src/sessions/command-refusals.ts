@@ -22,18 +22,18 @@ export function notStored(result: NotStored, { ttl, age }: CommandTerms): Refusa
     case "full":
       return new Refusal(
         "queue-full",
-        `${limits.waitingCommands} commands wait at this robot. Wait until one has ended, then send this one again.`,
+        `${limits.waitingCommands} commands wait at this robot, the maximum. Wait until one ends, then send this command again.`,
         { headers: retryAfter(1000) },
       );
     case "late":
       return new Refusal(
         "too-late",
-        `The way to the robot was slow: this command had to start within ${ttl} ms, and it is ${Math.round(age)} ms old. Look where the robot is now, then send a new command, with a longer time to live (ttl) if you can.`,
+        `The command is ${Math.round(age)} ms old, and its time to live (ttl) is ${ttl} ms. Check where the robot is now, then send a new command, with a longer ttl if possible.`,
       );
     case "conflict":
       return new Refusal(
         "key-conflict",
-        `This key belongs to command ${result.record.seq} (${result.record.action}). Use a new key for each command.`,
+        `Command ${result.record.seq} (${result.record.action}) already uses this idempotency key. Use a new key for each command.`,
       );
   }
 }
@@ -41,13 +41,13 @@ export function notStored(result: NotStored, { ttl, age }: CommandTerms): Refusa
 export function noCommand(seq: number): Refusal {
   return new Refusal(
     "no-command",
-    `This robot has no command ${seq}. GET .../commands lists those that it has.`,
+    `This robot has no command ${seq}. List its commands with GET .../commands.`,
   );
 }
 
 export function notYourCommand(): Refusal {
   return new Refusal(
     "forbidden",
-    "Another key sent this command. Only its sender can take it back; a stop ends everything.",
+    "Another key sent this command, and only that key can cancel it. To end all commands, send stop.",
   );
 }

@@ -26,7 +26,7 @@ export class DriverAllowance {
     const { perSecond, burst } = isStop ? limits.stopRate : limits.commandRate;
     return new Refusal(
       "too-fast",
-      `One key sends at most ${perSecond} ${isStop ? "stops" : "commands"} a second, ${burst} at once. Wait a moment, then send this one again.`,
+      `Too many ${isStop ? "stops" : "commands"}: a key can send ${perSecond} a second, with bursts of ${burst}. Wait a second, then send this command again.`,
       { headers: retryAfter(waitMs) },
     );
   }

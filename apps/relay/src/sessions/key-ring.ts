@@ -132,10 +132,16 @@ export class KeyRing {
   async revoke(id: string): Promise<void> {
     const key = await this.#storedKey(id);
     if (key === null) {
-      throw new Refusal("no-key", "It was revoked already, or never was. GET .../keys lists all.");
+      throw new Refusal(
+        "no-key",
+        "This robot has no key with this id. List its keys with GET .../keys.",
+      );
     }
     if (key.kind === "own") {
-      throw new Refusal("forbidden", "The owner key ends with its robot: delete the robot itself.");
+      throw new Refusal(
+        "forbidden",
+        "The owner key cannot be revoked. To invalidate it, delete the robot.",
+      );
     }
     await this.#change({ add: [], remove: [key.hash], removeKind: null });
   }
@@ -187,7 +193,7 @@ export class KeyRing {
 
   /** The owner's key ends only with the robot itself. */
   #requireSure({ kind }: StoredKey): void {
-    if (!this.#isSure && kind !== "own") throw new StoreAway("which keys count is not known");
+    if (!this.#isSure && kind !== "own") throw new StoreAway("the valid keys are unknown");
   }
 
   #learn(keys: readonly StoredKey[]): void {
@@ -216,7 +222,7 @@ export class KeyRing {
   async #hashToReplace(id: string, kind: KeyRequest["kind"]): Promise<string> {
     const key = await this.#storedKey(id);
     if (key?.kind === kind) return key.hash;
-    const detail = `There is no such key of the kind ${kind} to replace. GET .../keys lists all.`;
+    const detail = `This robot has no key of kind '${kind}' with the id in 'replace'. List its keys with GET .../keys.`;
     throw new Refusal("nothing-to-replace", detail);
   }
 
@@ -228,7 +234,10 @@ export class KeyRing {
     });
     if (result.outcome === "no-session") throw noRobot();
     if (result.outcome === "full") {
-      throw new Refusal("too-many-keys", `A robot has ${MAX_KEYS} at most. Revoke one first.`);
+      throw new Refusal(
+        "too-many-keys",
+        `This robot has ${MAX_KEYS} keys, the maximum. Revoke a key, then try again.`,
+      );
     }
     this.#learn(result.keys);
     this.#parts.changed();

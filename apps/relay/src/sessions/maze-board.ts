@@ -58,9 +58,13 @@ export class MazeBoard {
   async keep(maze: MazeDocument): Promise<string> {
     const waitMs = this.#bucket.take(this.#parts.clock.now());
     if (waitMs > 0) {
-      throw new Refusal("too-fast", "Another maze comes too soon. Send the newest in a moment.", {
-        headers: retryAfter(waitMs),
-      });
+      throw new Refusal(
+        "too-fast",
+        `Too many mazes: a robot can publish one a second, with bursts of ${limits.mazeRate.burst}. Wait a second, then send the newest maze.`,
+        {
+          headers: retryAfter(waitMs),
+        },
+      );
     }
     // Read by a schema, its fields stand in one order: the same maze has the same text.
     const text = JSON.stringify(maze);

@@ -35,8 +35,10 @@ export const verbOfRole = {
 
 const remedies: Record<KeyKind, string> = {
   own: "The owner key is for the robot's page only. Use the driver key, the part of the address after the #.",
-  drive: "The driver key cannot do this. Only the robot's own page can.",
-  watch: "The watch key only reads. To do more, ask the robot's owner for another address.",
+  drive:
+    "A driver key does not permit this request. It requires the owner key, which only the robot's page has.",
+  watch:
+    "A watch key permits only reading. To send commands, ask the robot's owner for an address with a driver key.",
 };
 
 /**

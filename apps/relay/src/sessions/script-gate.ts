@@ -69,7 +69,7 @@ export class ScriptGate {
     if (key === undefined) {
       throw new Refusal(
         "unknown-driver",
-        "No script can use this key any more. GET .../scripts lists all.",
+        "This robot has no driver key with the id in 'driver'. List its scripts with GET .../scripts.",
       );
     }
     const script = scriptOf(key.hash, { name, client });
@@ -81,7 +81,10 @@ export class ScriptGate {
   async letBack(id: string): Promise<void> {
     const stored = await this.#stored();
     if (stored?.away.some((script) => script.id === id) !== true) {
-      throw new Refusal("no-script", "No script with this id is away. GET .../scripts lists all.");
+      throw new Refusal(
+        "no-script",
+        "This robot has no blocked script with this id. List its scripts with GET .../scripts.",
+      );
     }
     await this.#change({ add: null, remove: id });
   }
@@ -117,7 +120,7 @@ export class ScriptGate {
     if (result.outcome === "full") {
       throw new Refusal(
         "too-many-blocked",
-        `${MAX_BLOCKED_SCRIPTS} scripts are blocked already. Unblock one, or make a new key, which ends all of the old one.`,
+        `${MAX_BLOCKED_SCRIPTS} scripts are blocked, the maximum. Unblock one, or create a new key, which disconnects all scripts of the old key.`,
       );
     }
     this.learn(result);
@@ -129,6 +132,6 @@ export class ScriptGate {
 export function scriptIsAway(): Refusal {
   return new Refusal(
     "blocked",
-    "The robot's owner has blocked this script. Ask them to press Unblock under Remote, then start it again.",
+    "The robot's owner has blocked this script. Ask the owner to press 'Unblock', then restart the script.",
   );
 }

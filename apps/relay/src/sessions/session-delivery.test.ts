@@ -122,7 +122,12 @@ describe("a robot session: delivery", () => {
     const late = await page(robot, { lastApplied: 1, endings: [completed(1)] });
     const { told } = late;
     expect(told.find(({ type }) => type === "refused")).toMatchObject({
-      record: { seq: 1, state: "cancelled", reason: "the robot's page is gone" },
+      record: {
+        seq: 1,
+        state: "cancelled",
+        reason:
+          "The robot disconnected. Check that its page is open and connected under Remote, then send a new command.",
+      },
     });
     expect(told.some(({ type }) => type === "stored")).toBe(false);
     expect(await robot.states()).toEqual(["1 cancelled"]);

@@ -215,7 +215,7 @@ export class SessionHub {
     try {
       await work;
     } catch (error) {
-      this.#log.error({ err: error }, "the sweep over the sessions failed");
+      this.#log.error({ err: error }, "session cleanup failed");
     }
   }
 
@@ -252,7 +252,7 @@ export class SessionHub {
       session?.close("over");
       this.#sessions.delete(id);
     }
-    if (ids.length > 0) this.#log.info({ count: ids.length }, "forgot sessions that ran out");
+    if (ids.length > 0) this.#log.info({ count: ids.length }, "deleted expired sessions");
   }
 
   /** Nobody who came back just now is forgotten. */
@@ -271,6 +271,6 @@ function wrongKey(key: string | null): Refusal {
   return notAuthorised(
     key === null
       ? "Send the robot's key, the part of its address after the #, as: Authorization: Bearer KEY"
-      : "This key is wrong, or a new one has replaced it. Copy the whole address again, with the part after the #: press 'Copy address with key' under Remote on the robot's page.",
+      : "The key is invalid or was revoked. Copy the whole address again, with the part after the #: press 'Copy address with key' under Remote on the robot's page.",
   );
 }

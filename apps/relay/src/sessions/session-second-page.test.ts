@@ -2,12 +2,13 @@ import type { Resume } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { completed } from "../testing/messages.ts";
 import { settled } from "../testing/fake-clock.ts";
+import { reloadReasons, replacedReasons } from "../store/session-store.ts";
 import { StoreAway } from "../store/store-away.ts";
 import { limits } from "./limits.ts";
 import type { PageLink } from "./page-link.ts";
 import { LEFT, page, withRobot, type Robot } from "./testing/robot-at-relay.ts";
 
-const DOUBT = "another page took the robot, and the one before may have begun it";
+const DOUBT = replacedReasons.delivered;
 const FIRST = "page-one";
 const SECOND = "page-two";
 
@@ -52,7 +53,7 @@ describe("a robot session: a second page", () => {
     expect(second.seqs("command")).toEqual([4]);
     const records = await robot.session.commandsAfter(0);
     expect(records.map(({ state, reason }) => [state, reason])).toEqual([
-      ["cancelled", "another page took the robot"],
+      ["cancelled", replacedReasons.started],
       ["cancelled", DOUBT],
       ["cancelled", DOUBT],
       ["delivered", null],
@@ -72,8 +73,8 @@ describe("a robot session: a second page", () => {
   it("ends what was given to a page whose connection broke because of the reload", async () => {
     const reasons = async (robot: Robot) =>
       (await robot.session.commandsAfter(0)).map(({ reason }) => reason);
-    const reloaded = "the page was reloaded, and may have begun it";
-    const ended = ["the page was reloaded", reloaded, reloaded];
+    const reloaded = reloadReasons.delivered;
+    const ended = [reloadReasons.started, reloaded, reloaded];
     const robot = await withRobot();
     const first = await withBusyPage(robot);
     robot.session.leavePage(first.link, false);

@@ -50,7 +50,7 @@ export class BallastFile implements Ballast {
     try {
       // Written, not only sized: a file with holes holds no room back.
       const written = writeSync(file, Buffer.alloc(BYTES));
-      if (written < BYTES) throw new Error("no room for the ballast");
+      if (written < BYTES) throw new Error("no disk space for the reserve file");
       fsyncSync(file);
     } finally {
       closeSync(file);

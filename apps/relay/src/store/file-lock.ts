@@ -27,8 +27,8 @@ export class FileLock {
       if (!(error instanceof Error && "errcode" in error && error.errcode === SQLITE_BUSY))
         throw error;
       throw new Error(
-        "Another Corridor uses this database. End it, set DATA_DIR to another folder, or let several share a " +
-          "Redis by STORE_URL.",
+        "Another Corridor uses this database. Stop it, set DATA_DIR to another folder, or set STORE_URL to a " +
+          "Redis that several relays share.",
         { cause: error },
       );
     }

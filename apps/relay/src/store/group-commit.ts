@@ -136,7 +136,7 @@ export class GroupCommit {
 
   /** Adds an entry to the journal, in a step. */
   append(entry: Entry): void {
-    if (this.#open === null) throw new Error("An entry was made outside of a step.");
+    if (this.#open === null) throw new Error("append() was called outside of a step.");
     this.#open.entries.push(entry);
   }
 

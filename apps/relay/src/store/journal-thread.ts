@@ -48,7 +48,8 @@ function entriesIn(flat: Flat): Entry[] {
 
 function failureOf(error: unknown): Failure | null {
   if (error === null) return null;
-  if (!(error instanceof Error)) return { message: "What was thrown is no error.", errcode: null };
+  if (!(error instanceof Error))
+    return { message: "The thrown value is not an Error.", errcode: null };
   const errcode = "errcode" in error && typeof error.errcode === "number" ? error.errcode : null;
   return { message: error.message, errcode };
 }

@@ -91,7 +91,7 @@ export class JournalWriter {
     if (forgotten > 0) this.#statements.run(FORGET_ENDED, [robot, forgotten]);
     for (const seq of gone) this.#statements.run(FORGET_ONE, [robot, seq]);
     if (this.#statements.run(KEEP_ROWS, [JSON.stringify(entries)]) !== entries.length)
-      throw new Error("The journal does not have what is to be brought into the tables.");
+      throw new Error("The journal has fewer entries than the checkpoint needs.");
     const sql =
       "UPDATE sessions SET last_seq = max(last_seq, ?), open_from = ?, settled = ? WHERE id = ?";
     this.#statements.run(sql, [lastSeq, openFrom, upTo, robot]);

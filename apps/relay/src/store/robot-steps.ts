@@ -197,7 +197,7 @@ function overtake(
     termedOfRow(
       robot.change(row, {
         state: stops ? "cancelled" : "superseded",
-        reason: `${stops ? "stopped" : "replaced"} by command ${seq}`,
+        reason: `Command ${seq} ${stops ? "stopped" : "replaced"} this command.`,
       }),
     ),
   );

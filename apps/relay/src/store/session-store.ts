@@ -168,14 +168,16 @@ export interface LeftReasons {
 
 /** The page before is gone, and this one was loaded in its place. */
 export const reloadReasons: LeftReasons = {
-  delivered: "the page was reloaded, and may have begun it",
-  started: "the page was reloaded",
+  delivered:
+    "The robot's page was reloaded, and this command may have started. Check where the robot is, then send a new command.",
+  started: "The robot's page was reloaded and ended this command. Send a new command.",
 };
 
 /** The page before may still be there. */
 export const replacedReasons: LeftReasons = {
-  delivered: "another page took the robot, and the one before may have begun it",
-  started: "another page took the robot",
+  delivered:
+    "Another page took over the robot, and this command may have started. Check where the robot is, then send a new command.",
+  started: "Another page took over the robot and ended this command. Send a new command.",
 };
 
 export interface PageState {

@@ -19,7 +19,7 @@ export class SqliteDocumentStore implements DocumentStore {
       const isFree = (id: string): boolean =>
         found(writing, "SELECT id AS found FROM documents WHERE id = ?", id) === null;
       const stored = known ?? ids.find(isFree);
-      if (stored === undefined) throw new Error("none of the ids is free");
+      if (stored === undefined) throw new Error("all candidate ids are in use");
       writing.run(
         `INSERT INTO documents (id, hash, text, last_used_at) VALUES (?, ?, ?, ?)
          ON CONFLICT (hash) DO UPDATE SET last_used_at = max(last_used_at, excluded.last_used_at)`,

@@ -25,7 +25,7 @@ describe("a database that a newer Corridor has to write anew", () => {
 
   it("says how much room to make where that does not do", () => {
     const ballast: Ballast = { hold: () => true, giveUp: () => true };
-    expect(() => withRoom(full, ballast)).toThrow(/twice the room/);
+    expect(() => withRoom(full, ballast)).toThrow(/twice the size/);
     expect(() => withRoom(() => JSON.parse("{"), ballast)).toThrow(SyntaxError);
   });
 });

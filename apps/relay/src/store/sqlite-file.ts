@@ -38,8 +38,8 @@ export function withRoom<T>(open: () => T, ballast: Ballast): T {
   } catch (error) {
     if (!isDiskFull(error)) throw error;
     throw new Error(
-      "The disk is full. A newer Corridor writes its database anew when it starts for the first time: " +
-        "make twice the room of the file in DATA_DIR, then start again. Nothing was changed.",
+      "The disk is full, so the database could not be migrated to this version. Nothing was changed. " +
+        "Free twice the size of the database in DATA_DIR, then start again.",
       { cause: error },
     );
   }

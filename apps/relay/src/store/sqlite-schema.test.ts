@@ -96,7 +96,7 @@ describe("a file of an earlier Corridor", () => {
     const file = fileOfBefore();
     openDatabase(file).close();
     expect(() => openDatabase(file, BY_ROBOT)).toThrow(
-      /newer Corridor \(schema 14, this one knows 10\)/,
+      /newer Corridor \(schema 14, this version supports 10\)/,
     );
   });
 

@@ -260,7 +260,7 @@ export function prepareDatabase(db: DatabaseSync, newest: number = STEPS.length)
   const version = Number(db.prepare("PRAGMA user_version").get()?.["user_version"] ?? 0);
   if (version > newest) {
     throw new Error(
-      `The database was written by a newer Corridor (schema ${version}, this one knows ${newest}). ` +
+      `The database was written by a newer Corridor (schema ${version}, this version supports ${newest}). ` +
         "Update Corridor, or set DATA_DIR to another folder.",
     );
   }

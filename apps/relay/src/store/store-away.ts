@@ -3,6 +3,6 @@ export class StoreAway extends Error {
   override readonly name = "StoreAway";
 
   constructor(cause: unknown) {
-    super("the store does not answer", { cause });
+    super("the store is unavailable", { cause });
   }
 }

@@ -58,7 +58,7 @@ export class ThreadedJournal implements Journal {
     thread.on("exit", (code) => {
       this.#thread = null;
       // Its connection is closed by now: whoever is told can read what is on disk.
-      this.#tell(failed ?? new Error(`The journal's thread has ended with ${code}.`), null);
+      this.#tell(failed ?? new Error(`The journal thread exited with code ${code}.`), null);
     });
     return thread;
   }

@@ -177,7 +177,7 @@ describe("a run over a reload", () => {
     await reloaded.keeper.resume();
     const { pose } = page.loop.snapshot();
     const distance = page.loop.recording.run.distance - 20;
-    const reason = "the page was reloaded";
+    const reason = "The robot's page was reloaded and ended this command. Send a new command.";
     expect(distance).toBeGreaterThan(0);
     expect(reloaded.of.restored).toMatchObject({
       running: null,

@@ -9,20 +9,21 @@ export const cancelReasons = {
   handedOver: "The robot's page took over: choose Remote there to let scripts drive.",
   reset: "The robot was put back to its start.",
   mazeChanged: "The maze changed and the robot was put back to its start.",
-  movedInTime: "The robot's page went to another moment or another run.",
+  movedInTime: "The robot's page opened another run, or another time in the run.",
   stopped: "The robot was stopped.",
-  replaced: "A newer command took its place.",
-  takenBack: "Its script cancelled it. Send it again if the robot should still do it.",
+  replaced: "A newer command replaced this command.",
+  takenBack: "The script cancelled this command. To run it, send a new command.",
   keyRevoked: REVOKED_REASON,
   blocked: BLOCKED_REASON,
   paused: PAUSED_REASON,
-  silent: "Its sender fell silent, so the robot stopped.",
+  silent:
+    "The script stopped sending, so the robot stopped. Send commands or read the robot more often.",
   disconnected: "The robot's page disconnected.",
-  addressEnded: "The robot's page no longer uses this address.",
+  addressEnded: "The robot's page no longer uses this address. Copy its new address.",
 } as const satisfies Record<string, string>;
 
 /** Why a command ended that ran when its page was reloaded; the relay sends the same reason. */
-export const RELOADED = "the page was reloaded";
+export const RELOADED = "The robot's page was reloaded and ended this command. Send a new command.";
 
 /**
  * Reasons in the page itself. Commands that were sent before are for an outdated state, so those

@@ -170,7 +170,7 @@ export class WorldRepository {
   async #within<Result>(work: Promise<Result>): Promise<Result> {
     let cancel = (): void => undefined;
     const late = new Promise<never>((_resolve, reject) => {
-      cancel = this.#ports.after(TIMEOUT_MS, () => reject(new Error("the store does not answer")));
+      cancel = this.#ports.after(TIMEOUT_MS, () => reject(new Error("the store is unavailable")));
     });
     try {
       return await Promise.race([work, late]);

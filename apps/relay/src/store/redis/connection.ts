@@ -34,7 +34,7 @@ export async function connectRedis(url: string, log: (error: unknown) => void): 
     redis.destroy();
     const why = error instanceof Error ? error.message : String(error);
     throw new Error(
-      `No Redis answers at ${new URL(url).host} (${why}). Start it, or correct STORE_URL.`,
+      `Cannot connect to Redis at ${new URL(url).host} (${why}). Start Redis, or correct STORE_URL.`,
       { cause: error },
     );
   }
@@ -53,7 +53,7 @@ function watch(redis: Redis, log: (error: unknown) => void): void {
     // Whoever opened it has closed it.
     if (!redis.isOpen) return;
     if (redis.isReady && !(await answers(redis)) && redis.isReady) {
-      log(new Error(`Redis was silent for ${SILENCE_MS} ms; its line is made anew.`));
+      log(new Error(`Redis did not respond for ${SILENCE_MS} ms; reconnecting.`));
       redis.destroy();
       // Given up only when it is closed meanwhile.
       redis.connect().catch(() => undefined);

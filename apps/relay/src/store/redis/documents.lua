@@ -33,7 +33,7 @@ function steps.add()
         break
       end
     end
-    if not id then return redis.error_reply('none of the ids is free') end
+    if not id then return redis.error_reply('all candidate ids are in use') end
     redis.call('SET', byHash(given.hash), id)
     redis.call('HSET', document(id), 'hash', given.hash, 'text', given.text)
   end

@@ -6,13 +6,13 @@ import type { Redis } from "./connection.ts";
 export async function requireDurable(redis: Redis): Promise<void> {
   if (valueIn(await redis.info("persistence"), "aof_enabled") !== "1") {
     throw new Error(
-      "the Redis behind STORE_URL keeps no append-only file, so that a restart of it would lose what was acknowledged. " +
+      "the Redis at STORE_URL has no append-only file, so its restart would lose acknowledged commands. " +
         "Start it with: redis-server --appendonly yes --appendfsync everysec",
     );
   }
   if ((await setting(redis, "appendfsync")) === "no") {
     throw new Error(
-      "the Redis behind STORE_URL leaves it to the system when its file is written (appendfsync no). " +
+      "the Redis at STORE_URL does not sync its append-only file to disk (appendfsync no). " +
         "Set it to everysec or always: redis-cli CONFIG SET appendfsync everysec",
     );
   }
@@ -20,7 +20,7 @@ export async function requireDurable(redis: Redis): Promise<void> {
   const policy = valueIn(memory, "maxmemory_policy");
   if (valueIn(memory, "maxmemory") !== "0" && policy !== "noeviction") {
     throw new Error(
-      `the Redis behind STORE_URL throws away what it likes when its memory is full (maxmemory-policy ${policy}). ` +
+      `the Redis at STORE_URL evicts keys when its memory is full (maxmemory-policy ${policy}). ` +
         "Set it to noeviction: redis-cli CONFIG SET maxmemory-policy noeviction",
     );
   }

@@ -40,7 +40,7 @@ describe.skipIf(!hasRedis)("with Redis", () => {
 
   it("says where it looked when nobody answers", async () => {
     await expect(connectRedis("redis://127.0.0.1:1", () => undefined)).rejects.toThrow(
-      /No Redis answers at .* correct STORE_URL/,
+      /Cannot connect to Redis at .* correct STORE_URL/,
     );
   });
 });

@@ -86,9 +86,10 @@ local function keyOf(row) return row.driver .. ':' .. row.key end
 -- Ends what was accepted before a command that overtakes.
 local function overtake(seq, isStop)
   local rows = open(function(row) return waits(row) and row.seq < seq end)
-  local state, words = 'superseded', 'replaced by command '
-  if isStop then state, words = 'cancelled', 'stopped by command ' end
-  for _, row in ipairs(rows) do change(row, state, words .. seq) end
+  local state, verb = 'superseded', 'replaced'
+  if isStop then state, verb = 'cancelled', 'stopped' end
+  local reason = 'Command ' .. seq .. ' ' .. verb .. ' this command.'
+  for _, row in ipairs(rows) do change(row, state, reason) end
   return rows
 end
 

@@ -130,7 +130,7 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
       await deliver(2);
       const stop = await add(STOP);
       expect(stop).toMatchObject({
-        ended: [{ record: { seq: 3, reason: "stopped by command 4" } }],
+        ended: [{ record: { seq: 3, reason: "Command 4 stopped this command." } }],
       });
       expect(await deliver(2)).toEqual([4]);
       expect(await states()).toEqual(["1 delivered", "2 delivered", "3 cancelled", "4 delivered"]);

@@ -48,7 +48,7 @@ export function documentStoreCases(name: string, open: () => Promise<OpenDocumen
       const texts = ["a", "b", "c"].map((hash) => ({ ...document, hash, text: `"${hash}"` }));
       const [first, second, third] = texts.map((each) => () => store.add(each));
       expect([await first?.(), await second?.()]).toEqual(["BCDF", "GHJKL"]);
-      await expect(third?.()).rejects.toThrow("none of the ids is free");
+      await expect(third?.()).rejects.toThrow("all candidate ids are in use");
       expect([await read(store), await read(store, "GHJKL")]).toEqual(['"a"', '"b"']);
       // Stored at once, none takes the id of another.
       const ids = ["LLLL", "MMMM", "NNNN", "PPPP", "QQQQ"];

@@ -64,7 +64,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       await add(STOP);
       await store.takeOver(ID, pageState({ lastApplied: 1, fresh: true, endings: [] }));
       expect(await states()).toEqual(["1 cancelled", "2 cancelled", "3 cancelled", "4 accepted"]);
-      expect(await store.command(ID, 1)).toMatchObject({ reason: "the page was reloaded" });
+      expect(await store.command(ID, 1)).toMatchObject({ reason: reloadReasons.started });
     });
 
     it("says where the restored robot stands of each command that a reload has cancelled", async () => {
@@ -94,9 +94,9 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
         const state = pageState({ lastApplied: 1, settled, left: replacedReasons });
         const taken = await store.takeOver(ID, state);
         expect(taken?.changed.map(({ seq, reason }) => [seq, reason])).toEqual([
-          [1, "another page took the robot"],
-          [2, "another page took the robot, and the one before may have begun it"],
-          [3, "another page took the robot, and the one before may have begun it"],
+          [1, replacedReasons.started],
+          [2, replacedReasons.delivered],
+          [3, replacedReasons.delivered],
         ]);
         expect(await states()).toEqual(["1 cancelled", "2 cancelled", "3 cancelled", "4 accepted"]);
       }
@@ -110,8 +110,8 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       const state = pageState({ fresh: true, settled: null, left: reloadReasons });
       const { changed = [] } = (await store.takeOver(ID, state)) ?? {};
       expect(changed.map(({ seq, reason }) => [seq, reason])).toEqual([
-        [1, "the page was reloaded"],
-        [2, "the page was reloaded, and may have begun it"],
+        [1, reloadReasons.started],
+        [2, reloadReasons.delivered],
       ]);
     });
 

@@ -23,7 +23,9 @@ export function takingBackCases(name: string, open: () => Promise<OpenStore>): v
       await deliver(2);
       expect(await add(LEFT, null, { replace: true, maxWaiting: 1 })).toMatchObject({
         outcome: "stored",
-        ended: [{ record: { seq: 3, state: "superseded", reason: "replaced by command 4" } }],
+        ended: [
+          { record: { seq: 3, state: "superseded", reason: "Command 4 replaced this command." } },
+        ],
       });
       expect(await store.deliver(ID, EPOCH, 2, NOW)).toMatchObject([
         { record: { seq: 4 }, replace: true },

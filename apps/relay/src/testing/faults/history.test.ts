@@ -94,7 +94,7 @@ describe("a consistent history", () => {
     story.history.left(1);
     story.stored.push({
       ...story.record(4, "cancelled"),
-      reason: "the robot's page was reloaded",
+      reason: "The robot's page was reloaded and ended this command. Send a new command.",
     });
     expect(story.faults()).toEqual([]);
   });

@@ -168,11 +168,12 @@ export class History {
     if (isDone && end?.what !== state) endedTwice(`is ${state}, the robot says ${end?.what}`);
     if (state === "expired" && start !== undefined) endedTwice("expired and was started");
     // The relay writes these reasons only for commands that no robot has.
-    const byRelay = /^(stopped|replaced) by command|^Its script cancelled it before/.test(
-      reason ?? "",
-    );
+    const byRelay =
+      /^Command \d+ (stopped|replaced) this|^The script cancelled this command before/.test(
+        reason ?? "",
+      );
     if (byRelay && start !== undefined) endedTwice(`was started and ${state}: ${reason}`);
-    const isLost = /page is gone|page was reloaded|another page took/.test(reason ?? "");
+    const isLost = /robot disconnected|page was reloaded|Another page took over/.test(reason ?? "");
     if (end !== undefined && end.what !== state && !isLost) {
       endedTwice(`is ${state} (${reason}), the robot ended it as ${end.what}`);
     }
