@@ -2,8 +2,6 @@
 import { closeReasons } from "@corridor/protocol";
 import type { MessageKinds } from "./examples.ts";
 
-const TITLE = "The WebSocket of a robot, for its page and its scripts";
-
 export const DESCRIPTION = `One connection for each page and each script. The first message of a client is \`hello\`, within
 5 s. A page then sends \`resume\`. The relay responds with \`welcome\`. Each message is one JSON text of at most 16 KiB,
 \`hello\` of at most 1 KiB. Networks that block WebSockets can use the same messages over HTTPS: see \`/long-poll\` in
