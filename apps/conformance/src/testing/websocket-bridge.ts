@@ -113,8 +113,9 @@ class BridgedSocket {
   readonly #closed = new AbortController();
   #bytes: Buffer = Buffer.alloc(0);
   #key: string | null = null;
-  /** numbers of the snapshots that the script has not acknowledged; null before it does */
-  #unseen: number[] | null = null;
+  /** numbers of the snapshots that the script has not acknowledged */
+  #unseen: number[] = [];
+  #acknowledges = false;
   /** the newest snapshot that waits for an acknowledgement */
   #heldSnapshot: Snapshot | null = null;
   /** messages are processed one at a time */
@@ -179,7 +180,8 @@ class BridgedSocket {
 
   async #take(message: Message): Promise<void> {
     if (message.type !== "seen") return this.#command(message);
-    this.#unseen = (this.#unseen ?? []).filter((seq) => seq > Number(message["seq"]));
+    this.#acknowledges = true;
+    this.#unseen = this.#unseen.filter((seq) => seq > Number(message["seq"]));
     const held = this.#heldSnapshot;
     this.#heldSnapshot = null;
     if (held !== null) this.#offer(held);
@@ -187,14 +189,14 @@ class BridgedSocket {
 
   /** Sends a snapshot, or holds it until earlier ones are acknowledged. */
   #offer(snapshot: Snapshot): void {
-    const isFull = this.#unseen !== null && this.#unseen.length >= CREDIT;
+    const isFull = this.#acknowledges && this.#unseen.length >= CREDIT;
     if (isFull && this.#fault.ignoresSeen !== true) this.#heldSnapshot = snapshot;
     else this.#sendSnapshot(snapshot);
   }
 
   #sendSnapshot(snapshot: Snapshot): void {
     this.#heldSnapshot = null;
-    this.#unseen?.push(snapshot.seq);
+    this.#unseen.push(snapshot.seq);
     this.#say({ type: "snapshot", snapshot });
   }
 
