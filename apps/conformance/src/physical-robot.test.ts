@@ -46,7 +46,9 @@ with Robot(sys.argv[1]) as robot:
     const env = { ...process.env, PYTHONPATH: join(EXAMPLES, "../packages/client-python/src") };
     const address = await startHost(`${"#".repeat(16)},#${".".repeat(14)}#,${"#".repeat(16)}`);
     const { stdout } = await run("python3", ["-c", script, address], { env });
-    expect(stdout).toBe("reverse cancelled The script sent nothing for 3 s, so the robot stopped.\n");
+    expect(stdout).toBe(
+      "reverse cancelled The script sent nothing for 3 s, so the robot stopped.\n",
+    );
     const { origin, pathname, hash } = new URL(address);
     const log = await fetch(`${origin}/api/v1/robots/${pathname.slice(3)}/commands?after=4`, {
       headers: { Authorization: `Bearer ${hash.slice(1)}` },
