@@ -4,9 +4,9 @@ import { useEffect } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
-import type { RunState } from "../../stores/run-store.ts";
 import { useSay } from "../speech/use-say.ts";
 import { failureText, handText, liveFailureText, metText, runFailureText } from "./failure-text.ts";
+import { standingReading } from "./standing-reading.ts";
 import type { MissionWords } from "./mission-words.ts";
 import styles from "./lessons.module.css";
 
@@ -57,13 +57,4 @@ export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) 
 /** What failed in the maze on the screen; where it passes, in the first one that fails. */
 function failureOf({ mazes, failure }: Verdict, shown: number): Verdict["failure"] {
   return mazes[shown]?.failure ?? failure;
-}
-
-/** What the sensor ahead reads where a hand has let go of the robot; null while it drives, and before. */
-function standingReading({ goal, allowed }: ChallengeDocument, state: RunState): number | null {
-  const { snapshot, view } = state;
-  if (snapshot === null || view === "playing" || allowed.drivers[0] !== "me") return null;
-  const { driver, tick, motion, goalReached, sensors } = snapshot;
-  if (driver !== "me" || tick === 0 || motion !== "stop" || goalReached) return null;
-  return goal.kind === "stop" ? sensors[goal.sensor] : sensors.front;
 }
