@@ -30,7 +30,7 @@ function open(...files: TextFile[]) {
   const workspace = createWorkspaceStore(before.maze, before.program);
   const begin = vi.fn<ProjectService["begin"]>(() => () => undefined);
   const send = vi.fn<(message: unknown) => void>();
-  const services = { screen, workspace, works: { begin }, simulator: { send } };
+  const services = { screen, workspace, projects: { begin }, simulator: { send } };
   const reports = openFiles(services as unknown as Parameters<typeof openFiles>[0], words, files);
   return { reports, begin, screen };
 }
