@@ -1,4 +1,4 @@
-/** Why the robot bumped: what happened, the line that caused it and, in free play, changes that were tried. */
+/** Explains a bump: what happened, the line that caused it and, in free play, tested fixes. */
 import { applyFix, causeLine, type Fix } from "@corridor/coach";
 import { History, Play } from "lucide-react";
 import { useMemo } from "react";
@@ -22,7 +22,9 @@ import { runFromStart, tellMended } from "./run-from-start.ts";
 import { trailWay } from "./trail-end.ts";
 import { watchAgain } from "./watch-again.ts";
 
-/** Four seconds, or what led to the bump where that began earlier. */
+/**
+ * Watch again starts at least 240 ticks (4 s) before the bump, or earlier if the cause is earlier.
+ */
 const WATCHED_TICKS = 240;
 
 interface BumpCardProps {
@@ -35,12 +37,12 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
   const { t, i18n, ready } = useTranslation(["diagnosis", "words"], { useSuspense: false });
   const { workspace, simulator, screen, run, timeline, challenge } = useServices();
   const { event: moment, program, diagnosis } = explanation;
-  // A program that was edited since needs other fixes, or none.
+  // The fixes are not valid for a program that was edited since.
   const isSame = useStore(workspace, (state) => state.program === program);
-  // In a challenge the student finds the change: the card names the place and the idea.
+  // In a challenge, the card names the line and the idea, and the student finds the change.
   const isChallenge = useStore(challenge, (state) => state.challenge !== null);
   const { pose, tick } = moment;
-  // The timeline comes later than the bump.
+  // The timeline arrives after the bump; the card renders again with its waiting times.
   useWaited(tick);
   const goals = useStore(workspace, (state) => state.maze.goals);
   const keepClear = useMemo(() => {
@@ -59,7 +61,8 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
   const { event, cause, fixes } = diagnosis;
   const words = diagnosisWords(t, i18n.language, (at) => timeline.waitedUpTo(at));
   const offered = isSame && !isChallenge ? fixes : [];
-  // The room is that of the line that drove: beside a sentence about another one it would be taken for its.
+  // The bars show the room of the line that drove. Beside a sentence about another line, they would
+  // be misread as the room of that line.
   const isAboutDriver = cause === null || line === event.line;
   const since = cause === null ? event.startedAt : Math.min(event.startedAt, cause.moment.tick);
 

@@ -1,4 +1,4 @@
-/** The place of a card at the upper end of the panel or the sheet, where the stage has none to spare. */
+/** Holds a card at the upper end of the panel or the sheet if the stage has no room for it. */
 import { useCallback } from "react";
 import { useServices } from "../../app/services.ts";
 

@@ -1,4 +1,4 @@
-/** The card that belongs to the moment on the screen: why the robot bumped, or that the maze is solved. */
+/** The card for the displayed tick: why the robot bumped, or that the maze is solved. */
 import { useEffect, useState } from "react";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
@@ -29,7 +29,7 @@ export function Cards({ view }: { view: StageViewStore }) {
   const pose = useStore(run, ({ snapshot }) => (kind === "met" ? snapshot?.pose : undefined));
   const [closed, setClosed] = useState<Explanation | Met | null>(null);
   const found = kind === "bump" ? bump : kind === "goal" ? goal : null;
-  // What another program took says nothing of the one that stands there now.
+  // The figures of another program do not describe the program that is open now.
   const isPrograms = useStore(workspace, ({ program }) => found?.program === program);
   const isStale = kind === "goal" && !isPrograms;
   const met = kind === "met" && result?.state === "met" ? result : null;
@@ -37,7 +37,7 @@ export function Cards({ view }: { view: StageViewStore }) {
   const open = told === closed ? null : told;
   useEffect(() => {
     if (open === null) return undefined;
-    // From anywhere on the page, as Escape closes everything else; what lies on top has it first.
+    // Escape works from anywhere on the page, but a dialog or popover on top receives it first.
     const onKey = (event: KeyboardEvent) => {
       const isCovered = document.querySelector("dialog:modal, :popover-open") !== null;
       if (event.key === "Escape" && !isCovered) setClosed(open);

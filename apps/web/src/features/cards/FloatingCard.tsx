@@ -1,7 +1,9 @@
 /**
- * A card beside the robot, with its tail; a good one stands away from it, so that the whole way can be
- * seen. It stands still while it is open and follows the stage's layout and size. On phones, and wherever
- * it would cover the robot or the end of its trail, it is a part of the sheet or the panel.
+ * A card beside the robot, with a tail that points at it. A `good` card stands away from the robot,
+ * so that the whole trail stays visible.
+ * While it is open, the card keeps its place and follows the layout and size of the stage. On
+ * phones, and wherever it would cover the robot or the end of its trail, it moves into the sheet or
+ * the panel.
  */
 import { X } from "lucide-react";
 import { useId, useLayoutEffect, useRef, useState, type ReactNode } from "react";
@@ -22,22 +24,22 @@ import { trailEnd, type TrailWay } from "./trail-end.ts";
 /** Half of the robot's width as it is drawn, in units. */
 const ROBOT_HALF = 28;
 const CELL = 100;
-/** A stage so narrow or so low has no room beside the robot: phones, upright and on their side. */
+/** Stages too narrow or too low for a card beside the robot: phones in portrait and landscape. */
 const SMALL = "(max-width: 37.49em), (max-height: 33.75em)";
-/** Half of the tail's side. */
+/** Half of the tail's side, in px. */
 const TAIL_PX = 8;
-/** The legend below the drawing area, over which messages stand too, in px. */
+/** Height of the legend below the drawing area, in px; messages may cover it too. */
 const LEGEND = 48;
-/** Measured before it is placed. */
+/** Hides the card until it is measured and placed. */
 const HIDDEN = { visibility: "hidden", left: 0, top: 0 } as const;
 
 interface FloatingCardProps {
   view: StageViewStore;
-  /** the moment's robot, in units */
+  /** the robot at the event that the card describes, in units */
   pose: Pose;
-  /** squares that the card should not cover: a goal, the block that was hit */
+  /** cells that the card should not cover: goals, the block that was hit */
   keepClear: readonly { column: number; row: number }[];
-  /** where the end of the trail leaves the robot; both ways where it is not known */
+  /** directions in which the end of the trail may leave the robot; both if it is unknown */
   trailWays: readonly TrailWay[];
   tone: "bad" | "good";
   icon: ReactNode;
@@ -61,8 +63,8 @@ export function FloatingCard(props: FloatingCardProps) {
   const [half, setHalf] = useState<"upper" | "lower">("upper");
   const titleId = useId();
 
-  // Messages stand on the other side (messages.module.css). Said at the root, since a selector that asked
-  // for the card would look at the whole page again each time that something on it comes or goes.
+  // Messages stand in the other half (messages.module.css). The attribute is on the root: a
+  // selector that looks for the card would match the whole page again on each change.
   useLayoutEffect(() => {
     if (isDocked) return undefined;
     const { dataset } = document.documentElement;
@@ -84,7 +86,7 @@ export function FloatingCard(props: FloatingCardProps) {
     const element = card.current;
     if (element === null || layout === null || isDocked) return undefined;
     const put = () => {
-      // In the content of the stage, so that the card scrolls with the robot that it belongs to.
+      // The card is placed in the content of the stage, so that it scrolls with the robot.
       const viewport = viewportAt(layout, { x: 0, y: 0 });
       const scroller = element.offsetParent?.parentElement;
       const area = {
@@ -100,13 +102,13 @@ export function FloatingCard(props: FloatingCardProps) {
       const seen = [...trailEnds, ...squares];
       const { port } = layout;
       const inMaze = { ...port, x: area.x + port.x, y: area.y + port.y };
-      // Over the legend as the last resort, where nothing scrolls below it.
+      // The legend is the last resort, and only on a stage that does not scroll.
       const stage = layout.overflows ? area : { ...area, height: area.height + LEGEND };
       const shaped = (shape: "tall" | "wide") => {
         element.dataset["shape"] = shape;
         return { shape, width: element.offsetWidth, height: element.offsetHeight };
       };
-      // Wider it is lower, and may stand where it could not.
+      // A wider card is lower, and may fit where the tall one does not.
       const shapes = [shaped("tall"), shaped("wide")];
       const next =
         tone === "bad"
@@ -155,7 +157,7 @@ export function FloatingCard(props: FloatingCardProps) {
   return isDocked ? createPortal(section, dock) : section;
 }
 
-/** The lines below may have been scrolled; the page itself stays where it is. */
+/** Scrolls the containers of the dock in the panel to their top, but not the page. */
 function showFromTop(dock: HTMLElement): void {
   const panel = dock.closest("aside");
   let each = dock.parentElement;
@@ -165,7 +167,7 @@ function showFromTop(dock: HTMLElement): void {
   }
 }
 
-/** Placed by left and top whatever the language: the maze that it points into never mirrors. */
+/** Uses physical left and top in every language, because the maze is never mirrored. */
 function Tail({ place: { tail, tailAt } }: { place: CardPlace }) {
   if (tail === null) return null;
   const isBeside = tail === "left" || tail === "right";

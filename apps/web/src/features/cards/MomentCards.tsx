@@ -1,4 +1,4 @@
-/** The place of the cards on the stage. The cards themselves come in a file of their own with the first one. */
+/** Mounts the cards on the stage. Their code is a separate chunk. */
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { lazyPart } from "../../ui/lazy-part.tsx";

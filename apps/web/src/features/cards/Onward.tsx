@@ -1,4 +1,7 @@
-/** The way on from a solved maze: the check, the next mission or the picture of all, or the next ready-made maze. */
+/**
+ * The next step after a solved maze: the check, the next mission, the dialog of all missions, or
+ * the next preset.
+ */
 import { mazePresets, type MazeDocument } from "@corridor/maze";
 import { ArrowRight, ImageDown, ListChecks } from "lucide-react";
 import { useEffect, useState } from "react";
@@ -73,7 +76,7 @@ function AfterChallenge({ onClose }: Pick<OnwardProps, "onClose">) {
   );
 }
 
-/** All missions are done: the path begins with a picture to save. */
+/** All missions are done: opens the dialog of all missions, which starts with a picture to save. */
 function FinishButton({ service, mission }: { service: LessonsService; mission: string }) {
   const { t } = useTranslation("missions", { useSuspense: false });
   const { challenge } = useServices();

@@ -1,4 +1,4 @@
-/** The room that a part of a manoeuvre needs, as a ruler, above the room that it had, up to the block. */
+/** The room that a phase of a manoeuvre needs, as a ruler, above the free room up to the block. */
 import { useTranslation } from "react-i18next";
 import { roundedSides } from "../../text/compared.ts";
 import { localNumber } from "../../text/numbers.ts";
@@ -13,7 +13,7 @@ interface RoomBarsProps {
   free: number;
 }
 
-/** Cm between the ruler's marks. */
+/** Distance between the marks of the ruler, in cm. */
 const MARK_EVERY = 10;
 
 export function RoomBars({ needsLabel, freeLabel, needs, free }: RoomBarsProps) {

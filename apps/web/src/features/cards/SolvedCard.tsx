@@ -1,4 +1,4 @@
-/** The goal is reached: what it took, and what to do next. Factual; the robot celebrates. */
+/** The card for a reached goal: the figures of the run, and the next steps. */
 import type { DriverName, Pose } from "@corridor/protocol";
 import { Flag, History, Share } from "lucide-react";
 import { useMemo, useState } from "react";
@@ -18,13 +18,13 @@ import { FloatingCard } from "./FloatingCard.tsx";
 import { Onward } from "./Onward.tsx";
 import { watchAgain } from "./watch-again.ts";
 
-/** From 100 s on minutes are easier to read, as on the clock of the run. */
+/** From 100 s on, times are displayed with minutes, as on the clock of the run. */
 const CLOCK_FROM_TICKS = 6000;
 
-/** Who drives in reverse comes to the goal as well. */
+/** A robot that drives in reverse can reach the goal too. */
 const EITHER_WAY = [-1, 1] as const;
 
-/** Who solved it, where the robot stands, and what it took. */
+/** The driver, the pose of the robot, and the figures of the run. */
 export interface Solved {
   ticks: number;
   bumps: number;
@@ -42,7 +42,7 @@ export function SolvedCard({ view, solved, onClose }: SolvedCardProps) {
   const { t, i18n } = useTranslation(["words", "missions"], { useSuspense: false });
   const { simulator, workspace, challenge } = useServices();
   const { ticks, bumps, driver, pose } = solved;
-  // A script's time is that of its driving.
+  // Time in which a script made its robot wait is displayed separately.
   const waited = useWaited(ticks);
   const timeText = (time: number) =>
     time < CLOCK_FROM_TICKS
@@ -51,12 +51,12 @@ export function SolvedCard({ view, solved, onClose }: SolvedCardProps) {
   const maze = useStore(workspace, (state) => state.maze);
   const lines = useStore(workspace, (state) => countLines(state.program.rules));
   const allowed = useStore(challenge, (state) => state.challenge?.allowed.lines ?? null);
-  // Right in one maze is not right yet where there are more.
+  // In a challenge with several mazes, one solved maze is only a part of the solution.
   const mazes = useStore(challenge, (state) => state.challenge?.mazes.length ?? 1);
   const isPart = useStore(challenge, ({ result }) => result.state === "here") && mazes > 1;
   const [isSharing, setSharing] = useState(false);
   const keepClear = useMemo(() => maze.goals, [maze]);
-  // Where no line may be written there is none to count.
+  // A challenge that allows no lines has no lines to count.
   const hasLines = driver === "program" && allowed !== 0;
   return (
     <FloatingCard
@@ -119,7 +119,7 @@ export function SolvedCard({ view, solved, onClose }: SolvedCardProps) {
   );
 }
 
-/** What was done, which is not the same in every challenge. */
+/** Describes what was solved, which depends on the challenge and the driver. */
 function SolvedSentence({ driver, lines }: { driver: DriverName; lines: number }) {
   const { t } = useTranslation();
   const { challenge: store, run } = useServices();
@@ -140,7 +140,7 @@ function SolvedSentence({ driver, lines }: { driver: DriverName; lines: number }
     : t("cards.solved.program", { count: lines });
 }
 
-/** Lines that do something. */
+/** Counts the lines with a condition. Lines without a condition do nothing. */
 function countLines(rules: readonly { when: unknown }[]): number {
   return rules.filter(({ when }) => when !== null).length;
 }

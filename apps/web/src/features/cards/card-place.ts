@@ -1,21 +1,24 @@
 /**
- * Where a card stands beside the robot: 16 px away, with a tail, and never over the robot, the block it
- * hit or a goal where there is any other place. Pure; CSS pixels of the stage's drawing area.
+ * Places a card beside the robot: 16 px away, with a tail. The card covers the robot, the block
+ * that it hit or a goal only if no other place exists. Pure functions; all lengths are in CSS
+ * pixels of the stage's drawing area.
  */
 import type { Box } from "../../canvas/viewport.ts";
 
 export interface CardPlace<Shape extends Size = Size> {
   x: number;
   y: number;
-  /** the card's side that the tail leaves from; null where the card stands away from the robot */
+  /**
+   * the side of the card from which the tail points; null if the card stands away from the robot
+   */
   tail: Side | null;
-  /** where on that side the tail is, pixels from its start */
+  /** position of the tail on that side, in pixels from its start */
   tailAt: number;
-  /** the shape that the card has there */
+  /** the shape of the card at this place */
   shape: Shape;
-  /** how much of what should stay in sight lies below it; 0 is what is wanted */
+  /** covered area of the boxes that should stay visible, the robot weighted tenfold; 0 is ideal */
   covered: number;
-  /** whether there is no place at all that leaves the robot in sight */
+  /** whether the card covers a part of the robot */
   coversRobot: boolean;
 }
 
@@ -27,23 +30,25 @@ interface Size {
 type Side = "left" | "right" | "top" | "bottom";
 type Spot = Pick<CardPlace, "x" | "y" | "tail" | "tailAt">;
 
-/** Between the robot and the card. */
+/** Distance from the robot and from other boxes. */
 const GAP = 16;
-/** Between the card and the edges of the stage. */
+/** Distance from the edges of the area. */
 const EDGE = 8;
-/** A tail keeps clear of the card's round corners. */
+/** Distance of the tail from the ends of its side, which have round corners. */
 const CORNER = 24;
 
-/** So many things that should stay in sight are looked past; a maze may be full of goals. */
+/**
+ * Largest number of `keepClear` boxes that create candidate places; a maze may be full of goals.
+ */
 const LOOKED_PAST = 6;
 
 const ways = ["left", "right", "top", "bottom"] as const;
 
 /**
- * @param areas where the card may stand: the first where that leaves all in sight, then the next
+ * @param areas areas in order of preference; a later area counts only if the card covers less in it
  * @param robot the robot's box
- * @param shapes the sizes that the card can take, the one that is liked best first
- * @param keepClear what the card should not cover besides the robot
+ * @param shapes sizes of the card, in order of preference
+ * @param keepClear boxes besides the robot that the card should not cover
  */
 export function placeCard<Shape extends Size>(
   areas: readonly Box[],
@@ -55,10 +60,11 @@ export function placeCard<Shape extends Size>(
 }
 
 /**
- * Where a card stands that is not about the place of the robot: in a corner, high up, and as far from the
- * robot as may be, so that the way that it came stays in sight.
- * @param areas whose corners come first, such as the maze's: where that is little larger than the card, only
- *   those of the stage leave the robot and the goal free
+ * Places a card that does not point at the robot. It stands high up in a corner, far from the
+ * robot, so that the trail stays visible.
+ * If the maze is little larger than the card, only the corners of the stage leave the robot and the
+ * goal visible.
+ * @param areas areas in order of preference, such as the maze before the stage
  */
 export function placeCardAway<Shape extends Size>(
   areas: readonly Box[],
@@ -79,15 +85,16 @@ function isFarRight(robot: Box, area: Box): boolean {
   return robot.x + robot.width / 2 > area.x + area.width / 2;
 }
 
-/** All places around the robot in the order in which they are liked, and then all others. */
+/** Returns the candidate places in order of preference: around the robot first, then all others. */
 function spotsBeside(area: Box, card: Size, seen: readonly Box[], robot: Box): Spot[] {
   const clump = around(robot, seen);
-  // The roomier half first: right of a robot that stands on the left, and the other way round.
+  // The half with more room comes first: the right half if the robot is on the left, and vice
+  // versa.
   const order = isFarRight(robot, area) ? (["right", "left", "top", "bottom"] as const) : ways;
   const sides = [robot, clump].flatMap((from) => order.map((tail) => ({ from, tail })));
   return [
     ...sides.map(({ from, tail }) => beside(tail, area, robot, from, card, null)),
-    // Its tail still at the robot, but no longer in its middle.
+    // The tail still points at the robot, but not from the middle of the card.
     ...sides.flatMap(({ from, tail }) =>
       startsBeside(seen, isUpright(tail) ? "y" : "x", card).map((start) =>
         beside(tail, area, robot, from, card, start),
@@ -98,7 +105,10 @@ function spotsBeside(area: Box, card: Size, seen: readonly Box[], robot: Box): S
   ];
 }
 
-/** The first of the places that cover least of what should stay in sight: with a tail, if an area has any. */
+/**
+ * Returns the first of the places that cover least. Within an area, a place with a tail wins over
+ * an equal place without one.
+ */
 function leastCovering<Shape extends Size>(
   areas: readonly Box[],
   shapes: readonly Shape[],
@@ -107,7 +117,7 @@ function leastCovering<Shape extends Size>(
   spotsIn: (area: Box, card: Size, seen: readonly Box[], robot: Box) => Spot[],
 ): CardPlace<Shape> | null {
   let best: CardPlace<Shape> | null = null;
-  // One that reaches over the edge of its area is the last resort: its end would be out of sight.
+  // A shape that exceeds its area is the last resort, because its end would be out of sight.
   const someFits = areas.some((area) => shapes.some((shape) => fits(shape, area)));
   for (const area of areas) {
     const seen = keepClear.filter((each) => overlap(each, area) > 0).slice(0, LOOKED_PAST);
@@ -136,12 +146,11 @@ function isBetter(spot: Spot, covered: number, than: CardPlace): boolean {
   return than.tail === null && spot.tail !== null;
 }
 
-/** The robot counts most. */
 function coveredBy(box: Box, robot: Box, keepClear: readonly Box[]): number {
   return 10 * overlap(box, robot) + keepClear.reduce((sum, each) => sum + overlap(box, each), 0);
 }
 
-/** The robot with what it touches of what should not be covered: the block that it hit. */
+/** Bounding box of the robot and the boxes next to it, such as the block that it hit. */
 function around(robot: Box, keepClear: readonly Box[]): Box {
   const near = {
     x: robot.x - GAP,
@@ -161,9 +170,9 @@ function around(robot: Box, keepClear: readonly Box[]): Box {
 }
 
 /**
- * The card beside a box, pushed into the area, its tail at the height of the robot.
- * @param tail the card's side that faces the robot
- * @param start where that side begins; null where the robot is to be in its middle
+ * Places the card beside a box and moves it into the area, with the tail at the robot.
+ * @param tail the side of the card that faces the robot
+ * @param start where that side starts; null centres the card on the robot
  */
 function beside(
   tail: Side,
@@ -202,7 +211,7 @@ function isUpright(side: Side): boolean {
   return side === "left" || side === "right";
 }
 
-/** Before and behind each of these, along one axis. */
+/** Start positions before and after each box, along one axis. */
 function startsBeside(boxes: readonly Box[], axis: "x" | "y", card: Size): number[] {
   const length = axis === "x" ? "width" : "height";
   return boxes.flatMap((each) => [
@@ -211,7 +220,10 @@ function startsBeside(boxes: readonly Box[], axis: "x" | "y", card: Size): numbe
   ]);
 }
 
-/** Wherever a card stands close to what it should not cover: if there is room for it, it is at one of these. */
+/**
+ * Candidate places next to the boxes and at the edges of the area. If the area has room for the
+ * card beside the boxes, at least one of these places has it.
+ */
 function between(area: Box, boxes: readonly Box[], card: Size): Spot[] {
   const most = { x: area.x + area.width, y: area.y + area.height };
   const xs = [area.x, most.x, ...startsBeside(boxes, "x", card)];
@@ -221,7 +233,7 @@ function between(area: Box, boxes: readonly Box[], card: Size): Spot[] {
   );
 }
 
-/** A card that is larger than its area begins at the area's start. */
+/** A card that is larger than its area starts at the start of the area. */
 function pushedInto(
   area: Box,
   { x, y }: { x: number; y: number },
@@ -235,7 +247,7 @@ function pushedInto(
   };
 }
 
-/** Upper and lower left, then upper and lower right. */
+/** Upper left, lower left, upper right, lower right. */
 function corners(area: Box, card: Size): Spot[] {
   const left = area.x + EDGE;
   const right = Math.max(left, area.x + area.width - EDGE - card.width);

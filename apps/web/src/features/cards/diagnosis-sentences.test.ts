@@ -1,4 +1,4 @@
-/** Every sentence that a student reads about a failed run, read again on the run itself. */
+/** Checks every sentence that a student reads about a failed run against the run itself. */
 import { diagnoseFreePlay } from "@corridor/coach";
 import { generateMaze, type MazeDocument } from "@corridor/maze";
 import type { Condition, ProgramDocument } from "@corridor/program";
@@ -39,7 +39,7 @@ const solved = missions.flatMap((mission) => {
   return "rules" in solution ? [{ id: mission.id, challenge, solution }] : [];
 });
 
-/** Sentences of the mission's card that are false, in each maze that fails. */
+/** Returns the false sentences of the mission's card, for each maze that fails. */
 function falseIn({ challenge, program, name }: WrongAnswer): string[] {
   const { verdict, diagnoses } = checkProgram({ challenge, program });
   return verdict.mazes.flatMap(({ failure }, at) => {
@@ -54,7 +54,10 @@ function falseIn({ challenge, program, name }: WrongAnswer): string[] {
   });
 }
 
-/** One test for each answer: all of a mission together take longer than a busy machine gives one test. */
+/**
+ * One test for each answer: on a busy machine, all answers of a mission exceed the timeout of a
+ * test.
+ */
 const wrongAnswers = solved.flatMap(({ id, challenge, solution }) =>
   [...oneStepAnswers(challenge, solution), ...twoStepAnswers(challenge, solution, 197)].map(
     (answer) => ({ id, answer, name: answer.name }),

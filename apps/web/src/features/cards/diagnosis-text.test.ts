@@ -27,7 +27,7 @@ const diagnosis: Diagnosis = {
   fixes: [{ kind: "action", line: 1, action: "left 90" }],
 };
 
-/** As a component gets them: the first namespace is not that of the page. */
+/** Creates the words as a component does. The first namespace is not that of the page. */
 function wordsFor(namespaces: ["diagnosis", "words"] | ["missions", "words"]) {
   const i18n = createI18n(en);
   i18n.addResourceBundle("en", "diagnosis", reasons);

@@ -1,4 +1,4 @@
-/** The words of a diagnosis: the same for the card, the mission, messages and speech. */
+/** The sentences of a diagnosis, shared by the card, the mission, messages and speech. */
 import {
   causeLine,
   type BumpEvent,
@@ -17,16 +17,16 @@ import { roundedSides } from "../../text/compared.ts";
 import { joinSentences } from "../../text/joined.ts";
 import { formatSeconds, localNumber } from "../../text/numbers.ts";
 
-/** The words, and the language that they are in. */
+/** The translator, and its language. */
 export interface DiagnosisWords {
   t: TFunction<["diagnosis", "words"]>;
   language: string;
-  /** ticks up to one in which a script let the robot wait: seconds are those of the clock, which counts them apart */
+  /** ticks of waiting for a script up to a tick; displayed seconds exclude them, as on the clock */
   waited: (tick: number) => number;
 }
 
 /**
- * The words of a translator whose first namespace is another one: keys are written with theirs.
+ * Adapts a translator with any first namespace: keys include their namespace.
  * @param t with the namespace "diagnosis" loaded
  */
 export function diagnosisWords(
@@ -47,8 +47,8 @@ export function diagnosisTitle({ t }: DiagnosisWords, diagnosis: Diagnosis): str
 }
 
 /**
- * What happened, and what caused it.
- * @param happened replaces the sentence about the event, where a check knows more of it
+ * Describes the event and its cause.
+ * @param happened replaces the sentence about the event if a check provides a better one
  */
 export function diagnosisText(
   words: DiagnosisWords,
@@ -60,7 +60,7 @@ export function diagnosisText(
   return joinSentences(commonWords(words), [happened, ...corner, ...reason]);
 }
 
-/** The page's own words, whatever the first namespace of the translator is. */
+/** Translates keys of the namespace "words", whatever the first namespace of the translator is. */
 function commonWords({ t }: DiagnosisWords): TFunction {
   const say = t as unknown as (key: string, values?: object) => string;
   return ((key: string, values?: object) => say(`words:${key}`, values)) as unknown as TFunction;
@@ -90,7 +90,7 @@ function eventText(words: DiagnosisWords, event: FailureEvent, isShort: boolean)
   };
   const isFront = event.side === "front";
   const hadRoom = event.needs !== null && event.reading >= event.needs;
-  // Where the beam showed room enough, something beside it was touched.
+  // The beam measured enough room, so the robot touched something beside the beam.
   switch (hadRoom ? "steady" : event.phase) {
     case "delay":
       return t("diagnosis:event.delay", known);
@@ -118,7 +118,7 @@ function causeText(words: DiagnosisWords, cause: Cause): string {
     sensor: t(`words:program.sensor.${name}`),
     reading: shown[name],
   });
-  /** What the line asked about: one reading, or both that it compares. */
+  /** The readings that the condition of a line compares: one, or left and right. */
   const read = (when: Condition) =>
     when.than === "right"
       ? t("diagnosis:cause.readSides", { left, right })
@@ -208,7 +208,8 @@ function numberText(words: DiagnosisWords, cause: WrongNumber, seconds: string):
   const { when, moment, better, number } = cause;
   const shown = shownReadings(words, moment, when);
   const reading = moment.readings[when.sensor];
-  // It is true from the moment on, or to it; the better number would be so where the sensor reads that.
+  // `by` is the distance from the reading at the moment to another reading. There the condition
+  // should change (too early, too short) or does change (too late, too long).
   const isFar = cause.kind === "too-early" || cause.kind === "too-short";
   const by = Math.round(Math.abs(reading - (isFar ? better : number)));
   const known = {
@@ -227,12 +228,12 @@ function numberText(words: DiagnosisWords, cause: WrongNumber, seconds: string):
     return t("diagnosis:cause.sides", { ...known, left, right });
   }
   if (cause.extreme === "never") return t("diagnosis:cause.never", known);
-  // As the robot drives on, what is beside it does not come nearer: there is no place so many cm farther on.
+  // Driving on brings the robot no nearer to what is beside it, so no place is `by` cm farther on.
   const isBeside = when.sensor === "left" || when.sensor === "right";
   if (cause.extreme === "missed" || (isBeside && moment.line !== cause.line)) {
     return t("diagnosis:cause.missed", known);
   }
-  // Where the better number is just what was read, there is no distance to tell either.
+  // If the better number equals the reading, there is no distance to report either.
   const isTrue = moment.line === cause.line;
   if (isBeside || by === 0)
     return t(isTrue ? "diagnosis:cause.off" : "diagnosis:cause.missed", known);
@@ -247,8 +248,8 @@ const numberKeys = {
 } as const;
 
 /**
- * What the sensors read in whole cm, and with decimals where whole ones would contradict what the line that
- * decided, or the one that is spoken of, asked.
+ * Returns the readings in whole cm. A reading has decimals if the whole number would contradict the
+ * condition that decided, or the condition `asked`.
  */
 function shownReadings(
   { language }: DiagnosisWords,
@@ -274,7 +275,7 @@ function shownReadings(
   return { front: text("front"), right: text("right"), back: text("back"), left: text("left") };
 }
 
-/** What a motion needed, and the reading that was less than that. */
+/** Rounds the room that a motion needed, and its reading, without changing which one is smaller. */
 function roomText(
   { language }: DiagnosisWords,
   reading: number,
@@ -285,28 +286,28 @@ function roomText(
   return { reading: localNumber(String(sides.left), language), needs: sides.right };
 }
 
-/** As the menus call it; what only scripts can ask for, as the API does. */
+/** The name of an action in the menus, or in the API for actions that only scripts can request. */
 function actionText({ t }: DiagnosisWords, action: BumpEvent["action"]): string {
   return action === "move" || action === "turn" || action === "drive"
     ? action
     : t(`words:program.action.${action}`);
 }
 
-/** As the list of commands names it: "move 120", or "move -120" for the way back. */
+/** The name of a move as in the list of commands: "move 120", or "move -120" backwards. */
 function measuredText(words: DiagnosisWords, { action, needs, side }: BumpEvent): string {
   if (action !== "move" || needs === null) return actionText(words, action);
   const distance = Math.round(needs - ROBOT_RADIUS);
   return commandText({ action, distance: side === "front" ? distance : -distance });
 }
 
-/** "Line 1" or "“otherwise”" at the beginning of a sentence. */
+/** "Line 1" or "“otherwise”" at the start of a sentence. */
 function who({ t }: DiagnosisWords, line: LineRef): string {
   return line === "default"
     ? t("diagnosis:who.otherwise")
     : t("diagnosis:who.line", { line: line + 1 });
 }
 
-/** The same inside of one. */
+/** The same within a sentence. */
 function inner({ t }: DiagnosisWords, line: LineRef): string {
   return line === "default"
     ? t("diagnosis:who.innerOtherwise")

@@ -1,9 +1,9 @@
-/** What the button of a fix does, with the numbers that it changes. */
+/** The label of a fix's button, with the numbers that the fix changes. */
 import type { Fix } from "@corridor/coach";
 import { numberOf, type ProgramDocument } from "@corridor/program";
 import type { TFunction } from "i18next";
 
-/** @param program the one that the fix was made for */
+/** @param program the program that the fix was made for */
 export function fixText(
   t: TFunction<["diagnosis", "words"]>,
   program: ProgramDocument,

@@ -5,7 +5,7 @@ import { createScreenStore } from "../../stores/screen-store.ts";
 import type { ToWorker } from "../../worker/worker-messages.ts";
 import { tellMended } from "./run-from-start.ts";
 
-/** A page whose robot stands where it bumped, and whose program was mended. */
+/** A page whose robot stands where it bumped, and whose program was fixed. */
 function mended() {
   const sent: ToWorker[] = [];
   const screen = createScreenStore();

@@ -1,4 +1,4 @@
-/** The way on from a bump whose program was mended: Run alone would go on from the wall. */
+/** Restarts a run after a bump and a fix. Run alone would resume at the wall. */
 import type { i18n } from "i18next";
 import type { RunStore } from "../../stores/run-store.ts";
 import { dismiss, showMessage, type ScreenStore } from "../../stores/screen-store.ts";
@@ -6,7 +6,7 @@ import type { SimulatorClient } from "../../worker/simulator-client.ts";
 
 type Simulator = Pick<SimulatorClient, "send">;
 
-/** Puts the robot to its start and lets it go, with the program as it is now. */
+/** Resets the robot to the start and runs the current program. */
 export function runFromStart(simulator: Simulator): void {
   simulator.send({ type: "reset" });
   simulator.send({ type: "run" });
@@ -19,7 +19,7 @@ interface MendedParts {
   words: Pick<i18n, "t">;
 }
 
-/** Says that it is mended, and offers the new run for as long as the robot stands where it bumped. */
+/** Reports the fix, and offers a run from the start while the robot stands where it bumped. */
 export function tellMended({ screen, run, simulator, words }: MendedParts): void {
   const id = showMessage(screen, {
     tone: "info",

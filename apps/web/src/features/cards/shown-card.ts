@@ -1,20 +1,23 @@
-/** Which card belongs to the moment on the screen. */
+/** Selects the card for the displayed tick. */
 import type { Snapshot } from "@corridor/protocol";
 import type { CardState } from "../../stores/card-store.ts";
 import type { ChallengeResult } from "../../stores/challenge-store.ts";
 import type { RunEvent, RunView } from "../../worker/worker-messages.ts";
 
-/** How the open challenge stands. */
+/** The state of the open challenge. */
 export interface ShownAttempt {
   result: ChallengeResult;
-  /** whether the run on the screen is what met it; otherwise a check of all mazes did */
+  /** whether the displayed run met the challenge; otherwise a check of all mazes did */
   isSeen: boolean;
 }
 
 /**
- * A bump is explained at the very moment at which it happened, also when the reader goes back to it. The
- * goal, or that the challenge is met, is told from then on while nobody drives on, but for a newer bump.
- * @param attempt null while no challenge is open
+ * Returns the card to display while the robot does not drive.
+ * - bump: at the tick of the bump, also when the user seeks back to it.
+ * - goal: from the goal on, unless the bump that is displayed is newer.
+ * - met: from the tick that met the challenge on, or at any tick after a check of all mazes. It
+ *   replaces the other cards.
+ * @param attempt null if no challenge is open
  */
 export function shownCard(
   { bump, goal }: CardState,
@@ -26,23 +29,23 @@ export function shownCard(
   if (attempt?.result.state === "met") {
     if (snapshot.tick >= (attempt.isSeen ? attempt.result.ticks : 0)) return "met";
   }
-  // A goal that is reached against the rules of the challenge solves nothing.
+  // Reaching the goal against the rules of the challenge solves nothing.
   const counts = attempt?.result.state !== "failed" && attempt?.result.state !== "met";
   const isReached = goal !== null && snapshot.goalReached && snapshot.tick >= goal.event.tick;
   const isAtBump = bump !== null && isOf(bump.event, snapshot);
-  // After a robot drove on from the goal into a wall, the card explains the bump.
+  // If the robot drives from the goal into a wall, the card explains the bump.
   const isGoalNewer = !isAtBump || (goal?.event.tick ?? 0) >= bump.event.tick;
   if (counts && isReached && isGoalNewer) return "goal";
   return isAtBump ? "bump" : null;
 }
 
-/** A script's robot rests at the wall until the next command. */
+/** A script's robot stays at the wall until the next command. */
 function isOf({ driver, bumps, tick }: RunEvent, snapshot: Snapshot): boolean {
   if (driver !== "remote") return snapshot.tick === tick;
   return snapshot.driver === "remote" && snapshot.bumping && snapshot.bumps === bumps;
 }
 
-/** Time goes on for a script between its commands: its robot is at rest while none runs. */
+/** A script's robot is at rest between commands, although time continues. */
 function isDriving({ state, driver, command, motion }: Snapshot): boolean {
   if (state !== "running") return false;
   return driver !== "remote" || command !== null || motion !== "stop";

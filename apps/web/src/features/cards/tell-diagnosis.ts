@@ -1,6 +1,7 @@
 /**
- * Reports that the program's robot gets nowhere, with a way to the line that causes it. It is true of one
- * run of one program in one maze: with another one, and with a newer verdict, the message goes.
+ * Reports that the program's robot makes no progress, with an action that focuses the line that
+ * causes it. The message is valid for one run of one program in one maze. An edit, a reset or a
+ * newer verdict dismisses it.
  */
 import { causeLine, type Diagnosis } from "@corridor/coach";
 import type { i18n } from "i18next";
@@ -25,7 +26,7 @@ export async function tellDiagnosis(
 ): Promise<void> {
   const { nowTick } = run.getState();
   await words.loadNamespaces("diagnosis");
-  // It may be over before its words are there.
+  // The run may be over before the translations have loaded.
   if (run.getState().nowTick < nowTick) return;
   const known = diagnosisWords(words.t, words.language, (tick) => timeline.waitedUpTo(tick));
   const line = causeLine(diagnosis);

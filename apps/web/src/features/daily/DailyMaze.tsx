@@ -1,4 +1,4 @@
-/** The maze of a day among the presets: today's, or one of the days before. */
+/** The daily maze among the presets: that of today, or of an earlier day. */
 import { dailyMaze, dayAfter, type Day, type MazeDocument } from "@corridor/maze";
 import { ChevronLeft, ChevronRight } from "lucide-react";
 import { useId, useState } from "react";
@@ -63,7 +63,7 @@ export function DailyMaze({ onUse }: { onUse: (maze: MazeDocument) => void }) {
   );
 }
 
-/** A date in the reader's language, with Latin figures as everywhere on the page. */
+/** A date in the user's language, with Latin digits as everywhere on the page. */
 function dateText({ year, month, day }: Day, language: string): string {
   const date = new Date(0);
   date.setUTCFullYear(year, month - 1, day);

@@ -1,8 +1,11 @@
-/** The student's best run in each maze of the day, stored on this device. Fewer ticks are better, then fewer bumps. */
+/**
+ * The student's best run in each daily maze, stored on this device. Fewer ticks are better, then
+ * fewer bumps.
+ */
 import { dailyMaze, dayAfter, type Day, type MazeDocument } from "@corridor/maze";
 import type { KeyValueStorage } from "../../app/project-storage.ts";
 
-/** Days before today whose mazes can be chosen. */
+/** Number of days before today whose mazes can be chosen. */
 export const EARLIER_DAYS = 30;
 
 const KEY = "corridor.daily";
@@ -17,12 +20,15 @@ export function utcDay(date: Date): Day {
   return { year: date.getUTCFullYear(), month: date.getUTCMonth() + 1, day: date.getUTCDate() };
 }
 
-/** The best run of a day; null where there is none on this device. */
+/** Returns the best run of a day; null if this device has none. */
 export function bestOf(storage: Pick<KeyValueStorage, "getItem">, day: Day): DailyBest | null {
   return read(storage).get(keyOf(day)) ?? null;
 }
 
-/** Stores a run to the goal where its maze is one of the last days' and the run is the best so far. */
+/**
+ * Stores a run to the goal if it is the best so far. Its maze must be that of today or of the
+ * `EARLIER_DAYS` days before.
+ */
 export function noteDaily(
   storage: Pick<KeyValueStorage, "getItem" | "setItem">,
   maze: MazeDocument,
@@ -40,11 +46,11 @@ export function noteDaily(
   try {
     storage.setItem(KEY, JSON.stringify(Object.fromEntries(stored)));
   } catch {
-    // A full or forbidden storage is reported by the autosave.
+    // The autosave reports a full or forbidden storage.
   }
 }
 
-/** The day whose maze this is, whatever its name; null for other mazes. */
+/** Returns the day of a maze, whatever its name; null for other mazes. */
 export function dayOfMaze(maze: MazeDocument, today: Day): Day | null {
   const layout = layoutOf(maze);
   for (let back = 0; back <= EARLIER_DAYS; back++) {
@@ -54,7 +60,7 @@ export function dayOfMaze(maze: MazeDocument, today: Day): Day | null {
   return null;
 }
 
-/** "2026-11-23": later dates sort later. */
+/** "2026-11-23": text order is date order. */
 export function keyOf({ year, month, day }: Day): string {
   const two = (number: number) => String(number).padStart(2, "0");
   return `${String(year).padStart(4, "0")}-${two(month)}-${two(day)}`;

@@ -1,6 +1,6 @@
 /**
- * The pinned foot of the panel: sensors and drive keys side by side. While a program drives whose lines need the
- * room, or in a mission that no hand may drive, one row of readings.
+ * The pinned foot of the panel: sensors and drive keys side by side. It is one row of readings
+ * while a long program drives beside the stage, or in a mission that refuses the driver Me.
  */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -40,10 +40,13 @@ export function DriveFoot({ hold }: { hold: HoldStore }) {
   );
 }
 
-/** So many lines have room above sensors and keys in the smallest window of this layout. */
+/** Number of lines that fit above sensors and keys in the smallest window of this layout. */
 const FEW_LINES = 3;
 
-/** Depends on nothing that changes by itself while a program drives: no line moves meanwhile. */
+/**
+ * Depends on nothing that changes by itself while a program drives, so that no line moves
+ * meanwhile.
+ */
 function useIsCompact(): boolean {
   const { run, workspace } = useServices();
   const rights = useRights();

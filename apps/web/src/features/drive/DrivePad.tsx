@@ -1,4 +1,4 @@
-/** The drive keys on the screen, drawn as the keys of a keyboard: hold one to drive. */
+/** The drive keys on the screen, drawn as keys of a keyboard: hold one to drive. */
 import { ArrowDown, ArrowUp, CornerUpLeft, CornerUpRight, Square } from "lucide-react";
 import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
@@ -8,7 +8,7 @@ import type { DriveKey } from "../../worker/worker-messages.ts";
 import styles from "./drive-pad.module.css";
 import { activeKey, isHeldBy, type HoldStore } from "./hold-store.ts";
 
-/** Without a cap: the space bar, which has another name in each language. */
+/** Without a cap: the space bar, whose name depends on the language. */
 const keys: readonly { key: DriveKey; cap: string | null; icon: ReactNode }[] = [
   { key: "forward", cap: "W", icon: <ArrowUp aria-hidden="true" /> },
   { key: "left", cap: "A", icon: <CornerUpLeft aria-hidden="true" /> },
@@ -45,7 +45,10 @@ export function DrivePad({ hold, caps }: { hold: HoldStore; caps: "keyboard" | "
   );
 }
 
-/** Down is hold, up or lost is release: for pointers, for Space and Enter, and for voice control. */
+/**
+ * Presses on down, and releases on up or lost capture: for pointers, Space and Enter, and voice
+ * control.
+ */
 function holdHandlers(hold: HoldStore, key: DriveKey) {
   const byKeyboard = `button ${key}`;
   const byClick = `click ${key}`;
@@ -60,7 +63,7 @@ function holdHandlers(hold: HoldStore, key: DriveKey) {
     onPointerUp: release,
     onPointerCancel: release,
     onLostPointerCapture: release,
-    // A long touch must not open a menu over the key that is held.
+    // A long touch must not open a menu over the held key.
     onContextMenu: (event: React.MouseEvent) => event.preventDefault(),
     onKeyDown: (event: React.KeyboardEvent) => {
       if (!isPressKey(event) || event.ctrlKey || event.metaKey) return;
@@ -73,8 +76,8 @@ function holdHandlers(hold: HoldStore, key: DriveKey) {
       hold.release(byKeyboard);
     },
     onBlur: () => hold.release(byKeyboard),
-    // A click that no finger, mouse or key made (voice control, a screen reader) cannot be held:
-    // the first presses, the second lets go.
+    // A click without a pointer or a key (voice control, a screen reader) cannot be held: the first
+    // click presses, the second releases.
     onClick: (event: React.MouseEvent) => {
       if (event.detail !== 0) return;
       const isHeld = isHeldBy(hold.getState(), byClick);

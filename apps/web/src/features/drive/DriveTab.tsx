@@ -1,4 +1,6 @@
-/** The Drive tab of the phone: readings in a row, big keys under the thumbs, and who drives. */
+/**
+ * The Drive tab of the phone: readings in a row, big keys under the thumbs, and the current driver.
+ */
 import { Pause, Play } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -32,14 +34,14 @@ export function DriveTab({ hold }: { hold: HoldStore }) {
       )}
       <div className={styles["foot"]}>
         <p className={styles["says"]}>{t(`drive.says.${driver}`)}</p>
-        {/* In the past the transport is in sight, with its own button; some missions are for the hand alone. */}
+        {/* The transport has its own button in the past; some missions refuse the program. */}
         {isNow && rights?.drivers.includes("program") !== false && <RunProgram />}
       </div>
     </div>
   );
 }
 
-/** The transport's big button, where the transport itself has no room. */
+/** The run button of the transport, for a layout without room for the transport. */
 function RunProgram() {
   const { t } = useTranslation();
   const { simulator, run } = useServices();

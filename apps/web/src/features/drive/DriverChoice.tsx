@@ -1,4 +1,4 @@
-/** "Who drives?" Shows what the simulator says, and asks it to hand the robot over. */
+/** "Who drives?" Displays the driver that the simulator reports, and requests another one. */
 import { List, RadioTower, User } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -9,7 +9,7 @@ import { Segmented } from "../../ui/Segmented.tsx";
 export function DriverChoice() {
   const { t } = useTranslation();
   const { simulator, run } = useServices();
-  // In a challenge the lines need the room: the words on the buttons say it too.
+  // In a challenge, the lines need the room of the label. The buttons name the drivers too.
   const rights = useRights();
   const driver = useStore(run, ({ snapshot }) => snapshot?.driver ?? "program");
   return (
@@ -24,7 +24,8 @@ export function DriverChoice() {
       ]}
       onChange={(next) => {
         simulator.send({ type: "driver", driver: next });
-        // Chosen with the mouse: leave the radio, so that the arrow keys drive and do not choose.
+        // After a choice with the mouse, the radio loses the focus, so that the arrow keys drive
+        // the robot.
         const focused = document.activeElement;
         if (focused instanceof HTMLElement && !focused.matches(":focus-visible")) focused.blur();
       }}

@@ -1,4 +1,4 @@
-/** The four readings around the robot, in cm, where the sensors are. */
+/** The four readings in cm, arranged as the sensors are. */
 import { sensorNames, type SensorName } from "@corridor/protocol";
 import { useLayoutEffect, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
@@ -14,13 +14,13 @@ import { RobotFace } from "../../ui/RobotFace.tsx";
 import styles from "./sensor-cross.module.css";
 import { readSensors } from "./sensor-roles.ts";
 
-/** @param look cross: around the robot; row: one line of words, for phones, in whole cm as on the beams */
+/** @param look cross: around the robot; row: one line of text, in whole cm as on the beams */
 export function SensorCross({ look }: { look: "cross" | "row" }) {
   const { t } = useTranslation();
   const { run, workspace } = useServices();
   const list = useRef<HTMLDListElement>(null);
   const program = useStore(workspace, (state) => state.program);
-  // The look of the readings follows the attribute: at each turn others are read.
+  // The attribute selects the style of the readings, without a render for each decision.
   useLayoutEffect(() => {
     const names = ({ snapshot }: RunState): string => readSensors(program, snapshot).join(" ");
     return followText(run, names, (read) => list.current?.setAttribute("data-reads", read));
@@ -53,7 +53,7 @@ interface SensorProps {
   isTouching: boolean;
 }
 
-/** A reading on its decimal sign, which stays in its place while digits come and go. */
+/** A reading that is aligned at its decimal sign, which does not move while digits come and go. */
 function Sensor({ sensor, look, isTouching }: SensorProps) {
   const { t, i18n } = useTranslation();
   const { run } = useServices();

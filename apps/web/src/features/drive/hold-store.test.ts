@@ -78,7 +78,7 @@ describe("holding drive keys", () => {
     hold.press("w", "forward");
     hold.arrive();
     expect(activeKey(hold.getState())).toBeNull();
-    // A keyboard repeats what is held.
+    // A keyboard repeats a held key.
     hold.press("w", "forward");
     expect(sent).toEqual(["forward", "stop"]);
     hold.release("w");

@@ -1,38 +1,40 @@
 /**
- * Which drive keys are held down, and what that asks of the robot. The key pressed last wins; letting
- * go of it returns to the one still held; letting go of all stops. At the goal what is held has done its
- * work, and drives again once it is let go and pressed anew. React-free; buttons, the keyboard and
- * fingers all end here.
+ * Which drive keys are held, and which of them drives the robot. The newest press wins; its release
+ * returns to a key that is still held; the last release stops. At the goal, all held keys are
+ * spent: they drive again after a release and a new press. Independent of React; buttons, keyboard
+ * and touch use it.
  */
 import { createStore } from "zustand/vanilla";
 import type { DriveKey } from "../../worker/worker-messages.ts";
 
 interface Held {
-  /** what holds it: a key of the keyboard or a pointer; the same key may be held by two */
+  /**
+   * the key of the keyboard or the pointer that holds the key; two sources may hold the same key
+   */
   source: string;
   key: DriveKey;
-  /** still down, as a keyboard that repeats it goes on to say, but it counts for nothing any more */
+  /** still down, and repeated by the keyboard, but without effect */
   isSpent?: true;
 }
 
 export interface HoldState {
-  /** in the order of their presses */
+  /** in the order of the presses */
   held: readonly Held[];
 }
 
-/** The key that counts: the one pressed last; null when none is held. */
+/** The active key: the newest press that is not spent; null if there is none. */
 export function activeKey(state: HoldState): DriveKey | null {
   return state.held.findLast(({ isSpent }) => isSpent !== true)?.key ?? null;
 }
 
-/** Whether one source holds a key that counts. */
+/** Whether a source holds a key that is not spent. */
 export function isHeldBy(state: HoldState, source: string): boolean {
   return state.held.some((each) => each.source === source && each.isSpent !== true);
 }
 
 /**
- * @param send receives each change of the key that counts; "stop" when none is held any more
- * @param mayPress asked before each press; false: the press counts for nothing
+ * @param send receives each change of the active key; "stop" if no key is active any more
+ * @param mayPress called before each press; false rejects the press
  */
 export function createHoldStore(
   send: (key: DriveKey) => void,
@@ -50,14 +52,14 @@ export function createHoldStore(
   return {
     ...store,
 
-    /** A key goes down. Repeats of a held key (as keyboards send them) change nothing. */
+    /** Presses a key. Repeats of a held key, as keyboards send them, change nothing. */
     press: (source: string, key: DriveKey): void => {
       const { held } = store.getState();
       if (held.some((each) => each.source === source) || !mayPress(key)) return;
       change([...held, { source, key }]);
     },
 
-    /** A key goes up. */
+    /** Releases a key. */
     release: (source: string): void => {
       const { held } = store.getState();
       if (held.some((each) => each.source === source)) {
@@ -65,13 +67,16 @@ export function createHoldStore(
       }
     },
 
-    /** Nobody can be sure of a release any more (the window or the field lost its focus): stop. */
+    /**
+     * Releases all keys and stops. A release may be missed after the window lost the focus, or a
+     * field received it.
+     */
     releaseAll: (): void => change([]),
 
-    /** The robot is where it was driven to: stop, and wait for a new press. */
+    /** The robot has reached the goal: stops, and waits for a new press. */
     arrive: (): void => change(store.getState().held.map((each) => ({ ...each, isSpent: true }))),
 
-    /** Another driver took over: keys still held count for nothing, and nothing is sent. */
+    /** Another driver took over: releases all keys and sends nothing. */
     forget: (): void => store.setState({ held: [] }),
   };
 }

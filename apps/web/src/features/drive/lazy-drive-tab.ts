@@ -1,4 +1,4 @@
-/** A phone's Drive tab comes when it is opened, or once the page has time. */
+/** The Drive tab of a phone loads when it opens, or when the page is idle. */
 import { lazyPart } from "../../ui/lazy-part.tsx";
 
 export const LazyDriveTab = lazyPart(async () => (await import("./DriveTab.tsx")).DriveTab);

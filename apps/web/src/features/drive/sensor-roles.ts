@@ -1,8 +1,7 @@
-/** Which readings matter now: those that the deciding line reads. */
 import type { ProgramDocument } from "@corridor/program";
 import type { SensorName, Snapshot } from "@corridor/protocol";
 
-/** The sensors that the deciding line reads; none while no line decides. */
+/** The sensors that the deciding line reads; empty if no line decides. */
 export function readSensors(
   program: ProgramDocument,
   snapshot: Snapshot | null,

@@ -1,11 +1,14 @@
-/** Says once that the hand drives from now on, or that it may not. Comes in a file of its own. */
+/**
+ * Shows once that Me drives from now on, or that the challenge does not allow it. This module is a
+ * separate chunk.
+ */
 import type { i18n } from "i18next";
 import type { DriverName } from "@corridor/protocol";
 import { dismiss, showMessage, type ScreenStore } from "../../stores/screen-store.ts";
 
 const events = ["refused", "fromScript", "fromProgram"] as const;
 
-/** @param from who drove until now; null: the open challenge leaves nothing to the hand */
+/** @param from the driver until now; null if the open challenge does not allow Me */
 export async function tellTakeOver(
   screen: ScreenStore,
   words: Pick<i18n, "t" | "loadNamespaces">,
@@ -13,7 +16,7 @@ export async function tellTakeOver(
 ): Promise<void> {
   await words.loadNamespaces("runDetails");
   const event = from === null ? "refused" : from === "remote" ? "fromScript" : "fromProgram";
-  // What was said of an earlier take-over no longer holds.
+  // The message of an earlier take-over is no longer true.
   const texts = events.map((each) => words.t(`runDetails:hand.${each}`));
   for (const { id, text } of screen.getState().messages) {
     if (texts.includes(text)) dismiss(screen, id);

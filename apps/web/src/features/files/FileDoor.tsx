@@ -1,7 +1,4 @@
-/**
- * The way of files into and out of the page. Files may be dropped or pasted anywhere; menus reach the
- * rest through `useFileActions`.
- */
+/** Opens files that the user drops or pastes anywhere on the page. Menus use `useFileActions`. */
 import { FileDown } from "lucide-react";
 import { useCallback, useEffect, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
@@ -52,7 +49,7 @@ export function FileDoor({ children }: { children: ReactNode }) {
         const key = pasted === "script" ? "files.scriptAddress" : "files.strayText";
         showMessage(services.screen, { tone: "info", text: t(key) });
       } else {
-        // As if it had been put into the address bar: with the same page only its fragment changes.
+        // Navigates as the address bar does: for this page, only the fragment changes.
         location.assign(pasted);
       }
     },

@@ -1,4 +1,4 @@
-/** The lines of a menu that open and save files. */
+/** The menu items that open and save files. */
 import { FileBraces, FileInput, FileText, Film, Image, ListOrdered } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";

@@ -1,4 +1,6 @@
-/** Says why files were not opened: in each, where, what stands there, and what would be right. */
+/**
+ * Lists why files were not opened: the place in each file, what was found, and what was expected.
+ */
 import type { FieldProblem } from "@corridor/protocol";
 import { useTranslation } from "react-i18next";
 import { Button } from "../../ui/Button.tsx";

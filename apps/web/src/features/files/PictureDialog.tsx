@@ -1,4 +1,4 @@
-/** Saves a picture of the maze, with or without what the robot did in it. */
+/** Saves a picture of the maze, with or without the run of the robot. */
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
@@ -32,7 +32,7 @@ export function PictureDialog({ isOpen, onClose }: PictureDialogProps) {
   );
 }
 
-/** Lives only while the dialog is open: the picture is that of the moment it was opened in. */
+/** Mounted only while the dialog is open, so that each opening draws a new picture. */
 function PictureForm({ onSaved }: { onSaved: () => void }) {
   const { t } = useTranslation();
   const services = useServices();

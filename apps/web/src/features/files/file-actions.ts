@@ -1,10 +1,10 @@
-/** What menus anywhere on the page can do with files; the `FileDoor` around the page does it. */
+/** What menus can do with files. The `FileDoor` around the page implements it. */
 import { createContext, useContext } from "react";
 
 export interface FileActions {
-  /** lets the reader choose files to open */
+  /** opens the file picker */
   choose: () => void;
-  /** opens the dialog that saves a picture of maze and trail */
+  /** opens the dialog that saves a picture of the maze and the trail */
   savePicture: () => void;
 }
 

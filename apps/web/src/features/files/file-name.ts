@@ -1,12 +1,13 @@
-/** What a saved document is called on the reader's disk. */
+/** The file names of saved documents. */
 
-/** Characters of a name that are kept: every file system takes so many, with any ending. */
+/** Longest name without its ending. Every file system accepts it. */
 const MAX_LENGTH = 60;
 
 /**
- * Letters and digits of any script; everything else would trouble one file system or another.
+ * Reduces a name to letters and digits of any script. Other characters are invalid in some file
+ * systems.
  * @param name any text
- * @param fallback used where nothing of the name is left
+ * @param fallback used if nothing of the name remains
  */
 export function fileName(name: string, fallback: string): string {
   const clean = name

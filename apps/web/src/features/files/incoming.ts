@@ -1,22 +1,25 @@
 /**
- * Files on their way into the page: dragged over it, dropped, pasted, or chosen in the browser's own
- * dialog. Small, because it listens from the first moment; reading them comes in a file of its own.
+ * Receives files: dropped onto the page, pasted, or chosen in the file picker. This module listens
+ * from the start, so it is small; the code that reads files is a separate chunk.
  */
 import type { TextFile } from "./open-files.ts";
 
 interface IncomingPorts {
-  /** called when files begin or cease to hang over the page */
+  /** called when a drag with files starts or ends over the page */
   over: (isOver: boolean) => void;
   take: (files: readonly TextFile[]) => void;
-  /** a text was pasted outside of all fields */
+  /** called when text is pasted outside of a field */
   pasted: (text: string) => void;
 }
 
-/** Listens on the window. @returns a function that ends it */
+/**
+ * Listens on the window.
+ * @returns a function that removes the listeners
+ */
 export function listenForFiles({ over, take, pasted }: IncomingPorts): () => void {
   const end = new AbortController();
   const { signal } = end;
-  // A drag enters each element before it leaves the one around it.
+  // A drag enters an element before it leaves the previous one.
   let depth = 0;
   window.addEventListener(
     "dragenter",
@@ -40,7 +43,7 @@ export function listenForFiles({ over, take, pasted }: IncomingPorts): () => voi
     "dragover",
     (event) => {
       if (!hasFiles(event)) return;
-      // Without this the browser would leave the page to show the file.
+      // Without this, the browser would leave the page to open the file.
       event.preventDefault();
       if (event.dataTransfer !== null) event.dataTransfer.dropEffect = "copy";
     },
@@ -62,7 +65,7 @@ export function listenForFiles({ over, take, pasted }: IncomingPorts): () => voi
     "paste",
     (event) => {
       if (isField(event.target) || event.clipboardData === null) return;
-      // What lies on top of the page has the keys to itself.
+      // A dialog or popover on top of the page receives the paste.
       if (document.querySelector("dialog:modal, :popover-open") !== null) return;
       const files = [...event.clipboardData.files];
       const text = event.clipboardData.getData("text/plain");
@@ -76,7 +79,7 @@ export function listenForFiles({ over, take, pasted }: IncomingPorts): () => voi
   return () => end.abort();
 }
 
-/** Opens the browser's dialog. `take` is not called when the reader leaves it. */
+/** Opens the file picker. `take` is not called if the user cancels. */
 export function chooseFiles(take: (files: readonly TextFile[]) => void): void {
   const input = document.createElement("input");
   input.type = "file";

@@ -1,20 +1,22 @@
-/** Tells a text that is meant to be opened from one that was pasted by a slip. */
+/** Distinguishes text that is meant as a file from text that was pasted by accident. */
 
 const DRAWN = /[#._|\-+^><▲►▼◄]/g;
 
 /**
- * Whether a text begins as a document does, or at least half of what is to be seen of it draws a maze:
- * then what is wrong with it is worth telling.
+ * Whether a text starts like a document, or at least half of its visible characters draw a maze.
+ * Problems of such a text are worth reporting.
  */
 export function looksLikeFile(text: string): boolean {
   const seen = text.replaceAll(/\s|\uFEFF/g, "");
   return seen.startsWith("{") || isDrawn(seen);
 }
 
-/** A condition in words, of whatever language: "right > 60". */
+/** A condition in words of any language: "right > 60". */
 const COMPARED = /\p{Letter}{2,}\s*[<>]\s*\d/u;
 
-/** Whether a text that begins as no document does was meant to be a program, and not a drawn maze. */
+/**
+ * Whether a text that does not start like a document is meant as a program, not as a drawn maze.
+ */
 export function looksLikeProgram(text: string): boolean {
   if (isDrawn(text.replaceAll(/\s/g, ""))) return false;
   return /corridor\/program|"rules"/.test(text) || COMPARED.test(text);

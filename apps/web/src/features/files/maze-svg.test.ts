@@ -25,7 +25,7 @@ const scene: PictureScene = {
   },
 };
 
-/** Every tag is closed in its place, and no sign stands where XML forbids it. */
+/** Whether all tags are balanced, and no character appears where XML forbids it. */
 function isWellFormed(text: string): boolean {
   const open: string[] = [];
   for (const [, isEnd, name = "", isEmpty] of text.matchAll(

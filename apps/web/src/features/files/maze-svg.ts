@@ -1,4 +1,4 @@
-/** A maze as an SVG file: what the stage shows, by the same code, in one file that needs nothing else. */
+/** Renders a maze as a self-contained SVG file, with the code that draws the stage. */
 import { sizeOf, type MazeDocument } from "@corridor/maze";
 import type { Pose } from "@corridor/protocol";
 import { bumpMarks, drawBumps } from "../../canvas/layers/bumps.ts";
@@ -12,33 +12,33 @@ import { DirtyRects } from "../../canvas/dirty-rects.ts";
 import { CELL, type Viewport } from "../../canvas/viewport.ts";
 import { escapeText, SvgPen } from "./svg-pen.ts";
 
-/** The robot and where it has been. */
+/** The robot, its trail and its bumps. */
 export interface DrawnRun {
   pose: Pose;
   face: Face;
-  /** x and y by turns, in units; ends at the robot */
+  /** x and y alternating, in units; ends at the robot */
   points: readonly number[];
-  /** where the robot's centre was at bumps, x and y by turns, in units */
+  /** positions of the robot's centre at bumps, x and y alternating, in units */
   bumps: readonly number[];
 }
 
 export interface PictureScene extends PlaceWords {
   maze: MazeDocument;
   palette: Palette;
-  /** null: the maze alone */
+  /** null: only the maze */
   run: DrawnRun | null;
   hasRulers: boolean;
 }
 
-/** A square is as large as on a screen, and smaller where the picture would grow beyond a page. */
+/** Cells are as large as on a screen, or smaller if the picture would exceed a page. In px. */
 const MAX_CELL_PX = 80;
 const MIN_CELL_PX = 8;
 const PAGE_PX = 1600;
-/** Around the maze: room for its frame, and for rulers. */
+/** Space around the maze in px, for its frame or for the rulers. */
 const MARGIN = 8;
 const RULERS = { left: 48, top: 32 };
 
-/** @returns the file, and its size in CSS pixels */
+/** @returns the text of the file, and its size in CSS pixels */
 export function mazeSvg(scene: PictureScene): { text: string; width: number; height: number } {
   const { maze, palette, run, hasRulers } = scene;
   const { columns, rows } = sizeOf(maze);
@@ -47,7 +47,7 @@ export function mazeSvg(scene: PictureScene): { text: string; width: number; hei
   const left = hasRulers ? RULERS.left : MARGIN;
   const top = hasRulers ? RULERS.top : MARGIN;
   const port = { x: left, y: top, width: columns * cellPx, height: rows * cellPx };
-  // The last number of a ruler stands half over its end.
+  // Half of a ruler's last number extends beyond the end of the ruler.
   const end = hasRulers ? 2 * MARGIN : MARGIN;
   const width = left + port.width + end;
   const height = top + port.height + end;

@@ -39,7 +39,7 @@ const words = createI18n(en);
 
 describe("opening files", () => {
   it.each([
-    // The program before is a ready-made one: nobody's own is lost.
+    // The previous program is a preset, so no program of a student is lost.
     { are: "a maze", files: [file("a.json", mazeOne)], begun: [mazeOne, emptyProgram()] },
     { are: "a program", files: [file("b.json", programOne)], begun: [mazeTwo, programOne] },
     {

@@ -1,7 +1,7 @@
 /**
- * Opens what the reader gives: files from the picker or dropped onto the page, or a text from the
- * clipboard. They open as a new work beside the reader's own; if anything is wrong with any of them,
- * nothing is opened and all that is wrong is told.
+ * Opens files from the picker, dropped files, or text from the clipboard. They open as a new
+ * project beside the user's own. If any file has a problem, no file opens, and the problems are
+ * reported.
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
@@ -14,32 +14,35 @@ import { programForMaze } from "../program/own-program.ts";
 import { openRun } from "../timeline/open-run.ts";
 import { readDocument, titleOf, type OpenedDocument } from "./read-document.ts";
 
-/** As much of a File as is needed. */
+/** The part of `File` that is used. */
 export interface TextFile {
   name: string;
-  /** media type as the browser knows it; nothing where it does not */
+  /** media type; empty if the browser does not know it */
   type?: string;
-  /** bytes */
+  /** in bytes */
   size: number;
   text: () => Promise<string>;
 }
 
-/** What is wrong with one file. */
+/** The problems of one file. */
 export interface FileReport {
   file: string;
   problems: readonly FieldProblem[];
-  /** whether the text of the file is wrong, so that changing it helps: not of a picture or of too many files */
+  /**
+   * whether the text of the file is wrong, so that editing it helps; not for pictures or too many
+   * files
+   */
   isTextWrong: boolean;
 }
 
-/** The longest run fits; a film that was chosen by mistake is not even read. */
+/** The longest run fits. A larger file, such as a film that was chosen by mistake, is not read. */
 const MAX_BYTES = 9_000_000;
-/** More files than can be opened together are not read at all; two with what belongs to them are told apart. */
+/** More files than this are not read at all. */
 const MAX_FILES = 10;
 
 type Opener = Pick<Services, "projects" | "workspace" | "simulator" | "screen">;
 
-/** @returns nothing when they were opened; else what is wrong, by file */
+/** @returns an empty list if the files were opened; otherwise the problems, by file */
 export async function openFiles(
   services: Opener,
   words: Pick<i18n, "t" | "language">,
@@ -62,7 +65,7 @@ export async function openFiles(
   const mazes = opened.flatMap((each) => (each.kind === "maze" ? [each.maze] : []));
   const programs = opened.flatMap((each) => (each.kind === "program" ? [each.program] : []));
   const runs = opened.flatMap((each) => (each.kind === "run" ? [each.run] : []));
-  // A run brings its own maze and program.
+  // A run contains its own maze and program.
   const isTooMuch = runs.length > 0 ? opened.length > 1 : mazes.length > 1 || programs.length > 1;
   if (isTooMuch) {
     const found = [
@@ -96,7 +99,7 @@ function tooMuch(files: readonly TextFile[], found: string, words: Pick<i18n, "t
   };
 }
 
-/** Opens a maze, a program or both as a new work, with a message that leads back. */
+/** Opens a maze, a program or both as a new project, with a message that leads back. */
 function openDocuments(
   services: Opener,
   words: Pick<i18n, "t">,
@@ -106,7 +109,7 @@ function openDocuments(
   if (maze === undefined && program === undefined) return;
 
   const open = services.workspace.getState();
-  // A maze alone is to be solved: only a program that the reader has written comes along.
+  // A maze alone is there to be solved: it opens with the user's own program, or with an empty one.
   const opened = program ?? programForMaze(open.program, words);
   const back = services.projects.begin(maze ?? open.maze, opened);
   const names = {
@@ -153,7 +156,7 @@ async function readFile(file: TextFile, words: Pick<i18n, "t" | "language">): Pr
   return read.ok ? read : { ...read, isTextWrong: true };
 }
 
-/** A photo or a screenshot of a maze: the name counts where the browser knows no type. */
+/** Detects a picture, such as a photo or a screenshot of a maze, by its type or its name. */
 function isPicture({ name, type = "" }: TextFile): boolean {
   return type.startsWith("image/") || /\.(png|jpe?g|gif|webp|bmp|svg|heic|avif)$/i.test(name);
 }

@@ -1,10 +1,10 @@
-/** The picture of what is open, and its two kinds of file. */
+/** Draws what is open as an SVG picture, and converts it to a PNG. */
 import { faceOf } from "../../canvas/layers/robot.ts";
 import { readPalette, type Palette } from "../../canvas/palette.ts";
 import type { Services } from "../../app/services.ts";
 import { mazeSvg, type PictureScene } from "./maze-svg.ts";
 
-/** Pixels of a PNG for one of the picture, and the longest side that every browser can draw. */
+/** PNG pixels for one pixel of the picture, and the longest side that every browser can draw. */
 const PNG_SCALE = 2;
 const MAX_PNG_SIDE = 4096;
 
@@ -19,7 +19,7 @@ export interface PictureChoice {
   hasRulers: boolean;
 }
 
-/** Draws the maze of the shown moment. */
+/** Draws the maze of the displayed tick. */
 export function drawPicture(
   { workspace, run, runTrace }: Pick<Services, "workspace" | "run" | "runTrace">,
   words: Pick<PictureScene, "startWord" | "goalWord">,
@@ -37,7 +37,10 @@ export function drawPicture(
   return { svg: text, width, height };
 }
 
-/** The picture as a PNG at twice its size. @throws Error where the browser cannot draw it */
+/**
+ * Converts the picture to a PNG at twice its size, or less if a side would exceed `MAX_PNG_SIDE`.
+ * @throws Error if the browser cannot draw it
+ */
 export async function pngOf({ svg, width, height }: Picture): Promise<Blob> {
   const scale = Math.min(PNG_SCALE, MAX_PNG_SIDE / Math.max(width, height));
   const url = URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" }));
@@ -57,7 +60,7 @@ export async function pngOf({ svg, width, height }: Picture): Promise<Blob> {
   }
 }
 
-/** The light theme's colours, whatever the page wears: pictures are for paper. */
+/** The colours of the light theme, whatever the theme of the page: pictures are for paper. */
 export function lightPalette(): Palette {
   const probe = document.createElement("div");
   probe.dataset["theme"] = "light";

@@ -1,4 +1,7 @@
-/** Finds out what a text is by its content, and reads it: a document of Corridor, or a maze drawn as text. */
+/**
+ * Detects what a text is by its content, and reads it: a document of Corridor, or a maze drawn as
+ * text.
+ */
 import { readMaze, readTextMaze, type MazeDocument } from "@corridor/maze";
 import { readProgram, type ProgramDocument } from "@corridor/program";
 import type { FieldProblem, ReadResult } from "@corridor/protocol";
@@ -38,8 +41,8 @@ const readers = new Map<string, (text: string) => ReadResult<OpenedDocument>>([
 
 /**
  * Reads one text.
- * @param name what a maze without a name of its own is called
- * @returns the document, or what is wrong with it
+ * @param name name for a maze that has none
+ * @returns the document, or its problems
  */
 export function readDocument(text: string, name: string): ReadResult<OpenedDocument> {
   const content = text.replace(/^\uFEFF/, "");
@@ -51,7 +54,7 @@ export function readDocument(text: string, name: string): ReadResult<OpenedDocum
     const read = readTextMaze(content, name);
     return read.ok ? { ok: true, value: { kind: "maze", maze: read.value } } : read;
   }
-  // Where a document says first what it is, as all that Corridor writes do, it is parsed once.
+  // Documents that Corridor writes start with their format, so they are parsed only once.
   const named = readers.get(/^\s*\{\s*"format"\s*:\s*"([a-z/]+)"/.exec(content)?.[1] ?? "");
   if (named !== undefined) return named(content);
   let input: unknown;
@@ -69,7 +72,7 @@ export function readDocument(text: string, name: string): ReadResult<OpenedDocum
   return refuse("format", found, `one of ${known.join(", ")}`);
 }
 
-/** The name of a file without its endings: "my-maze.maze.json" is "my-maze". */
+/** Removes the endings of a file name: "my-maze.maze.json" becomes "my-maze". */
 export function titleOf(file: string): string {
   return file.replace(/(\.[\p{Letter}\p{Number}]{1,8}){1,2}$/u, "");
 }

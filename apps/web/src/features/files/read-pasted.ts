@@ -1,28 +1,32 @@
-/** What a text is that somebody pastes into the page. Loaded with the first one. */
+/** Classifies text that the user pastes into the page. This module is a separate chunk. */
 import { looksLikeFile } from "./looks-like-file.ts";
 
 /** Paths of links: the page with a fragment, short links, and addresses of robots. */
 const LINK_PATH = /^\/(?:[mr]\/[^/]+\/?)?$/;
 
 /**
- * @returns the address of one of our own links, "script" for the address of a robot with a script's key, or
- *   whether the text is meant to be opened as a file
+ * Classifies a text.
+ * - a URL: one of our own links
+ * - "script": the address of a robot with a script's key
+ * - "file": text that is meant as a file
+ * - "other": any other text
  */
 export function readPasted(text: string, origin: string): "file" | "script" | "other" | URL {
   const link = ownLink(text, origin);
-  // The page would leave its own robot for a page that says no more than this.
+  // The link would replace the page and its robot by a page that displays no more than this
+  // message.
   if (link !== null && link.hash.startsWith("#drv_")) return "script";
   return link ?? (looksLikeFile(text) ? "file" : "other");
 }
 
 /**
- * @param origin where this page comes from: links of other places are not ours
- * @returns null for a text that is no link, and for the page's own plain address
+ * @param origin origin of this page; links to other origins do not count
+ * @returns null for a text that is no link, and for the plain address of the page
  */
 function ownLink(text: string, origin: string): URL | null {
   const { host, protocol } = new URL(origin);
   const trimmed = text.trim();
-  // On a board, and where Remote displays its address, it begins with the host.
+  // On a board, and where Remote displays it, an address starts with the host.
   const whole = trimmed.startsWith(`${host}/`) ? `${protocol}//${trimmed}` : trimmed;
   if (/\s/.test(whole) || !URL.canParse(whole)) return null;
   const url = new URL(whole);

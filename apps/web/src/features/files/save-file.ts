@@ -1,11 +1,11 @@
-/** Gives the reader a file, by a download, which every browser knows. */
+/** Saves a file as a download, which every browser supports. */
 import { writeTextMaze, type MazeDocument } from "@corridor/maze";
 import { fileName } from "./file-name.ts";
 
-/** Some browsers read the data only after they asked the reader where to put it. */
+/** Some browsers read the data only after the user has chosen where to store the file. */
 const READ_WITHIN_MS = 60_000;
 
-/** @param name with its ending */
+/** @param name file name with its ending */
 export function saveFile(content: Blob, name: string): void {
   const url = URL.createObjectURL(content);
   const link = document.createElement("a");
@@ -16,8 +16,8 @@ export function saveFile(content: Blob, name: string): void {
 }
 
 /**
- * A document as a file that can be opened again: "long-way-round.maze.json". A run is for no human eye,
- * and its bounds are those of the text without blanks.
+ * Saves a document as a file that can be opened again: "long-way-round.maze.json". A run has no
+ * white space, because its size limit applies to the compact text.
  */
 export function saveDocument(document: { name: string }, kind: "maze" | "program" | "run"): void {
   const text = kind === "run" ? JSON.stringify(document) : `${JSON.stringify(document, null, 2)}\n`;
@@ -25,7 +25,7 @@ export function saveDocument(document: { name: string }, kind: "maze" | "program
   saveFile(new Blob([text], { type: "application/json" }), file);
 }
 
-/** The maze drawn as text, for mails and other programs. */
+/** Saves the maze drawn as text, for mails and other programs. */
 export function saveTextMaze(maze: MazeDocument): void {
   const content = new Blob([writeTextMaze(maze)], { type: "text/plain" });
   saveFile(content, `${fileName(maze.name, "maze")}.txt`);

@@ -1,4 +1,4 @@
-/** Saves the run so far, which the simulator writes when it is asked. */
+/** Saves the run so far, which the simulator writes on request. */
 import type { RunDocument } from "@corridor/recording";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";

@@ -1,13 +1,13 @@
 /**
- * A pen that writes SVG, with the words of a 2D canvas: what is drawn on the stage can be drawn into a
- * file by the same code. Numbers are cut to a hundredth of a pixel.
+ * A drawing context that writes SVG, so that the code that draws the stage can draw into a file.
+ * Numbers are rounded to a hundredth of a pixel.
  */
 import type { VectorContext } from "../../canvas/drawing-context.ts";
 import { svgPathData } from "../../canvas/svg-path.ts";
 
 type Style = string | CanvasGradient | CanvasPattern;
 
-/** What `save` keeps. */
+/** The state that `save` stores. */
 interface Ink {
   fillStyle: Style;
   strokeStyle: Style;
@@ -44,7 +44,7 @@ export class SvgPen implements VectorContext {
   readonly #saved: Ink[] = [];
   readonly #elements: string[] = [];
 
-  /** All that was drawn, as SVG elements. */
+  /** All drawn SVG elements. */
   elements(): string {
     return this.#elements.join("\n");
   }
@@ -84,7 +84,7 @@ export class SvgPen implements VectorContext {
   }
 
   scale(x: number, y: number): void {
-    // Factors are small: a hundredth of one would be seen.
+    // Factors are small: an error of a hundredth would be visible.
     this.#transform = [...this.#transform, `scale(${x.toPrecision(6)} ${y.toPrecision(6)})`];
   }
 
@@ -108,7 +108,7 @@ export class SvgPen implements VectorContext {
     this.#path += "z";
   }
 
-  /** With one radius for all corners, as everything here has it. */
+  /** Supports one radius for all corners, as all layers use it. */
   roundRect(x: number, y: number, width: number, height: number, radius: unknown = 0): void {
     const r = Math.min(typeof radius === "number" ? radius : 0, width / 2, height / 2);
     const corner = (dx: number, dy: number): string =>
@@ -138,12 +138,13 @@ export class SvgPen implements VectorContext {
     this.#draw(`<rect ${box}${this.#fillWith()}`);
   }
 
-  /** The canvas squeezes a text that is too wide; so is one whose length is set here. */
+  /** Squeezes a text that may be too wide, as the canvas does. */
   fillText(text: string, x: number, y: number, maxWidth?: number): void {
     const { weight, size, family } = readFont(this.font);
-    // A third of the letters' height: what "middle" means to a canvas, in any renderer of SVG.
+    // The offset that "middle" has in a canvas, about a third of the font size, for any SVG
+    // renderer.
     const drop = this.textBaseline === "middle" ? size * 0.35 : 0;
-    // Of the fonts that a reader may have none is wider than 0.7 of its height a letter.
+    // In fonts that a user may have instead, no letter is wider than 0.7 of the font size.
     const isTight = maxWidth !== undefined && text.length * size * 0.7 > maxWidth;
     const squeezed = isTight
       ? ` textLength="${short(maxWidth)}" lengthAdjust="spacingAndGlyphs"`
@@ -175,7 +176,10 @@ export class SvgPen implements VectorContext {
   }
 }
 
-/** Text as it may stand between tags and inside of quotes. Signs that XML has no room for are left out. */
+/**
+ * Escapes text for element content and quoted attributes. Removes characters that XML does not
+ * allow.
+ */
 export function escapeText(text: string): string {
   return text
     .replaceAll("&", "&amp;")
@@ -191,7 +195,7 @@ function attribute(name: string, value: Style): string {
   return ` ${name}="${escapeText(value)}"`;
 }
 
-/** "600 12px Inter, sans-serif" */
+/** Parses a font such as "600 12px Inter, sans-serif". */
 function readFont(font: string): { weight: string; size: number; family: string } {
   const [, weight = "400", size = "10", family = "sans-serif"] =
     /^(?:(\d+) )?([\d.]+)px (.*)$/s.exec(font) ?? [];

@@ -1,6 +1,8 @@
-/** Keys for a list in which things may repeat, such as two files of one name. */
+/** Keys for a list with repeated items, such as two files with one name. */
 
-/** @returns each with a key that no other has: what it is, and which one of these it is */
+/**
+ * @returns each value with a unique key: its name, and its number among the values with that name
+ */
 export function withKeys<Value>(
   values: readonly Value[],
   nameOf: (value: Value) => string,

@@ -1,4 +1,4 @@
-/** The language in the top bar: its short name opens the list of all. */
+/** The language in the top bar: its short name opens the list of all languages. */
 import { Globe } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { shownLanguage } from "../../text/i18n.ts";

@@ -6,7 +6,10 @@ import { shownLanguage } from "../../text/i18n.ts";
 import { listedLanguages } from "../../text/languages.ts";
 import styles from "./language.module.css";
 
-/** A menu of radios: arrows walk, Enter or Space chooses, so that walking past loads nothing. */
+/**
+ * A menu of radio items. Arrow keys move the focus, and Enter or Space chooses, so that moving
+ * loads nothing.
+ */
 export function LanguageList({ onChosen }: { onChosen: () => void }) {
   const { t, i18n } = useTranslation();
   const choice = useLanguageChoice();
@@ -36,7 +39,7 @@ export function LanguageList({ onChosen }: { onChosen: () => void }) {
   );
 }
 
-/** The list opens on the language that is shown. */
+/** Focuses the current language when the list opens. */
 function focusFirst(item: HTMLElement | null): void {
   item?.focus();
 }

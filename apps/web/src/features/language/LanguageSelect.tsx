@@ -1,4 +1,4 @@
-/** The language as a field, for the phone's menu: the phone's own list is the one for a thumb. */
+/** The language as a field in the phone's menu, because the native list suits a thumb. */
 import { Globe } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useLanguageChoice } from "../../app/language-context.ts";

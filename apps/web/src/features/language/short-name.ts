@@ -1,7 +1,6 @@
-/** The language's code as the top bar shows it. */
 import type { LanguageTag } from "../../text/languages.ts";
 
-/** "EN", "ZH": the language alone, without script or country. */
+/** The language's code for the top bar: "EN", "ZH". It omits script and country. */
 export function shortName(tag: LanguageTag): string {
   return (tag.split("-")[0] ?? tag).toUpperCase();
 }

@@ -1,4 +1,7 @@
-/** Messages that can be dismissed. Information leaves after 6 s; what went wrong stays, and what is told to. */
+/**
+ * Messages that the user can dismiss. Information disappears after 6 s; errors and messages with
+ * `stays` remain.
+ */
 import { CircleAlert, X } from "lucide-react";
 import { useEffect, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
@@ -11,17 +14,20 @@ import { Button, IconButton } from "../../ui/Button.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import styles from "./messages.module.css";
 
-/** How long information stays, in ms; it waits while it has the focus or the pointer. */
+/**
+ * Time until information disappears, in ms. It starts again after the message had the focus or the
+ * pointer.
+ */
 const STAYS_MS = 6000;
 
-/** @param children what asks for an answer, below the messages */
+/** @param children prompts that need an answer, below the messages */
 export function Messages({ children }: { children?: ReactNode }) {
   const { t } = useTranslation();
   const { screen, run } = useServices();
   const messages = useStore(screen, (state) => state.messages);
   const isPast = useStore(run, ({ view }) => view !== "now");
-  // What went wrong interrupts; its region is always there, since one that comes with its text is not read
-  // out. Information waits for its turn in the page's one voice.
+  // Errors interrupt a screen reader. Their region is always present, because a region that appears
+  // with its text is not read out. Information waits in the speech queue of the page.
   return (
     <section
       className={styles["messages"]}

@@ -1,12 +1,15 @@
-/** Offers a new version of the page. Nothing reloads by itself: a run or a thought may be in the middle. */
+/**
+ * Offers a new version of the page. The page never reloads by itself, because a run may be in
+ * progress.
+ */
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
 import { dismiss, showMessage } from "../../stores/screen-store.ts";
 import { startServiceWorker } from "./service-worker.ts";
 
 /**
- * Starts the service worker and tells the reader of what it brings.
- * @param reload loads the page again
+ * Starts the service worker and shows a message for each new version.
+ * @param reload reloads the page
  */
 export async function offerUpdates(
   { screen, projects }: Pick<Services, "screen" | "projects">,
@@ -15,7 +18,7 @@ export async function offerUpdates(
 ): Promise<void> {
   let shown: number | null = null;
   const offer = (take: () => Promise<void>): void => {
-    // The newest offer stands for those before it.
+    // The newest offer replaces the one before it.
     if (shown !== null) dismiss(screen, shown);
     const id = showMessage(screen, {
       tone: "info",
@@ -26,7 +29,8 @@ export async function offerUpdates(
         run: () => {
           projects.autosave.flush();
           if (screen.getState().saved === "blocked") {
-            // A reload would lose what the device does not keep: the reader saves it elsewhere first.
+            // A reload would lose what the device does not store: the user saves it elsewhere
+            // first.
             showMessage(screen, { tone: "bad", text: words.t("works.blocked") });
             return;
           }

@@ -1,30 +1,36 @@
 /**
- * The service worker keeps the page's files on the device, so that it opens without a network. Here is
- * the page's end of it: start it, and say when it holds a newer version.
+ * The service worker stores the page's files on the device, so that the page opens without a
+ * network. This module registers the service worker and reports when it holds a newer version.
  *
- * A new version waits until the reader takes it. Until then the page and its service worker stay a
- * pair, so that every file that the page may still ask for is there.
+ * A new version waits until the user accepts it. Until then the page and its service worker have
+ * the same version, so that every file that the page may still request exists.
  */
 
-/** How often a page that stays open looks for a new version, in ms. */
+/** How often an open page checks for a new version, in ms. */
 const LOOK_EVERY_MS = 3_600_000;
 
 export interface UpdatePorts {
   /**
    * A new version is ready.
-   * @param take lets it take over; the page has to be reloaded when the promise is kept
+   * @param take activates it; the page must reload when the promise resolves
    */
   onReady: (take: () => Promise<void>) => void;
-  /** Another page of this device took a new version; this page goes on with its own until it reloads. */
+  /**
+   * Another page of this device activated a new version; this page continues with its own until it
+   * reloads.
+   */
   onTaken: () => void;
 }
 
-/** Starts it where browsers allow it (not on plain http but localhost). Without it the page works as ever. */
+/**
+ * Registers the service worker where browsers allow it: over HTTPS, and on localhost. The page also
+ * works without it.
+ */
 export async function startServiceWorker({ onReady, onTaken }: UpdatePorts): Promise<void> {
   const container = (navigator as Partial<Navigator>).serviceWorker;
   if (container === undefined) return;
   let isTaking = false;
-  // The first one takes over a page that had none; that is no new version.
+  // The first service worker takes control of a page that had none; that is no new version.
   let hadController = container.controller !== null;
   container.addEventListener("controllerchange", () => {
     if (hadController && !isTaking) onTaken();
@@ -47,7 +53,7 @@ export async function startServiceWorker({ onReady, onTaken }: UpdatePorts): Pro
     });
   });
   setInterval(() => {
-    // Offline, or the relay is gone: the next time will do.
+    // Offline, or the relay does not respond: the next check is enough.
     registration.update().catch(() => undefined);
   }, LOOK_EVERY_MS);
 }
@@ -55,7 +61,7 @@ export async function startServiceWorker({ onReady, onTaken }: UpdatePorts): Pro
 async function takeOver(worker: ServiceWorker): Promise<void> {
   const taken = new Promise<void>((resolve) => {
     const look = (): void => {
-      // Redundant: a still newer one came in between, and the reload brings that.
+      // Redundant: an even newer version came in between, and the reload brings that one.
       if (worker.state === "activated" || worker.state === "redundant") resolve();
     };
     worker.addEventListener("statechange", look);

@@ -1,4 +1,4 @@
-/** Opens "Try it in other mazes" below the lines of the program. */
+/** The button below the lines of the program that opens "Try it in other mazes". */
 import { LayoutGrid } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";

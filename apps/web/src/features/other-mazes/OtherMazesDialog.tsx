@@ -1,4 +1,4 @@
-/** Runs the open program in a hundred other mazes and shows in which of them it works. */
+/** Runs the open program in a hundred other mazes and displays in which of them it works. */
 import { Eye, RotateCcw, Square } from "lucide-react";
 import { useDeferredValue, useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
@@ -15,7 +15,10 @@ import { createTrialPool } from "./trial-pool.ts";
 import { tryWhileOpen } from "./try-while-open.ts";
 import { countOutcomes, seedsFrom, trialChoice, Trials, TRIALS } from "./trials.ts";
 
-/** Between two looks at the results: each costs a layout of the grid, on a core that the mazes want too. */
+/**
+ * Interval between two updates of the results. Each update lays out the grid, on a core that the
+ * trials need too.
+ */
 const SHOW_MS = 125;
 
 interface OtherMazesDialogProps {
@@ -23,7 +26,10 @@ interface OtherMazesDialogProps {
   onClose: () => void;
 }
 
-/** Opens once its words are there; the mazes are begun at the press, before React draws a hundred tiles. */
+/**
+ * Opens when its translations have loaded. The trials start at the press, before React renders a
+ * hundred tiles.
+ */
 export function OtherMazesDialog({ isOpen, onClose }: OtherMazesDialogProps) {
   const { t, i18n, ready } = useTranslation("otherMazes", { useSuspense: false });
   const services = useServices();
@@ -50,7 +56,7 @@ function TrialRun({ onClose }: { onClose: () => void }) {
   const choice = useStore(trialChoice);
   const { state, results, pictured } = useStore(trials.store);
 
-  // In a frame of its own: a hundred tiles take as long to draw as all the rest.
+  // Deferred to its own frame: a hundred tiles take as long to render as all the rest.
   const hasGrid = useDeferredValue(true, false);
   const counts = countOutcomes(results);
   const seeds = seedsFrom(choice.first);
@@ -113,7 +119,7 @@ function TrialRun({ onClose }: { onClose: () => void }) {
           )}
         </div>
       </div>
-      {/* Said once, at the end: a screen reader could not follow a hundred results. */}
+      {/* Announced once, at the end: a screen reader cannot follow a hundred results. */}
       <output className="visually-hidden">
         {state === "done" || state === "stopped" ? sentence : ""}
       </output>
@@ -134,7 +140,10 @@ interface PageTrials {
   opener: TrialOpener;
 }
 
-/** One for the page: the workers stay warm for a while, and the way back to the student's own maze stays. */
+/**
+ * One instance for the page: the workers stay warm for a while, and the student can still return to
+ * the original maze.
+ */
 let pageTrials: PageTrials | null = null;
 
 function trialsOfPage(

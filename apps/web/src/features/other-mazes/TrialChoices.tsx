@@ -1,4 +1,7 @@
-/** Which mazes a program is tried in: their kind, their size, and the seeds that make the same ones anywhere. */
+/**
+ * Selects the mazes to try: their kind, their size, and the seeds, which generate the same mazes
+ * anywhere.
+ */
 import { mazeKinds } from "@corridor/maze";
 import { ArrowRight } from "lucide-react";
 import { useId } from "react";

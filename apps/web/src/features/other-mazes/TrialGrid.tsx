@@ -1,4 +1,4 @@
-/** All mazes of a set as one stop of the Tab key; arrow keys go from maze to maze. */
+/** All mazes of a set as one tab stop; arrow keys move from maze to maze. */
 import { useCallback, useEffect, useRef, useState, type KeyboardEvent } from "react";
 import { useTranslation } from "react-i18next";
 import type { TrialResult } from "../../worker/maze-trial.ts";
@@ -9,7 +9,7 @@ import { TrialTile } from "./TrialTile.tsx";
 interface TrialGridProps {
   seeds: readonly number[];
   results: ReadonlyMap<number, TrialResult>;
-  /** those whose pictures are drawn */
+  /** results whose pictures are drawn */
   pictured: ReadonlyMap<number, TrialResult>;
   onOpen: (result: TrialResult) => void;
 }
@@ -22,7 +22,7 @@ export function TrialGrid({ seeds, results, pictured, onOpen }: TrialGridProps) 
   useEffect(() => {
     newest.current = onOpen;
   });
-  // The same function each time: a tile is drawn again only when its result comes.
+  // A stable function: a new `onOpen` does not render all tiles again.
   const open = useCallback((result: TrialResult) => newest.current(result), []);
 
   function onKeyDown(event: KeyboardEvent<HTMLUListElement>): void {

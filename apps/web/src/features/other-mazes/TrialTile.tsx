@@ -1,4 +1,7 @@
-/** One maze that the program is tried in: its picture, its seed, and what came of it in a mark and a word. */
+/**
+ * One maze that the program is tried in: its picture, its seed, and its outcome as a mark and a
+ * word.
+ */
 import type { MazeDocument } from "@corridor/maze";
 import { Check, Clock, X } from "lucide-react";
 import { memo, useDeferredValue } from "react";
@@ -14,7 +17,7 @@ interface TrialTileProps {
   result: TrialResult | null;
   /** null: not drawn yet */
   picture: MazeDocument | null;
-  /** whether the Tab key stops here; arrow keys lead to the others */
+  /** whether this tile is the tab stop; arrow keys lead to the others */
   isStop: boolean;
   onOpen: (result: TrialResult) => void;
 }
@@ -29,7 +32,7 @@ export const TrialTile = memo(function TrialTile({
   onOpen,
 }: TrialTileProps) {
   const { t, i18n } = useTranslation("otherMazes", { useSuspense: false });
-  // What came of it is shown first, its picture as soon as the page has time.
+  // The outcome is displayed first, and the picture as soon as the page has time.
   const drawn = useDeferredValue(picture);
   const outcome = result?.outcome ?? null;
   const Icon = outcome === null ? null : icons[outcome];

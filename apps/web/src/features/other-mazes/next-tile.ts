@@ -1,8 +1,8 @@
-/** Where an arrow key leads in a grid of tiles that fills its rows one after the other. */
+/** A key press in a grid of tiles, which fills one row after the other. */
 export interface TileMove {
   /** as KeyboardEvent.key */
   key: string;
-  /** index of the tile with the focus */
+  /** index of the focused tile */
   from: number;
   count: number;
   columns: number;
@@ -10,7 +10,7 @@ export interface TileMove {
   isRtl: boolean;
 }
 
-/** @returns the index of the next tile; null for other keys, and where there is none in that direction */
+/** @returns the index of the next tile; null for other keys, and if that direction has no tile */
 export function nextTile({ key, from, count, columns, isRtl }: TileMove): number | null {
   const onward = isRtl ? -1 : 1;
   const steps: Readonly<Record<string, number>> = {

@@ -1,6 +1,6 @@
 /**
- * Opens a maze that the program was tried in: as a work of its own, so that the student's maze stays as it
- * is, with the run two seconds before its end, which is then played.
+ * Opens a maze that the program was tried in, as a project of its own: the student's maze does not
+ * change. A failed run plays from two seconds before its end; a run that works opens at its start.
  */
 import type { ProgramDocument } from "@corridor/program";
 import { TICKS_PER_SECOND } from "@corridor/simulation";
@@ -13,14 +13,14 @@ import type { TrialMazes, TrialResult } from "../../worker/maze-trial.ts";
 import { watchAgain } from "../cards/watch-again.ts";
 import type { TrialPool } from "./trial-pool.ts";
 
-/** What the student sees of the run before it fails. */
+/** Ticks of the run that are played before it fails. */
 const SHOWN_TICKS = 2 * TICKS_PER_SECOND;
 
 type Opener = Pick<Services, "projects" | "workspace" | "simulator" | "screen">;
 
-/** The way back to the student's own maze: from one trial to the next it stays the same. */
+/** How to return to the student's own maze, which stays the same from one trial to the next. */
 interface Home {
-  /** the work of the trial that is open */
+  /** the project of the open trial */
   trial: string;
   back: () => void;
 }
@@ -38,7 +38,7 @@ export class TrialOpener {
     this.#pool = pool;
   }
 
-  /** @returns false where it could not be opened, which is told; then nothing has changed */
+  /** @returns false if the trial cannot be opened; a message reports it, and nothing has changed */
   async open(
     { maze, seed, outcome, tick }: TrialResult,
     { kind, side }: TrialMazes,
@@ -73,13 +73,13 @@ export class TrialOpener {
     return true;
   }
 
-  /** Leads back to the student's own maze; null where that is open. */
+  /** Returns a function that leads back to the student's own maze; null if no trial is open. */
   wayHome(): (() => void) | null {
     const home = this.#home;
     return home?.trial === this.#services.projects.currentId() ? home.back : null;
   }
 
-  /** What was changed in the program meanwhile comes along, as one step that Undo takes back. */
+  /** Takes changes of the program along, as one step of the history that Undo reverts. */
   #takingProgram(back: () => void, tried: ProgramDocument): () => void {
     const { workspace } = this.#services;
     return () => {

@@ -1,13 +1,14 @@
 /**
- * Workers that share a list of mazes, one for each core. Shares are large at first and small at the end: a
- * worker seldom waits for the page, which draws meanwhile, and all are done at about the same time.
+ * Workers that share a list of mazes, one worker for each core. Shares are large at first and small
+ * at the end. So a worker seldom waits for the page, which draws meanwhile, and all workers finish
+ * at about the same time.
  */
 import type { ProgramDocument } from "@corridor/program";
 import type { WrittenRun } from "@corridor/recording";
 import type { TrialMazes, TrialResult } from "../../worker/maze-trial.ts";
 import type { FromTrialWorker, ToTrialWorker } from "../../worker/trial-messages.ts";
 
-/** As much of a Worker as is needed here. */
+/** The part of `Worker` that is used. */
 export interface TrialPort {
   postMessage: (message: ToTrialWorker) => void;
   onmessage: ((event: MessageEvent<FromTrialWorker>) => void) | null;
@@ -23,14 +24,14 @@ export interface TrialJob {
 
 export interface TrialListener {
   onResult: (result: TrialResult) => void;
-  /** a worker did not load or broke: nothing more comes of this job */
+  /** a worker did not load or failed: this job has no more results */
   onFailure: () => void;
 }
 
-/** Mazes that a worker is given at a time, at least. */
+/** Smallest number of mazes that a worker receives at a time, except at the end of the list. */
 const LEAST_SHARE = 2;
 
-/** A worker, and how many mazes it still has. */
+/** A worker, and the number of mazes that it still has to try. */
 interface Crew {
   port: TrialPort;
   waiting: number;
@@ -41,7 +42,7 @@ export class TrialPool {
   readonly #size: number;
   #crews: Crew[] = [];
   #recorders: ((written: WrittenRun | null) => void)[] = [];
-  /** rises with each job: results of another one are late, and ignored */
+  /** increases with each job; results of an earlier job are ignored */
   #id = 0;
   #job: TrialJob | null = null;
   #listener: TrialListener | null = null;
@@ -52,13 +53,13 @@ export class TrialPool {
     this.#size = size;
   }
 
-  /** Starts the workers, so that a job finds them ready. */
+  /** Starts the workers, so that they are ready for a job. */
   open(): void {
     if (this.#crews.length > 0) return;
     this.#crews = Array.from({ length: this.#size }, () => this.#openCrew());
   }
 
-  /** Runs a job in place of the one that runs. */
+  /** Runs a job in place of the current one. */
   run(job: TrialJob, listener: TrialListener): void {
     this.stop();
     this.open();
@@ -71,7 +72,7 @@ export class TrialPool {
     }
   }
 
-  /** Ends the job. The maze that a worker has begun is finished and ignored. */
+  /** Ends the job. A worker finishes the maze that it has started, and the result is ignored. */
   stop(): void {
     if (this.#job !== null) for (const { port } of this.#crews) port.postMessage({ type: "stop" });
     this.#id++;
@@ -79,7 +80,7 @@ export class TrialPool {
     this.#listener = null;
   }
 
-  /** Runs a program once more and gives the run; null where no worker could. */
+  /** Runs a program once more and returns the recorded run; null if no worker could record it. */
   async record(
     maze: TrialResult["maze"],
     program: ProgramDocument,
@@ -95,7 +96,7 @@ export class TrialPool {
     });
   }
 
-  /** Ends the workers; the next job starts new ones. */
+  /** Terminates the workers; the next job starts new ones. */
   close(): void {
     this.stop();
     for (const { port } of this.#crews) port.terminate();
@@ -124,7 +125,10 @@ export class TrialPool {
     return crew;
   }
 
-  /** Half of what nobody has, divided by the workers, once a worker is through with half of so many. */
+  /**
+   * Gives a worker its next share: half of the remaining mazes, divided by the number of workers. A
+   * worker that still has more than half of a share receives none.
+   */
   #give(crew: Crew): void {
     if (this.#job === null) return;
     const { program, mazes, seeds } = this.#job;
@@ -141,7 +145,7 @@ export class TrialPool {
 /** More workers than this cost more memory than they save time. */
 const MOST_WORKERS = 16;
 
-/** The pool of the page: a worker for each core. */
+/** Creates the pool of the page: one worker for each core, and at most `MOST_WORKERS`. */
 export function createTrialPool(): TrialPool {
   const cores = Math.max(1, Math.min(MOST_WORKERS, navigator.hardwareConcurrency || 1));
   return new TrialPool(

@@ -1,4 +1,4 @@
-/** The mazes that the open program is tried in: which ones, how far it is, and what came of each. */
+/** The trials of the open program: which mazes, the progress, and the outcome of each. */
 import type { ProgramDocument } from "@corridor/program";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { TrialMazes, TrialOutcome, TrialResult } from "../../worker/maze-trial.ts";
@@ -8,7 +8,7 @@ import type { TrialPool } from "./trial-pool.ts";
 export const TRIALS = 100;
 export const LEAST_TRIAL_SIDE = 5;
 export const MOST_TRIAL_SIDE = 33;
-/** The first seed of the last set; no maze of it has a seed that cannot be typed elsewhere. */
+/** The first seed of the last set: every seed of the set can be typed elsewhere. */
 export const MOST_FIRST_SEED = 999_999_900;
 
 export interface TrialChoice extends TrialMazes {
@@ -16,18 +16,21 @@ export interface TrialChoice extends TrialMazes {
   first: number;
 }
 
-/** It outlives the dialog, so that a corrected program is tried in the same mazes. */
+/** The choice outlives the dialog, so that a corrected program is tried in the same mazes. */
 export const trialChoice = createStore<TrialChoice>()(() => ({ kind: "tree", side: 11, first: 1 }));
 
 export interface TrialsState {
   state: "idle" | "running" | "done" | "stopped" | "failed";
   /** by seed */
   results: ReadonlyMap<number, TrialResult>;
-  /** those whose pictures are drawn */
+  /** results whose pictures are drawn */
   pictured: ReadonlyMap<number, TrialResult>;
 }
 
-/** Drawing a maze takes a core that the mazes want too: while they are tried, pictures follow each fourth time. */
+/**
+ * Drawing a maze takes a core that the trials need too. Until the end, only each fourth update
+ * draws pictures.
+ */
 const SHOWN_PER_PICTURES = 4;
 const nothing = {
   results: new Map<number, TrialResult>(),
@@ -41,12 +44,15 @@ export class Trials {
   }));
   readonly pool: TrialPool;
   readonly #later: (show: () => void) => void;
-  /** results that the screen does not have yet */
+  /** results that are not displayed yet */
   #news: TrialResult[] = [];
   #isDue = false;
   #shown = 0;
 
-  /** @param later runs a function after a while: what comes between the first and the last result is shown together */
+  /**
+   * @param later runs a function after a delay; results between the first and the last are
+   *   displayed together
+   */
   constructor(pool: TrialPool, later: (show: () => void) => void) {
     this.pool = pool;
     this.#later = later;
@@ -75,13 +81,13 @@ export class Trials {
     if (state === "running") this.store.setState({ state: "stopped", pictured: results });
   }
 
-  /** Stops, and drops the results. */
+  /** Stops, and deletes the results. */
   clear(): void {
     this.stop();
     this.store.setState({ state: "idle", ...nothing });
   }
 
-  /** Ends the workers as well. */
+  /** Stops, and terminates the workers. */
   close(): void {
     this.stop();
     this.pool.close();
@@ -115,7 +121,7 @@ export function seedsFrom(first: number): number[] {
   return Array.from({ length: TRIALS }, (_, at) => first + at);
 }
 
-/** How many mazes ended in which way. */
+/** Counts the mazes by outcome. */
 export function countOutcomes(
   results: ReadonlyMap<number, TrialResult>,
 ): Record<TrialOutcome, number> {

@@ -1,13 +1,13 @@
-/** Begins to try other mazes at the press of the button, and keeps the workers for the next press. */
+/** Starts the trials when the button is pressed, and retains the workers for the next press. */
 import type { Services } from "../../app/services.ts";
 import { trialChoice, type Trials } from "./trials.ts";
 
-/** How long the workers wait for the next press of the button. */
+/** Time in ms after which idle workers end. */
 const IDLE_MS = 60_000;
 
 /**
- * Tries the program when the dialog is asked for and when other mazes are chosen in it.
- * @returns a function that ends it, and the workers
+ * Tries the program when the dialog opens, and when other mazes are chosen in it.
+ * @returns a function that stops this, and terminates the workers
  */
 export function tryWhileOpen(
   { screen, workspace }: Pick<Services, "screen" | "workspace">,

@@ -1,17 +1,22 @@
-/** A maze in small: walls, start and goals, drawn from the document. Decoration beside its name. */
+/** A small picture of a maze: walls, start and goals. Decoration beside the name of the maze. */
 import { sizeOf, type MazeDocument } from "@corridor/maze";
 import { blocksPath, edgesPath } from "./maze-outline.ts";
 import styles from "./maze-picture.module.css";
 
-/** Radius of the start and half the side of a goal, in cells of a small maze and as a share of a large one. */
+/**
+ * Radius of the start, and half the side of a goal: in cells, and as a share of the longest side.
+ * The larger value applies.
+ */
 const MARK = 0.3;
 const MARK_SHARE = 1 / 50;
-/** Above so many cells a side an outline would be all that is seen of a block. */
+/**
+ * Longest side in cells of a maze with outlines. In larger mazes, outlines would hide the blocks.
+ */
 const OUTLINED_UP_TO = 45;
 
 interface MazePictureProps {
   maze: MazeDocument;
-  /** whether it marks where the robot starts */
+  /** whether the picture marks the start of the robot */
   showStart?: boolean;
 }
 
@@ -29,7 +34,7 @@ export function MazePicture({ maze, showStart = true }: MazePictureProps) {
   );
 }
 
-/** The same as part of another drawing, one unit for each square. */
+/** The same as a part of another SVG, one unit for each cell. */
 export function MazeDrawing({ maze, showStart = true }: MazePictureProps) {
   const { columns, rows } = sizeOf(maze);
   const longest = Math.max(columns, rows);

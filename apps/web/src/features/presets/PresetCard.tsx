@@ -1,4 +1,4 @@
-/** One choice of the presets: a picture if it has one, its name, and a note below. */
+/** One choice of the presets: a picture if it has one, its name, and a hint below. */
 import { CircleCheck } from "lucide-react";
 import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
@@ -8,7 +8,7 @@ interface PresetCardProps {
   title: string;
   hint: string;
   picture?: ReactNode;
-  /** whether this very one is open */
+  /** whether this preset is open */
   isOpen: boolean;
   isSolved?: boolean;
   onChoose: () => void;

@@ -1,4 +1,4 @@
-/** Opens the presets at the top bar. */
+/** Opens the presets from the top bar. */
 import { ChevronDown, LayoutGrid } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
@@ -11,7 +11,7 @@ export function PresetsButton() {
   const { t } = useTranslation();
   const { screen } = useServices();
   const menu = usePopover();
-  // A window that becomes a phone's shows them in its sheet.
+  // If the window shrinks to a phone's size, its sheet displays the presets.
   const onOpenChange = (isOpen: boolean): void => {
     menu.panel.onOpenChange(isOpen);
     screen.setState({ sheetTab: isOpen ? "presets" : null });

@@ -1,4 +1,4 @@
-/** Ready-made mazes, random ones, and algorithms to choose from. */
+/** Preset mazes, the daily maze, random mazes, and algorithms to choose from. */
 import { mazePresets } from "@corridor/maze";
 import { programPresets } from "@corridor/program";
 import { useId } from "react";
@@ -16,7 +16,7 @@ import { RandomMaze } from "./RandomMaze.tsx";
 import styles from "./presets.module.css";
 
 interface PresetsPanelProps {
-  /** called once something was chosen, so that a dialog can close */
+  /** called after a choice, so that a dialog can close */
   onChosen?: () => void;
 }
 

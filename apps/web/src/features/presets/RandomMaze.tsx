@@ -1,4 +1,7 @@
-/** Draws a random maze: its kind, its size and the seed that makes the same one anywhere. */
+/**
+ * Generates a random maze from its kind, its size and its seed, which generates the same maze
+ * anywhere.
+ */
 import { generateMaze, mazeKinds, type MazeDocument } from "@corridor/maze";
 import { Dices } from "lucide-react";
 import { useId } from "react";

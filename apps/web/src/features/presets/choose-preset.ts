@@ -1,6 +1,6 @@
 /**
- * Puts a maze in place of the one that is open, with a message that takes it back. A program that the student
- * wrote stays; an example or a ready-made one makes room for an empty program.
+ * Replaces the open maze, with a message that can undo it. A program that the student wrote stays;
+ * an empty program replaces an example or a preset.
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { i18n } from "i18next";
@@ -9,7 +9,7 @@ import { dismiss, dismissOfProject, showMessage } from "../../stores/screen-stor
 import { newLineIds, setMaze, setProgram, undo } from "../../stores/workspace-store.ts";
 import { programForMaze } from "../program/own-program.ts";
 
-/** The robot goes to the start of the maze. Maze and program are one step of the history. */
+/** Resets the robot to the start of the maze. Maze and program are one step of the history. */
 export function chooseMaze(
   { workspace, simulator, screen }: Pick<Services, "workspace" | "simulator" | "screen">,
   words: Pick<i18n, "t">,
@@ -21,7 +21,7 @@ export function chooseMaze(
   else workspace.setState({ maze, program, lineIds: newLineIds(program.rules.length) });
   simulator.send({ type: "reset" });
   const after = workspace.getState();
-  // One message at a time: several would reach the robot on a phone.
+  // One message at a time: on a phone, several would cover the robot.
   dismissOfProject(screen);
   const message = showMessage(screen, {
     tone: "info",
@@ -31,7 +31,8 @@ export function chooseMaze(
       label: words.t("presets.undo"),
       run: () => {
         dismiss(screen, message);
-        // Later edits have steps of their own in the history, which stay: the old maze comes on top.
+        // Later edits have their own steps in the history, which stay. The old maze becomes a new
+        // step.
         const now = workspace.getState();
         if (now.maze === after.maze && now.program === after.program) undo(workspace);
         else {

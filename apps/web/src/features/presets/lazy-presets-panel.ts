@@ -1,4 +1,6 @@
-/** The presets come with their pictures in a file of their own; the first screen shows none. */
+/**
+ * The presets and their pictures are a separate chunk, because the first screen does not show them.
+ */
 import { lazyPart } from "../../ui/lazy-part.tsx";
 
 export const LazyPresetsPanel = lazyPart<{ onChosen?: () => void }>(

@@ -1,7 +1,10 @@
-/** A maze as two SVG paths in cells: the blocks as areas, and the edge of their merged shape. */
+/**
+ * Converts a maze to two SVG paths in cells: the blocks as areas, and the edge of their merged
+ * shape.
+ */
 import { isBlock, sizeOf, type MazeDocument } from "@corridor/maze";
 
-/** One rectangle for each run of blocks in a row, so that seams between neighbours do not show. */
+/** One rectangle for each run of blocks in a row, so that no seams show between neighbours. */
 export function blocksPath(maze: MazeDocument): string {
   let path = "";
   for (const [y, row] of maze.blocks.entries()) {
@@ -12,7 +15,7 @@ export function blocksPath(maze: MazeDocument): string {
   return path;
 }
 
-/** Lines between blocks and open cells, joined where they go on straight. */
+/** Lines between blocks and open cells. Straight lines are joined. */
 export function edgesPath(maze: MazeDocument): string {
   const { columns, rows } = sizeOf(maze);
   const isInside = (x: number, y: number) => x >= 0 && y >= 0 && x < columns && y < rows;
@@ -36,7 +39,7 @@ export function edgesPath(maze: MazeDocument): string {
   return path;
 }
 
-/** Writes each unbroken run of indexes below `count` that `has` holds for. */
+/** Writes each unbroken run of indexes below `count` for which `has` is true. */
 function runs(
   count: number,
   has: (index: number) => boolean,

@@ -1,12 +1,17 @@
-/** Which ready-made maze a maze is, if any: in a file of its own with all of them. */
+/**
+ * Finds the preset that a maze is. This module is a separate chunk, because it contains all
+ * presets.
+ */
 import { mazePresets, type MazeDocument, type MazePresetId } from "@corridor/maze";
 
-/** A maze counts as it was given: with a block taken out or the start moved it is another one. */
+/**
+ * Compares whole mazes: with a block removed or the start moved, a maze is no longer the preset.
+ */
 export function presetOf(maze: MazeDocument): MazePresetId | null {
   return mazePresets.find((each) => isSame(each.maze, maze))?.id ?? null;
 }
 
-/** Names may be in another language. */
+/** Ignores names, which may be in another language. */
 function isSame(preset: MazeDocument, maze: MazeDocument): boolean {
   return (
     preset.blocks.join() === maze.blocks.join() &&

@@ -1,15 +1,20 @@
 /**
- * What random maze the reader is choosing. It outlives the panel, so that a menu that was closed opens
- * with the same maze.
+ * The random maze that the user is choosing. The choice outlives the panel, so that a reopened menu
+ * displays the same maze.
  */
 import type { MazeKind } from "@corridor/maze";
 import { createStore } from "zustand/vanilla";
 
-/** Sides that the slider offers, odd ones only: a link of the largest still opens on a phone. */
+/**
+ * Sides that the slider offers, odd numbers only. A link to the largest maze still opens on a
+ * phone.
+ */
 export const LEAST_SIDE = 5;
 export const MOST_SIDE = 101;
 
-/** Seeds that can be typed; those that are drawn are short enough to be called across a room. */
+/**
+ * Largest seed that can be typed. Drawn seeds are smaller: short enough to be called across a room.
+ */
 export const MOST_SEED = 999_999_999;
 const DRAWN_SEEDS = 9_999;
 
@@ -26,7 +31,7 @@ export const randomChoice = createStore<RandomChoice>()(() => ({
   seed: drawSeed(),
 }));
 
-/** A seed that nobody chose, from 1 to 9999. */
+/** A random seed from 1 to 9999. */
 export function drawSeed(): number {
   const [word = 0] = crypto.getRandomValues(new Uint32Array(1));
   return (word % DRAWN_SEEDS) + 1;

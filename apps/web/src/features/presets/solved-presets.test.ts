@@ -23,7 +23,7 @@ function open(device = new MemoryStorage()) {
   ): Promise<void> => {
     const event = { kind, driver, tick: 1, bumps: 0, line: null } as Partial<RunEvent> as RunEvent;
     run.setState({ event });
-    // The ready-made mazes come in a file of their own.
+    // The presets are a separate chunk.
     await import("./preset-of.ts");
     await new Promise((resolve) => setTimeout(resolve, 0));
   };

@@ -1,13 +1,13 @@
 /**
- * Which ready-made mazes were solved on this device, by hand or by a program. A maze counts as it was
- * given: with a block taken out or the start moved it is another one.
+ * Which presets were solved on this device, by hand or by a program. With a block removed or the
+ * start moved, a maze is no longer the preset.
  */
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { KeyValueStorage } from "../../app/project-storage.ts";
 import type { RunStore } from "../../stores/run-store.ts";
 import type { WorkspaceStore } from "../../stores/workspace-store.ts";
 
-/** ids as they are stored; those of a later Corridor are kept as they are */
+/** stored ids; those of a later version of Corridor are retained */
 export type SolvedStore = StoreApi<{ ids: readonly string[] }>;
 
 const KEY = "corridor.solved";
@@ -19,7 +19,10 @@ export interface SolvedPorts {
   device: KeyValueStorage;
 }
 
-/** Reads what the device remembers, and adds to it whenever the goal is reached. */
+/**
+ * Reads the stored ids, and adds a preset when Me or a program reaches its goal. Also stores the
+ * best runs in daily mazes.
+ */
 export function createSolvedStore({ run, workspace, device }: SolvedPorts): SolvedStore {
   const solved: SolvedStore = createStore(() => ({ ids: read(device) }));
   run.subscribe(({ event }, before) => {
@@ -31,7 +34,7 @@ export function createSolvedStore({ run, workspace, device }: SolvedPorts): Solv
         noteDaily(device, maze, { ticks: tick, bumps }, utcDay(new Date())),
       () => undefined,
     );
-    // The ready-made mazes are no part of the first screen.
+    // The presets are not part of the first screen.
     void import("./preset-of.ts").then(
       ({ presetOf }) => {
         const id = presetOf(maze);
@@ -43,19 +46,19 @@ export function createSolvedStore({ run, workspace, device }: SolvedPorts): Solv
 
   function add(id: string): void {
     if (solved.getState().ids.includes(id)) return;
-    // Another tab may have added one since.
+    // Another tab may have added an id since.
     const ids = [...new Set([...solved.getState().ids, ...read(device), id])];
     solved.setState({ ids });
     try {
       device.setItem(KEY, JSON.stringify(ids));
     } catch {
-      // A full or forbidden storage is told by the autosave; the mark lasts as long as the page.
+      // The autosave reports a full or forbidden storage. The mark lasts as long as the page.
     }
   }
   return solved;
 }
 
-/** What cannot be read is of no use here, and is not worth a message. */
+/** An entry that cannot be read counts as none. */
 function read(device: KeyValueStorage): string[] {
   let stored: unknown;
   try {

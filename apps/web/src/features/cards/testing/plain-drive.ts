@@ -1,6 +1,6 @@
 /**
- * A program's run as a list of its ticks, from the simulation alone: what the sentences of a diagnosis are
- * read against. It shares no code with the diagnosis.
+ * Runs a program in the simulation and lists all ticks. Tests check the sentences of a diagnosis
+ * against the list, so it shares no code with the diagnosis.
  */
 import type { MazeDocument } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
@@ -8,19 +8,19 @@ import type { LineRef, PlainAction, SensorReadings } from "@corridor/protocol";
 import { ProgramRun, Simulation } from "@corridor/simulation";
 
 export interface PlainMoment {
-  /** before the tick, in units */
+  /** readings before the tick, in units */
   sensors: SensorReadings;
   x: number;
   y: number;
   heading: number;
-  /** the line that decided for it; null where a manoeuvre ran */
+  /** the line that decided on this tick; null while a manoeuvre runs */
   line: LineRef | null;
   action: PlainAction | null;
-  /** bumps up to the beginning of the tick */
+  /** bumps before the tick */
   bumps: number;
 }
 
-/** Every tick up to one, and the robot as it stands then, when no line has decided any more. */
+/** Returns the ticks from 0 to `ticks`. The last entry is the final state, without a decision. */
 export function plainDrive(
   maze: MazeDocument,
   program: ProgramDocument,

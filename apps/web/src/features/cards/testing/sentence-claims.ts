@@ -1,6 +1,6 @@
 /**
- * Reads the English words of a diagnosis as a student does, and checks each sentence on the run itself:
- * lines, times, readings, distances. A sentence that it does not know is a claim that nobody checks.
+ * Parses the English sentences of a diagnosis and checks each one against the run: lines, times,
+ * readings, distances. A sentence without a claim is reported as unknown.
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { Condition, ProgramDocument } from "@corridor/program";
@@ -22,17 +22,20 @@ const inner = "(?<inner>line \\d+|“otherwise”)";
 const action = "“(?<action>[a-z 0-9]+)”";
 const at = "at (?<at>[\\d.]+) s";
 const sensor = "(?<sensor>front|back|left|right)";
-/** A place so many cm earlier or later is one along the way: what is beside the robot does not come nearer on it. */
+/**
+ * Sensors for a distance along the path. Driving on brings the robot no nearer to what is beside
+ * it.
+ */
 const along = "(?<sensor>front|back)";
 const number = "\\d+(?:\\.\\d+)?";
 const reading = `(?<reading>${number}) cm`;
 const read = `\\((?:${sensor}: ${reading}|left: (?<left>${number}) cm, right: (?<right>${number}) cm)\\)`;
 const sides = `\\(front: (?<front>${number}) cm, left: (?<left>${number}) cm, right: (?<right>${number}) cm\\)`;
 
-/** From the wall to the robot's edge, in units. */
+/** Radius of the robot, in units. */
 const RADIUS = 25;
 const DELAYED_NEEDS = 75;
-/** An opening is at least a cell deep: less is the wall of the corridor. */
+/** An opening is at least one cell deep. A smaller reading is the wall of the corridor. */
 const OPEN = 125;
 
 const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
@@ -116,7 +119,7 @@ const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
     (evidence, found) => {
       const is = conditionOf(evidence.program, lineOf(found["who"]))?.is;
       const right = Number(found["reading"]) + Number(found["by"]) * (is === "<" ? -1 : 1);
-      // So far on, the robot must have a place.
+      // The robot must be able to stand at the better number.
       return momentsOf(evidence, found).length > 0 && right > RADIUS;
     },
   ],
@@ -261,7 +264,7 @@ const readers = claims.map(([sentence, holds]) => ({
 /**
  * @param text in English, without the number of a maze
  * @param end tick of the failure
- * @returns the sentences that the run does not bear out, and those that no claim is known of
+ * @returns the sentences that the run contradicts, and the text from the first unknown sentence on
  */
 export function falseSentences(
   maze: MazeDocument,
@@ -285,7 +288,7 @@ export function falseSentences(
   return wrong;
 }
 
-/** Ticks that are written as these seconds: tenths, cut. */
+/** Ticks that are displayed as these seconds, which are cut to tenths. */
 function ticksAt(seconds = ""): number[] {
   const first = Math.ceil(Number(seconds) * 60 - 1e-9);
   return Array.from({ length: 6 }, (_, more) => first + more);
@@ -297,8 +300,8 @@ function bumpAt(moments: readonly PlainMoment[], end: number, seconds?: string):
 }
 
 /**
- * Whether the numbers of the sentence, put into the condition of a line that it names, say another thing than
- * the line did then: "right was 50 cm" for `right > 50` that was true.
+ * Whether the numbers of the sentence contradict the condition of a line that it names. Example:
+ * "right was 50 cm" for a `right > 50` that was true.
  */
 function contradictsLine(
   { program, moments }: Evidence,
@@ -319,7 +322,7 @@ function contradictsLine(
   });
 }
 
-/** Ticks at which this line chose this action on these readings, at the time of the sentence. */
+/** Ticks at the time of the sentence at which its line chose its action on its readings. */
 function momentsOf({ moments }: Evidence, found: Readonly<Record<string, string>>): number[] {
   return ticksAt(found["at"]).filter((tick) => {
     const moment = moments[tick];
@@ -331,7 +334,7 @@ function momentsOf({ moments }: Evidence, found: Readonly<Record<string, string>
   });
 }
 
-/** Whether all readings that the sentence has are those of the moment. */
+/** Whether the moment has all readings of the sentence. */
 function isRead(moment: PlainMoment | undefined, found: Readonly<Record<string, string>>): boolean {
   if (moment === undefined) return false;
   const { sensors } = moment;
@@ -362,7 +365,7 @@ function isTrueAt(program: ProgramDocument, line: LineRef, moment?: PlainMoment)
   return when.is === ">" ? sensors[when.sensor] > right : sensors[when.sensor] < right;
 }
 
-/** The line drove the robot up to the moment, and then was true still, or no longer. */
+/** Whether the line decided one tick before the moment, and then is still true, or no longer. */
 function wasBefore(
   { program, moments }: Evidence,
   found: Readonly<Record<string, string>>,
@@ -376,7 +379,10 @@ function wasBefore(
   });
 }
 
-/** Whether the line becomes true, or false, so many cm after the moment as the sentence says; null: never. */
+/**
+ * Whether the line becomes true, or false, as many cm after the moment as the sentence states,
+ * within 5 cm. Null if it never does.
+ */
 function isReadAfter(
   { program, moments }: Evidence,
   found: Readonly<Record<string, string>>,
@@ -391,7 +397,7 @@ function isReadAfter(
   return Math.abs(away - Number(found["by"])) <= 5;
 }
 
-/** How often up to a tick the robot went from one square into another as it did in that tick. */
+/** How often, up to a tick, the robot moved between the same two cells as in that tick. */
 function passes(moments: readonly PlainMoment[], end: number): number {
   const way = (tick: number) => `${cellOf(moments[tick - 1])} to ${cellOf(moments[tick])}`;
   if (cellOf(moments[end - 1]) === cellOf(moments[end])) return 0;
@@ -410,7 +416,10 @@ function movedSince(moments: readonly PlainMoment[], from: number, to: number): 
   return Math.hypot(one.x - other.x, one.y - other.y);
 }
 
-/** The side began to be open here: a little earlier on the same way it was not. */
+/**
+ * Whether the side has just opened: at most about 20 units earlier, with the same heading, it was
+ * not open.
+ */
 function isEdge(
   { moments }: Evidence,
   tick: number,
@@ -429,7 +438,7 @@ function isEdge(
   return false;
 }
 
-/** Times that a line began this action. */
+/** How often the line started this action. */
 function starts(moments: readonly PlainMoment[], line: LineRef, action: string): number {
   return moments.filter(
     (moment, at) =>
@@ -437,7 +446,7 @@ function starts(moments: readonly PlainMoment[], line: LineRef, action: string):
   ).length;
 }
 
-/** Whether a corner of a block, at no other block's side, is one radius from the robot's middle. */
+/** Whether a corner of a block is one radius from the robot's centre. */
 function touchesCorner({ blocks }: MazeDocument, robot: PlainMoment | undefined): boolean {
   if (robot === undefined) return false;
   const { x, y } = robot;
@@ -454,7 +463,10 @@ function touchesCorner({ blocks }: MazeDocument, robot: PlainMoment | undefined)
   );
 }
 
-/** Straight on with one heading from the tick to the bump, and no line chose so the tick before. */
+/**
+ * Whether the robot drove straight from the tick to the bump, and no line drove it so one tick
+ * earlier.
+ */
 function drovePlainly(
   { moments, end }: Evidence,
   found: Readonly<Record<string, string>>,
@@ -472,7 +484,7 @@ function drovePlainly(
     const begun = moments[tick];
     if (begun === undefined || tick >= end || !isAbout(begun.sensors[side], found["reading"]))
       return false;
-    // A delayed turn drives on by itself; the decision after it is what counts.
+    // A delayed turn drives by itself; the decision after it counts.
     if (tick > 0 && moments[tick - 1]?.line !== null && isDriving(tick - 1)) return false;
     for (let each = tick; each < end - 1; each++) if (!isDriving(each)) return false;
     return true;

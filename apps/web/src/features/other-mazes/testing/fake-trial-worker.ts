@@ -2,12 +2,12 @@ import { mazeOf, minutesFor, recordTrial, tryMaze } from "../../../worker/maze-t
 import type { FromTrialWorker, ToTrialWorker } from "../../../worker/trial-messages.ts";
 import type { TrialPort } from "../trial-pool.ts";
 
-/** A worker that answers when it is told to. */
+/** A worker that completes its tasks on request. */
 export class FakeTrialWorker implements TrialPort {
   onmessage: TrialPort["onmessage"] = null;
   onerror: TrialPort["onerror"] = null;
   isOver = false;
-  /** what it has to do */
+  /** pending tasks, the oldest first */
   readonly waiting: (() => FromTrialWorker)[] = [];
 
   postMessage(message: ToTrialWorker): void {
@@ -23,7 +23,10 @@ export class FakeTrialWorker implements TrialPort {
     this.isOver = true;
   }
 
-  /** Does the oldest. @returns whether there was one */
+  /**
+   * Completes the oldest task.
+   * @returns whether there was one
+   */
   answer(): boolean {
     const data = this.waiting.shift()?.();
     if (data === undefined) return false;
