@@ -1,4 +1,7 @@
-/** The task above the maze in a few words; green and with what it took once it is met. */
+/**
+ * The task of the open challenge above the maze. Once it is met, the line turns green and shows the
+ * result.
+ */
 import { Check, Target } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";

@@ -1,4 +1,4 @@
-/** All missions are done: a picture to save, with the trail of the student's own program. */
+/** End of the path: a picture to save with the trail of the student's own program. */
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
@@ -26,7 +26,7 @@ export function Finish({ service, done }: FinishProps) {
   const { speech } = useServices();
   const [trail, setTrail] = useState<SolvedTrail | null>(null);
   const [hasFailed, setHasFailed] = useState<"trail" | "png" | null>(null);
-  // The date of the moment in which the dialog was opened.
+  // The date on which the dialog opened.
   const [today] = useState(() => new Date());
   useEffect(() => {
     let isOver = false;
@@ -114,7 +114,10 @@ export function Finish({ service, done }: FinishProps) {
   );
 }
 
-/** A file shows the isolates of values in sentences as boxes where its font lacks them. */
+/**
+ * Removes isolate characters (U+2066 to U+2069). An image viewer draws them as boxes where its font
+ * lacks them.
+ */
 function isolated<Texts extends Record<string, string>>(texts: Texts): Texts {
   const entries = Object.entries(texts).map(([key, text]) => [
     key,

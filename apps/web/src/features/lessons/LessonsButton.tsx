@@ -1,4 +1,4 @@
-/** Opens the path of missions at the top bar. */
+/** Top bar button that opens the path of missions. */
 import { Target } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";

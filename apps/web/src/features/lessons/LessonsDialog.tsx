@@ -1,4 +1,4 @@
-/** The path of missions: all of them open at once, with what is done and where the reader is. */
+/** The path of missions. All missions are open at once, with progress and the current position. */
 import { Check, Circle, CircleDot } from "lucide-react";
 import { useEffect, useId, useState } from "react";
 import { useTranslation } from "react-i18next";
@@ -23,7 +23,7 @@ export interface LessonsDialogProps {
   onClose: () => void;
 }
 
-/** Opens once the lessons and their words are there. */
+/** Opens once the lessons and their texts are loaded. */
 export function LessonsDialog({ isOpen, onClose }: LessonsDialogProps) {
   const { t, ready } = useTranslation("missions", { useSuspense: false });
   const { lessons } = useServices();
@@ -94,7 +94,7 @@ function MissionPath({ service, onClose }: { service: LessonsService; onClose: (
 interface ChapterProps {
   chapter: ChapterId;
   done: LessonsRecord["done"];
-  /** id of the mission that is open */
+  /** id of the open mission */
   open: string | null;
   onOpen: (id: string) => void;
 }
@@ -146,7 +146,7 @@ function Chapter({ chapter, done, open, onOpen }: ChapterProps) {
 
 interface ProjectsProps {
   best: LessonsRecord["best"];
-  /** id of the project that is open */
+  /** id of the open project */
   open: string | null;
   onOpen: (id: string) => void;
 }

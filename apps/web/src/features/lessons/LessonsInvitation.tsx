@@ -1,4 +1,4 @@
-/** For a reader who has never been here: one calm line at the top of the panel. */
+/** Invitation to the first mission for a first-time visitor: one line at the top of the panel. */
 import { X } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -8,12 +8,12 @@ import styles from "./lessons-invitation.module.css";
 
 const FIRST_MISSION = "make-it-move";
 
-/** Shows nothing to others. */
+/** Renders nothing unless the student is invited. */
 export function LessonsInvitation() {
   const { t } = useTranslation();
   const { challenge, lessons, workspace } = useServices();
   const isInvited = useStore(challenge, (state) => state.isInvited);
-  // More lines than the example has are the student's own, and need the room.
+  // A program with more lines than the example is the student's own, and its lines need the space.
   const hasBegun = useStore(workspace, ({ program }) => program.rules.length > 2);
   if (!isInvited || hasBegun) return null;
   return (

@@ -1,4 +1,4 @@
-/** The open mission in the panel: its task, hints one by one, the check, and the way on. */
+/** The open mission in the panel: its task, hints one by one, the check and the next step. */
 import { ArrowRight, ChevronDown, ChevronUp, House, ListChecks, ListRestart } from "lucide-react";
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
@@ -18,18 +18,18 @@ import { projectIds, projectOf } from "./missions/projects.ts";
 import { useTask } from "./use-task.ts";
 
 export interface MissionCardProps {
-  /** slim: only the task and the way on, where the keys need the room */
+  /** `slim` shows only the task and the next step, where the drive keys need the space */
   look?: "full" | "slim";
 }
 
-/** Shows nothing while no challenge is open. */
+/** Renders nothing while no challenge is open. */
 export function MissionCard({ look = "full" }: MissionCardProps) {
   const { lessons, challenge } = useServices();
   const isOpen = useStore(challenge, (state) => state.challenge !== null);
   const mission = useStore(challenge, (state) => state.mission);
   const [service, setService] = useState<LessonsService | null>(null);
   useEffect(() => {
-    // What opened the challenge has loaded the lessons; this only takes them.
+    // Opening a challenge has already loaded the lessons. This call only returns them.
     if (isOpen) void lessons.load().then(setService, () => undefined);
   }, [isOpen, lessons]);
   if (!isOpen || service === null) return null;
@@ -145,7 +145,10 @@ function SlimMission({ service }: { service: LessonsService }) {
   );
 }
 
-/** The check where there is one, and the way on once it is met: before that, Lessons has every mission. */
+/**
+ * The check where the mission has one, and the next step once the mission is met. Until then the
+ * Lessons dialog offers every mission.
+ */
 function Actions({ service }: { service: LessonsService }) {
   const { t } = useTranslation(["missions", "words"], { useSuspense: false });
   const { challenge: store, lessons } = useServices();

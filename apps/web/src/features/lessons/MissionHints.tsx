@@ -1,17 +1,20 @@
-/** Hints of a mission, opened one after the other: their button in the card's head, and the list of those open. */
+/**
+ * Hints of a mission, opened one after the other: the button in the card's head and the list of
+ * open hints.
+ */
 import { Lightbulb } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { IconButton } from "../../ui/Button.tsx";
 import styles from "./lessons.module.css";
 
 interface HintButtonProps {
-  /** how many are open */
+  /** number of open hints */
   shown: number;
   count: number;
   onShow: () => void;
 }
 
-/** Gone when all are open. */
+/** Disappears when all hints are open. */
 export function HintButton({ shown, count, onShow }: HintButtonProps) {
   const { t } = useTranslation("missions", { useSuspense: false });
   if (shown >= count) return null;
@@ -25,7 +28,7 @@ export function HintButton({ shown, count, onShow }: HintButtonProps) {
   );
 }
 
-/** Spoken as they come. */
+/** A live region, so that screen readers announce each new hint. */
 export function HintList({ hints }: { hints: readonly string[] }) {
   const { t } = useTranslation("missions", { useSuspense: false });
   return (

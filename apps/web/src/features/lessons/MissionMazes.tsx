@@ -1,4 +1,4 @@
-/** The mazes of a mission: which one is shown, and after a check which pass and which fail. */
+/** The mazes of a mission: which one is displayed and, after a check, which pass and which fail. */
 import { Check, X } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -15,7 +15,7 @@ export function MissionMazes({ service }: { service: LessonsService }) {
   const verdict = useStore(store, (state) => state.verdict);
   const outcomes = verdict?.mazes ?? [];
   const passed = outcomes.filter(({ failure }) => failure === null).length;
-  // An open project is checked by itself, without a verdict.
+  // An open project is checked automatically, without a verdict.
   const live = useStore(service.project.status, ({ status }) =>
     status.kind === "mazes" ? status.result.failed : null,
   );

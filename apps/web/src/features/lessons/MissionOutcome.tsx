@@ -1,4 +1,7 @@
-/** How the attempt at a mission stands: met, or what went wrong, where, and what to try. Spoken as it changes. */
+/**
+ * Result of the attempt at a mission: met, or what failed, where, and what to try. Announces each
+ * change.
+ */
 import type { ChallengeDocument, Verdict } from "@corridor/challenge";
 import { useEffect } from "react";
 import { useTranslation } from "react-i18next";
@@ -14,7 +17,7 @@ export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) 
   const { t, i18n } = useTranslation(["missions", "words", "diagnosis"], { useSuspense: false });
   const words: MissionWords = { t: t as unknown as MissionWords["t"], i18n };
   const { challenge: store, run, timeline, speech } = useServices();
-  // Of a check nothing waits.
+  // The run of a check contains no waiting ticks.
   const ofRun: MissionWords = { ...words, waited: (tick) => timeline.waitedUpTo(tick) };
   const result = useStore(store, (state) => state.result);
   const verdict = useStore(store, (state) => state.verdict);
@@ -24,7 +27,7 @@ export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) 
   const standing = useStore(run, (state) => standingReading(challenge, state));
   const isMet = result.state === "met";
   const failure = verdict === null ? null : failureOf(verdict, shown);
-  // Nothing has failed where a hand may drive on.
+  // In a drive by hand the student may continue, so nothing has failed while the result is open.
   const isOpen = failure === null && failedRun === null && result.state === "open";
   const text = isMet
     ? metText(ofRun, challenge, result)
@@ -38,7 +41,8 @@ export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) 
   useSay(text, "mission");
   useEffect(
     () => () => {
-      // Another one is open, or none: on a phone the card goes with its tab as well.
+      // Withdraws the text only when another challenge opens or none is open. On a phone the card
+      // also unmounts with its tab.
       if (store.getState().challenge !== challenge) speech.tellState("mission", null);
     },
     [store, speech, challenge],
@@ -54,7 +58,7 @@ export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) 
   );
 }
 
-/** What failed in the maze on the screen; where it passes, in the first one that fails. */
+/** The failure in the displayed maze or, if that maze passes, in the first maze that fails. */
 function failureOf({ mazes, failure }: Verdict, shown: number): Verdict["failure"] {
   return mazes[shown]?.failure ?? failure;
 }

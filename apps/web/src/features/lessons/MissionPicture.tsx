@@ -1,19 +1,21 @@
-/** The thumbnail of a mission: its maze, the robot and the idea. Decoration beside the mission's name. */
+/**
+ * Thumbnail of a mission: its maze, the robot and the idea. Decoration beside the mission's name.
+ */
 import { sizeOf, type MazeDocument } from "@corridor/maze";
 import { MazeDrawing } from "../presets/MazePicture.tsx";
 import styles from "./mission-picture.module.css";
 import type { Idea, Mark, Point } from "./missions/ideas.ts";
 
-/** The room that a thumbnail has in the dialog, in px: marks have the same size in small and large mazes. */
+/** Space of a thumbnail in the dialog, in px. Marks have the same size in small and large mazes. */
 const ROOM = { width: 144, height: 72 };
 const GAP_PX = 8;
 const ROBOT_PX = 7;
 const BADGE_PX = 16;
 const HEAD_PX = 5;
 const TICK_PX = 3;
-/** Squares between two ticks of a beam. */
+/** Cells between two ticks of a beam. */
 const TICK_EVERY = 0.5;
-/** The drawn robot's own radius (canvas/layers/robot.ts). */
+/** Radius of the drawn robot in units (canvas/layers/robot.ts). */
 const ROBOT_UNITS = 25;
 const BODY = "M-20-8C-20-19-12-25 0-25S20-19 20-8V10C20 19 14 24 6 24H-6C-14 24-20 19-20 10z";
 
@@ -21,7 +23,7 @@ const headings = { north: 0, east: 90, south: 180, west: 270 } as const;
 
 interface MissionPictureProps {
   mazes: readonly MazeDocument[];
-  /** one for each maze that is shown */
+  /** one for each displayed maze */
   ideas: readonly Idea[];
 }
 
@@ -31,7 +33,7 @@ export function MissionPicture({ mazes, ideas }: MissionPictureProps) {
   const columns = sizes.reduce((sum, size) => sum + size.columns, 0);
   const rows = Math.max(1, ...sizes.map((size) => size.rows));
   const roomWidth = ROOM.width - GAP_PX * (shown.length - 1);
-  /** squares for one px */
+  /** cells per px */
   const px = Math.max(columns / roomWidth, rows / ROOM.height);
   const gap = GAP_PX * px;
   const places = sizes.map((_, at) =>
@@ -116,7 +118,7 @@ function IdeaMark({ mark, px }: { mark: Mark; px: number }) {
   }
 }
 
-/** Two strokes at the end of a path, as long as `size`. */
+/** Two strokes at the end of a path, `size` long along each axis. */
 function arrowhead(points: readonly Point[], size: number): string {
   const [x, y] = points.at(-1) ?? [0, 0];
   const [fromX, fromY] = points.at(-2) ?? [0, 0];
@@ -126,7 +128,7 @@ function arrowhead(points: readonly Point[], size: number): string {
   return `M${x - dx - dy} ${y - dy + dx}L${x} ${y}L${x - dx + dy} ${y - dy - dx}`;
 }
 
-/** A line along an axis with ticks across it, and a longer one at its end. */
+/** Path along an axis with ticks across it and a longer tick at its end. */
 function beamPath(from: Point, to: Point, tick: number): string {
   const dx = Math.sign(to[0] - from[0]);
   const dy = Math.sign(to[1] - from[1]);

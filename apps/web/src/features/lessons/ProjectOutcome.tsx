@@ -1,4 +1,4 @@
-/** How the open project stands now, and the best result of this device. Spoken as it changes. */
+/** Current state of the open project, and the best result on this device. Announces each change. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useSay } from "../speech/use-say.ts";

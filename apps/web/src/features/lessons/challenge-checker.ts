@@ -1,7 +1,10 @@
-/** Asks the worker for verdicts; it is started with the first question and kept. */
+/**
+ * Requests verdicts from a worker. The first request starts the worker, and later requests reuse
+ * it.
+ */
 import type { CheckAnswer, CheckRequest } from "../../worker/check-request.ts";
 
-/** As much of a Worker as is needed here. */
+/** The part of Worker that the checker uses. */
 interface CheckPort {
   postMessage: (request: CheckRequest) => void;
   onmessage: ((event: MessageEvent<CheckAnswer>) => void) | null;
@@ -23,7 +26,7 @@ export class ChallengeChecker {
     this.#start = start;
   }
 
-  /** @throws when the worker does not load or breaks; the next question starts a new one */
+  /** @throws when the worker fails to load or crashes. The next request starts a new worker. */
   async check(request: CheckRequest): Promise<CheckAnswer> {
     this.#port ??= this.#open();
     const port = this.#port;
@@ -47,7 +50,7 @@ export class ChallengeChecker {
   }
 }
 
-/** The checker of the page. */
+/** Creates the page's checker. */
 export function startChecker(): ChallengeChecker {
   return new ChallengeChecker(
     () =>

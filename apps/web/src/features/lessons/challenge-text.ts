@@ -1,17 +1,20 @@
 /**
- * A shared challenge as the device keeps it: the text of its link, since ten large mazes are 173
- * characters there and most of a megabyte as JSON.
+ * A shared challenge as the device stores it: the text of its link. Ten large mazes take 173
+ * characters there, and almost 1 MB as JSON.
  */
 import { readChallenge, type ChallengeDocument } from "@corridor/challenge";
 import { decodeLink, encodeLink } from "@corridor/link";
 
-/** @returns null for a challenge that no link can carry */
+/** @returns null if the challenge does not fit into a link */
 export function writeChallengeText(challenge: ChallengeDocument): string | null {
   const link = encodeLink({ challenge });
   return link.ok ? link.text : null;
 }
 
-/** @returns null where the text is no challenge, neither a link's nor, as it once was kept, JSON */
+/**
+ * @returns null if the text is neither a challenge link nor a challenge as JSON, the format of
+ *   earlier versions
+ */
 export function readChallengeText(text: string): ChallengeDocument | null {
   if (text.startsWith("{")) {
     const read = readChallenge(text);

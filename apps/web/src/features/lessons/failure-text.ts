@@ -8,8 +8,8 @@ import { diagnosisText, diagnosisWords } from "../cards/diagnosis-text.ts";
 import type { MissionWords } from "./mission-words.ts";
 
 /**
- * What a check says.
- * @param diagnosis why the program fails in this maze; null where nothing ran
+ * The result of a failed check.
+ * @param diagnosis why the program fails in this maze; null if nothing ran
  */
 export function failureText(
   words: MissionWords,
@@ -37,7 +37,7 @@ function diagnosed(
   return runFailureText(words, diagnosis, happened);
 }
 
-/** Why the run on the screen failed, or the run of a check. */
+/** Why a run failed, either on the screen or in a check. */
 export function runFailureText(
   { t, i18n, waited }: MissionWords,
   diagnosis: Diagnosis,
@@ -81,7 +81,7 @@ function reasonText(words: MissionWords, challenge: ChallengeDocument, it: Failu
   }
 }
 
-/** What the run on the screen says; null while nothing has failed. */
+/** The failure of the run on the screen; null while nothing has failed. */
 export function liveFailureText(
   words: MissionWords,
   challenge: ChallengeDocument,
@@ -102,7 +102,7 @@ export function liveFailureText(
       });
     case "late":
       return t("missions:failure.late", { seconds: challenge.checks.seconds });
-    // What the check said of the program stands before this.
+    // Program failures come from a check, and the text of the check takes precedence over this one.
     case "edited":
     case "too-many-lines":
     case "condition-not-allowed":
@@ -116,7 +116,10 @@ export function liveFailureText(
   }
 }
 
-/** What is lacking where a hand has let go of the robot. @param reading of the sensor that counts, in cm */
+/**
+ * What is missing where a robot stopped by hand.
+ * @param reading of the sensor that counts, in cm
+ */
 export function handText(
   words: MissionWords,
   { goal }: ChallengeDocument,
@@ -127,7 +130,7 @@ export function handText(
   return words.t("missions:failure.not-stopped", missedText(words, reading, needed));
 }
 
-/** A number that is less or more than the one that was needed, and reads so. */
+/** Rounds two different numbers so that the smaller one still reads as smaller. */
 function missedText(
   { i18n }: MissionWords,
   left: number,
@@ -139,14 +142,14 @@ function missedText(
   return { found: text(shown.left), needed: text(shown.right) };
 }
 
-/** That it is met, and with what. */
+/** Success message with the result. */
 export function metText(
   words: MissionWords,
   { allowed }: ChallengeDocument,
   result: Extract<ChallengeResult, { state: "met" }>,
 ): string {
   const { t } = words;
-  // Where no line may be written there is none to count.
+  // Where no line may be written, there is none to count.
   return result.driver === "program" && allowed.lines > 0
     ? t("missions:bar.met", { found: result.lines, needed: allowed.lines })
     : t("missions:bar.metByHand", {
@@ -154,7 +157,7 @@ export function metText(
       });
 }
 
-/** Seconds of the clock, which counts apart what a script let the robot wait. */
+/** Seconds on the clock, which excludes ticks in which a script made the robot wait. */
 function secondsOf({ i18n, waited = () => 0 }: MissionWords, tick: number): string {
   return formatSeconds(tick - waited(tick), i18n.language);
 }

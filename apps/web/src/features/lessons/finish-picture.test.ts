@@ -3,7 +3,7 @@ import type { Palette } from "../../canvas/palette.ts";
 import { firstMaze } from "../../worker/first-project.ts";
 import { finishPicture } from "./finish-picture.ts";
 
-/** Every colour is one. */
+/** Returns the same colour for every key. */
 const palette = new Proxy({} as Palette, { get: () => "#123456" });
 
 beforeAll(() => vi.stubGlobal("Path2D", class {}));

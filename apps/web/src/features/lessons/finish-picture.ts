@@ -1,4 +1,7 @@
-/** The picture of a student who has done all missions: the robot's trail, the date and the counts. No name. */
+/**
+ * The picture of a student who finished all missions: the robot's trail, the date and the counts.
+ * It contains no name.
+ */
 import type { PlaceWords } from "../../canvas/layers/places.ts";
 import type { Palette } from "../../canvas/palette.ts";
 import type { SolvedTrail } from "../../worker/project-request.ts";
@@ -9,12 +12,12 @@ import { escapeText, SvgPen } from "../files/svg-pen.ts";
 export interface FinishScene extends PlaceWords {
   trail: SolvedTrail;
   palette: Palette;
-  /** which way the words of the student's language run */
+  /** text direction of the student's language */
   dir: "ltr" | "rtl";
   title: string;
   date: string;
   counts: string;
-  /** the whole picture in words */
+  /** text alternative of the whole picture */
   description: string;
 }
 

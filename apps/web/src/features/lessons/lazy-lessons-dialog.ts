@@ -1,4 +1,4 @@
-/** The path of missions comes when it is asked for. */
+/** Loads the path of missions on demand. */
 import { lazyDialog } from "../../ui/lazy-part.tsx";
 
 export const LessonsDialog = lazyDialog(

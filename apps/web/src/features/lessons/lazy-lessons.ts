@@ -1,4 +1,4 @@
-/** The parts of an open challenge that come when they are needed. */
+/** Parts of an open challenge that load on demand. */
 import { lazyPart } from "../../ui/lazy-part.tsx";
 
 export const MissionCard = lazyPart(async () => (await import("./MissionCard.tsx")).MissionCard);

@@ -1,6 +1,7 @@
 /**
- * The lessons as the first screen knows them: whether to invite, and when to fetch the rest. All that
- * a mission needs comes in a file of its own when one is opened, or when the open work belongs to one.
+ * Entry point to the lessons on the first screen: decides whether to invite, and when to load the
+ * rest. The service and its data are in a separate file. It loads when a mission opens, or when the
+ * open project belongs to one.
  */
 import type { ChallengeDocument } from "@corridor/challenge";
 import type { ProgramDocument } from "@corridor/program";
@@ -29,7 +30,7 @@ export class LessonsGate {
     });
   }
 
-  /** The lessons themselves; one that did not come can be asked for again. */
+  /** Loads the lessons. A failed load can be retried. */
   async load(): Promise<LessonsService> {
     this.#service ??= this.#fetch();
     try {
@@ -40,15 +41,15 @@ export class LessonsGate {
     }
   }
 
-  /** Opens a mission in a work of its own; says so when its file does not come. */
+  /** Opens a mission in its own project. Shows a message if the lessons fail to load. */
   async openMission(id: string): Promise<void> {
     await this.#withService((lessons) => lessons.openMission(id));
   }
 
   /**
-   * Opens a challenge that somebody shared in a work of its own.
-   * @param program what the link brought along; null: what the challenge begins with
-   * @returns false where the lessons did not come, which is told
+   * Opens a shared challenge in its own project.
+   * @param program from the link; null for the challenge's starting program
+   * @returns false if the lessons failed to load; a message reports it
    */
   async openShared(
     challenge: ChallengeDocument,
@@ -57,12 +58,15 @@ export class LessonsGate {
     return this.#withService((lessons) => lessons.openShared(challenge, program));
   }
 
-  /** The open work's driver drives, where it has one. Not before the page knows whether a run comes back. */
+  /**
+   * Selects the driver of the open project's challenge, if it has one. Call it only once the page
+   * knows whether it restores a run.
+   */
   async handOver(): Promise<void> {
     if (this.#belongsToChallenge()) await this.#withService((lessons) => lessons.handOver());
   }
 
-  /** The reader does not want to be invited again. */
+  /** Hides the invitation for good. */
   dismissInvitation(): void {
     this.#ports.challenge.setState({ isInvited: false });
     this.#ports.storage.add({});
@@ -77,7 +81,7 @@ export class LessonsGate {
     await this.#withService((lessons) => lessons.sync());
   }
 
-  /** @returns whether the lessons came */
+  /** @returns whether the lessons loaded */
   async #withService(use: (lessons: LessonsService) => void): Promise<boolean> {
     const { screen, words } = this.#ports;
     let lessons: LessonsService;

@@ -1,4 +1,4 @@
-/** What the lessons are given by the page. */
+/** What the page provides to the lessons. */
 import type { i18n } from "i18next";
 import type { ProjectService } from "../../app/project-service.ts";
 import type { ChallengeStore } from "../../stores/challenge-store.ts";

@@ -1,6 +1,6 @@
 /**
- * What the reader does in the lessons: opens a mission, checks it, goes on to the next, goes back to
- * the maze of before. A mission is tried in a work of its own, so that nothing else is touched.
+ * Actions of the lessons: open a mission, check it, continue to the next, return to the maze from
+ * before. Each mission has its own project, so that other projects stay unchanged.
  */
 import {
   rightsOf,
@@ -31,28 +31,28 @@ import { missions } from "./missions/missions.ts";
 import { projectOf, projects } from "./missions/projects.ts";
 import { ProjectWatch } from "./project-watch.ts";
 
-/** All that an address can name. */
+/** Everything that an address can name. */
 const tasks = [...missions, ...projects];
 
-/** Nothing has failed, as far as is known of the program as it is. */
+/** State without a known failure of the current program. */
 const nothingSaid = { verdict: null, diagnoses: [], failedRun: null } as const;
 
 export class LessonsService {
   readonly #ports: LessonsPorts;
   readonly #checker: ChallengeChecker;
-  /** what is done, for the path; changes with every mission */
+  /** progress for the path; changes with every mission */
   readonly progress = createStore<Pick<LessonsRecord, "done" | "best">>(() => ({
     done: {},
     best: {},
   }));
-  /** the open project, checked as it changes */
+  /** the open project, checked whenever it changes */
   readonly project: ProjectWatch;
-  /** rises with each challenge and maze that the run is judged by: what is said of another is not heard */
+  /** rises with each challenge and maze to judge; judgements with another id are ignored */
   #judgeId = 0;
-  /** id of the work that the open challenge is tried in */
+  /** id of the project with the open challenge */
   #work: string | null = null;
   #judged: Judgement = { kind: "open" };
-  /** to what was open before the first mission, also where it was never stored */
+  /** reopens what was open before the first mission, even if it was never stored */
   #wayHome: (() => void) | null = null;
 
   readonly #address: MissionAddress;
@@ -76,7 +76,8 @@ export class LessonsService {
         this.#failed(message.event.diagnosis, message.event.program);
       }
       if (message.type === "truncated") ports.challenge.setState({ failedRun: null });
-      // A change of the program begins anew, but not the run: it is told again why it does not count.
+      // An edit of the program restarts the judgement but not the run. At the goal, the store
+      // receives again why the run does not count.
       const isGoal = message.type === "event" && message.event.kind === "goal";
       if (isGoal && this.#judged.kind === "failed") this.#hear(this.#judged);
       if (message.type !== "judgement" || message.id !== this.#judgeId) return;
@@ -96,15 +97,16 @@ export class LessonsService {
     });
   }
 
-  /** Brings what is done up to date: another tab may have done more since. */
+  /** Updates the progress, which another tab may have changed. */
   showProgress(): void {
     const { done, best } = this.#ports.storage.record;
     this.progress.setState({ done, best });
   }
 
   /**
-   * Opens the mission that an address names. The one that is open stays as it is, with its run.
-   * @returns whether there is such a mission
+   * Opens the mission that an address names. A mission that is already open stays as it is, with
+   * its run.
+   * @returns whether the mission exists
    */
   follow(id: string): boolean {
     const { storage, works } = this.#ports;
@@ -113,7 +115,10 @@ export class LessonsService {
     return true;
   }
 
-  /** Opens a mission where it was left, or from its beginning. @returns whether there is such a mission */
+  /**
+   * Opens a mission where the student left it, or from its start.
+   * @returns whether the mission exists
+   */
   openMission(id: string): boolean {
     const mission = tasks.find((each) => each.id === id);
     if (mission === undefined) return false;
@@ -132,7 +137,7 @@ export class LessonsService {
     return true;
   }
 
-  /** Opens a shared challenge in a work of its own. */
+  /** Opens a shared challenge in its own project. */
   openShared(challenge: ChallengeDocument, program: ProgramDocument | null): void {
     const { works, storage } = this.#ports;
     const [maze] = challenge.mazes;
@@ -144,7 +149,7 @@ export class LessonsService {
     this.#start(challenge, null);
   }
 
-  /** Brings the challenge that belongs to the open work, if there is one. The robot stays where it is. */
+  /** Loads the challenge of the open project, if it has one. The robot stays where it is. */
   sync(): void {
     const { works, storage } = this.#ports;
     const id = storage.missionOf(works.currentId());
@@ -158,14 +163,14 @@ export class LessonsService {
     if (challenge !== null) this.#show(challenge, null);
   }
 
-  /** Lets drive whom the open challenge is meant for, unless a run of it has begun already. */
+  /** Offers control to the driver of the open challenge, unless a run has already started. */
   handOver(): void {
     const { challenge, simulator } = this.#ports;
     const driver = challenge.getState().challenge?.allowed.drivers[0];
     if (driver !== undefined) simulator.send({ type: "offer-driver", driver });
   }
 
-  /** Shows another maze of the challenge; the program stays. */
+  /** Shows another maze of the challenge. The program stays. */
   showMaze(index: number): void {
     const { challenge, workspace, simulator } = this.#ports;
     const maze = challenge.getState().challenge?.mazes[index];
@@ -174,7 +179,7 @@ export class LessonsService {
     simulator.send({ type: "reset" });
   }
 
-  /** Puts the program back to what the mission begins with; the message takes that back. */
+  /** Restores the starting program of the mission. The message offers undo. */
   beginAgain(): void {
     const { challenge: store, workspace, simulator, screen, words } = this.#ports;
     const { challenge } = store.getState();
@@ -191,7 +196,7 @@ export class LessonsService {
     tellUndoable({ screen, workspace }, words, words.t("missions:card.begun"));
   }
 
-  /** Runs the program in all mazes of the challenge, without the page. */
+  /** Runs the program in all mazes of the challenge, in a worker. */
   async check(): Promise<void> {
     const { challenge: store, screen, words } = this.#ports;
     store.setState({ isChecking: true });
@@ -221,17 +226,17 @@ export class LessonsService {
     }
   }
 
-  /** The run on the screen failed: this is newer than what a check said before. */
+  /** Stores a failed run on the screen. Its diagnosis replaces the last check. */
   #failed(diagnosis: Diagnosis, program: ProgramDocument | null): void {
     const { challenge: store, workspace } = this.#ports;
     const { challenge } = store.getState();
     if (challenge === null || !challenge.allowed.drivers.includes("program")) return;
-    // The program was edited in the same moment: the diagnosis is of another one.
+    // The program was edited in the meantime, so the diagnosis belongs to another program.
     if (program !== null && !doesTheSame(program, workspace.getState().program)) return;
     store.setState({ failedRun: diagnosis, verdict: null, diagnoses: [] });
   }
 
-  /** @returns null for the answer to a program that is no longer there */
+  /** @returns null if the program or the challenge changed in the meantime */
   async #ask(): Promise<CheckAnswer | null> {
     const { challenge: store, workspace } = this.#ports;
     const { challenge } = store.getState();
@@ -243,14 +248,15 @@ export class LessonsService {
     return isSame ? answer : null;
   }
 
-  /** The mission after the open one; null after the last, and where no mission is open. */
+  /** The mission after the open one; null after the last one, and if no mission is open. */
   nextMission(): MissionId | null {
     return nextMission(this.#ports.challenge.getState().mission);
   }
 
   /**
-   * The trail of the last mission whose stored program reaches the goal; no trail where none does.
-   * @throws where the worker does not load
+   * The trail of the last mission whose stored program reaches the goal. If none does, the result
+   * has no points.
+   * @throws if the worker fails to load
    */
   async solvedTrail(): Promise<SolvedTrail> {
     const { works, storage, words } = this.#ports;
@@ -272,13 +278,13 @@ export class LessonsService {
     return { maze: last, pose, points: [] };
   }
 
-  /** Back to what was open before the first mission. Missions stay where they are. */
+  /** Reopens what was open before the first mission. The missions stay on the device. */
   goHome(): void {
     const { works, storage, words } = this.#ports;
     const home = works.list().find((work) => work.id === storage.record.home);
     const way = this.#wayHome;
     this.#wayHome = null;
-    // The way leads to edits that were never stored, too.
+    // `#wayHome` also restores edits that were never stored.
     if (way !== null) way();
     else if (home !== undefined) works.open(home);
     else {
@@ -288,7 +294,7 @@ export class LessonsService {
     this.#ports.simulator.send({ type: "driver", driver: "program" });
   }
 
-  /** Forgets what is done; the message takes that back. Attempts stay on the device. */
+  /** Deletes the progress. The message offers undo, and attempts stay on the device. */
   forgetProgress(): void {
     const { storage, screen, words } = this.#ports;
     const { done, best } = storage.record;
@@ -308,7 +314,7 @@ export class LessonsService {
     });
   }
 
-  /** Remembers the reader's own work before the first mission opens. */
+  /** Records the student's own project before the first mission opens. */
   #leaveHome(): void {
     const { works, challenge, storage } = this.#ports;
     if (challenge.getState().challenge !== null) return;
@@ -326,7 +332,7 @@ export class LessonsService {
   #show(challenge: ChallengeDocument, mission: string | null): void {
     const { challenge: store, workspace } = this.#ports;
     const index = mazeIndex(challenge, workspace.getState().maze);
-    // Where the maze may be edited it can be any.
+    // If the maze is editable, it may match none of the challenge's mazes.
     const maze = index ?? (challenge.allowed.maze ? 0 : null);
     if (maze === null) {
       this.#detach();
@@ -338,7 +344,10 @@ export class LessonsService {
     store.setState({ ...noChallenge, challenge, mission, maze, rights, isInvited: false });
   }
 
-  /** Another maze of the challenge is shown, or the reader made this work into something else. */
+  /**
+   * Handles a maze change: another maze of the challenge, or an edit that makes the project
+   * something else.
+   */
   #followMaze(maze: MazeDocument): void {
     const { challenge: store, works, screen, words } = this.#ports;
     const { challenge, maze: shown } = store.getState();
@@ -354,7 +363,7 @@ export class LessonsService {
     }
   }
 
-  /** The open work is an ordinary one from here on. */
+  /** Removes the challenge from the open project. */
   #detach(): void {
     const { works, storage, challenge } = this.#ports;
     const work = works.currentId();
@@ -365,12 +374,13 @@ export class LessonsService {
 
   #begin(challenge: ChallengeDocument, maze: number, mission: string | null): void {
     this.#judged = { kind: "open" };
-    // The worker of the projects says whether a maze defeats its program; no run on the screen does.
+    // The project worker decides whether a maze defeats its program. No run on the screen decides
+    // it.
     const attempt = projectOf(mission) === "beat-right-wall" ? null : { challenge, maze };
     this.#ports.simulator.send({ type: "judge", id: ++this.#judgeId, attempt });
   }
 
-  /** The attempt on the screen stands another way. */
+  /** Stores a new judgement of the attempt on the screen. */
   #hear(judged: Judgement): void {
     const { challenge: store } = this.#ports;
     const { challenge } = store.getState();
@@ -381,7 +391,9 @@ export class LessonsService {
     } else this.#meet(challenge, judged);
   }
 
-  /** A hand's drive counts as it was; a program's is run once more from the start, in every maze. */
+  /**
+   * A drive by hand counts as it is. A program must also pass a check from the start in every maze.
+   */
   #meet(challenge: ChallengeDocument, met: Extract<Judgement, { kind: "met" }>): void {
     const { challenge: store, workspace } = this.#ports;
     const { driver, tick: ticks, bumps } = met;
@@ -409,7 +421,7 @@ export class LessonsService {
   }
 }
 
-/** Whatever the two are called. */
+/** Compares two programs without their names. */
 function doesTheSame(one: ProgramDocument, other: ProgramDocument): boolean {
   const work = ({ default: action, rules }: ProgramDocument) => JSON.stringify([action, rules]);
   return work(one) === work(other);

@@ -1,24 +1,24 @@
 /**
- * What the device remembers of the lessons: missions that are done, which work holds the attempt at
- * which mission, and where the reader came from. Shared challenges are kept by the work that they are
- * tried in. Without a schema, so that the first screen can ask it.
+ * What the device stores for the lessons: finished missions, the project of each attempt, and the
+ * project from before. A shared challenge is stored under the id of its project. The first screen
+ * imports this module, so it uses no schema.
  */
 import { challengeKey, type KeyValueStorage } from "../../app/project-storage.ts";
 
-/** What a mission took when it was done, at its best: the fewest lines, then the shortest time. */
+/** The best result of a finished mission: fewest lines, then shortest time. */
 export interface Done {
   lines: number;
   ticks: number;
 }
 
 export interface LessonsRecord {
-  /** by id of the mission; ids of a later Corridor are kept as they are */
+  /** by mission id; ids from a later version of Corridor are retained */
   done: Readonly<Record<string, Done>>;
-  /** id of the work that holds the attempt, by id of the mission */
+  /** id of the project with the attempt, by mission id */
   works: Readonly<Record<string, string>>;
-  /** the best result of each open project: numbers of which fewer are better, the first counts most */
+  /** best result of each open project: smaller numbers are better, and the first counts most */
   best: Readonly<Record<string, readonly number[]>>;
-  /** id of the work that was open before the first mission; null when it is not known */
+  /** id of the project that was open before the first mission; null if unknown */
   home: string | null;
 }
 
@@ -27,7 +27,7 @@ const nothing: LessonsRecord = { done: {}, works: {}, best: {}, home: null };
 
 export class LessonsStorage {
   readonly #device: KeyValueStorage;
-  /** what the page knows where the device did not take it; null where the device has it all */
+  /** the record, if the device failed to store it; null if the device stores everything */
   #unkept: LessonsRecord | null = null;
   #read: { text: string | null; record: LessonsRecord } = { text: null, record: nothing };
   readonly #challenges = new Map<string, string>();
@@ -36,12 +36,15 @@ export class LessonsStorage {
     this.#device = device;
   }
 
-  /** Whether this device has seen the lessons, or was asked and said no. */
+  /** Whether this device has opened the lessons or dismissed the invitation. */
   get isKnown(): boolean {
     return this.#device.getItem(KEY) !== null;
   }
 
-  /** As it stands now, with what other tabs have added; the same object as long as it is the same. */
+  /**
+   * The current record, including changes from other tabs. Returns the same object until it
+   * changes.
+   */
   get record(): LessonsRecord {
     if (this.#unkept !== null) return this.#unkept;
     const text = this.#device.getItem(KEY);
@@ -49,7 +52,10 @@ export class LessonsStorage {
     return this.#read.record;
   }
 
-  /** Adds entries; of a mission that was done before, the better one stays. @returns whether the device keeps it */
+  /**
+   * Adds entries. For a mission that is already finished, the better result stays.
+   * @returns whether the device stored the record
+   */
   add({ done = {}, works = {}, best = {}, home }: Partial<LessonsRecord>): boolean {
     const record = this.#newest();
     return this.#write({
@@ -60,19 +66,25 @@ export class LessonsStorage {
     });
   }
 
-  /** Forgets what is done, in every tab; attempts stay. @returns whether the device keeps it */
+  /**
+   * Deletes the progress in every tab. Attempts stay.
+   * @returns whether the device stored the record
+   */
   forgetDone(): boolean {
     return this.#write({ ...this.#newest(), done: {}, best: {} });
   }
 
-  /** A work is no attempt at a mission any more. @returns whether the device keeps it */
+  /**
+   * Removes a project from the attempts.
+   * @returns whether the device stored the record
+   */
   dropWork(work: string): boolean {
     const record = this.#newest();
     const left = Object.entries(record.works).filter(([, id]) => id !== work);
     return this.#write({ ...record, works: Object.fromEntries(left) });
   }
 
-  /** What another tab has stored since, where this one could not store its own. */
+  /** Merges what other tabs stored with what this tab could not store. */
   #newest(): LessonsRecord {
     const unkept = this.#unkept;
     if (unkept === null) return this.record;
@@ -91,17 +103,17 @@ export class LessonsStorage {
     return isKept;
   }
 
-  /** The mission whose attempt this work is; null when it is none. */
+  /** The mission whose attempt is in this project; null if there is none. */
   missionOf(work: string): string | null {
     return Object.entries(this.record.works).find(([, id]) => id === work)?.[0] ?? null;
   }
 
-  /** The text of the shared challenge that is tried in this work; null when there is none. */
+  /** The text of this project's shared challenge; null if there is none. */
   challengeOf(work: string): string | null {
     return this.#challenges.get(work) ?? this.#device.getItem(challengeKey(work));
   }
 
-  /** @returns whether the device keeps it */
+  /** @returns whether the device stored the text */
   keepChallenge(work: string, text: string): boolean {
     this.#challenges.set(work, text);
     return this.#keep(challengeKey(work), text);
@@ -122,7 +134,7 @@ export class LessonsStorage {
   }
 }
 
-/** All missions of both; where both have one, the fewer lines, then the shorter time. */
+/** All missions of both. For a mission in both, the one with fewer lines, then the shorter time. */
 function bestOf(a: LessonsRecord["done"], b: LessonsRecord["done"]): LessonsRecord["done"] {
   const best = { ...a };
   for (const [id, done] of Object.entries(b)) {
@@ -136,7 +148,7 @@ function bestOf(a: LessonsRecord["done"], b: LessonsRecord["done"]): LessonsReco
   return best;
 }
 
-/** All results of both; where both have one, the one whose first different number is smaller. */
+/** All results of both. For a result in both, the one whose first different number is smaller. */
 function fewestOf(a: LessonsRecord["best"], b: LessonsRecord["best"]): LessonsRecord["best"] {
   const best = { ...a };
   for (const [id, result] of Object.entries(b)) {
@@ -151,7 +163,7 @@ function isFewer(result: readonly number[], than: readonly number[]): boolean {
   return at >= 0 && (result[at] ?? 0) < (than[at] ?? Infinity);
 }
 
-/** What cannot be read counts as nothing: the works themselves are kept elsewhere. */
+/** Unreadable text counts as an empty record. The projects themselves are stored elsewhere. */
 function parse(text: string | null): LessonsRecord {
   let input: unknown;
   try {

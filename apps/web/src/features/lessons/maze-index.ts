@@ -1,8 +1,10 @@
-/** Which maze of a challenge is on the screen. */
 import type { ChallengeDocument } from "@corridor/challenge";
 import type { MazeDocument } from "@corridor/maze";
 
-/** Which maze of a challenge this is, whatever it is called; null when it is none of them. */
+/**
+ * Index of a maze in its challenge, regardless of the name; null if the challenge does not contain
+ * it.
+ */
 export function mazeIndex({ mazes }: ChallengeDocument, maze: MazeDocument): number | null {
   const at = mazes.findIndex((each) => placesOf(each) === placesOf(maze));
   return at < 0 ? null : at;

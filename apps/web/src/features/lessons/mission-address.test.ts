@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { createChallengeStore, noChallenge } from "../../stores/challenge-store.ts";
 import { MissionAddress, missionHash, missionOfHash } from "./mission-address.ts";
 
-/** A browser with a history; going back or forward calls back. */
+/** A browser with a history. Going back or forward calls the listener. */
 function openBrowser(hash = "") {
   const location = { pathname: "/", search: "?lang=de", hash };
   const entries = [`/?lang=de${hash}`];

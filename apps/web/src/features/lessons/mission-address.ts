@@ -1,6 +1,6 @@
 /**
- * The address of a mission or an open project: `#mission/side-opening`. A fragment works on any static
- * host, offline and below every path (docs/adr/0015-mission-urls-as-fragments.md).
+ * The address of a mission or an open project: `#mission/side-opening`. A fragment works on any
+ * static host, offline and below every path (docs/adr/0015-mission-urls-as-fragments.md).
  */
 import type { ChallengeStore } from "../../stores/challenge-store.ts";
 
@@ -11,16 +11,16 @@ export function missionHash(id: string): string {
   return PREFIX + id;
 }
 
-/** The mission that a fragment names, whether or not it exists; null where it names none. */
+/** The mission that a fragment names, whether or not it exists; null for any other fragment. */
 export function missionOfHash(hash: string): string | null {
   return hash.startsWith(PREFIX) ? hash.slice(PREFIX.length) : null;
 }
 
-/** As much of the browser as the address bar needs. */
+/** The part of the browser that the address bar uses. */
 export interface AddressBar {
   location: Pick<Location, "pathname" | "search" | "hash">;
   history: Pick<History, "pushState" | "replaceState">;
-  /** calls back after the reader went back or forward, or typed another fragment */
+  /** calls back after the student goes back or forward, or types another fragment */
   onMove: (moved: () => void) => void;
 }
 
@@ -31,11 +31,14 @@ export function pageAddressBar(): AddressBar {
 export class MissionAddress {
   readonly #store: ChallengeStore;
   readonly #bar: AddressBar;
-  /** whether the page has just opened: then the address is completed, and Back leads where it did */
+  /**
+   * whether the next update is the first of the page; it replaces the history entry, so that Back
+   * leads where it did before
+   */
   #isFirst = true;
   #isDue = false;
 
-  /** @param goHome closes the open mission: the reader went back to an address without one */
+  /** @param goHome closes the open mission when the student goes back to an address without one */
   constructor(store: ChallengeStore, bar: AddressBar, goHome: () => void) {
     this.#store = store;
     this.#bar = bar;
@@ -48,12 +51,15 @@ export class MissionAddress {
     });
   }
 
-  /** The reader opens a mission: Back leads to what is open now. */
+  /** Call it before a mission opens, so that Back leads to what is open now. */
   opening(): void {
     this.#isFirst = false;
   }
 
-  /** One step from mission to mission closes the first and opens the second: that is one entry. */
+  /**
+   * Switching missions closes the first and opens the second. The microtask merges both changes
+   * into one history entry.
+   */
   #followSoon(): void {
     if (this.#isDue) return;
     this.#isDue = true;
@@ -70,7 +76,7 @@ export class MissionAddress {
     const isFirst = this.#isFirst;
     this.#isFirst = false;
     if (location.hash === hash) return;
-    // A link that is being opened removes itself from the address.
+    // The code that opens a link removes the link from the address.
     const isOther = location.hash !== "" && missionOfHash(location.hash) === null;
     if (mission === null ? isOther : isFirst && location.hash !== "") return;
     const address = location.pathname + location.search + hash;

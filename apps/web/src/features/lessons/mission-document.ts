@@ -1,10 +1,12 @@
-/** A mission as a whole document, in the language of the page. */
 import type { ChallengeDocument } from "@corridor/challenge";
 import type { i18n } from "i18next";
 import { challengeOf, type Mission } from "./missions/mission.ts";
 import { projectOf, type Project } from "./missions/projects.ts";
 
-/** @param words with the namespace "missions" loaded */
+/**
+ * A mission as a complete document, in the language of the page.
+ * @param words with the namespace "missions" loaded
+ */
 export function missionDocument(
   mission: Mission | Project,
   { t }: Pick<i18n, "t">,

@@ -1,9 +1,14 @@
-/** What `useTranslation` gives to the sentences of the missions: the words, and the language that they are in. */
+/**
+ * The translator and its language, as `useTranslation` returns them, for the texts of the missions.
+ */
 import type { TFunction } from "i18next";
 
 export interface MissionWords {
   t: TFunction<["missions", "words"]>;
   i18n: { language: string };
-  /** ticks up to one of the displayed run in which a script let the robot wait, which the clock counts apart */
+  /**
+   * waiting ticks up to a tick of the displayed run, in which a script made the robot wait; the
+   * clock excludes them
+   */
   waited?: (tick: number) => number;
 }

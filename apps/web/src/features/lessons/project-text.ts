@@ -1,11 +1,11 @@
-/** The sentences of an open project: how it stands, and the best result. */
+/** Texts of an open project: its current state and the best result. */
 import type { ProjectAnswers } from "../../worker/project-request.ts";
 import { formatSeconds } from "../../text/numbers.ts";
 import type { MissionWords } from "./mission-words.ts";
 import { PROJECT_SECONDS, projects, type ProjectId } from "./missions/projects.ts";
 import type { ProjectStatus } from "./project-watch.ts";
 
-/** @returns null where there is nothing to say yet */
+/** @returns null if there is nothing to report yet */
 export function statusText({ t, i18n }: MissionWords, status: ProjectStatus): string | null {
   switch (status.kind) {
     case "none":
@@ -44,7 +44,7 @@ function defeatText({ t, i18n }: MissionWords, result: ProjectAnswers["defeat"])
   }
 }
 
-/** Whether the project's aim is met by what it is now. */
+/** Whether the project currently meets its aim. */
 export function isReached(status: ProjectStatus): boolean {
   switch (status.kind) {
     case "mazes":

@@ -1,5 +1,5 @@
 /**
- * The open project: checks it whenever the program or the maze changes, in a worker, and stores the best
+ * Checks the open project in a worker whenever the program or the maze changes. Stores the best
  * result on the device.
  */
 import { startingProgram, type ChallengeDocument } from "@corridor/challenge";
@@ -13,7 +13,7 @@ import type {
 import type { LessonsPorts } from "./lessons-ports.ts";
 import { PROJECT_SECONDS, projectOf, type ProjectId } from "./missions/projects.ts";
 
-/** How the open project stands. */
+/** Current state of the open project. */
 export type ProjectStatus =
   | { kind: "none" }
   | { kind: "checking" }
@@ -22,10 +22,10 @@ export type ProjectStatus =
   | { kind: "defeat"; result: ProjectAnswers["defeat"] }
   | { kind: "hand"; bumps: number; ticks: number };
 
-/** Edits come key by key: the check waits for a pause. */
+/** Edits arrive with each key, so the check waits until they pause. */
 const PAUSE_MS = 300;
 
-/** Asks the worker. */
+/** Sends a question to the worker. */
 export type AskProject = (question: ProjectQuestion) => Promise<ProjectAnswer>;
 
 export class ProjectWatch {
@@ -33,11 +33,11 @@ export class ProjectWatch {
   readonly #ask: AskProject;
   readonly status = createStore<{ status: ProjectStatus }>(() => ({ status: { kind: "none" } }));
   #timer: ReturnType<typeof setTimeout> | undefined;
-  /** rises with each change: an answer to an older question is dropped */
+  /** rises with each change; answers to older questions are discarded */
   #asked = 0;
   readonly #onBest: (isStored: boolean) => void;
 
-  /** @param onBest called after a result was stored, or could not be */
+  /** @param onBest called after each attempt to store a result */
   constructor(
     ports: LessonsPorts,
     onBest: (isStored: boolean) => void,
@@ -53,7 +53,7 @@ export class ProjectWatch {
     ports.simulator.listen((message) => {
       const isGoal = message.type === "event" && message.event.kind === "goal";
       if (!isGoal || ports.challenge.getState().mission !== "beat-right-wall") return;
-      // The goal that the program reaches is the student's failure: no card calls it solved.
+      // A program that reaches the goal is the student's failure here. No card may call it solved.
       const { tick } = message.event;
       ports.challenge.setState({ result: { state: "failed", code: "not-reached", tick } });
     });
@@ -62,7 +62,10 @@ export class ProjectWatch {
     });
   }
 
-  /** The trail of the first attempt that reaches its goal; null where none does. @throws where the worker does not load */
+  /**
+   * The trail of the first attempt that reaches its goal; null if none does.
+   * @throws if the worker fails to load
+   */
   async trailOf(
     attempts: Extract<ProjectQuestion, { kind: "trail" }>["attempts"],
   ): Promise<SolvedTrail | null> {
@@ -114,7 +117,7 @@ export class ProjectWatch {
     if (answer.value.state === "defeated") this.#store(project, [answer.value.squares]);
   }
 
-  /** A drive by hand is judged as it goes on: its end is the result. */
+  /** The challenge judges a drive by hand while it runs. Its end is the result. */
   #followHand(): void {
     const { mission, result } = this.#ports.challenge.getState();
     if (mission !== "fewest-bumps") return;
@@ -132,7 +135,7 @@ export class ProjectWatch {
   }
 }
 
-/** A worker for each question. */
+/** Starts one worker for each question. */
 const askWorker: AskProject = async (question) =>
   new Promise((resolve, reject) => {
     const worker = new Worker(new URL("../../worker/project-check.worker.ts", import.meta.url), {

@@ -1,10 +1,10 @@
-/** Reading of a robot that the hand has stopped, for missions that are driven by hand. */
 import type { ChallengeDocument } from "@corridor/challenge";
 import type { RunState } from "../../stores/run-store.ts";
 
 /**
- * @returns reading of the sensor ahead, or of the sensor of the goal, in cm; null while the robot
- *   drives, before its first tick, and where it stands right, which the goal check reports
+ * The reading of a robot that was stopped by hand, for missions that are driven by hand.
+ * @returns reading in cm of the goal's sensor, or else of the front sensor. null while the robot
+ *   drives, before its first tick, and when the goal check reports success.
  */
 export function standingReading(
   { goal, allowed }: Pick<ChallengeDocument, "goal" | "allowed">,

@@ -1,4 +1,4 @@
-/** What the open challenge leaves to the editor; null while none is open: then everything. */
+/** Permissions of the open challenge; null while none is open, which permits everything. */
 import type { Rights } from "@corridor/challenge";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";

@@ -1,6 +1,6 @@
 /**
- * The task of the open challenge. The keys of a keyboard are named where there is one at hand, as the letters on
- * the drive keys are: a mission's words may have a second task for that, with the context "keyboard".
+ * The task of the open challenge. With a keyboard, the task names its keys, as the labels on the
+ * drive keys do. A mission may have a second task with the context "keyboard" for that.
  */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";

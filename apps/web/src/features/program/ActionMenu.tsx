@@ -1,4 +1,4 @@
-/** What a line does: the menu of actions. */
+/** The menu of actions of a line. */
 import { menuActions } from "@corridor/program";
 import type { PlainAction } from "@corridor/protocol";
 import { useTranslation } from "react-i18next";
@@ -12,11 +12,11 @@ interface ActionMenuProps {
   label: string;
   value: PlainAction;
   onChange: (action: PlainAction) => void;
-  /** what a challenge may keep as it is: the action of a line, or the one after "otherwise" */
+  /** the part that a challenge may lock: the action of a line, or the one after "otherwise" */
   edit?: "action" | "otherwise";
 }
 
-/** An action that a challenge does not offer stays a choice while a program uses it. */
+/** An action that the challenge does not offer remains an option while the program uses it. */
 export function ActionMenu({ label, value, onChange, edit = "action" }: ActionMenuProps) {
   const { t } = useTranslation();
   const rights = useRights();

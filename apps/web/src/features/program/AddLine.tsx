@@ -1,7 +1,7 @@
 /**
- * Adds a line at the end. Where a challenge allows no more it is off and says why; where its lines are
- * given it is not there, since the lines need the room. Undo and redo stand beside it then: a challenge
- * has no head of its own above its lines.
+ * Adds a line at the end. It is disabled, with the reason, where a challenge allows no more lines.
+ * Where a challenge fixes the lines, a short note replaces the button. Undo and redo are beside it
+ * in a challenge, which has no program header.
  */
 import { Plus } from "lucide-react";
 import { useId } from "react";

@@ -1,6 +1,6 @@
 /**
- * Tells advice that came up once to those who listen; those who look see it in its line. Where the lines
- * scroll, the one that is being edited comes into sight with what it was told.
+ * Announces new advice once to screen readers. Sighted students see it in its line. Scrolls the
+ * line that has the focus into view with its advice.
  */
 import { useEffect } from "react";
 import { useTranslation } from "react-i18next";
@@ -28,7 +28,7 @@ export function AdviceNews() {
     if (news === null || news.line === "default") return undefined;
     const id = workspace.getState().lineIds[news.line];
     const element = document.getElementById(lineElementId(id ?? -1));
-    // The note of the first advice may come with the same frame.
+    // The note of the first advice may render in the same frame.
     const frame = requestAnimationFrame(() => {
       if (element?.contains(document.activeElement)) element.scrollIntoView({ block: "nearest" });
     });

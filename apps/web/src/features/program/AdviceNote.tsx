@@ -1,4 +1,7 @@
-/** Advice in its line: why, one button that mends it, and one that hides it. Nothing is broken, so it is calm. */
+/**
+ * Advice in its line: the reason, a button that applies the fix, and a button that hides the
+ * advice. The style is calm because nothing is broken.
+ */
 import { Lightbulb, X } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { Button, IconButton } from "../../ui/Button.tsx";
@@ -7,7 +10,7 @@ import type { AdviceText } from "./advice-text.ts";
 
 export interface AdviceNoteProps {
   text: AdviceText;
-  /** applies the fix; left out in a challenge, where the student finds the change */
+  /** applies the fix; absent in a challenge, where the student finds the change */
   onMend?: (() => void) | undefined;
   onHide: () => void;
 }

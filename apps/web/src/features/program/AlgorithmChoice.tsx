@@ -1,6 +1,6 @@
 /**
- * Ready-made algorithms to choose from. Where one would replace lines that the student wrote, it asks first,
- * in the same place.
+ * A choice of preset algorithms. It asks for confirmation in the same place before it replaces the
+ * student's own lines.
  */
 import type { ProgramDocument } from "@corridor/program";
 import { useRef, useState, type ReactNode } from "react";
@@ -13,9 +13,9 @@ import { chooseAlgorithm } from "./choose-algorithm.ts";
 import { isOwnProgram } from "./own-program.ts";
 
 interface AlgorithmChoiceProps {
-  /** called once one was loaded, so that a menu can close */
+  /** called after an algorithm was loaded, so that a menu can close */
   onChosen?: (() => void) | undefined;
-  /** draws the algorithms */
+  /** renders the algorithms */
   children: (choose: (program: ProgramDocument) => void) => ReactNode;
 }
 
@@ -60,7 +60,10 @@ export function AlgorithmChoice({ onChosen, children }: AlgorithmChoiceProps) {
   );
 }
 
-/** The pressed algorithm is gone, and its place may be half out of sight: the focus goes to the question. */
+/**
+ * The pressed button is gone, and its place may be partly out of sight. The focus moves to the
+ * question.
+ */
 function focus(question: HTMLElement | null): void {
   question?.focus();
 }

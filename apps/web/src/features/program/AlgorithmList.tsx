@@ -1,4 +1,4 @@
-/** The ready-made algorithms, as their menu offers them; it comes when the menu is opened. */
+/** The preset algorithms as menu items. Loads when the menu opens. */
 import { programPresets } from "@corridor/program";
 import { useTranslation } from "react-i18next";
 import { MenuItem } from "../../ui/Popover.tsx";

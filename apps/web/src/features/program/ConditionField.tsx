@@ -1,4 +1,4 @@
-/** What a line asks: the condition menu and its number. */
+/** The condition menu of a line and its number. */
 import {
   conditionKinds,
   kindOf,
@@ -28,7 +28,7 @@ interface ConditionMenuProps {
   remembered: RememberedNumbers;
 }
 
-/** The menu of the paper's conditions. */
+/** Menu of the conditions in the paper. */
 export function ConditionMenu({ index, condition, remembered }: ConditionMenuProps) {
   const { t } = useTranslation();
   const { workspace } = useServices();
@@ -62,7 +62,7 @@ export function ConditionMenu({ index, condition, remembered }: ConditionMenuPro
   );
 }
 
-/** The number of a condition. All that is typed in one visit is one step of the history. */
+/** The number of a condition. All edits between focus and blur form one step of the history. */
 export function ConditionNumber({ index, condition }: { index: number; condition: Condition }) {
   const { t } = useTranslation();
   const { workspace } = useServices();
@@ -74,7 +74,7 @@ export function ConditionNumber({ index, condition }: { index: number; condition
     endStroke.current ??= beginStroke(workspace);
     applyEdit(workspace, setNumber(workspace.getState().program, index, number));
   });
-  // A line can go away while its number is being typed; the history must not stay on hold.
+  // A line can disappear while its number is being typed. The history must not stay paused.
   useEffect(() => () => endStroke.current?.(), []);
   const errorId = `line-${index}-number-error`;
   return (

@@ -1,4 +1,4 @@
-/** In place of the lines while there are none: what there is to reach, and how to begin. */
+/** Replaces the lines while there are none: the goal, and how to start. */
 import { Flag } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import styles from "./empty-program.module.css";

@@ -1,4 +1,4 @@
-/** What stands on the lower edge of a line while it is at work: how far its manoeuvre is, or the bump it came to. */
+/** Note on the lower edge of the running line: the progress of its manoeuvre, or its bump. */
 import type { LineRef } from "@corridor/protocol";
 import { useLayoutEffect, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
@@ -12,11 +12,11 @@ import styles from "./line-notes.module.css";
 
 interface LineNoteProps {
   line: LineRef;
-  /** null while it touches nothing */
+  /** null while the robot touches nothing */
   bump: ShownBump | null;
 }
 
-/** It takes no room of its own, so that no line moves when another drives. */
+/** Takes no space of its own, so that no line moves when another one drives. */
 export function LineNote({ line, bump }: LineNoteProps) {
   return bump === null ? (
     <LineProgress line={line} />
@@ -27,12 +27,15 @@ export function LineNote({ line, bump }: LineNoteProps) {
   );
 }
 
-/** A few, and the most degrees of a turn: words bend with their number, and the longest make the room. */
+/**
+ * Sample counts, a small one and the most degrees of a turn. Plural forms depend on the count, and
+ * the longest text sets the width.
+ */
 const COUNTS = [5, 180];
 
 /**
- * A bar that fills and the words to it: "turns in 36 cm". It is always there, and not seen while the line
- * rests; what moves is written straight to its elements.
+ * A progress bar with text: "turns in 36 cm". It is always rendered, and hidden while the line
+ * rests. Moving parts are written directly to their elements.
  */
 function LineProgress({ line }: Pick<LineNoteProps, "line">) {
   const { t } = useTranslation();
@@ -41,7 +44,7 @@ function LineProgress({ line }: Pick<LineNoteProps, "line">) {
   const bar = useRef<HTMLProgressElement>(null);
   const fill = useRef<HTMLSpanElement>(null);
   const text = useRef<HTMLSpanElement>(null);
-  // Words bend with their number, and there are no more numbers than centimetres of a square.
+  // Plural forms depend on the number, and there are only as many numbers as centimetres in a cell.
   const wordsOf = useMemo(() => {
     const of = (kind: ShownProgress["kind"]) =>
       memoize((left: number) => t(`program.progress.${kind}`, { count: left }));
@@ -69,7 +72,7 @@ function LineProgress({ line }: Pick<LineNoteProps, "line">) {
       const isMoving = state.snapshot?.state === "running";
       const isTold = pace.isDue(isMoving, progress?.kind ?? null);
       const isResting = progress === null;
-      // An attribute that is written is styled anew, though it says the same.
+      // Writing an attribute triggers a style recalculation, even if the value stays the same.
       if (box.hasAttribute("data-resting") !== isResting) {
         box.toggleAttribute("data-resting", isResting);
         progressBar.ariaHidden = String(isResting);
@@ -101,7 +104,7 @@ function LineProgress({ line }: Pick<LineNoteProps, "line">) {
   );
 }
 
-/** "bumped after 24 of 50 cm" */
+/** Example: "bumped after 24 of 50 cm". */
 function LineBump({ bump }: { bump: ShownBump }) {
   const { t } = useTranslation();
   const { driven, needed } = bump;

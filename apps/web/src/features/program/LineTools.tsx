@@ -1,4 +1,7 @@
-/** Move up, move down, delete: three small buttons, or one big one that opens them under a finger. */
+/**
+ * Move up, move down and delete: three small buttons, or one large button for touch that opens
+ * them.
+ */
 import { ArrowDown, ArrowUp, Ellipsis, Trash2 } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
@@ -26,7 +29,7 @@ export function LineTools(props: LineToolsProps) {
 }
 
 interface AllowedTools extends LineToolsProps {
-  /** what an open challenge leaves */
+  /** what an open challenge permits */
   canMove: boolean;
   canDelete: boolean;
 }

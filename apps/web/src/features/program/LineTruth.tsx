@@ -1,4 +1,6 @@
-/** Whether a line's condition is true at the shown moment: a tick or a cross with both numbers. */
+/**
+ * Whether a line's condition is true at the displayed tick: a tick or a cross with both numbers.
+ */
 import type { Condition } from "@corridor/program";
 import { Check, X } from "lucide-react";
 import { useLayoutEffect, useMemo, useRef } from "react";
@@ -12,9 +14,9 @@ import type { TruthAt } from "./line-state.ts";
 import styles from "./line-truth.module.css";
 
 interface LineTruthProps {
-  /** the run as the line follows it */
+  /** run updates for this line */
   feed: StateSource<RunState>;
-  /** a line without one does nothing and is skipped */
+  /** null: the line does nothing and is skipped */
   condition: Condition | null;
   truth: TruthAt;
   className?: string | undefined;
@@ -41,7 +43,8 @@ export function LineTruth({ feed, condition, truth, className }: LineTruthProps)
       right: side("right"),
     };
   }, [language, t, truth]);
-  // Its look follows the attribute: both pictures are there, and nothing is drawn again by React.
+  // The attribute controls the look. Both icons are always rendered, so React does not render
+  // again.
   useLayoutEffect(
     () => followText(feed, is, (next) => element.current?.setAttribute("data-is", next)),
     [feed, is],

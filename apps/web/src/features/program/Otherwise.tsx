@@ -1,4 +1,4 @@
-/** What the robot does when no line is true; always last. */
+/** The action when no line is true. It is always the last row. */
 import { setDefault } from "@corridor/program";
 import { useLayoutEffect, type RefObject } from "react";
 import { useTranslation } from "react-i18next";
@@ -20,7 +20,7 @@ import styles from "./otherwise.module.css";
 import { useAdviceText } from "./use-advice-text.ts";
 
 interface OtherwiseProps {
-  /** its element, which is marked by whoever knows what drives */
+  /** the element that `useRunningLine` marks */
   element: RefObject<HTMLFieldSetElement | null>;
 }
 

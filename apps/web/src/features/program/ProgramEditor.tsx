@@ -1,4 +1,4 @@
-/** The dropdown editor: the lines from the top, otherwise, and a new line. */
+/** The dropdown editor: the lines from top to bottom, "otherwise", and a button for a new line. */
 import { MAX_RULES } from "@corridor/program";
 import { Fragment, useLayoutEffect, useRef, useState, type RefObject } from "react";
 import { flushSync } from "react-dom";
@@ -24,18 +24,18 @@ import { watchRoom } from "./watch-room.ts";
 
 const EmptyProgram = lazyPart(async () => (await import("./EmptyProgram.tsx")).EmptyProgram);
 
-/** A program of more lines spares the browser those that are out of sight. */
+/** In longer programs, the browser skips the lines that are out of sight. */
 const FEW_LINES = 12;
 
 export function ProgramEditor() {
   const { t } = useTranslation();
   const rights = useRights();
   const isPhone = useMediaQuery("(max-width: 37.49em)");
-  // A hand is asked for, and no line may be written: there is nothing to read here yet.
+  // The challenge is driven by hand and permits no lines, so there is nothing to show.
   if (rights?.maxLines === 0 && rights.drivers[0] === "me") return null;
   return (
     <section className={styles["editor"]} aria-label={t("program.program")}>
-      {/* The lines come first where the sheet shows three of them. */}
+      {/* On a phone the lines come first, because the sheet shows only three of them. */}
       {!isPhone && <ProgramHeader />}
       {isPhone && rights === null && <ExampleLabel />}
       <ProgramLines />
@@ -44,7 +44,9 @@ export function ProgramEditor() {
   );
 }
 
-/** The name of the example, on the edge of its first line, where the header is out of sight below. */
+/**
+ * The name of the example on the edge of its first line, where the header is out of sight below.
+ */
 function ExampleLabel() {
   const { workspace } = useServices();
   const name = useStore(workspace, ({ program }) => (isExample(program) ? program.name : null));
@@ -56,7 +58,7 @@ function ExampleLabel() {
   );
 }
 
-/** Not drawn again while the robot drives: each line follows the run itself. */
+/** Does not render again while the robot drives. Each line subscribes to the run itself. */
 function ProgramLines() {
   const { t } = useTranslation();
   const rights = useRights();
@@ -99,7 +101,7 @@ function ProgramLines() {
           if (id === undefined) return null;
           return (
             <Fragment key={id}>
-              {/* Says below the running line that those that follow were not read. */}
+              {/* Below the running line, this row notes that the following lines were not read. */}
               {index > 0 && (
                 <li className={styles["rule"]} aria-hidden="true">
                   <span>{t("program.notRead")}</span>
@@ -133,7 +135,7 @@ interface RunningLineProps {
   otherwise: RefObject<HTMLElement | null>;
 }
 
-/** A part of its own, after what it marks is there. */
+/** A separate component, so that its effect runs after the elements that it marks exist. */
 function RunningLine({ list, otherwise }: RunningLineProps) {
   useRunningLine(list, otherwise);
   return null;

@@ -1,4 +1,4 @@
-/** The program's name, undo and redo, and the ready-made algorithms. */
+/** The program's name, undo and redo, and the preset algorithms. */
 import { MAX_NAME_LENGTH, rename } from "@corridor/program";
 import { BookOpen, Redo2, Undo2 } from "lucide-react";
 import { useRef } from "react";
@@ -21,7 +21,8 @@ export function ProgramHeader() {
   const { t } = useTranslation();
   const rights = useRights();
   const title = <h2 className="visually-hidden">{t("program.program")}</h2>;
-  // A challenge is to be solved, not looked up; its card has said its name, and the lines need the room.
+  // A challenge offers no preset algorithms. Its card already shows the name, and the lines need
+  // the space.
   if (rights !== null) return title;
   return (
     <header>
@@ -36,7 +37,7 @@ export function ProgramHeader() {
   );
 }
 
-/** What there is to reach; with the example, and where the empty lines say that, how a program works. */
+/** The goal. With the example or an empty program, how a program works. */
 function Explanation() {
   const { t } = useTranslation();
   const { workspace } = useServices();
@@ -65,7 +66,7 @@ export function UndoRedo() {
   );
 }
 
-/** The title is a field: all that is typed in one visit is one step of the history. */
+/** The title is a field. All edits between focus and blur form one step of the history. */
 function ProgramName() {
   const { t } = useTranslation();
   const { workspace } = useServices();

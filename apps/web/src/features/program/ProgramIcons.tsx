@@ -1,9 +1,12 @@
-/** Small pictures for the menus: which way a sensor looks, and what an action does. */
+/** Small icons for the menus: the direction of a sensor, and an action. */
 import type { ConditionKind } from "@corridor/program";
 import type { PlainAction, SensorName } from "@corridor/protocol";
 import styles from "./program-icons.module.css";
 
-/** A robot's body with its beam to a wall, looking ahead; turned for the other sensors. */
+/**
+ * Rotation of the icon for each sensor, in degrees. The icon shows the robot's body with its beam
+ * to a wall, facing ahead.
+ */
 const turns: Readonly<Record<SensorName, number>> = { front: 0, right: 90, back: 180, left: 270 };
 
 export function SensorIcon({ kind }: { kind: ConditionKind | null }) {
@@ -30,7 +33,7 @@ export function SensorIcon({ kind }: { kind: ConditionKind | null }) {
   );
 }
 
-/** One path an action; a delayed turn has a longer way in before it turns. */
+/** One path for each action. A delayed turn has a longer approach before it turns. */
 const paths: Readonly<Record<PlainAction, string>> = {
   forward: "M9 15V3.5M4.5 8 9 3.5 13.5 8",
   reverse: "M9 3v11.5M4.5 10 9 14.5 13.5 10",

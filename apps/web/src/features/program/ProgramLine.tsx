@@ -36,7 +36,10 @@ interface ProgramLineProps {
   remembered: RememberedNumbers;
 }
 
-/** Drawn again only when something that it shows has changed: programs can have 200 lines. */
+/**
+ * Memoized, because a program may have 200 lines. Each renders only when something that it displays
+ * changes.
+ */
 export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   "use memo";
   const { id, index, count, rule, remembered } = props;
@@ -63,7 +66,8 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
 
   function move(by: -1 | 1) {
     if (challenge.getState().rights?.edits.has("order") === false) return;
-    // Moving the element takes its focus away: it is given back as soon as the line has its new place.
+    // Moving the element removes its focus. `focusAgain` restores it as soon as the line has its
+    // new position.
     const focused = document.activeElement;
     flushSync(() => moveLine(workspace, index, by));
     focusAgain(id, focused, by);
@@ -89,7 +93,8 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
       return;
     }
     flushSync(() => takeMend(workspace, by, mended));
-    // The button is gone with its advice; the line says what it asks and does now.
+    // The button disappears with its advice, so the focus moves to the line with the new condition
+    // and action.
     document.getElementById(lineElementId(id))?.focus();
   }
 
@@ -100,7 +105,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   }
 
   function onKeyDown(event: React.KeyboardEvent) {
-    // Alt+Down on a menu opens the menu, as everywhere.
+    // Alt+Down on a menu opens the menu, as elsewhere.
     const isMenu = event.target instanceof HTMLSelectElement;
     const isArrow = event.key === "ArrowUp" || event.key === "ArrowDown";
     if (event.altKey && isArrow && !isMenu) {
@@ -112,7 +117,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
     }
   }
 
-  // A line is a stop of the Tab key itself: one that has the focus is moved and deleted by keys.
+  // A line is a Tab stop itself, so that keys can move and delete the line with the focus.
   return (
     // oxlint-disable-next-line jsx-a11y/no-noninteractive-element-interactions
     <li
@@ -174,7 +179,10 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   );
 });
 
-/** Gives the focus back to where it was in the moved line; from a button that is off now, to the other. */
+/**
+ * Restores the focus in a moved line. If the focused button is disabled now, the other move button
+ * gets the focus.
+ */
 function focusAgain(id: number, focused: Element | null, by: -1 | 1): void {
   const line = document.getElementById(lineElementId(id));
   if (line === null) return;
@@ -186,7 +194,7 @@ function focusAgain(id: number, focused: Element | null, by: -1 | 1): void {
   line.scrollIntoView({ block: "nearest" });
 }
 
-/** After a deletion the focus goes to the line that took the place, or to the one above. */
+/** After a deletion, focuses the line that took its place, or the one above. */
 function focusNeighbour(ids: readonly number[], index: number): void {
   const id = ids[index] ?? ids[index - 1];
   if (id !== undefined) document.getElementById(lineElementId(id))?.focus();

@@ -1,4 +1,4 @@
-/** "Write my own", beside Run while the program is the example and no script drives. */
+/** "Write my own" beside Run, while the program is the example and no script drives. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
@@ -7,7 +7,7 @@ import { Button } from "../../ui/Button.tsx";
 import { useRights } from "../lessons/use-rights.ts";
 import { isExample } from "./example.ts";
 
-/** What the empty program asks for first. */
+/** Selector of the first action in an empty program. */
 const ADD_LINE = "#add-line";
 
 export function WriteOwnButton({ className }: { className?: string | undefined }) {
@@ -26,7 +26,7 @@ export function WriteOwnButton({ className }: { className?: string | undefined }
       showMessage(services.screen, { tone: "bad", text: t("offline.partFailed") });
       return;
     }
-    // On a phone the goal stays in sight above it.
+    // On a phone the goal stays in sight above the button.
     document.querySelector<HTMLElement>(ADD_LINE)?.focus({ preventScroll: true });
   }
 

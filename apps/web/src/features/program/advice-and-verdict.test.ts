@@ -1,4 +1,4 @@
-/** What is advised before a run does not contradict the verdict after it, for every wrong answer. */
+/** For every wrong answer, the advice before a run does not contradict the verdict after it. */
 import { rightsOf } from "@corridor/challenge";
 import { adviseProgram, causeLine, type Advice, type Cause, type Diagnosis } from "@corridor/coach";
 import { describe, expect, it } from "vitest";
@@ -18,7 +18,10 @@ const wrongAnswers = missions.flatMap((mission) => {
   );
 });
 
-/** Causes that say of a turn what the advice on its line says; "free": it asks the wrong sensor. */
+/**
+ * Causes that agree with the advice on the same line. Advice with `why: "free"` means that the turn
+ * uses the wrong sensor.
+ */
 const sameSaid: Partial<Record<Advice["kind"], readonly Cause["kind"][]>> = {
   "immediate-into-opening": ["not-delayed"],
   "delayed-about-front": ["delayed", "action", "missing", "sensor"],
@@ -28,7 +31,7 @@ function contradicts(advice: Advice, diagnosis: Diagnosis): boolean {
   const { cause } = diagnosis;
   if (cause === null) return false;
   const said = sameSaid[advice.kind];
-  // A line that never decides cannot be the one that decided.
+  // A line that never decides cannot be the line that decided.
   if (said === undefined) return cause.moment.line === advice.line;
   return causeLine(diagnosis) === advice.line && !said.includes(cause.kind);
 }

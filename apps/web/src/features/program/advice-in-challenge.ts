@@ -1,6 +1,6 @@
 /**
- * Which advice is for the reader while a challenge is open: what it gave to begin with is its riddle, and
- * what it does not leave to the reader is none of theirs.
+ * Filters advice while a challenge is open. The challenge's own program is a task to solve, so it
+ * gets no advice. Advice without a fix that the challenge permits is hidden too.
  */
 import type { Advice } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";

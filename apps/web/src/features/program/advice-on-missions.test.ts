@@ -1,6 +1,6 @@
 /**
- * The coach and the lessons agree: what a mission gives is not advised on, a solution is not doubted, a
- * typical mistake is seen while it is made, and no fix leads away from the goal.
+ * The coach and the lessons agree. A mission's own program and a solution get no advice, typical
+ * mistakes get advice during editing, and no fix leads away from the goal.
  */
 import { checkChallenge, rightsOf, type ChallengeDocument } from "@corridor/challenge";
 import { adviseProgram, applyFix, type Advice } from "@corridor/coach";
@@ -17,7 +17,7 @@ const all = missions.map((mission) => ({
   challenge: challengeOf(mission, "Mission", words),
 }));
 
-/** What the reader of the mission is shown, in all of its mazes. */
+/** The advice that a student sees in all mazes of the mission. */
 function shownAdvice(program: ProgramDocument, challenge: ChallengeDocument): Advice[] {
   const rights = rightsOf(challenge);
   return challenge.mazes
@@ -30,7 +30,9 @@ function kindsOf(advice: readonly Advice[]): string[] {
   return [...new Set(kinds)];
 }
 
-/** How far a program gets: mazes passed, and squares seen in them all before it failed. */
+/**
+ * The progress of a program: the mazes passed, and the cells visited in all mazes before it failed.
+ */
 function progress(challenge: ChallengeDocument, program: ProgramDocument): [number, number] {
   const { mazes } = checkChallenge(challenge, program);
   const passed = mazes.filter(({ failure }) => failure === null).length;
@@ -73,7 +75,7 @@ describe("advice on the missions", () => {
       );
       return mends.filter((mend) => {
         const [nowPassed, nowSeen] = progress(challenge, applyFix(program, mend));
-        // What passes needs not see all that there is.
+        // A program that passes need not visit every cell.
         return nowPassed < passed || (nowPassed === passed && nowSeen < seen);
       });
     });

@@ -18,7 +18,7 @@ const wrong: ProgramDocument = {
   ],
 };
 
-/** The page at rest in time: `settle` lets it pass. */
+/** A page with manual timers. `settle` runs the scheduled tasks. */
 function setUp(program = wrong, load: AdvicePorts["load"] = async () => coach) {
   const workspace = createWorkspaceStore(firstMaze, program);
   const challenge = createChallengeStore();
@@ -33,7 +33,7 @@ function setUp(program = wrong, load: AdvicePorts["load"] = async () => coach) {
   });
   const settle = async () => {
     for (const task of waiting.splice(0)) task();
-    // The coach arrives.
+    // Lets the coach load.
     await new Promise((resolve) => setTimeout(resolve, 0));
   };
   const lines = () => advice.getState().shown.map(({ line }) => line);

@@ -1,7 +1,7 @@
 /**
- * The advice that stands in the lines: what the coach says about the program as it is now, less what
- * the reader has hidden. Advice goes at once when its reason is gone and comes only when the edits have
- * settled, so that nothing flickers while a number is being typed. React-free.
+ * The advice displayed in the lines: the coach's advice on the current program, without hidden
+ * advice. Advice disappears as soon as its reason does. It appears only after the edits settle, so
+ * that nothing flickers while the student types a number. React-free.
  */
 import type { Advice, Fix } from "@corridor/coach";
 import type { MazeDocument } from "@corridor/maze";
@@ -18,28 +18,28 @@ type AdviceWords = (
   ...about: [t: TFunction, language: string, advice: Advice, when: Condition | null]
 ) => AdviceText;
 
-/** The coach's functions; they come in a file of their own once the page has time. */
+/** The coach's functions. They load from a separate file once the page is idle. */
 export interface Coach {
   adviseProgram: (program: ProgramDocument, maze: MazeDocument) => Advice[];
   applyFix: (program: ProgramDocument, mend: Fix) => ProgramDocument;
   adviceText: AdviceWords;
-  /** whether an advice on this program is for the reader of the open challenge */
+  /** whether an advice on this program is for the student while a challenge is open */
   concernsReader: (advice: Advice, program: ProgramDocument, open: ChallengeState) => boolean;
 }
 
 export interface AdvicePorts {
   workspace: WorkspaceStore;
   load: () => Promise<Coach>;
-  /** runs a function later, such as `setTimeout` */
+  /** schedules a function, such as `setTimeout` */
   later: (run: () => void, milliseconds: number) => void;
   challenge: ChallengeStore;
   run: Pick<RunStore, "getState" | "subscribe">;
 }
 
 export interface AdviceState {
-  /** what to show, from the top line down */
+  /** displayed advice, from the top line down */
   shown: readonly Advice[];
-  /** the newest that came up, to be told once to those who listen */
+  /** newest advice that appeared, for one announcement to screen readers */
   news: Advice | null;
 }
 
@@ -47,18 +47,18 @@ export interface AdviceStore extends Pick<
   StoreApi<AdviceState>,
   "getState" | "subscribe" | "getInitialState"
 > {
-  /** shows this advice no more, wherever a line says the same */
+  /** hides this advice on every line with the same content */
   hide: (advice: Advice) => void;
-  /** the program with the advice's mend in it; null when there is none or the coach is away */
+  /** the program with the fix applied; null while the coach is not loaded */
   mended: (mend: Fix) => ProgramDocument | null;
-  /** an advice in words; null while the coach is away */
+  /** an advice in words; null while the coach is not loaded */
   textOf: (...about: Parameters<AdviceWords>) => AdviceText | null;
 }
 
-/** Edits that follow each other faster than this belong together. */
+/** Edits in quicker succession belong together. */
 const SETTLE_MS = 1000;
 
-/** Follows the workspace from now on. */
+/** Creates a store that follows the workspace. */
 export function createAdviceStore({
   workspace,
   load,
@@ -72,7 +72,10 @@ export function createAdviceStore({
   let settled: ReadonlySet<string> = new Set();
   let coach: Coach | null = null;
   let edits = 0;
-  /** whether advice waits until the robot stands, since it would move the lines that the student follows */
+  /**
+   * whether advice is deferred until the robot stops, because it would move lines that the student
+   * follows
+   */
   let isHeld = false;
 
   function refresh(): void {
@@ -109,7 +112,7 @@ export function createAdviceStore({
         settle();
         return;
       }
-      // Without the coach nothing is lost but the advice: the next edit asks for it again.
+      // A failed load costs only the advice. The next edit loads the coach again.
       load().then(
         (loaded) => {
           coach = loaded;
@@ -124,7 +127,7 @@ export function createAdviceStore({
     if (next.program !== before.program) refresh();
     if (next.program !== before.program || next.maze !== before.maze) settleSoon();
   });
-  // After a bump the card comes first: the advice waits for Reset, or for the next edit.
+  // After a bump the card comes first: deferred advice waits for Reset, or for the next edit.
   run.subscribe(({ snapshot, event }) => {
     if (isHeld && snapshot?.state !== "running" && event?.kind !== "bump") settle();
   });
@@ -141,12 +144,12 @@ export function createAdviceStore({
   };
 }
 
-/** The advice that stands in a line, or in "otherwise". */
+/** The advice on a line or on "otherwise"; null if there is none. */
 export function adviceOn(line: LineRef, { shown }: AdviceState): Advice | null {
   return shown.find((advice) => advice.line === line) ?? null;
 }
 
-/** The same for lines that say the same, wherever they stand. */
+/** Lines with the same content have the same key, regardless of their position. */
 function keyOf({ kind, line }: Advice, program: ProgramDocument): string {
   return `${kind} ${JSON.stringify(line === "default" ? line : program.rules[line])}`;
 }

@@ -1,4 +1,4 @@
-/** An advice in words: what is the matter with its numbers, and what the one button does about it. */
+/** An advice in words: the reason with its numbers, and what its one button does. */
 import type { Advice, Fix } from "@corridor/coach";
 import type { Condition } from "@corridor/program";
 import type { TFunction } from "i18next";
@@ -6,7 +6,7 @@ import { conditionText } from "./condition-text.ts";
 
 export interface AdviceText {
   reason: string;
-  /** null where the advice has no mend */
+  /** null if the advice has no fix */
   mend: string | null;
 }
 
@@ -33,7 +33,7 @@ export function adviceText(
           : t("program.advice.neverDecides", { count, condition, lines });
       }
       case "never-true-here": {
-        // Rounded up, the sentence stays true.
+        // Rounding up keeps the sentence true.
         return t(`program.advice.neverTrue.${given.limit}`, {
           condition,
           bound: Math.ceil(given.bound),

@@ -1,11 +1,13 @@
-/** Puts a ready-made algorithm in place of the program, with a message that takes it back. */
 import type { ProgramDocument } from "@corridor/program";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
 import { tellUndoable } from "../stage/tell-undoable.ts";
 import { loadProgram } from "./program-actions.ts";
 
-/** The maze stays, and so does the robot in it. */
+/**
+ * Replaces the program with a preset algorithm, and shows a message that offers undo. The maze and
+ * the robot in it stay.
+ */
 export function chooseAlgorithm(
   services: Pick<Services, "workspace" | "screen">,
   words: Pick<i18n, "t">,

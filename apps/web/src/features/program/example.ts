@@ -4,7 +4,10 @@ import { firstProgram } from "../../worker/first-project.ts";
 
 const example = JSON.stringify(firstProgram.rules);
 
-/** Whether the program is the example of a first visit, unchanged. One's own begins without a name. */
+/**
+ * Whether the program is the unchanged example of a first visit. A student's own program starts
+ * without a name.
+ */
 export function isExample({ name, default: otherwise, rules }: ProgramDocument): boolean {
   return name !== "" && otherwise === firstProgram.default && JSON.stringify(rules) === example;
 }

@@ -1,4 +1,4 @@
-/** A ready-made program goes on under its name in the language that the reader changes to. */
+/** Renames a preset program when the student changes the language. */
 import type { i18n } from "i18next";
 import type { RunStore } from "../../stores/run-store.ts";
 import type { WorkspaceStore } from "../../stores/workspace-store.ts";
@@ -9,7 +9,10 @@ interface Followers {
   run: RunStore;
 }
 
-/** The new name is no step of the history. During a run the old one stays: an edit would be recorded. */
+/**
+ * The new name adds no step to the history. During a run the old name stays, because the run would
+ * record the edit.
+ */
 export function followLanguage({ workspace, run }: Followers, words: Pick<i18n, "t" | "on">): void {
   words.on("languageChanged", () => {
     const { program } = workspace.getState();

@@ -3,7 +3,7 @@ import { beforeEach, describe, expect, it } from "vitest";
 import { createRunStore, type RunStore } from "../../stores/run-store.ts";
 import { lineFeed } from "./line-feed.ts";
 
-/** What the browser says of a line that it begins or ceases to draw. */
+/** The event that a browser fires when it starts or stops rendering a line. */
 class SightEvent extends Event {
   readonly skipped: boolean;
 

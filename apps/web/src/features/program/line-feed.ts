@@ -1,24 +1,25 @@
 /**
- * The run as one line of the program follows it. A program may have 200 lines, of which a screen shows
- * ten: those in sight hear all news; while the robot runs, the others hear every fourth, in turns, so that
- * what a screen reader finds there is a second old at most. When the robot rests, all lines are exact.
+ * The run as one line of the program follows it. A program may have 200 lines, and a screen shows
+ * about ten. Lines in sight receive every update. While the robot runs, the others receive every
+ * fourth one, in turns. Screen readers thus read values at most one second old. When the robot
+ * stops, all lines are exact.
  */
 import type { RunState } from "../../stores/run-store.ts";
 import type { StateSource } from "../../ui/follow-text.ts";
 
-/** News come four times a second. */
+/** Lines out of sight receive every fourth update. Updates arrive four times a second. */
 const TURNS = 4;
 
 export interface LineFeed extends StateSource<RunState> {
   /**
-   * Follows whether the browser draws the line, which it says of elements with `content-visibility: auto`;
-   * where it never says so, the line counts as in sight.
-   * @returns a function that ends it
+   * Observes whether the browser renders the line. Browsers report it for elements with
+   * `content-visibility: auto`. Without a report, the line counts as in sight.
+   * @returns a function that stops observing
    */
   watch: (line: EventTarget) => () => void;
 }
 
-/** @param index any number; lines with neighbouring ones have their turns one after the other */
+/** @param index any number; lines with neighbouring numbers take their turns one after the other */
 export function lineFeed(run: StateSource<RunState>, index: number): LineFeed {
   let isOutOfSight = false;
   return {
@@ -33,7 +34,7 @@ export function lineFeed(run: StateSource<RunState>, index: number): LineFeed {
     },
     watch(line) {
       const look = (event: Event): void => {
-        // What lies in the line may be left out as well.
+        // Elements inside the line may skip rendering as well.
         if (event.target === line && "skipped" in event) isOutOfSight = event.skipped === true;
       };
       line.addEventListener("contentvisibilityautostatechange", look);

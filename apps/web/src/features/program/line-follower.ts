@@ -1,14 +1,16 @@
 /**
- * Keeps the running line in sight where the lines scroll: beside the stage the list itself, on a phone
- * the sheet around it. Where the whole page scrolls, nothing is moved. Readers who scroll away are left
- * alone until the running line is in sight again or the next run begins; the focus never moves.
+ * Keeps the running line in sight where the lines scroll: in the list beside the stage, or in the
+ * sheet on a phone. Where the whole page scrolls, nothing moves. A student who scrolls away stops
+ * it until the running line is in sight again, or the next run starts. The focus never moves.
  */
 
-/** A line has to run so long before the list follows, so that one that flickers does not shake it. */
+/**
+ * A line must run this long before the list follows, so that a flickering line does not shake it.
+ */
 const STEADY_MS = 200;
-/** Room that is left above the line and below it, where the list fades out, in px. */
+/** Margin above and below the line, where the list fades out, in px. */
 const MARGIN = { above: 8, below: 28 };
-/** Only a reader makes these; scrolling by code makes just "scroll". */
+/** Events that only a student causes. Scrolling by code fires only "scroll". */
 const READERS_EVENTS = ["wheel", "touchmove", "pointerdown", "keydown", "focusin"];
 
 export class LineFollower {
@@ -18,7 +20,7 @@ export class LineFollower {
   #timer: ReturnType<typeof setTimeout> | undefined;
   #restTimer: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param list the lines, inside or itself the element that scrolls */
+  /** @param list the lines; the list or an ancestor scrolls */
   constructor(list: HTMLElement) {
     this.#list = list;
     for (const type of READERS_EVENTS) {
@@ -27,13 +29,13 @@ export class LineFollower {
     document.addEventListener("scroll", this.#awaitRest, { passive: true, capture: true });
   }
 
-  /** A run begins: whatever the reader did before, the list follows. */
+  /** Starts a run. The list follows again, whatever the student did before. */
   begin(): void {
     this.#isFollowing = true;
     this.show(this.#line);
   }
 
-  /** The line that runs now, or none. */
+  /** Sets the running line, or none. */
   show(line: HTMLElement | null): void {
     this.#line = line;
     clearTimeout(this.#timer);
@@ -51,7 +53,10 @@ export class LineFollower {
     if (target instanceof Node && this.#scroller()?.contains(target)) this.#isFollowing = false;
   };
 
-  /** On its way the list passes places where the line is in sight: what counts is where it comes to rest. */
+  /**
+   * Scrolling passes positions where the line is in sight. Only the position where the list stops
+   * counts.
+   */
   readonly #awaitRest = (): void => {
     clearTimeout(this.#restTimer);
     if (!this.#isFollowing) this.#restTimer = setTimeout(this.#lookAgain, STEADY_MS);
@@ -63,15 +68,15 @@ export class LineFollower {
   };
 
   readonly #bringIntoSight = (): void => {
-    // A field that is being typed in must not move away.
+    // A field with the focus must not move away.
     if (!this.#isFollowing || this.#list.contains(document.activeElement)) return;
-    // A card at the upper end explains the line, and is to be read first.
+    // A card at the upper end explains the line, and the student reads it first.
     if (this.#scroller()?.querySelector("[data-card]")) return;
     const hidden = this.#hidden();
     if (hidden !== 0) this.#scroller()?.scrollBy({ top: hidden, behavior: "instant" });
   };
 
-  /** How far has to be scrolled to show the whole line; negative is up. */
+  /** How far to scroll to show the whole line, in px. Negative is up. */
   #hidden(): number {
     const scroller = this.#scroller();
     if (this.#line === null || scroller === null) return 0;
@@ -80,11 +85,13 @@ export class LineFollower {
     const above = line.top - MARGIN.above - box.top;
     const below = line.bottom + MARGIN.below - box.bottom;
     if (above < 0) return above;
-    // A line that is higher than the list shows its top.
+    // If a line is taller than the list, its top has priority.
     return below > 0 ? Math.min(below, above) : 0;
   }
 
-  /** What scrolls the lines in this layout; null where it is the page, or nothing. */
+  /**
+   * The element that scrolls the lines in this layout; null if only the page scrolls, or nothing.
+   */
   #scroller(): HTMLElement | null {
     let element: HTMLElement | null = this.#list;
     while (element !== null && element !== document.body) {

@@ -1,4 +1,6 @@
-/** A line's name for those who hear it: its sentence, whether it runs, and its truth with the numbers. */
+/**
+ * A line's name for screen readers: its sentence, whether it runs, and its truth with the numbers.
+ */
 import type { Rule } from "@corridor/program";
 import type { TFunction } from "i18next";
 import { joinSentences } from "../../text/joined.ts";
@@ -11,11 +13,11 @@ export interface LineNameParts {
   rule: Rule;
   state: LineStanding;
   truth: ShownTruth | null;
-  /** the reason of its advice, a whole sentence; null when there is none */
+  /** the reason of its advice as a whole sentence; null if there is none */
   advice: string | null;
 }
 
-/** "Line 1, running: if right is more than 60, delayed right 90. Right is 250, true." */
+/** Example: "Line 1, running: if right is more than 60, delayed right 90. Right is 250, true." */
 export function lineName(
   t: TFunction,
   { index, rule, state, truth, advice }: LineNameParts,
@@ -57,7 +59,9 @@ export function lineName(
   return joinSentences(t, [head, ...sentences]);
 }
 
-/** The same name for a line whose standing and truth change often: each sentence is looked up once. */
+/**
+ * Builds names for a line whose standing and truth change often. It translates each sentence once.
+ */
 export function lineNamer(
   t: TFunction,
   language: string,

@@ -1,4 +1,4 @@
-/** How the lines of the program stand at the shown moment. */
+/** State of the program's lines at the displayed tick. */
 import { causeLine, type Diagnosis } from "@corridor/coach";
 import { evaluateCondition, type Condition } from "@corridor/program";
 import type { LineRef, Snapshot } from "@corridor/protocol";
@@ -11,12 +11,15 @@ export function decidingLine(snapshot: Snapshot | null): LineRef | null {
   return snapshot?.driver === "program" ? snapshot.line : null;
 }
 
-/** Whether a line above this one decided, so that it was not read. */
+/** Whether a line above this one decided, so that this line was not read. */
 export function isPassedOver(index: number, deciding: LineRef | null): boolean {
   return typeof deciding === "number" && index > deciding;
 }
 
-/** A line's truth as it is shown: flat, so that a line is only drawn again when this changes. */
+/**
+ * A line's truth as it is displayed. A flat object, so that a line renders only when a field
+ * changes.
+ */
 export interface ShownTruth {
   isTrue: boolean;
   /** the left side, such as "250.5" */
@@ -35,7 +38,7 @@ export function shownTruth(
   return truth === null ? null : { isTrue: truth.isTrue, ...truthText(truth) };
 }
 
-/** A line's truth by the moment; asked for the same moment again, it is not worked out again. */
+/** A line's truth in a snapshot. Memoizes the truth of the newest snapshot. */
 export type TruthAt = (snapshot: Snapshot | null) => ShownTruth | null;
 
 export function truthAt(condition: Condition | null): TruthAt {
@@ -50,7 +53,7 @@ export function truthAt(condition: Condition | null): TruthAt {
   };
 }
 
-/** How a line stands to the one that drives; notRead: a line above won. */
+/** A line's state relative to the deciding line. `notRead`: a line above it decided. */
 export type LineStanding = "resting" | "running" | "bumped" | "notRead";
 
 export function lineStanding(
@@ -63,16 +66,19 @@ export function lineStanding(
   return isPassedOver(index, deciding) ? "notRead" : "resting";
 }
 
-/** How far the line's manoeuvre is, in whole units for eyes; flat like the truth. */
+/** The progress of the line's manoeuvre, in whole units for display. Flat like `ShownTruth`. */
 export interface ShownProgress {
-  /** what the part that runs leads to: the turn of a delayed turn, the end of a turn, the way out */
+  /**
+   * the current part: `approach` comes before a delayed turn, `turn` is the turn, `leave` comes
+   * after it
+   */
   kind: "approach" | "turn" | "leave";
-  /** whole cm or degrees that are left, rounded up: 0 is never shown */
+  /** remaining cm or degrees, rounded up; the page never shows 0 */
   left: number;
   of: number;
 }
 
-/** @returns null when no manoeuvre of this line runs at the shown moment */
+/** @returns null if no manoeuvre of this line runs at the displayed tick */
 export function shownProgress(
   line: LineRef,
   { snapshot, progress }: Pick<RunState, "snapshot" | "progress">,
@@ -86,32 +92,38 @@ export function shownProgress(
   return { kind: part < parts - 1 ? "approach" : "leave", left, of };
 }
 
-/** Rounding leaves crumbs of a distance; they are none. */
+/** Allows for rounding errors in a distance. */
 const CRUMB = 1e-6;
 
-/** A bump as its line shows it: how far it came, and how far it would have gone. Whole cm. */
+/** A bump as its line displays it: the distance driven, and the distance needed, in whole cm. */
 export interface ShownBump {
-  /** null when it is not known, as for a bump of the past */
+  /** null if unknown, for example for an earlier bump */
   driven: number | null;
-  /** null for a motion that lasts until something else is chosen */
+  /** null for a motion that lasts until another action is chosen */
   needed: number | null;
 }
 
-/** What of a moment tells of a bump. */
+/** The part of a run event that describes a bump. */
 type BumpMoment = Pick<RunEvent, "kind" | "line" | "bumps" | "cause" | "diagnosis">;
 
-/** Why the program's robot touches a wall at the shown moment; null where it does not, or nobody knows why. */
+/**
+ * Why the robot, driven by the program, touches a wall at the displayed tick; null if it does not,
+ * or if the cause is unknown.
+ */
 export function shownDiagnosis({
   snapshot,
   event,
 }: Pick<RunState, "snapshot"> & { event: BumpMoment | null }): Diagnosis | null {
   if (snapshot === null || !snapshot.bumping || snapshot.driver !== "program") return null;
-  // The newest bump is the one that is seen when no other came after or before it.
+  // With equal counts, the displayed bump is the newest one.
   const isKnown = event?.kind === "bump" && event.bumps === snapshot.bumps;
   return isKnown ? event.diagnosis : null;
 }
 
-/** @returns null unless the robot touches a wall at the shown moment and this line caused that bump */
+/**
+ * @returns null unless the robot touches a wall at the displayed tick and this line caused that
+ *   bump
+ */
 export function shownBump(
   line: LineRef,
   { snapshot, event }: Pick<RunState, "snapshot"> & { event: BumpMoment | null },

@@ -1,11 +1,11 @@
-/** Whether an open challenge leaves a mend to the reader: its button is not offered otherwise. */
+/** Whether an open challenge permits a fix. Otherwise the page does not offer its button. */
 import type { Rights } from "@corridor/challenge";
 import type { Fix } from "@corridor/coach";
 import { kindOf, type Rule } from "@corridor/program";
 
 /**
  * @param lines of the program
- * @param rights null while no challenge is open: then everything
+ * @param rights null while no challenge is open, which permits everything
  */
 export function allowsMend(mend: Fix, lines: number, rights: Rights | null): boolean {
   if (rights === null) return true;

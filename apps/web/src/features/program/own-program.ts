@@ -1,19 +1,19 @@
 /**
- * Whether a program is the student's own. The example and ready-made algorithms are not: a maze that is
- * opened without a program opens with an empty one in their place, so that there is something to solve.
+ * Whether a program is the student's own. The example and presets are not. A maze that is opened
+ * without a program replaces them with an empty one, so that there is something to solve.
  */
 import { emptyProgram, programPresets, type ProgramDocument } from "@corridor/program";
 import type { i18n } from "i18next";
 import { languages } from "../../text/languages.ts";
 
-/** Empty programs and unchanged ready-made ones, under the names that they were given, are nobody's own. */
+/** Empty programs, and unchanged presets under their given names, are not the student's own. */
 export function isOwnProgram(program: ProgramDocument, words: Pick<i18n, "t">): boolean {
   return !isEmpty(program) && !isReadyMade(program, words);
 }
 
 /**
- * An edited program under the name that it goes on with: a ready-made one whose lines were changed is no
- * longer what its name says. A name that the student gave stays.
+ * The edited program, with a new name if a preset's lines changed and its old name no longer fits.
+ * A name that the student chose stays.
  */
 export function namedAfterEdit(
   before: ProgramDocument,
@@ -30,12 +30,12 @@ function isReadyMade(program: ProgramDocument, words: Pick<i18n, "t">): boolean 
 }
 
 /**
- * The name of a ready-made program in the reader's language; null for any other program. The program may have
- * got its name in a language from before: each one that the page has loaded counts.
+ * The name of a preset in the student's language; null for any other program. The program may still
+ * have its name in an earlier language, so every loaded language counts.
  */
 export function readyMadeName(program: ProgramDocument, words: Pick<i18n, "t">): string | null {
   const behaviour = behaviourOf(program);
-  // A student may have found the same lines alone, in a program of another name.
+  // A student may have found the same lines alone, in a program with another name.
   for (const { id, program: preset } of programPresets) {
     if (behaviour !== behaviourOf(preset)) continue;
     for (const { tag } of languages) {
@@ -52,8 +52,8 @@ export function readyMadeName(program: ProgramDocument, words: Pick<i18n, "t">):
 }
 
 /**
- * The program for a maze that comes without one: null for the student's own, else an empty one. One that
- * is empty already keeps its name.
+ * The program for a maze that comes without one: null for the student's own, otherwise an empty
+ * one. A program that is already empty retains its name.
  */
 export function programForMaze(
   program: ProgramDocument,

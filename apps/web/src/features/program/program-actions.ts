@@ -1,6 +1,6 @@
 /**
- * Edits of the program on the screen: each is one step of the history and keeps the ids of the lines,
- * so that focus and badges stay with the line that they belong to. React-free.
+ * Edits of the program on the screen. Each is one step of the history and preserves line ids, so
+ * that focus and badges stay with their line. React-free.
  */
 import {
   addRule,
@@ -16,7 +16,7 @@ import {
 } from "@corridor/program";
 import { newLineIds, setProgram, undo, type WorkspaceStore } from "../../stores/workspace-store.ts";
 
-/** Takes an edit into the workspace; one that was refused changes nothing. */
+/** Applies an edit to the workspace. A refused edit changes nothing. */
 export function applyEdit(
   workspace: WorkspaceStore,
   edit: ProgramEdit,
@@ -26,7 +26,10 @@ export function applyEdit(
   setProgram(workspace, edit.program, lineIds);
 }
 
-/** Adds a line at the end. @returns its id, or null when the program is full */
+/**
+ * Adds a line at the end.
+ * @returns its id, or null if the program is full
+ */
 export function addLine(workspace: WorkspaceStore): number | null {
   const { program, lineIds } = workspace.getState();
   const edit = addRule(program);
@@ -48,8 +51,8 @@ export function moveLine(workspace: WorkspaceStore, index: number, by: -1 | 1): 
 
 /**
  * Deletes a line.
- * @returns a function that brings it back: by undo where nothing else was edited since, as a new
- *   step of the history where something was
+ * @returns a function that restores it: by undo if nothing else was edited since, otherwise as a
+ *   new step of the history
  */
 export function deleteLine(workspace: WorkspaceStore, index: number): () => void {
   const { program, lineIds } = workspace.getState();
@@ -70,10 +73,12 @@ export function deleteLine(workspace: WorkspaceStore, index: number): () => void
   };
 }
 
-/** The numbers of lines whose condition was taken away, by line id, in case it comes back. */
+/** Numbers of removed conditions by line id, in case a condition is chosen again. */
 export type RememberedNumbers = Map<number, number>;
 
-/** Chooses a condition, or none; a line that gets one again gets its old number again, else 50. */
+/**
+ * Sets a condition, or none. A line that gets a condition again gets its old number, otherwise 50.
+ */
 export function chooseCondition(
   workspace: WorkspaceStore,
   index: number,
@@ -96,7 +101,7 @@ export function chooseCondition(
   applyEdit(workspace, withNumber.ok ? withNumber : edit);
 }
 
-/** Puts a ready-made program in place of this one, as one step of the history. */
+/** Replaces the program with a preset, as one step of the history. */
 export function loadProgram(workspace: WorkspaceStore, program: ProgramDocument): void {
   setProgram(workspace, program, newLineIds(program.rules.length));
 }

@@ -37,7 +37,7 @@ describe("a mend that is taken", () => {
     const { program, lineIds } = workspace.getState();
     expect(program).toBe(mended);
     expect(lineIds.map((id) => names.get(id) ?? null)).toEqual(order);
-    // Each id stands at the rule that it stood at before, but for the one that was mended.
+    // Each id stays with its rule, except for the rule that the fix changed.
     expect(lineIds).toHaveLength(program.rules.length);
     undo(workspace);
     expect(workspace.getState().program).toBe(three);

@@ -1,9 +1,11 @@
-/** Takes a mend into the workspace: one step of the history, and every line keeps its id. */
 import type { Fix } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
 import { newLineIds, setProgram, type WorkspaceStore } from "../../stores/workspace-store.ts";
 
-/** @param mended the workspace's program with the mend in it */
+/**
+ * Applies a fix to the workspace as one step of the history. Every line retains its id.
+ * @param mended the workspace's program with the fix applied
+ */
 export function takeMend(workspace: WorkspaceStore, mend: Fix, mended: ProgramDocument): void {
   setProgram(workspace, mended, idsAfter(mend, workspace.getState().lineIds));
 }

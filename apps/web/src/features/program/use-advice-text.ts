@@ -1,11 +1,13 @@
-/** An advice in words. They come with the coach, without whom there is no advice. */
 import type { Advice } from "@corridor/coach";
 import type { Condition } from "@corridor/program";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
 import type { AdviceText } from "./advice-text.ts";
 
-/** @param when the condition of the line that the advice is about; null for "otherwise" */
+/**
+ * An advice in words; null if there is none, or while the coach is not loaded.
+ * @param when the condition of the line that the advice is about; null for "otherwise"
+ */
 export function useAdviceText(given: Advice | null, when: Condition | null): AdviceText | null {
   const { t, i18n } = useTranslation();
   const { advice } = useServices();

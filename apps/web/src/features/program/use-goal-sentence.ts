@@ -1,4 +1,4 @@
-/** What there is to do in the open maze, outside of challenges. */
+/** The goal sentence of the open maze, outside of challenges. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";

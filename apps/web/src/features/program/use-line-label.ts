@@ -1,4 +1,7 @@
-/** The name of a line for those who hear it: what it asks and does, how it stands, and its numbers at a calm rate. */
+/**
+ * Updates a line's name for screen readers: its condition and action, its standing, and its numbers
+ * at a throttled rate.
+ */
 import type { Rule } from "@corridor/program";
 import { useLayoutEffect, type RefObject } from "react";
 import { useTranslation } from "react-i18next";
@@ -11,12 +14,14 @@ import { lineStanding, type TruthAt } from "./line-state.ts";
 interface LabelledLine {
   index: number;
   rule: Rule;
-  /** the reason of its advice; null when there is none */
+  /** the reason of its advice; null if there is none */
   advice: string | null;
   truth: TruthAt;
 }
 
-/** Writes the name straight to the line: React would draw a line again for each number in it. */
+/**
+ * Writes the name directly to the element. React would render the line again for each number in it.
+ */
 export function useLineLabel(
   element: RefObject<HTMLElement | null>,
   feed: StateSource<RunState>,

@@ -1,7 +1,7 @@
 /**
- * Marks the line that drives the robot, by `aria-current`, which its look follows, says below it that the
- * others were not read, and keeps it in sight. Written straight to the page: React would draw two lines
- * again at every turn of the robot.
+ * Marks the line that drives the robot with `aria-current`, which controls its look. Shows below it
+ * that the others were not read, and keeps the line in sight. Writes directly to the DOM: React
+ * would render two lines again at every turn of the robot.
  */
 import type { LineRef } from "@corridor/protocol";
 import { useLayoutEffect, useRef, type RefObject } from "react";
@@ -12,13 +12,13 @@ import { lineElementId } from "./focus-line.ts";
 import type { LineFollower } from "./line-follower.ts";
 import { decidingLine } from "./line-state.ts";
 
-/** @param otherwise the element of what is done when no line is true */
+/** @param otherwise the element of "otherwise" */
 export function useRunningLine(
   list: RefObject<HTMLOListElement | null>,
   otherwise: RefObject<HTMLElement | null>,
 ): void {
   const { run, deferred, workspace } = useServices();
-  // Marked anew when lines came, went or moved; the elements are there by then.
+  // A new list of ids triggers a new mark. The elements exist by then.
   const lineIds = useStore(workspace, (state) => state.lineIds);
   const follower = useRef<Promise<LineFollower> | null>(null);
   const wasRunning = useRef(false);
@@ -60,7 +60,7 @@ export function useRunningLine(
           it.show(deciding === "default" ? null : line);
           if (begins) it.begin();
         },
-        // Without its file the lines stay where the reader has scrolled them.
+        // If the file fails to load, the lines stay where the student scrolled them.
         () => undefined,
       );
     };
@@ -86,14 +86,16 @@ export function useRunningLine(
   );
 }
 
-/** What follows comes in a file of its own once the robot has been let go. */
+/** Loads the follower from its own file once the robot has started. */
 async function load(list: RefObject<HTMLOListElement | null>): Promise<LineFollower> {
   const { LineFollower: Follower } = await import("./line-follower.ts");
   if (list.current === null) throw new Error("the lines are gone");
   return new Follower(list.current);
 }
 
-/** Between two lines is room for words; below the last one there are no lines that could have been read. */
+/**
+ * Marks the row between two lines that shows "not read". Below the last line there is no such row.
+ */
 function sayBelow(line: HTMLElement | null, isSaid: boolean): void {
   const below = line?.nextElementSibling;
   if (below?.tagName === "LI") below.toggleAttribute("data-said", isSaid);

@@ -1,9 +1,10 @@
 /**
- * How much room the lines of a program have: where it is small their fields stand closer, and then below
- * each other. A container query would say the same, but has all lines laid out once more at every turn.
+ * Observes how much width the lines of a program have. On little width their fields move closer
+ * together, and then below each other. A container query would lay out all lines once more on every
+ * turn.
  */
 
-/** Up to how many letters' heights (em) wide the lines are, for each word that they are given. */
+/** Maximum width of the lines in em for each word of `data-room`. */
 const ROOMS = [
   ["tight", 24.66],
   ["narrow", 22.39],
@@ -11,10 +12,10 @@ const ROOMS = [
 ] as const;
 
 /**
- * Keeps `data-room` true: the words of all rooms that the lines fit in, for stylesheets.
- * @param lines get the attribute
- * @param rod as wide as the lines and one em high, so that it tells of other letters too
- * @returns a function that ends it
+ * Updates `data-room` with the words of all rooms that apply, for stylesheets.
+ * @param lines the element with the attribute
+ * @param rod as wide as the lines and one em high, so that it reflects the font size
+ * @returns a function that stops observing
  */
 export function watchRoom(lines: HTMLElement, rod: HTMLElement): () => void {
   const look = (): void => {
@@ -22,7 +23,7 @@ export function watchRoom(lines: HTMLElement, rod: HTMLElement): () => void {
     const rooms = ROOMS.filter(([, most]) => width <= most * height);
     lines.dataset["room"] = rooms.map(([name]) => name).join(" ");
   };
-  // Once before the first paint: otherwise rows that do not fit yet move what is below them.
+  // The call before the first paint avoids a layout shift below rows that do not fit.
   look();
   const observer = new ResizeObserver(look);
   observer.observe(rod);

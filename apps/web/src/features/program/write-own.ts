@@ -1,11 +1,13 @@
-/** From the example to a program of one's own; it comes when "Write my own" is pressed. */
 import { emptyProgram } from "@corridor/program";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
 import { tellUndoable } from "../stage/tell-undoable.ts";
 import { loadProgram } from "./program-actions.ts";
 
-/** An empty program, the robot at its start, the goal in a message, and the focus where a line is added. */
+/**
+ * Starts a program of the student's own: an empty program, the robot at its start, and a message
+ * that offers undo. Loads when "Write my own" is pressed.
+ */
 export function writeOwn(
   services: Pick<Services, "workspace" | "simulator" | "screen">,
   words: Pick<i18n, "t">,

@@ -27,7 +27,10 @@ export function AddGhost({ race }: { race: RaceService }) {
     }
   }
 
-  /** Adds the ghost. @returns why it is not in the race; null when it is */
+  /**
+   * Adds the ghost.
+   * @returns why it is not in the race; null if it is
+   */
   async function problemOf(): Promise<string | null> {
     const { readRunLink } = await import("./run-link.ts");
     const read = readRunLink(link);

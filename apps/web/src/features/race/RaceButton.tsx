@@ -7,7 +7,7 @@ import { Button, type ButtonProps } from "../../ui/Button.tsx";
 import { MenuItem } from "../../ui/Popover.tsx";
 import { useRaceThisRun } from "./use-race-this-run.ts";
 
-/** Appears once its words are there. */
+/** Appears once its texts are loaded. */
 export function RaceButton(props: Pick<ButtonProps, "kind" | "size" | "className">) {
   const { t, ready } = useTranslation("race", { useSuspense: false });
   const { race, isBusy } = useRaceThisRun();
@@ -19,7 +19,7 @@ export function RaceButton(props: Pick<ButtonProps, "kind" | "size" | "className
   );
 }
 
-/** The same in a menu. */
+/** The same action as a menu item. */
 export function RaceMenuItem() {
   const { t, ready } = useTranslation("race", { useSuspense: false });
   const { run } = useServices();

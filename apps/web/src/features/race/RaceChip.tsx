@@ -1,4 +1,4 @@
-/** Opens the table of the race; shows how many ghosts it has. */
+/** Opens the table of the race, and shows the number of ghosts. */
 import { Ghost } from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";

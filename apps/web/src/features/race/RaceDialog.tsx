@@ -1,4 +1,4 @@
-/** The race: the robot and each ghost side by side, and another ghost from a link. */
+/** The race: the robot and each ghost side by side, and a field to add a ghost from a link. */
 import { Ghost, X } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -103,9 +103,9 @@ function RaceTable({ onEnd }: { onEnd: () => void }) {
 
 interface FiguresProps {
   finish: Finish | null;
-  /** in place of the time where there is none */
+  /** text in place of a missing time */
   open: string;
-  /** columns of the last figure */
+  /** number of columns that the last figure spans */
   lastSpan?: number;
 }
 

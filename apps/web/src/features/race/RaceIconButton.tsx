@@ -1,4 +1,4 @@
-/** "Race this run" as a picture, where the words beside "Back to now" have no room. */
+/** "Race this run" as an icon, where its text does not fit beside "Back to now". */
 import { Ghost } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { IconButton } from "../../ui/Button.tsx";

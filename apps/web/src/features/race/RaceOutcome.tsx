@@ -1,4 +1,7 @@
-/** On the card of a solved maze: who was first, and the way to the table; nothing where no race is on. */
+/**
+ * The winner on the card of a solved maze, and a button that opens the table. Renders nothing
+ * without a race.
+ */
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";

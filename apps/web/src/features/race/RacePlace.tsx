@@ -1,4 +1,6 @@
-/** In the strip above the maze: the race that is on, or the way to race the run that is looked back at. */
+/**
+ * Slot in the strip above the maze: the current race, or a button to race the past run on display.
+ */
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { lazyPart } from "../../ui/lazy-part.tsx";

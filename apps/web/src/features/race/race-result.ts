@@ -1,12 +1,12 @@
-/** Who was first in a race, by the time to the goal. */
+/** The winner of a race, by the time to the goal. */
 import type { RaceState } from "../../stores/race-store.ts";
 
 export type RaceResult =
   /** the robot has not reached the goal */
   | { kind: "waiting" }
-  /** no ghost reached it */
+  /** no ghost has reached the goal */
   | { kind: "alone" }
-  /** who was first, the best ghost, and the ticks between it and the robot */
+  /** the winner, the best ghost, and the ticks between that ghost and the robot */
   | { kind: "you" | "ghost" | "same"; badge: string; ticks: number };
 
 export function raceResult({ ghosts, you }: RaceState): RaceResult {

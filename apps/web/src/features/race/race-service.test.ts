@@ -30,7 +30,7 @@ function runOf(changes: Partial<RunDocument> = {}): RunDocument {
   };
 }
 
-/** A service whose worker answers with what the test gives it. */
+/** A service whose worker returns the given answer. */
 function bench(answer: "ready" | "broken" | "silent" = "ready", tab = new MemoryStorage()) {
   const sent: ToWorker[] = [];
   const port: WorkerPort = {
@@ -156,7 +156,7 @@ describe("a race", () => {
       { badge: "B", digest: "fedcba9876543210 600", finish },
     ]);
     expect(reloaded.texts()).toEqual([]);
-    // And after the next one.
+    // The ghosts also survive a second reload.
     const again = bench("ready", tab);
     await again.service.resume();
     expect(again.race.getState().ghosts).toHaveLength(1);

@@ -1,6 +1,6 @@
 /**
- * What a student does with races: adds a recorded run as a ghost, removes one, ends the race. Holds the
- * rule that all runs of a race are of the maze on the screen.
+ * Manages races: adds a recorded run as a ghost, removes a ghost, ends the race. It ensures that
+ * all runs of a race use the maze on the screen.
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { RunDocument } from "@corridor/recording";
@@ -27,17 +27,17 @@ export type RaceRefusal =
   | "other-maze"
   /** the maze changed during the run */
   | "edited"
-  /** it is in the race already */
+  /** the race already contains the run */
   | "same"
   | "too-long"
-  /** a replay does not end in the digest of its document */
+  /** the digest of a replay differs from the digest in the document */
   | "broken"
   | "failed";
 
 export class RaceService {
   readonly #ports: RacePorts & { tab: KeyValueStorage };
   readonly #words: Pick<i18n, "t">;
-  /** the runs of the ghosts, by their ids */
+  /** the runs of the ghosts, by ghost id */
   readonly #runs = new Map<number, RunDocument>();
   readonly #waiting = new Map<number, (added: AddedGhost) => void>();
   #lastId = 0;
@@ -57,7 +57,7 @@ export class RaceService {
     });
   }
 
-  /** Makes the run on the screen a ghost and puts the robot at its start, where both begin. */
+  /** Makes the run on the screen a ghost, and resets the robot to the start that both share. */
   async raceThisRun(): Promise<void> {
     const { simulator, screen } = this.#ports;
     const saved = await new Promise<Parameters<Parameters<typeof saveRun>[1]>[0]>((resolve) =>
@@ -72,7 +72,7 @@ export class RaceService {
     showMessage(screen, { tone: "bad", text: this.refusalText(refusal, run) });
   }
 
-  /** @returns why the run is not in the race; null when it is */
+  /** @returns why the run is not in the race; null if it is */
   async add(run: RunDocument): Promise<RaceRefusal | null> {
     const refused = this.#refusalOf(run);
     if (refused !== null) return refused;
@@ -88,7 +88,7 @@ export class RaceService {
     return refusal;
   }
 
-  /** Brings back the ghosts that the tab has stored; those of another maze are gone. */
+  /** Restores the ghosts that the tab has stored, without those of another maze. */
   async resume(): Promise<void> {
     const loads = readGhosts(this.#ports.tab).flatMap(({ badge, run }) =>
       this.#refusalOf(run) === null && !this.#isIn(badge) ? [this.#load(badge, run)] : [],
@@ -119,7 +119,7 @@ export class RaceService {
     const isStillIn = race.getState().ghosts.some((each) => each.id === id);
     if (!added.ok) {
       this.#forget(id);
-      // Removed while it was loading: that is no failure.
+      // A ghost that was removed while it loaded is not a failure.
       if (!isStillIn) return null;
       return added.problems.length > 0 ? "broken" : "failed";
     }
@@ -141,7 +141,7 @@ export class RaceService {
     for (const { id } of this.#ports.race.getState().ghosts) this.remove(id);
   }
 
-  /** @param run the one that was refused */
+  /** @param run the refused run */
   refusalText(refusal: RaceRefusal, run: RunDocument | null): string {
     return this.#words.t(`race:refused.${refusal}`, {
       most: MAX_GHOSTS,
@@ -159,7 +159,7 @@ export class RaceService {
     return this.#ports.race.getState().ghosts.some((ghost) => ghost.badge === badge);
   }
 
-  /** What a reload brings back. */
+  /** Stores the ghosts for a reload. */
   #store(): void {
     const { race, tab } = this.#ports;
     const ghosts = race.getState().ghosts.flatMap(({ id, badge }) => {
@@ -201,13 +201,13 @@ export class RaceService {
 
 let service: RaceService | null = null;
 
-/** The one of this page. */
+/** The service of this page. */
 export function raceService(ports: RacePorts, words: Pick<i18n, "t">): RaceService {
   service ??= new RaceService({ ...ports, tab: storageOrNone(() => sessionStorage) }, words);
   return service;
 }
 
-/** Whether a robot finds the same way in both: names do not count. */
+/** Whether both mazes have the same layout. Names do not count. */
 function isSameMaze(one: MazeDocument, other: MazeDocument): boolean {
   return one === other || layoutOf(one) === layoutOf(other);
 }

@@ -1,4 +1,4 @@
-/** The ghosts of a race in the storage of this tab: a reload keeps them. */
+/** The ghosts of a race in the storage of this tab, so that they survive a reload. */
 import { readRun, type RunDocument } from "@corridor/recording";
 import type { KeyValueStorage } from "../../app/project-storage.ts";
 import { RACE_KEY } from "../../stores/race-store.ts";
@@ -9,7 +9,7 @@ export interface StoredGhost {
   run: RunDocument;
 }
 
-/** Where the tab has no room, the race lasts until the page is left. */
+/** If the storage is full, the race lasts until the student leaves the page. */
 export function storeGhosts(tab: KeyValueStorage, ghosts: readonly StoredGhost[]): void {
   tab.removeItem(RACE_KEY);
   if (ghosts.length === 0) return;
@@ -17,11 +17,11 @@ export function storeGhosts(tab: KeyValueStorage, ghosts: readonly StoredGhost[]
   try {
     tab.setItem(RACE_KEY, JSON.stringify(stored));
   } catch {
-    // Nothing is lost that was there before the page was opened.
+    // Nothing from before this page view is lost.
   }
 }
 
-/** What cannot be read is left out. */
+/** Skips unreadable entries. */
 export function readGhosts(tab: KeyValueStorage): StoredGhost[] {
   let stored: unknown;
   try {

@@ -1,4 +1,4 @@
-/** Makes the run on the screen a ghost; comes with the first press. */
+/** Makes the run on the screen a ghost. Loads with the first press. */
 import type { i18n } from "i18next";
 import { raceService, type RacePorts } from "./race-service.ts";
 

@@ -14,7 +14,7 @@ export function useResultText(): string {
   return t(`result.${kind}`, { badge, seconds: gapText(ticks, i18n.language) });
 }
 
-/** Hundredths below a tenth of a second: no gap reads as none. */
+/** Shows hundredths for gaps below a tenth of a second, so that no gap reads as zero. */
 function gapText(ticks: number, language: string): string {
   return ticks < 6
     ? new Intl.NumberFormat(language, {

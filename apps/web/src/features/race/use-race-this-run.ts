@@ -1,4 +1,4 @@
-/** What a press on "Race this run" does; the rest comes with the first press. */
+/** Handler of "Race this run". The rest of the code loads with the first press. */
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";

@@ -1,21 +1,21 @@
-/** Copies a text and says so in words, on the button and to those who listen. */
+/** Copies a text, and confirms it in words on the button and to screen readers. */
 import { Check, Copy } from "lucide-react";
 import { useEffect, useState } from "react";
 import { Button, IconButton, type ButtonProps } from "../../ui/Button.tsx";
 import { copyText, pageClipboard } from "./clipboard.ts";
 
-/** How long the tick stays, in ms. */
+/** Duration of the tick icon, in ms. */
 const CONFIRM_MS = 2_000;
 
 interface CopyButtonProps {
   text: string;
   label: string;
-  /** said once it is copied */
+  /** announced after copying */
   done: string;
-  /** with words beside the icon, in these clothes; an icon alone without */
+  /** button style with text beside the icon; without it, the button shows only the icon */
   kind?: NonNullable<ButtonProps["kind"]>;
   size?: NonNullable<ButtonProps["size"]>;
-  /** the browser refused: select the text for copying by hand */
+  /** called when the browser refuses: select the text for copying by hand */
   onRefused: () => void;
 }
 

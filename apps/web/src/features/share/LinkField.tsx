@@ -6,9 +6,9 @@ import { CopyButton } from "./CopyButton.tsx";
 import styles from "./share.module.css";
 
 interface LinkFieldProps {
-  /** null when there is too much for one */
+  /** null if the content is too large for a link */
   link: string | null;
-  /** what is said then */
+  /** text for that case */
   tooBig: string;
 }
 

@@ -1,4 +1,6 @@
-/** The link as a QR code, drawn as elements (never as markup), and saved as a picture. */
+/**
+ * The link as a QR code that can be saved as a picture. It is drawn as elements, never as markup.
+ */
 import { Download } from "lucide-react";
 import { useRef } from "react";
 import { useTranslation } from "react-i18next";

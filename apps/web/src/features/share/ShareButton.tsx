@@ -1,4 +1,4 @@
-/** Opens the share dialog: the one primary button of the top bar. */
+/** Opens the share dialog. The only primary button of the top bar. */
 import { Share } from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";

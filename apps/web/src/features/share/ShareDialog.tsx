@@ -1,4 +1,4 @@
-/** The share dialog: a link that carries the maze itself, or a run in it, and its QR code. */
+/** The share dialog: a link that contains the maze, or a run in it, and its QR code. */
 import { encodeLink, MAX_LINK_LENGTH } from "@corridor/link";
 import { sizeOf } from "@corridor/maze";
 import { Info } from "lucide-react";
@@ -24,7 +24,7 @@ export interface ShareDialogProps {
   onClose: () => void;
 }
 
-/** What the link is of, as the title says it. */
+/** The content of the link, as the title names it. */
 type SharedContent = "maze" | "challenge" | "run";
 
 const titles = {
@@ -66,9 +66,9 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
   const [withRun, setWithRun] = useState(false);
   const saved = useSavedRun(withRun);
   const run = saved?.ok === true ? saved.run : null;
-  // A challenge brings its mazes along.
+  // A challenge includes its mazes.
   const task = withChallenge ? challenge : null;
-  // A long run takes seconds to encode: once is enough.
+  // A long run takes seconds to encode, so the result is memoized.
   const result = useMemo(() => {
     if (run !== null) return encodeLink({ run });
     const content = task === null ? { maze } : { challenge: task };
@@ -82,13 +82,14 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
   const isMore = withProgram || withRun;
   const short = useShortLink(task ?? maze);
   const { link: made } = short;
-  // A mission has an address of its own.
+  // A mission has its own address.
   const ofMission =
     task !== null && mission !== null && !isMore
       ? `${origin}${pathname}${sharedSearch(search)}${missionHash(mission)}`
       : null;
   const shown = isMore || made === null ? (ofMission ?? link) : made.address + sharedSearch(search);
-  // A long run is nothing for an address bar, and a mission is there already.
+  // A long run does not belong in an address bar, and the bar already shows the address of a
+  // mission.
   const held = result.ok && !withRun && mission === null ? result.text : null;
   useEffect(() => {
     if (held !== null) holdLink(workspace, window, held, withProgram ? "program" : "maze");

@@ -1,4 +1,4 @@
-/** One press makes the link short, another one deletes what the service keeps for it. */
+/** Makes a short link, and deletes what the service stores for it. */
 import { Link2, Trash2 } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { Button } from "../../ui/Button.tsx";
@@ -7,7 +7,7 @@ import type { ShortLinkState } from "./use-short-link.ts";
 
 interface ShortLinkChoiceProps {
   short: ShortLinkState;
-  /** a program or a run goes along, which a short link does not carry */
+  /** the link includes a program or a run, which a short link does not carry */
   isMore: boolean;
 }
 
@@ -16,10 +16,10 @@ export function ShortLinkChoice({ short, isMore }: ShortLinkChoiceProps) {
   const { isOffered, link, isBusy, outcome } = short;
   if (!isOffered) return null;
   const isShown = link !== null && !isMore;
-  // Who can open it is said before it is made.
+  // Before the student makes a link, the note explains who can open it.
   const note = t(isMore ? "share.shortLink.alone" : "share.shortLink.note");
   const said = outcome === null || isMore ? "" : t(`share.shortLink.${outcome}`);
-  // The button stays where it is: what comes in its place could be hit by a double click.
+  // The button stays in place: a double click could hit a button that replaces it.
   return (
     <div className={styles["short"]}>
       <Button

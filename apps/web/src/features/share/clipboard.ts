@@ -1,11 +1,14 @@
-/** Copying text. Browsers refuse where the page is not secure (http on a school's own server) or asked not to. */
+/**
+ * Copies text. Browsers refuse on insecure pages (HTTP on a school's own server), or by user
+ * choice.
+ */
 
-/** As much of the browser's Clipboard as is needed. */
+/** The part of the browser's Clipboard that the page uses. */
 export interface TextClipboard {
   writeText: (text: string) => Promise<void>;
 }
 
-/** @returns false when the browser refused; then the text must be offered for copying by hand */
+/** @returns false if the browser refused; the page must then offer the text for copying by hand */
 export async function copyText(
   text: string,
   clipboard: TextClipboard | undefined,
@@ -19,7 +22,7 @@ export async function copyText(
   }
 }
 
-/** The page's clipboard; undefined where the browser has none for pages that are not secure. */
+/** The page's clipboard; undefined if the browser has none on insecure pages. */
 export function pageClipboard(): TextClipboard | undefined {
   return "clipboard" in navigator ? navigator.clipboard : undefined;
 }

@@ -3,7 +3,7 @@ import { createWorkspaceStore, setMaze, setProgram } from "../../stores/workspac
 import { firstMaze, firstProgram } from "../../worker/first-project.ts";
 import { holdAgain, holdLink, type LinkBar } from "./held-link.ts";
 
-/** An address bar that remembers what its entry carries, as over a reload. */
+/** An address bar that retains the state of its entry, as a browser does across a reload. */
 function addressBar(): LinkBar & { address: () => string } {
   const location = { pathname: "/", search: "?lang=de", hash: "" };
   const entry: { state: unknown } = { state: null };

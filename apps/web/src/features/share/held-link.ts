@@ -1,19 +1,22 @@
 /**
- * Once something is shared, the address bar holds its link, so that it can be copied from there. It is true
- * for as long as what it carries is as it was: a change takes it out of the address again.
+ * After sharing, the address bar holds the link, so that students can copy it from there. Any
+ * change of the shared content removes the link from the address.
  */
 import type { WorkspaceStore } from "../../stores/workspace-store.ts";
 
-/** What a held link carries, as the history entry remembers it: a reload must not open it as another work. */
+/**
+ * The content of a held link, stored in the history entry. A reload must not open it as another
+ * project.
+ */
 type Held = "maze" | "program";
 
-/** As much of the browser as the address bar needs. */
+/** The part of the browser that the address bar uses. */
 export interface LinkBar {
   location: Pick<Location, "pathname" | "search" | "hash">;
   history: Pick<History, "state" | "replaceState">;
 }
 
-/** @param text the link without its address: what follows the `#` */
+/** @param text the link without its address: the part after the `#` */
 export function holdLink(
   workspace: WorkspaceStore,
   { location, history }: LinkBar,
@@ -24,7 +27,7 @@ export function holdLink(
   letGoWithChange(workspace, { location, history }, held);
 }
 
-/** @returns whether the address holds the link of what is open already, as after a reload */
+/** @returns whether the address holds the link of the open content, as after a reload */
 export function holdAgain(workspace: WorkspaceStore, bar: LinkBar): boolean {
   const held = heldIn(bar.history.state);
   if (held === null || bar.location.hash === "") return false;
@@ -43,7 +46,7 @@ function letGoWithChange(
       next.maze === before.maze && (held === "maze" || next.program === before.program);
     if (isSame) return;
     end();
-    // Another link, or a mission, may be there by now.
+    // The address may contain another link or a mission by then.
     if (location.hash === hash) {
       history.replaceState(null, "", location.pathname + location.search);
     }

@@ -1,18 +1,18 @@
-/** A QR code as one SVG path: uqr computes the modules, this draws them. */
+/** A QR code as one SVG path. The package uqr computes the modules. */
 import { encode } from "uqr";
 
 export interface QrPath {
-  /** modules a side, quiet zone included */
+  /** modules per side, including the quiet zone */
   size: number;
   path: string;
 }
 
 /** The quiet zone that scanners need around the code, in modules. */
 const QUIET_ZONE = 4;
-/** What the largest code (version 40, lowest correction) holds, in bytes. */
+/** Capacity of the largest code (version 40, lowest error correction), in bytes. */
 const MAX_BYTES = 2_953;
 
-/** @returns null when the text is too long for a QR code */
+/** @returns null if the text is too long for a QR code */
 export function qrPath(text: string): QrPath | null {
   if (new TextEncoder().encode(text).length > MAX_BYTES) return null;
   const { data, size } = encode(text, { ecc: "L", border: QUIET_ZONE });

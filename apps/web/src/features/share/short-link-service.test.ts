@@ -6,7 +6,7 @@ import { ShortLinkService, type Ask } from "./short-link-service.ts";
 const maze = mazePresets[0]?.maze;
 if (maze === undefined) throw new Error("a preset is gone");
 
-/** A service that gives the same link and a new key each time, and notes what it is asked. */
+/** A service that returns the same link with a new key each time, and records its requests. */
 function fakeService() {
   const asked: string[] = [];
   let keys = 0;

@@ -1,6 +1,6 @@
 /**
- * Short links as the page makes and deletes them. The keys that delete them stay on the device, so that
- * whoever made a link can delete it later too; where the device keeps nothing, until the page is left.
+ * Creates and deletes short links. The device stores the keys, so that a student can delete a link
+ * later. On a device without storage, they last until the student leaves the page.
  */
 import type { ChallengeDocument } from "@corridor/challenge";
 import type { MazeDocument } from "@corridor/maze";
@@ -17,7 +17,7 @@ const KEPT = "corridor.shortLinks";
 const MAX_KEPT_TEXT = 100_000;
 const MAX_ANSWER = 4_096;
 
-/** fetch, as far as it is needed */
+/** the part of fetch that the service uses */
 export type Ask = (url: string, init?: RequestInit) => Promise<Response>;
 
 export class ShortLinkService {
@@ -32,7 +32,7 @@ export class ShortLinkService {
     this.#made = kept.ok ? kept.value : [];
   }
 
-  /** Whether there is a service behind this page, or files alone. */
+  /** Whether a service responds behind this page. A static host has none. */
   async answers(): Promise<boolean> {
     try {
       const answer = await this.#ask("/healthz", { cache: "no-store" });
@@ -43,7 +43,7 @@ export class ShortLinkService {
     }
   }
 
-  /** @returns the address, or null when there is none to be had now */
+  /** @returns the link, or null if the service does not provide one */
   async make(document: MazeDocument | ChallengeDocument): Promise<ShortLink | null> {
     try {
       const answer = await this.#ask("/api/v1/mazes", {
@@ -61,7 +61,10 @@ export class ShortLinkService {
     }
   }
 
-  /** Takes back all that this device has stored under a link. @returns whether the service did it */
+  /**
+   * Deletes everything that this device stored under a link.
+   * @returns false if the service failed to delete it
+   */
   async delete(id: string): Promise<boolean> {
     try {
       for (const link of this.#made.filter((each) => each.id === id)) {
@@ -69,7 +72,7 @@ export class ShortLinkService {
           method: "DELETE",
           headers: { Authorization: `Bearer ${link.deleteKey}` },
         });
-        // Gone already, or no longer this device's: nothing is left to delete.
+        // A deleted link (404) or an invalid key (401) leaves nothing to delete.
         if (!answer.ok && answer.status !== 404 && answer.status !== 401) return false;
         this.#keep(this.#made.filter((each) => each !== link));
       }
@@ -84,7 +87,7 @@ export class ShortLinkService {
     try {
       this.#device.setItem(KEPT, JSON.stringify(this.#made));
     } catch {
-      // A full device: the keys last as long as the page.
+      // The device is full, so the keys last until the student leaves the page.
     }
   }
 }

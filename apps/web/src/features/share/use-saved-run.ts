@@ -1,12 +1,12 @@
-/** The run so far as a document, asked of the simulator when somebody wants it. */
 import { useEffect, useState } from "react";
 import type { RunDocument, WrittenRun } from "@corridor/recording";
 import { useServices } from "../../app/services.ts";
 import { saveRun } from "../../app/run-requests.ts";
 
 /**
- * @param isWanted false: nothing is asked, and what was asked before is forgotten
- * @returns null until it is there
+ * The run so far as a document. The hook requests it from the simulator on demand.
+ * @param isWanted false: requests nothing and discards the last answer
+ * @returns null until the document arrives
  */
 export function useSavedRun(isWanted: boolean): WrittenRun | null {
   const { simulator } = useServices();

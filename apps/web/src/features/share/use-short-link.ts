@@ -1,4 +1,4 @@
-/** The short link of what is shared: whether there can be one, its making and its end. */
+/** The short link of the shared content: whether one is possible, and how to make and delete it. */
 import type { ChallengeDocument } from "@corridor/challenge";
 import type { MazeDocument } from "@corridor/maze";
 import type { ShortLink } from "@corridor/protocol";
@@ -7,12 +7,12 @@ import { storageOrNone } from "../../app/project-storage.ts";
 import { ShortLinkService } from "./short-link-service.ts";
 
 export interface ShortLinkState {
-  /** there is a service that makes some */
+  /** whether a service responds that makes short links */
   isOffered: boolean;
-  /** of the very document that is shared now; null while there is none */
+  /** the link of the exact document that is shared now; null if there is none */
   link: ShortLink | null;
   isBusy: boolean;
-  /** what has come of the last press */
+  /** result of the last press */
   outcome: "made" | "failed" | "deleted" | "notDeleted" | null;
   make: () => void;
   remove: () => void;

@@ -1,4 +1,4 @@
-/** Sound in the View menu: on or off, the beam to hear, and how loud. */
+/** Sound in the View menu: on or off, the beam to listen to, and the volume. */
 import { sensorNames } from "@corridor/protocol";
 import { useId, useState } from "react";
 import { useTranslation } from "react-i18next";

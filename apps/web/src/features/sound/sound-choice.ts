@@ -1,21 +1,21 @@
-/** What a student chose to hear, as the device stores it. */
+/** The sound settings of a student, as the device stores them. */
 import { sensorNames, type SensorName } from "@corridor/protocol";
 
 export const SOUND_KEY = "corridor.sound";
 
 export interface SoundChoice {
   isOn: boolean;
-  /** the beam to hear; null: none */
+  /** the beam to listen to; null: none */
   beam: SensorName | null;
   /** 0 to 1 */
   volume: number;
 }
 
 const VOLUME = 0.6;
-/** Where the device asks for less motion, sounds begin quieter too. */
+/** Initial volume on devices that prefer reduced motion. */
 const CALM_VOLUME = 0.4;
 
-/** Reads what is stored; anything unreadable counts as never chosen, which is off. */
+/** Reads the stored settings. Unreadable text counts as none, which means that sound is off. */
 export function readSoundChoice(stored: string | null, isCalm: boolean): SoundChoice {
   const none: SoundChoice = { isOn: false, beam: "front", volume: isCalm ? CALM_VOLUME : VOLUME };
   let value: unknown;

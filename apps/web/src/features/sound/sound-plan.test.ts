@@ -3,7 +3,7 @@ import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { pitchOf, SoundPlan, tickGap } from "./sound-plan.ts";
 
-/** A plan whose sounds are written down, and whose time passes when the test says so. */
+/** A plan that records its sounds, with a clock that the test controls. */
 function bench() {
   const heard: string[] = [];
   let time = 0;
@@ -22,7 +22,7 @@ function bench() {
   return {
     plan,
     heard,
-    /** so many milliseconds, looked at every 10 */
+    /** advances the clock in steps of 10 ms */
     pass: (milliseconds: number) => {
       for (const end = time + milliseconds; time < end;) {
         time += 10;
@@ -107,7 +107,7 @@ describe("the sounds of a run", () => {
     expect(heard).toEqual(["bump", "goal"]);
     frame({ tick: 0, bumps: 0, goalReached: false }, "past");
     frame({ bumps: 1, goalReached: true }, "past");
-    // Reset begins anew in silence.
+    // Reset restarts in silence.
     frame({ tick: 0, bumps: 0, goalReached: false });
     expect(heard).toEqual(["bump", "goal"]);
   });

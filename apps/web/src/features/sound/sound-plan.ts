@@ -1,12 +1,12 @@
 /**
- * Which sounds a run makes, and when: a tick that gets faster as the chosen beam gets shorter, a note for
- * each decision, a bump and the goal. Knows neither Web Audio nor a clock of its own. Every sound has a
- * least distance to the one before it, so that speed "max" makes no noise.
+ * Decides which sounds a run makes, and when. A tick gets faster as the chosen beam gets shorter,
+ * and each decision, bump and goal has a sound. The class has neither Web Audio nor a clock.
+ * Minimum gaps between sounds keep speed "max" quiet.
  */
 import type { LineRef, SensorName, Snapshot } from "@corridor/protocol";
 import type { RunView } from "../../worker/worker-messages.ts";
 
-/** What makes the sounds. */
+/** Plays the sounds. */
 export interface SoundPort {
   tick: () => void;
   /** @param hertz pitch of the deciding line */
@@ -15,18 +15,21 @@ export interface SoundPort {
   goal: () => void;
 }
 
-/** Milliseconds from tick to tick at the robot's edge, per cm beyond it, and at most. */
+/**
+ * Milliseconds between ticks: with the wall at the robot's edge, for each cm beyond it, and at
+ * most.
+ */
 const FASTEST_MS = 80;
 const MS_PER_CM = 2.2;
 const SLOWEST_MS = 900;
-/** The beam begins at the robot's centre. */
+/** The beam starts at the robot's centre. */
 const ROBOT_RADIUS = 25;
 
-/** Least milliseconds between two sounds of a kind. */
+/** Minimum milliseconds between two sounds of a kind. */
 const NOTE_GAP_MS = 120;
 const BUMP_GAP_MS = 300;
 
-/** Hertz of "otherwise" and of line 1; lines go up a scale of five steps, for two octaves. */
+/** Hertz of "otherwise" and of line 1. Lines go up a scale of five steps, for two octaves. */
 const OTHERWISE_HERTZ = 196;
 const FIRST_HERTZ = 261.6;
 const steps = [0, 2, 4, 7, 9] as const;
@@ -35,7 +38,7 @@ const HIGHEST_LINE = 10;
 export class SoundPlan {
   readonly #port: SoundPort;
   readonly #now: () => number;
-  /** the beam to hear; null: none */
+  /** the beam to listen to; null: none */
   beam: SensorName | null = null;
   #snapshot: Snapshot | null = null;
   #isRunning = false;
@@ -49,22 +52,25 @@ export class SoundPlan {
     this.#now = now;
   }
 
-  /** Whether ticks may be due: nothing sounds while the robot rests or an earlier moment is looked at. */
+  /**
+   * Whether ticks may be due. Nothing sounds while the robot rests, or while an earlier tick is
+   * displayed.
+   */
   get isRunning(): boolean {
     return this.#isRunning;
   }
 
-  /** The displayed moment is another one. */
+  /** Updates the displayed tick. */
   show(snapshot: Snapshot, view: RunView): void {
     const before = this.#snapshot;
     this.#snapshot = snapshot;
     this.#isRunning = view !== "past" && snapshot.state === "running";
-    // Back in time, or looked at: nothing happens there. The last frame of a run already rests.
+    // Going back or viewing the past makes no sound. The last frame of a run already rests.
     if (before === null || view === "past" || snapshot.tick <= before.tick) return;
     this.#events(before, snapshot);
   }
 
-  /** Time has passed: plays the tick that is due. */
+  /** Plays the tick if one is due at the current time. */
   advance(): void {
     const snapshot = this.#snapshot;
     if (snapshot === null || this.beam === null || !this.#isRunning) return;
@@ -93,13 +99,13 @@ export class SoundPlan {
   }
 }
 
-/** Milliseconds from one tick to the next at a distance in cm. */
+/** Milliseconds between two ticks at a distance in cm. */
 export function tickGap(distance: number): number {
   const free = Math.max(0, distance - ROBOT_RADIUS);
   return Math.min(SLOWEST_MS, FASTEST_MS + MS_PER_CM * free);
 }
 
-/** The pitch of a line: later lines are higher, "otherwise" is the lowest. */
+/** The pitch of a line in hertz: later lines are higher, "otherwise" is the lowest. */
 export function pitchOf(line: LineRef): number {
   if (line === "default") return OTHERWISE_HERTZ;
   const at = Math.min(line, HIGHEST_LINE);

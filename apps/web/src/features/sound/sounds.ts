@@ -1,6 +1,7 @@
 /**
- * The sounds of the page: what the student chose, stored on the device, and the player. Off until
- * switched on; a page that opens with sound on waits for the first press or key, as browsers ask.
+ * The sounds of the page: the settings, stored on the device, and the player. Sound is off until
+ * the student switches it on. Browsers require a press or a key first, so a page that opens with
+ * sound on waits for one.
  */
 import type { SensorName } from "@corridor/protocol";
 import { createStore } from "zustand/vanilla";
@@ -10,7 +11,7 @@ import { readSoundChoice, SOUND_KEY, type SoundChoice } from "./sound-choice.ts"
 import { SoundPlan } from "./sound-plan.ts";
 import { Synth } from "./synth.ts";
 
-/** Milliseconds between two looks at whether a tick is due: less than the shortest gap by far. */
+/** Milliseconds between two checks for a due tick, much less than the shortest gap. */
 const LOOK_MS = 20;
 
 export class Sounds {
@@ -31,13 +32,16 @@ export class Sounds {
       try {
         device.setItem(SOUND_KEY, JSON.stringify(choice));
       } catch {
-        // The choice then lasts until the page is left.
+        // The settings then last until the student leaves the page.
       }
       this.#apply();
     });
   }
 
-  /** Called in the turn of a press: sound may begin at once. @returns false where there is no Web Audio */
+  /**
+   * Call it in a press handler, so that the browser permits sound at once.
+   * @returns false without Web Audio
+   */
   switchOn(): boolean {
     if (!this.#open()) return false;
     this.choice.setState({ isOn: true });
@@ -59,7 +63,7 @@ export class Sounds {
     this.#synth?.tick();
   }
 
-  /** A stored choice that is on begins to sound with the first press or key. */
+  /** If the stored settings are on, sound starts with the first press or key. */
   resume(): void {
     if (!this.choice.getState().isOn) return;
     const begin = () => {
@@ -103,7 +107,7 @@ export class Sounds {
 
 let sounds: Sounds | null = null;
 
-/** Those of this page. */
+/** The sounds of this page. */
 export function soundsOf(run: RunStore): Sounds {
   sounds ??= new Sounds(run);
   return sounds;

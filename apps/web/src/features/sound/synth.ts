@@ -1,14 +1,14 @@
 /** Makes the sounds with Web Audio: short tones with soft ends, no files. */
 import type { SoundPort } from "./sound-plan.ts";
 
-/** Loudest gain of all sounds together: they accompany, and never startle. */
+/** Maximum gain of all sounds together. They accompany, and never startle. */
 const LOUDEST = 0.25;
-/** Seconds in which a tone rises; without it each would begin with a crack. */
+/** Seconds in which a tone rises. Without the rise, each tone would start with a click. */
 const ATTACK = 0.005;
 
 interface Tone {
   hertz: number;
-  /** pitch at its end; the same unless given */
+  /** pitch at the end; constant by default */
   toHertz?: number;
   /** seconds from now */
   after?: number;
@@ -29,7 +29,7 @@ export class Synth implements SoundPort {
 
   /** @param volume 0 to 1 */
   set volume(volume: number) {
-    // Ears hear steps of the square as even.
+    // Steps of the squared volume sound even.
     this.#master.gain.value = LOUDEST * volume * volume;
   }
 

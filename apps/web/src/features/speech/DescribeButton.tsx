@@ -1,4 +1,4 @@
-/** Says where the robot is, what it sees and which line runs; the same as the key I. */
+/** Reports where the robot is, its readings and the running line, as the key I does. */
 import { MessageSquareText } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";

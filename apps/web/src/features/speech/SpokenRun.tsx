@@ -1,6 +1,6 @@
 /**
- * The one live region of the page, and what feeds it with the run: that comes in a file of its own once
- * the robot has been let go.
+ * The page's live region, and the part that feeds it with the run. That part loads from a separate
+ * file once the robot has started.
  */
 import { useEffect, useRef } from "react";
 import { useTranslation } from "react-i18next";
@@ -12,9 +12,10 @@ export function SpokenRun() {
   const { i18n } = useTranslation();
   const region = useRef<HTMLOutputElement>(null);
   useEffect(() => {
-    // Written straight to the page, in the frame in which it is said: React would take as long as all the numbers.
+    // Writes directly to the DOM, in the frame of the message. React would take as long as for all
+    // the numbers.
     const write = ({ text }: Said): void => {
-      // A new element each time: the same words said again are heard again.
+      // A new element each time, so that screen readers announce a repeated text again.
       const words = document.createElement("span");
       words.textContent = text;
       region.current?.replaceChildren(words);
@@ -29,7 +30,7 @@ export function SpokenRun() {
     let end: (() => void) | null = null;
     let before = run.getState();
     const endWaiting = run.subscribe((state) => {
-      // At the greatest speed the goal may be told before the first frame of its run.
+      // At the highest speed the goal event may arrive before the first frame of its run.
       if ((state.snapshot?.tick ?? 0) === 0 && state.event === before.event) {
         if (state.snapshot?.state !== "running") before = state;
         return;
@@ -43,7 +44,7 @@ export function SpokenRun() {
           const words = () => ({ t: i18n.t, language: i18n.language });
           if (!hasEnded) end = tellRun(services, before, words);
         },
-        // Without its file the run is not spoken; everything on the screen tells it all the same.
+        // If the file fails to load, the run is not announced. The screen shows everything.
         () => undefined,
       );
     });

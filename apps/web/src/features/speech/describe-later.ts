@@ -1,4 +1,4 @@
-/** Describe, whose words come in a file of their own when they are asked for. */
+/** Describes the robot on demand. The implementation loads from a separate file. */
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
 

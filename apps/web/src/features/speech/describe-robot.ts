@@ -1,6 +1,7 @@
 /**
- * Describe: where the robot is, what it sees and which line runs, as one message that is read and heard.
- * A newer one takes its place, so that never two moments stand side by side.
+ * Describes the robot: its position, its readings and the running line, as one message for eyes and
+ * screen readers. A new description replaces the last one, so that two ticks never appear side by
+ * side.
  */
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
@@ -8,7 +9,7 @@ import { dismiss, showMessage, type ScreenStore } from "../../stores/screen-stor
 
 const shown = new WeakMap<ScreenStore, number>();
 
-/** Describes the shown moment; a file that does not come is told like any other. */
+/** Describes the robot at the displayed tick. Shows a message if a file fails to load. */
 export async function describeRobot(
   { run, workspace, screen }: Pick<Services, "run" | "workspace" | "screen">,
   words: i18n,
@@ -32,7 +33,7 @@ export async function describeRobot(
   }
   const last = shown.get(screen);
   if (last !== undefined) dismiss(screen, last);
-  // It stays as long as it is true.
+  // While the robot rests, the message stays until the tick changes.
   const isStill = run.getState().snapshot?.state !== "running";
   const message = showMessage(screen, { tone: "info", stays: isStill, text });
   shown.set(screen, message);

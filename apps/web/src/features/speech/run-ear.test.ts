@@ -34,7 +34,7 @@ const fresh: RunState = { ...createRunStore().getInitialState(), snapshot: still
 
 type Change = Partial<Omit<RunState, "snapshot">> & Partial<Snapshot>;
 
-/** The state after some of it has changed: fields of the snapshot and of the store side by side. */
+/** The state after a change. A change combines fields of the snapshot and of the store. */
 function after(state: RunState, change: Change): RunState {
   const parts = Object.entries(change);
   const ofSnapshot = Object.fromEntries(parts.filter(([key]) => key in still));
@@ -43,7 +43,7 @@ function after(state: RunState, change: Change): RunState {
   return { ...state, nowTick: snapshot.tick, ...ofStore, snapshot };
 }
 
-/** What is noted while one change after the other comes. */
+/** The notes that a sequence of changes produces. */
 function noted(...changes: Change[]): (RunTalk | null)[] {
   const ear = new RunEar(fresh);
   let state = fresh;

@@ -1,7 +1,7 @@
 /**
- * Listens to the run store and notes what is worth saying: which line drives from now on, each turn, a
- * pause, going back in time and coming back. Bumps and the goal come at any speed; everything else is
- * left out where the robot is faster than words. Pure.
+ * Listens to the run store and returns what to announce: the new deciding line, each turn, a pause,
+ * and moves in time. Bumps and the goal count at any speed. Everything else is dropped where the
+ * robot is faster than speech. Pure.
  */
 import type { ProgramDocument } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
@@ -9,41 +9,41 @@ import { decidingLine } from "../program/line-state.ts";
 import type { RunState } from "../../stores/run-store.ts";
 import type { RunEvent } from "../../worker/worker-messages.ts";
 
-/** From this speed on lines change faster than they can be said. */
+/** From this speed on, lines change faster than speech. */
 const FASTEST_TOLD = 4;
 const STEADY: ReadonlySet<string> = new Set(["forward", "reverse", "stop"]);
-/** A step of one tick is shorter than any run that a student pauses. */
+/** A run with fewer ticks is too short for a pause announcement, such as a step of one tick. */
 const SHORT_TICKS = 4;
-/** Rounding leaves crumbs of a distance. */
+/** Allows for rounding errors in a distance. */
 const CRUMB = 1e-6;
 
 export type RunTalk =
   | { kind: "event"; event: RunEvent }
-  /** a line drives from now on; `isTurn`: it does something once, that may come again */
+  /** a line starts to drive; `isTurn`: its action ends by itself and may repeat */
   | { kind: "decision"; line: LineRef; isTurn: boolean }
   | { kind: "paused" | "at-start" | "now" | "playing" }
-  /** an earlier moment is shown; `isFirst` where now was shown before */
+  /** an earlier tick is displayed; `isFirst` if the present was displayed before */
   | { kind: "past"; isFirst: boolean }
-  /** it goes too fast from here on: what waits to be said is out of date */
+  /** the run is too fast from here on, so pending announcements are out of date */
   | { kind: "too-fast" };
 
-/** What is remembered of the state before. */
+/** The fields of the last state. */
 type Heard = Pick<RunState, "snapshot" | "progress" | "view" | "nowTick" | "event">;
 
 export class RunEar {
   #before: Heard;
-  /** the line that was told has not yet begun the turn that it was told with */
+  /** whether the last announced line has not started its announced turn yet */
   #isTurnTold = false;
   #wasTooFast = false;
-  /** tick at which the robot was let go */
+  /** tick at which the robot started */
   #runsFrom = 0;
 
-  /** @param state what is on the screen already: it is no news */
+  /** @param state the initial state, which is not announced */
   constructor(state: Heard) {
     this.#before = state;
   }
 
-  /** @returns what the new state has to say; null for nothing */
+  /** @returns the announcement for the new state; null if there is none */
   hear(state: RunState, program: ProgramDocument): RunTalk | null {
     const before = this.#before;
     this.#before = state;
@@ -58,22 +58,22 @@ export class RunEar {
     return this.#hearRunning(before, state, program);
   }
 
-  /** Nobody drives: a pause, or one decision by Step. */
+  /** The robot rests: a pause, or one decision by Step. */
   #hearStill(before: Heard, { snapshot }: RunState, tick: number): RunTalk | null {
     this.#wasTooFast = false;
     if (snapshot === null || snapshot.bumping || snapshot.goalReached) return null;
     if (before.snapshot?.state === "running") {
       const line = decidingLine(snapshot);
-      // Step pauses where another line decides: that decision is what there is to say.
+      // Step pauses where another line decides. The decision is the announcement.
       if (line !== null && line !== decidingLine(before.snapshot))
         return { kind: "decision", line, isTurn: true };
       const isShort = snapshot.tick - this.#runsFrom < SHORT_TICKS;
       return snapshot.driver === "program" && !isShort ? { kind: "paused" } : null;
     }
-    // What the page opens with is no news.
+    // The initial state of the page is not announced.
     if (before.snapshot === null) return null;
     const line = decidingLine(snapshot);
-    // Each press of Step is answered, also when the same line decides again.
+    // Each press of Step gets an announcement, even if the same line decides again.
     return line === null || snapshot.tick === tick
       ? null
       : { kind: "decision", line, isTurn: true };
@@ -111,7 +111,7 @@ function viewTalk(view: RunState["view"]): RunTalk {
   return view === "past" ? { kind: "past", isFirst: true } : { kind: view };
 }
 
-/** Whether a manoeuvre has begun since the state before. */
+/** Whether a manoeuvre has started since the last state. */
 function begins(before: Heard, { progress }: Heard): boolean {
   if (progress === null) return false;
   const last = before.progress;

@@ -1,4 +1,4 @@
-/** The sentences of the spoken run and of Describe. */
+/** The texts of the announced run and of Describe. */
 import type { ProgramDocument } from "@corridor/program";
 import type { LineRef, Snapshot } from "@corridor/protocol";
 import type { TFunction } from "i18next";
@@ -8,18 +8,18 @@ import { decidingLine, shownTruth } from "../program/line-state.ts";
 import { lineName } from "../program/line-name.ts";
 import { cellOf, facingOf } from "../stage/robot-place.ts";
 
-/** The words, and the language that they are in. */
+/** A translator and its language. */
 export interface Words {
   t: TFunction;
   language: string;
 }
 
-/** The words of the spoken run, by a translator with the namespace "runDetails" loaded. */
+/** The translator, typed for the namespace "runDetails", which must be loaded. */
 export function spoken(t: unknown): TFunction<["words", "runDetails"]> {
   return t as TFunction<["words", "runDetails"]>;
 }
 
-/** "Line 1: delayed right 90. Right is 250 cm." */
+/** Example: "Line 1: delayed right 90. Right is 250 cm." */
 export function decisionText(
   { t, language }: Words,
   { rules, default: otherwise }: ProgramDocument,
@@ -42,7 +42,7 @@ export function decisionText(
   });
 }
 
-/** Where the robot is, what it sees, and what drives it: three sentences, or four. */
+/** Three or four sentences: the position of the robot, its readings and the driver. */
 export function describeText(
   { t, language }: Words,
   { rules, default: otherwise }: ProgramDocument,

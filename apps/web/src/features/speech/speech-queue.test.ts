@@ -13,7 +13,7 @@ const news = (text: string, about: string | null = null): Utterance => ({
   about,
 });
 
-/** What is said when a queue is asked every 100 ms while these come at their times. */
+/** The announcements of a queue that is read every 100 ms, with utterances at given times. */
 function heard(comes: readonly (readonly [at: number, utterance: Utterance])[]): string[] {
   const queue = new SpeechQueue();
   const said: string[] = [];

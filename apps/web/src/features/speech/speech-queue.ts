@@ -1,22 +1,22 @@
 /**
- * What waits to be said, at a pace that can be listened to. Chatter tells how things stand: only the
- * newest waits, and none that says again what was said last. News tell what has happened: none is lost,
- * and chatter that waited for its turn is out of date. Pure: the time is passed in.
+ * Pending announcements at a pace that listeners can follow. Chatter describes a state: only the
+ * newest is pending, and never the state that was announced last. News describe events: they queue
+ * up, and they make pending chatter obsolete. Pure: the caller passes the time.
  */
 
-/** At least so long between two messages, in ms. */
+/** Minimum time between two announcements, in ms. */
 export const SPEECH_INTERVAL_MS = 1000;
-/** News that wait at most; of more, the oldest are left out. */
+/** Maximum number of pending news. Beyond it, the oldest are dropped. */
 const MOST_NEWS = 6;
 
-/** Something to say, in the reader's language. */
+/** A text to announce, in the student's language. */
 export interface Utterance {
   text: string;
   kind: "chatter" | "news";
   /**
-   * chatter: what state it tells, so that the same one is not said twice in a row; null for what
-   * happens anew each time. news: what it is about, so that newer takes the place of older; null for
-   * news of its own.
+   * Chatter: the state it describes, so that the same state is not announced twice in a row; null
+   * for a repeatable event. News: the subject, so that newer news replace older; null for
+   * independent news.
    */
   about: string | null;
 }
@@ -38,23 +38,23 @@ export class SpeechQueue {
     this.#news = [...others, utterance].slice(-MOST_NEWS);
   }
 
-  /** What waits of the chatter is out of date. */
+  /** Drops pending chatter, which is out of date. */
   dropChatter(): void {
     this.#chatter = null;
   }
 
-  /** The state that was said last may be said again. */
+  /** Permits the announcement of the last state again. */
   forgetState(): void {
     this.#saidState = null;
   }
 
-  /** How long until the next one may be said, in ms; 0 at once, null when nothing waits. */
+  /** Time until the next announcement, in ms: 0 for at once, null if nothing is pending. */
   rest(now: number): number | null {
     if (this.#news.length === 0 && this.#chatter === null) return null;
     return Math.max(0, this.#saidAt + SPEECH_INTERVAL_MS - now);
   }
 
-  /** What is to be said now, and is then said; null when nothing is, or not yet. */
+  /** Takes the next text to announce; null if nothing is pending or due. */
   take(now: number): string | null {
     if (this.rest(now) !== 0) return null;
     const news = this.#news.shift();

@@ -1,12 +1,11 @@
 /**
- * The one voice of the page: everything that is to be heard without being looked at comes here and
- * leaves by one live region, never more than once a second. What goes wrong has an alert of its own,
- * since it must not wait.
+ * The announcements of the page for screen readers. All of them use one live region, at most once a
+ * second. Errors have an alert of their own, because they must not wait.
  */
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { SpeechQueue, type Utterance } from "./speech-queue.ts";
 
-/** Told anew with each message, so that the same words can be said again. */
+/** A new object for each message, so that the same text can be announced again. */
 export interface Said {
   text: string;
 }
@@ -14,16 +13,16 @@ export interface Said {
 interface SpeechPorts {
   /** milliseconds since any fixed time */
   now: () => number;
-  /** runs a function later, such as `setTimeout` */
+  /** schedules a function, such as `setTimeout` */
   later: (run: () => void, milliseconds: number) => void;
 }
 
 export class Speech {
-  /** what the live region says */
+  /** text of the live region */
   readonly said: StoreApi<Said> = createStore<Said>()(() => ({ text: "" }));
   readonly #queue = new SpeechQueue();
   readonly #ports: SpeechPorts;
-  /** what was told of things that stay as they are for a while */
+  /** last announced text of each state, by subject */
   readonly #told = new Map<string, string>();
   #isTimed = false;
 
@@ -31,18 +30,21 @@ export class Speech {
     this.#ports = ports;
   }
 
-  /** Says that something has happened, as soon as it may. @param about newer news of the same take its place */
+  /**
+   * Announces an event as soon as possible.
+   * @param about newer news about the same subject replace pending ones
+   */
   tell(text: string, about: string | null = null): void {
     this.say({ text, kind: "news", about });
   }
 
   /**
-   * Says how something stands when that has changed, however often it is asked to; null while there is
-   * nothing to say of it.
+   * Announces a state when it has changed, however often it is called; null while there is nothing
+   * to announce.
    */
   tellState(about: string, text: string | null): void {
     if (text === null) {
-      // What is no longer so is not left for readers to find.
+      // An obsolete text must not remain in the live region.
       if (this.#told.get(about) === this.said.getState().text) {
         this.said.setState({ text: "" });
       }
@@ -59,23 +61,23 @@ export class Speech {
     this.#speak();
   }
 
-  /** What is said with the next `breathe`, if nothing newer takes its place. */
+  /** Queues an utterance for the next `breathe`, unless a newer one replaces it. */
   offer(utterance: Utterance): void {
     this.#queue.offer(utterance);
   }
 
-  /** Says what waits, if it may be said by now: called where the page is painted anyway. */
+  /** Announces what is pending, if it is due. Call it in frames that paint anyway. */
   breathe(): void {
     const text = this.#queue.take(this.#ports.now());
     if (text !== null) this.said.setState({ text });
   }
 
-  /** The run goes too fast to be told, or is not to be told any more: what waits of it is not said. */
+  /** Drops pending chatter, because the run is too fast or is no longer announced. */
   hush(): void {
     this.#queue.dropChatter();
   }
 
-  /** The run begins anew: its first line is said even if it was the last one said. */
+  /** Starts a new run. Its first line is announced even if it was the last one announced. */
   begin(): void {
     this.#queue.forgetState();
   }

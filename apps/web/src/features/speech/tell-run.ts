@@ -1,4 +1,4 @@
-/** Ties the run to the page's voice: what the ear notes is put into words and said. */
+/** Connects the run to the announcements: puts the notes of `RunEar` into words. */
 import { causeLine, type Diagnosis } from "@corridor/coach";
 import type { Services } from "../../app/services.ts";
 import { asSentence, joinSentences } from "../../text/joined.ts";
@@ -14,15 +14,15 @@ import { decisionText, spoken, type Words } from "./run-words.ts";
 
 type Ports = Pick<Services, "challenge" | "run" | "workspace" | "screen" | "timeline" | "speech">;
 
-/** How many changes the card offers. */
+/** The number of fixes that the card offers. */
 function fixCount(t: Words["t"], { fixes }: Diagnosis): string[] {
   return fixes.length > 0 ? [spoken(t)("runDetails:speech.mends", { count: fixes.length })] : [];
 }
 
 /**
- * @param before the state that was the last one to be known already
- * @param words read anew each time: the language can change
- * @returns a function that ends it
+ * @param before the last state that is already known
+ * @param words called for each announcement, because the language can change
+ * @returns a function that ends the announcements
  */
 export function tellRun(
   { challenge, run, workspace, screen, timeline, speech }: Ports,
@@ -39,7 +39,8 @@ export function tellRun(
       case "decision": {
         const about = talk.isTurn ? null : `line ${talk.line}`;
         const utterance = { kind: "chatter", text: decision(), about } as const;
-        // A turn paints much of the page anew: its words come with the numbers after it.
+        // A turn repaints much of the page, so its text follows with the next update of the
+        // numbers.
         if (run.getState().snapshot?.state === "running") speech.offer(utterance);
         else speech.say(utterance);
         return;
@@ -82,7 +83,10 @@ export function tellRun(
     return decisionText(words(), workspace.getState().program, snapshot.line, snapshot);
   }
 
-  /** The slider of the timeline says its moment by itself while it has the focus. */
+  /**
+   * The displayed tick in words. Empty while the timeline slider has the focus, because the slider
+   * announces it.
+   */
   function shownMoment(): string[] {
     const { snapshot } = run.getState();
     if (snapshot === null || document.activeElement?.matches("[type=range]") === true) return [];
@@ -90,7 +94,7 @@ export function tellRun(
     const { t, language } = words();
     const line = decision();
     if (line === "") return [asSentence(t, sayMoment(t, moment, language))];
-    // The line says who drives and how it turns.
+    // The line already states who drives and how it turns.
     const event = moment.event?.kind === "turn" ? null : moment.event;
     return [asSentence(t, sayMoment(t, { ...moment, who: null, event }, language)), line];
   }
@@ -100,10 +104,10 @@ export function tellRun(
     if (event.diagnosis !== null) {
       const known = diagnosisWords(t, language, (tick) => timeline.waitedUpTo(tick));
       const { diagnosis } = event;
-      // In a challenge its card says the rest.
+      // In a challenge its card announces the rest.
       const title = asSentence(t, diagnosisTitle(known, diagnosis));
       if (challenge.getState().challenge !== null) return title;
-      // The sentence about the bump says that it is one.
+      // A diagnosis with a line already states the bump in its text.
       const titles = causeLine(diagnosis) === null ? [] : [title];
       const text = diagnosisText(known, diagnosis);
       return joinSentences(t, [...titles, text, ...fixCount(t, diagnosis)]);

@@ -22,7 +22,7 @@ function picture({ id, challenge }: (typeof missions)[number]): string {
   );
 }
 
-/** Points along the lines of a mark that is in the way of the robot or of a beam. */
+/** Points along a mark that crosses the path of the robot or of a beam. */
 function pointsOf(mark: Mark): Point[] {
   const corners =
     mark.kind === "path" ? mark.points : mark.kind === "beam" ? [mark.from, mark.to] : [];

@@ -1,4 +1,7 @@
-/** Wrong answers to all missions: each is told one cause, and a line is named only where its change can help. */
+/**
+ * Every wrong answer to a mission gets one cause. The diagnosis names a line only where changing it
+ * can help.
+ */
 import { findViolation, checkChallenge, type ChallengeDocument } from "@corridor/challenge";
 import { causeLine, type Diagnosis } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
@@ -26,17 +29,19 @@ const oneStep = solved.map(({ id, challenge, solution }) => ({
   wrong: [...oneStepAnswers(challenge, solution)],
 }));
 
-/** Two changes that undo a mistake equally well, so that the other line may be named. */
+/**
+ * Pairs of changes that fix a mistake equally well, so that the diagnosis may name the other line.
+ */
 const asGood = new Set([
-  // Which of two neighbours moved is the same.
+  // Moving either of two neighbours gives the same order.
   "first-true-line line 2 moved up",
   "order-of-lines line 2 moved up",
   "farthest-distance line 2 moved up",
-  // Delayed, the turn that comes too early solves both mazes as well.
+  // With a delay, the turn that comes too early solves both mazes as well.
   'farthest-distance line 1: {"sensor":"front","is":">","than":100}',
 ]);
 
-/** What the first maze that fails is told. */
+/** The diagnosis of the first maze that fails. */
 function told({ challenge, program }: WrongAnswer): { maze: number; diagnosis: Diagnosis } {
   const { verdict, diagnoses } = checkProgram({ challenge, program });
   const maze = verdict.failure?.maze ?? -1;
@@ -47,7 +52,7 @@ function told({ challenge, program }: WrongAnswer): { maze: number; diagnosis: D
 
 /**
  * Whether some change of this line alone passes in the maze, or gets past the bump.
- * @param mayBeFurther whether it is enough that the robot gets to more squares
+ * @param mayBeFurther whether it is enough that the robot reaches more cells
  */
 function canHelp(
   challenge: ChallengeDocument,
@@ -76,7 +81,7 @@ function canHelp(
   return false;
 }
 
-/** The line at every other place, and with every number that a student would try. */
+/** The line at every other position, and with every number that a student is likely to try. */
 function* movesOf(program: ProgramDocument, line: LineRef) {
   const rule = typeof line === "number" ? program.rules[line] : undefined;
   if (rule === undefined || typeof line !== "number") return;

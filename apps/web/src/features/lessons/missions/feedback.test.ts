@@ -1,4 +1,4 @@
-/** What a student reads after the typical wrong answer, in whole sentences of every language. */
+/** The text after the typical wrong answer, in whole sentences of every language. */
 import { describe, expect, it } from "vitest";
 import { en } from "../../../text/en/index.ts";
 import { createI18n } from "../../../text/i18n.ts";

@@ -1,6 +1,7 @@
 /**
- * Missions 1 to 4: what the ten minutes of introduction told the students of 2013. The robot and its
- * keys, sensors as distances, one line with "otherwise", and that the first true line wins.
+ * Missions 1 to 4: the content of the ten-minute introduction in the study of 2013. They cover the
+ * robot and its keys, sensors as distances, one line with "otherwise", and that the first true line
+ * wins.
  */
 import { eastFrom, lines, programOf, room, type Mission } from "./mission.ts";
 
@@ -20,7 +21,7 @@ export const firstMissions: readonly Mission[] = [
       mazes: [room(["#########", "#.......#", "#########"], eastFrom(1, 1), { column: 5, row: 1 })],
       program: lines("forward"),
       goal: { kind: "reach" },
-      // Run works too: whoever presses it first has made it move.
+      // Run counts too: a student who presses it first has made the robot move.
       allowed: { ...byHand, drivers: ["me", "program"] },
       checks: { bumps: null, seconds: 60 },
       par: { lines: 0, seconds: 4 },

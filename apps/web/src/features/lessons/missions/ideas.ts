@@ -1,13 +1,13 @@
 /**
- * What the thumbnail of a mission shows in its maze: where the robot stands and the idea, as marks. All
- * places are in squares from the maze's top-left corner, so that (1.5, 1.5) is the middle of a square.
+ * Content of a mission's thumbnail: where the robot stands, and the idea as marks. All positions
+ * are in cells from the top-left corner of the maze, so (1.5, 1.5) is the centre of a cell.
  */
 import type { MissionId } from "./mission.ts";
 
 export type Point = readonly [x: number, y: number];
 
 export type Mark =
-  /** a path of the robot, with an arrowhead at its end; `isWrong`: the one that fails */
+  /** a path of the robot, with an arrowhead at its end; `isWrong` marks the path that fails */
   | { kind: "path"; points: readonly Point[]; isWrong?: true }
   /** a measured distance from the robot to a wall, with ticks */
   | { kind: "beam"; from: Point; to: Point }
@@ -15,9 +15,9 @@ export type Mark =
   | { kind: "badge"; at: Point; text: string; tone: "rest" | "live" | "bad" | "good" }
   | { kind: "bump"; at: Point };
 
-/** Of one maze of the mission. */
+/** The idea in one maze of the mission. */
 export interface Idea {
-  /** null: at the maze's start */
+  /** null: at the start of the maze */
   robot: { at: Point; heading: number } | null;
   marks: readonly Mark[];
 }
@@ -46,7 +46,7 @@ function badge(text: string, at: Point, tone: "rest" | "live" | "bad" | "good" =
   return { kind: "badge", at, text, tone };
 }
 
-/** For each maze of the mission that its thumbnail shows. */
+/** One idea for each maze in the thumbnail of the mission. */
 export const ideas: Readonly<Record<MissionId, readonly Idea[]>> = {
   "make-it-move": [idea(path([1.5, 1.5], [4.9, 1.5]))],
   "how-far": [withRobot([5.9, 1.5], 90, beam([5.9, 1.5], [8, 1.5]), badge("?", [7, 0.6], "live"))],

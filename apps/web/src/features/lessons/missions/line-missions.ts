@@ -1,6 +1,7 @@
 /**
- * Missions 5 to 10: one idea each. Numbers are centimetres, a line of one's own, a delayed turn where
- * it is needed and where it is not, the order of lines, and finding the line that is wrong.
+ * Missions 5 to 10, with one idea each: numbers as centimetres, the first line of one's own,
+ * delayed turns, the order of lines, and the search for a wrong line. Delayed turns appear where
+ * they are needed and where they are not.
  */
 import { allEdits, eastFrom, lines, programOf, room, type Mission } from "./mission.ts";
 

@@ -1,6 +1,7 @@
 /**
- * Missions 11 to 14: whole programs. The two algorithms of the study of 2013, and programs that must
- * pass in more than one maze, because one that works once is easily believed to be right.
+ * Missions 11 to 14: whole programs. They cover the two algorithms of the study of 2013, and
+ * programs that must pass in several mazes. A program that works once is easily believed to be
+ * correct.
  */
 import { allEdits, eastFrom, lines, programOf, room, type Mission } from "./mission.ts";
 

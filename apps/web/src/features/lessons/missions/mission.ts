@@ -1,13 +1,13 @@
 /**
- * A mission: a challenge document whose name and words come from the catalogue of the reader's
- * language. The helpers here keep the data beside them readable.
+ * A mission: a challenge document whose name and texts come from the translation catalogue. The
+ * helpers make the mission data readable.
  */
 import type { ChallengeDocument, ChallengeWords, EditKind } from "@corridor/challenge";
 import type { Cell, MazeDocument, Start } from "@corridor/maze";
 import type { ProgramDocument, Rule } from "@corridor/program";
 import type { PlainAction } from "@corridor/protocol";
 
-/** In the order of the path. The ids stay for ever: progress on devices and words refer to them. */
+/** The missions in their order. Never change an id: stored progress and texts refer to it. */
 export const missionIds = [
   "make-it-move",
   "how-far",
@@ -26,19 +26,19 @@ export const missionIds = [
 ] as const;
 export type MissionId = (typeof missionIds)[number];
 
-/** A challenge without its words. The mazes' names are those of the mission. */
+/** A challenge without its texts. Its mazes take the name of the mission. */
 export interface Mission {
   id: MissionId;
   challenge: Omit<ChallengeDocument, "format" | "version" | "name" | "words">;
 }
 
-/** The mission after one; null after the last, and for what is no mission. */
+/** The next mission; null after the last one, and if the id is not a mission. */
 export function nextMission(id: string | null): MissionId | null {
   const at = missionIds.findIndex((each) => each === id);
   return at < 0 ? null : (missionIds[at + 1] ?? null);
 }
 
-/** The whole document in one language. */
+/** The complete document in one language. */
 export function challengeOf(
   { challenge }: Pick<Mission, "challenge">,
   name: string,
@@ -56,27 +56,30 @@ export function challengeOf(
   };
 }
 
-/** A maze of the lessons; it gets its name with the mission's words. */
+/** A maze of the lessons. `challengeOf` adds its name. */
 export function room(blocks: string[], start: Start, ...goals: Cell[]): MazeDocument {
   return { format: "corridor/maze", version: 1, name: "", blocks, start, goals };
 }
 
-/** A start that faces east, where most missions begin. */
+/** A start that faces east, as in most missions. */
 export function eastFrom(column: number, row: number): Start {
   return { column, row, heading: "east" };
 }
 
-/** A program of the lessons; it gets its name with the mission's words. */
+/** A program of the lessons. `challengeOf` adds its name. */
 export function lines(byDefault: PlainAction, ...rules: Rule[]): ProgramDocument {
   return { format: "corridor/program", version: 1, name: "", default: byDefault, rules };
 }
 
-/** What is allowed where a program is to be written: its driver, so many lines, these edits. */
+/**
+ * Permissions of a mission for which the student writes a program: at most `most` lines, and these
+ * edits.
+ */
 export function programOf(most: number, ...edits: EditKind[]): Mission["challenge"]["allowed"] {
   return { drivers: ["program"], lines: most, conditions: null, actions: null, edits, maze: false };
 }
 
-/** Everything that an empty program needs. */
+/** All edits, for missions that start with an empty program. */
 export const allEdits: EditKind[] = [
   "condition",
   "number",

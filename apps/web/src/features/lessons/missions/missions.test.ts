@@ -74,7 +74,7 @@ describe.each(missions.map((mission) => [mission.id, mission] as const))("%s", (
 
 describe("what a mission leaves to the student", () => {
   const everything: EditKind[] = ["condition", "number", "action", "otherwise", "order", "lines"];
-  /** As the task says it: nothing else may change, and what it asks for may. */
+  /** The edits that the task requires, and no others. */
   const asked: Record<MissionId, EditKind[]> = {
     "make-it-move": [],
     "how-far": [],

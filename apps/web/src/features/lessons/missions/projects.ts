@@ -1,6 +1,6 @@
 /**
- * The open projects after the missions. None has a single right answer: the best result stays on the
- * device. The ids stay for ever: results on devices, addresses and words refer to them.
+ * The open projects after the missions. None has a single correct answer, and the device stores the
+ * best result. Never change an id: stored results, addresses and texts refer to it.
  */
 import { mazePresets } from "@corridor/maze";
 import { programPresets } from "@corridor/program";
@@ -15,10 +15,10 @@ export interface Project {
   challenge: Mission["challenge"];
 }
 
-/** Simulated seconds that a program has in each maze. */
+/** Simulated seconds for a program in each maze. */
 export const PROJECT_SECONDS = 300;
 
-/** The project of an id; null for a mission and for what is unknown. */
+/** The project with this id; null for a mission and for an unknown id. */
 export function projectOf(id: string | null): ProjectId | null {
   return projectIds.find((each) => each === id) ?? null;
 }
@@ -80,7 +80,7 @@ export const projects: readonly Project[] = [
     challenge: {
       mazes: [openRoom],
       program: rightWall?.program ?? null,
-      // The program must not reach the goal: reaching it meets nothing here.
+      // The program must not reach the goal, so reaching it meets nothing here.
       goal: { kind: "last", seconds: PROJECT_SECONDS },
       allowed: { ...programOf(2), maze: true },
       checks: { bumps: null, seconds: PROJECT_SECONDS },
@@ -89,7 +89,7 @@ export const projects: readonly Project[] = [
   },
 ];
 
-/** What the thumbnails show, for each maze. */
+/** Ideas of the thumbnails, one for each maze. */
 export const projectIdeas: Readonly<Record<ProjectId, readonly Idea[]>> = {
   "all-mazes": [0, 1, 2].map(() => ({ robot: null, marks: [] })),
   "fewest-bumps": [

@@ -1,15 +1,15 @@
 /**
- * For each mission a solution that passes and the wrong answer that is typical, with what the check
- * says of it. Kept apart from the missions, so that no solution travels with the page.
+ * For each mission, a solution that passes and the typical wrong answer with the result of its
+ * check. They are separate from the missions, so that the page ships no solution.
  */
 import type { Attempt, Failure } from "@corridor/challenge";
 import type { Condition, Rule } from "@corridor/program";
 import type { PlainAction, TimedCommand } from "@corridor/protocol";
 import { lines, type MissionId } from "../mission.ts";
 
-/** The feedback of a check, numbers rounded to whole ones. */
+/** The result of a check, with numbers rounded to integers. */
 export type Feedback = Pick<Failure, "code" | "maze" | "line" | "needed" | "found" | "tick"> & {
-  /** what the line decided on: its action and the reading ahead, in cm; bumps only */
+  /** the line's action and the front reading in cm when it decided; bumps only */
   decided?: { action: PlainAction; front: number };
 };
 
@@ -19,7 +19,7 @@ export interface MissionAnswers {
     why: string;
     attempt: Attempt;
     feedback: Feedback;
-    /** what the student reads; for programs only */
+    /** the text that the student reads; programs only */
     reads?: string;
   };
 }
@@ -31,7 +31,7 @@ const back = (is: "<" | ">", than: number): Condition => ({ sensor: "back", is, 
 const leftMoreThanRight: Condition = { sensor: "left", is: ">", than: "right", plus: 1 };
 const line = (when: Condition, action: PlainAction): Rule => ({ when, do: action });
 
-/** Holds the forward key for so many ticks. */
+/** Holds the forward key for `ticks` ticks. */
 const hold = (ticks: number): TimedCommand[] => [
   { tick: 0, command: { action: "forward" } },
   { tick: ticks, command: { action: "stop" } },

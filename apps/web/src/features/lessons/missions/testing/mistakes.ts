@@ -1,9 +1,12 @@
-/** What went wrong in the study of 2013 (chapter 4 of the thesis), and the missions that meet it. */
+/**
+ * Mistakes of the students in the study of 2013 (chapter 4 of the thesis), and the missions that
+ * cover them.
+ */
 import type { MissionId } from "../mission.ts";
 
 export interface StudyMistake {
   mistake: string;
-  /** of 28 students; null where the thesis gives no number */
+  /** of 28 students; null if the thesis gives no number */
   students: number | null;
   missions: readonly MissionId[];
 }

@@ -1,6 +1,6 @@
 /**
- * Wrong answers to the missions that need a program: every change of one or two things in a solution
- * that the mission allows and that does not pass. Enumerated, so that nobody chose them.
+ * Wrong answers to the missions that need a program. They are all changes of one or two parts of a
+ * solution that the mission allows and that fail. Enumeration avoids a biased selection.
  */
 import { findViolation, checkChallenge, type ChallengeDocument } from "@corridor/challenge";
 import type { Condition, ProgramDocument, Rule } from "@corridor/program";
@@ -8,10 +8,10 @@ import { menuActions } from "@corridor/program";
 
 /** One change of a solution. */
 interface Step {
-  /** where it is, for the name of a test */
+  /** position of the change, for the title of a test */
   name: string;
   program: ProgramDocument;
-  /** the line that was changed; null where a line was taken away */
+  /** the changed line; null if a line was removed */
   line: number | "default" | null;
 }
 
@@ -21,7 +21,7 @@ export interface WrongAnswer extends Step {
 
 const numbers = [4, 20, 50, 100, 150, 250, 400];
 
-/** Every program that differs from this one in one thing. */
+/** Every program that differs from this one in one part. */
 export function* oneStepFrom(program: ProgramDocument): Generator<Step> {
   const { rules } = program;
   const put = (at: number, rule: Rule): ProgramDocument => ({
@@ -72,7 +72,7 @@ function* otherConditions(when: Condition | null): Generator<Condition> {
   }
 }
 
-/** All with one change that are allowed and fail. */
+/** All allowed answers with one change that fail. */
 export function* oneStepAnswers(
   challenge: ChallengeDocument,
   solution: ProgramDocument,
@@ -82,7 +82,7 @@ export function* oneStepAnswers(
   }
 }
 
-/** Of those with two changes, each `every`-th that is allowed, where it fails. */
+/** Of the allowed answers with two changes, every `every`-th one if it fails. */
 export function* twoStepAnswers(
   challenge: ChallengeDocument,
   solution: ProgramDocument,
