@@ -1,15 +1,17 @@
-/** A requirement for a robot's host. */
+/** A requirement for the host of a robot. */
 import type { HostFeature } from "@corridor/protocol";
 import type { Host } from "./host.ts";
 
 export interface Check {
-  /** id of the promise in the table of /docs/promises, "What every host promises" */
+  /** id of the promise in the table "What every host promises" of /docs/promises */
   promise: string;
-  /** what a script may rely on, as a sentence */
+  /** what scripts may rely on, as a sentence */
   name: string;
   /** skipped if the host does not offer one of these */
   needs?: readonly HostFeature[];
-  /** It only waits for messages: it starts with its group and runs beside the other checks. */
+  /**
+   * The check only waits for messages: it starts with its group and runs beside the other checks.
+   */
   onlyListens?: boolean;
   /**
    * @throws Mismatch if the host fails the check, NotTestable if it cannot be checked here,

@@ -14,17 +14,20 @@ const GIVE_UP_MS = 15_000;
 const WAIT = 1;
 /** maximum size of a message or a request */
 export const MAX_BYTES = 16 * 1024;
-/** messages of a script, and what it says first */
+/** a message of a script; the first one is its hello */
 type Sent = Readonly<Record<string, unknown>> & { type: string };
 
 export abstract class Connection {
   /** all received messages, in order */
   readonly received: RelayToDriver[] = [];
 
-  /** Sends messages at once. @param size minimum bytes of each message, or of their request */
+  /**
+   * Sends messages at once.
+   * @param size minimum size of each message, or of its request, in bytes
+   */
   abstract sendAll(messages: readonly Sent[], size?: number): Promise<void>;
   abstract close(): Promise<void>;
-  /** Waits for a message, at most a second. @throws Mismatch if the connection was closed */
+  /** Waits at most one second for a message. @throws Mismatch if the connection was closed */
   abstract wait(): Promise<void>;
 
   async send(message: Sent, size?: number): Promise<void> {
@@ -47,7 +50,7 @@ export abstract class Connection {
     }
   }
 
-  /** Waits for a message of a type. @param fits default: any */
+  /** Waits for a message of a type. @param fits filter; default: any message */
   async message<T extends RelayToDriver["type"]>(
     type: T,
     fits: (message: Extract<RelayToDriver, { type: T }>) => boolean = () => true,
@@ -165,7 +168,10 @@ export const openByWebSocket: OpenConnection = async (host, terms) => {
   return connection;
 };
 
-/** Sends messages on a new WebSocket. @returns the host's close code; null if it stays open */
+/**
+ * Sends messages on a new WebSocket.
+ * @returns the host's close code; null if the socket stays open
+ */
 export async function closeCodeAfter(host: Host, ...texts: string[]): Promise<number | null> {
   const { socket, closed } = await openSocket(host);
   for (const text of texts) socket.send(text);

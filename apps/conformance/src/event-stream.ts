@@ -13,7 +13,7 @@ import { must, Mismatch, shaped } from "./mismatch.ts";
 
 interface SeenState {
   record: CommandRecord;
-  /** ms by the kit's clock */
+  /** ms by the clock of the conformance kit */
   at: number;
 }
 
@@ -62,7 +62,7 @@ export class EventStream {
     }
   }
 
-  /** When a command was started. */
+  /** Waits until a command starts. */
   async started(seq: number, ms = 10_000): Promise<SeenState> {
     return this.until(
       () => this.states.find(({ record }) => record.seq === seq && record.state === "started"),
@@ -71,7 +71,7 @@ export class EventStream {
     );
   }
 
-  /** The first ending of a command. */
+  /** Waits for the first final state of a command. */
   async ended(seq: number, ms: number): Promise<SeenState> {
     return this.until(
       () => this.states.find(({ record }) => record.seq === seq && hasEnded(record.state)),
@@ -126,7 +126,7 @@ export class EventStream {
   }
 }
 
-/** Runs with an open event stream, and closes it. */
+/** Opens an event stream, runs the callback and closes the stream. */
 export async function withEvents<T>(
   host: Host,
   run: (events: EventStream) => Promise<T>,

@@ -14,7 +14,7 @@ import { must, shaped } from "./mismatch.ts";
 
 const ADDRESS = /^(https?:\/\/[^/?#\s@]+)\/r\/([A-Za-z0-9_-]{1,64})#([A-Za-z0-9_-]{8,64})$/;
 const ANSWER_MS = 40_000;
-/** Timeout for any command of the checks. */
+/** Timeout in ms for any command of the checks. */
 const FINISH_MS = 60_000;
 const START_MS = 10_000;
 const MOST_PAUSES = 10;
@@ -23,15 +23,15 @@ export interface Answer {
   status: number;
   header(name: string): string;
   text: string;
-  /** undefined if the body is not JSON */
+  /** undefined if the body is not valid JSON */
   json: unknown;
 }
 
 export interface AskOptions {
   method?: string;
-  /** null: without a key */
+  /** null: no key is sent */
   key?: string | null;
-  /** text and bytes are sent unchanged, other values as JSON */
+  /** strings and bytes are sent unchanged, other values as JSON */
   body?: unknown;
   headers?: Record<string, string>;
 }
@@ -40,7 +40,7 @@ export interface AskOptions {
 export interface HelloTerms {
   /** `STREAM-n` of the last state of an earlier connection */
   since?: string;
-  /** ms by the script's clock */
+  /** ms by the clock of the script */
   sentAt?: number;
   key?: string;
   version?: number;
@@ -53,7 +53,7 @@ export class Host {
   #keys = 0;
   readonly #run = Math.trunc(performance.timeOrigin + performance.now()).toString(36);
 
-  /** @throws Error if this is not a robot's address */
+  /** @throws Error if the address is not that of a robot */
   constructor(address: string) {
     const [, origin, id, key] = ADDRESS.exec(address.trim()) ?? [];
     if (origin === undefined || id === undefined || key === undefined) {
@@ -76,19 +76,19 @@ export class Host {
     return { ...hello, ...terms };
   }
 
-  /** An idempotency key that was never used before. */
+  /** An idempotency key that this run has not used before. */
   newKey(): string {
     this.#keys += 1;
     return `check-${this.#run}-${this.#keys}`;
   }
 
-  /** A key of the right form that is not the robot's. */
+  /** A well-formed key that does not belong to the robot. */
   get wrongKey(): string {
     const last = this.#key.endsWith("A") ? "B" : "A";
     return this.#key.slice(0, -1) + last;
   }
 
-  /** One call below the robot. A call that is answered 429 is repeated after `Retry-After`. */
+  /** Sends a request to the robot's API. Retries a response of 429 after `Retry-After`. */
   async ask(path: string, options: AskOptions = {}): Promise<Answer> {
     for (let pauses = 0; ; pauses++) {
       const answer = await this.askOnce(path, options);
@@ -97,7 +97,7 @@ export class Host {
     }
   }
 
-  /** One request, without retries. */
+  /** Sends one request, without retries. */
   async askOnce(path: string, options: AskOptions = {}): Promise<Answer> {
     const response = await fetch(this.api + path, {
       ...this.#request(options),
@@ -108,12 +108,15 @@ export class Host {
     return { status: response.status, header, text, json: parse(text) };
   }
 
-  /** A stream, until `signal` is aborted. */
+  /** Opens a stream that lasts until `signal` is aborted. */
   async open(path: string, signal: AbortSignal, headers: Record<string, string> = {}) {
     return fetch(this.api + path, { ...this.#request({ headers }), signal });
   }
 
-  /** The features that the host does not offer, with reasons. 404: it offers all. */
+  /**
+   * The features that the host does not offer, with reasons. A response of 404 means that it offers
+   * all.
+   */
   async features(): Promise<FeatureList> {
     const answer = await this.ask("/features");
     if (answer.status === 404) return { notOffered: [] };
@@ -121,7 +124,7 @@ export class Host {
     return shaped(featureListSchema, answer.json, "a list of features");
   }
 
-  /** Sends a command, which must be accepted. */
+  /** Sends a command, which the host must accept. */
   async send(order: Order, key?: string): Promise<CommandRecord> {
     const headers = key === undefined ? {} : { "Idempotency-Key": key };
     const answer = await this.ask("/commands", { method: "POST", body: order, headers });
@@ -135,7 +138,7 @@ export class Host {
     return shaped(commandRecordSchema, answer.json, "a command record");
   }
 
-  /** Waits until a command runs, so that later commands are queued. */
+  /** Waits until a command starts, so that later commands are queued. */
   async begun(seq: number): Promise<void> {
     const giveUp = performance.now() + START_MS;
     for (;;) {
@@ -146,7 +149,6 @@ export class Host {
     }
   }
 
-  /** Waits until a command has ended. */
   async ended(seq: number): Promise<CommandRecord> {
     const giveUp = performance.now() + FINISH_MS;
     for (;;) {
@@ -160,7 +162,6 @@ export class Host {
     }
   }
 
-  /** Sends a command and waits until it has ended. */
   async done(order: Order): Promise<CommandRecord> {
     return this.ended((await this.send(order)).seq);
   }
@@ -171,7 +172,7 @@ export class Host {
     return shaped(snapshotSchema, answer.json, "a snapshot");
   }
 
-  /** The log after a number, page by page. */
+  /** The log entries after a number, page by page. */
   async log(after: number): Promise<unknown> {
     const answer = await this.ask(`/commands?after=${after}`);
     must(answer.status === 200, "200 for the log", `${answer.status} ${answer.text}`);

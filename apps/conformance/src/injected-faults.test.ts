@@ -16,12 +16,12 @@ import {
 } from "./testing/physical-robot.ts";
 import { startBridge, type BridgeFault } from "./testing/websocket-bridge.ts";
 
-/** Robots that run concurrently: a run mostly waits for leases and times to live. */
+/** Robots that run concurrently. A run mostly waits for leases and ttls. */
 const CONCURRENCY = 24;
-/** Timeout of all runs. */
+/** Timeout for all runs, in ms. */
 const RUN_MS = 600_000;
 
-/** Promises that no run can test, so no fault is injected. */
+/** Promises that no run can test, so that no fault is injected. */
 const NEVER_TESTABLE = ["state-change", "events-time"];
 
 const running = new Set<RunningRobot>();
@@ -67,7 +67,7 @@ describe("the physical robot", () => {
   let bridged: Result[] = [];
 
   beforeAll(async () => {
-    // The longest runs first: those of the last checks.
+    // The longest runs start first: those of the last checks.
     const rest = [...injectedFaults];
     const work = Array.from({ length: CONCURRENCY }, async () => {
       for (let fault = rest.pop(); fault !== undefined; fault = rest.pop()) {

@@ -1,6 +1,6 @@
 /**
- * `npm run conformance -- "ADDRESS"`: checks that a robot's host implements everything that scripts
- * rely on.
+ * `npm run conformance -- "ADDRESS"`: checks that the host of a robot implements everything that
+ * scripts rely on.
  */
 import { linesOf, passes, verdict } from "./report.ts";
 import { groups, runChecks, type Result } from "./run-checks.ts";

@@ -19,7 +19,7 @@ export class NotTestable extends Error {
   override readonly name = "NotTestable";
 }
 
-/** A script cannot test this during a run, at any host. It does not count against the host. */
+/** No script can test this during a run, at any host. It does not count against the host. */
 export class NeverTestable extends Error {
   override readonly name = "NeverTestable";
 }

@@ -1,4 +1,4 @@
-/** The example of a physical robot: scripts drive it as they drive the page's. */
+/** Scripts drive the example of a physical robot in the same way as the page's robot. */
 import { execFile, execFileSync } from "node:child_process";
 import { join } from "node:path";
 import { promisify } from "node:util";
@@ -53,7 +53,7 @@ with Robot(sys.argv[1]) as robot:
     const log = await fetch(`${origin}/api/v1/robots/${pathname.slice(3)}/commands?after=4`, {
       headers: { Authorization: `Bearer ${hash.slice(1)}` },
     });
-    // Leaving the block has stopped it.
+    // The client stops the robot at the end of its `with` block.
     expect(await log.json()).toMatchObject({
       commands: [{ action: "stop", state: "completed" }],
     });
@@ -73,7 +73,7 @@ with Robot(sys.argv[1]) as robot:
     };
     const hello = { type: "hello", version: 1, role: "drive", key: hash.slice(1), sentAt: 1_500 };
     const { key } = await post("/long-poll", hello);
-    // By the script's clock it was sent 1.5 s before the hello.
+    // By the script's clock, the command was sent 1.5 s before the hello.
     const held = { action: "left 90", ttl: 1_000 };
     const messages = [{ type: "command", key: "held-up-1", command: held, sentAt: 0 }];
     await post("/long-poll/messages", { first: 1, messages }, key);

@@ -10,7 +10,7 @@ const marks: Record<Outcome["kind"], string> = {
 };
 const WIDTH = Math.max(...Object.values(marks).map((mark) => mark.length));
 
-/** One check, with what is behind its outcome. */
+/** The result of one check, with the reason for its outcome. */
 export function linesOf({ check, outcome }: Result): string[] {
   const lines = [`  ${marks[outcome.kind].padEnd(WIDTH)}  ${check}`];
   const more = (text: string) => lines.push(`  ${" ".repeat(WIDTH)}  ${text}`);
@@ -32,7 +32,7 @@ export function passes(results: readonly Result[]): boolean {
   );
 }
 
-/** @param date of the run, such as `2026-11-25` */
+/** @param date of the run, in the format `2026-11-25` */
 export function verdict(results: readonly Result[], date: string): string {
   const of = (kind: Outcome["kind"]) => results.filter(({ outcome }) => outcome.kind === kind);
   const failed = of("failed").length;

@@ -1,4 +1,4 @@
-/** Runs every check in order, each with a robot that stands. */
+/** Runs every check in order. Each check starts with a robot that stands. */
 import type { HostFeature } from "@corridor/protocol";
 import { access } from "./checks/access.ts";
 import { badInput } from "./checks/bad-input.ts";
@@ -35,9 +35,9 @@ export const groups: readonly CheckGroup[] = [
 export type Outcome =
   | { kind: "passed" }
   | { kind: "failed"; expected: string; found: string }
-  /** the host reports that it does not offer the feature; not a failure */
+  /** the host reports that it does not offer the feature, which is not a failure */
   | { kind: "not offered"; feature: HostFeature; why: string }
-  /** not tested; `isNever`: no run can test it, so it does not count against the host */
+  /** not tested; `isNever`: no run can test it, so that it does not count against the host */
   | { kind: "not testable"; why: string; isNever: boolean };
 
 export interface Result {
@@ -48,7 +48,7 @@ export interface Result {
 }
 
 export interface RunOptions {
-  /** receives each result immediately */
+  /** receives each result as soon as it is available */
   onResult?: (result: Result) => void;
   /** default: all */
   groups?: readonly CheckGroup[];
@@ -56,7 +56,7 @@ export interface RunOptions {
   stopsAtFailure?: boolean;
 }
 
-/** @param address of the robot, which will move */
+/** @param address of the robot, which moves during the run */
 export async function runChecks(address: string, options: RunOptions = {}): Promise<Result[]> {
   const host = new Host(address);
   const missing = await missingFeatures(host);
@@ -80,7 +80,9 @@ export async function runChecks(address: string, options: RunOptions = {}): Prom
   return results;
 }
 
-/** The features that the host does not offer. An invalid list offers all; a check reports it. */
+/**
+ * The features that the host does not offer. An invalid list counts as empty; a check reports it.
+ */
 async function missingFeatures(host: Host): Promise<ReadonlyMap<HostFeature, string>> {
   try {
     const { notOffered } = await host.features();

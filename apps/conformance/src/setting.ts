@@ -1,19 +1,21 @@
 /**
  * The pen in which the robot is tested: an empty rectangle of straight walls, 2 m wide and 5 m
- * long, with the robot in its near right corner, 50 cm from both walls, facing along the right
+ * long. The robot stands in the near right corner, 50 cm from both walls, and faces along the right
  * wall. The readings there, and after each motion, are known in advance.
  */
 import type { SensorReadings, Snapshot } from "@corridor/protocol";
 import type { Host } from "./host.ts";
 import { must, NotTestable } from "./mismatch.ts";
 
-/** cm to the walls from the robot's position; each direction has another distance. */
+/** Distances in cm from the robot's position to the walls, for each sensor. */
 export const HOME: SensorReadings = { front: 450, right: 50, back: 50, left: 150 };
 
-/** absolute (cm) and relative tolerance of readings, for real sensors and carpets */
+/**
+ * absolute tolerance in cm, and relative tolerance, of the readings of physical sensors and carpets
+ */
 const SLACK_CM = 6;
 const SLACK_SHARE = 0.15;
-/** Tolerance of the robot's position after earlier checks. */
+/** Factor by which the tolerance grows for the robot's position after earlier checks. */
 const PLACE_SLACK = 2;
 
 const sides = ["front", "right", "back", "left"] as const;
@@ -26,13 +28,13 @@ export function areNear(found: SensorReadings, expected: SensorReadings, factor 
   return sides.every((side) => isNear(found[side], expected[side], factor));
 }
 
-/** The expected readings after quarter turns to the right (negative: to the left). */
+/** The expected readings after quarter turns to the right; negative numbers turn to the left. */
 export function turned(readings: SensorReadings, quarters: number): SensorReadings {
   const at = (index: number) => readings[sides[(((index + quarters) % 4) + 4) % 4] ?? "front"];
   return { front: at(0), right: at(1), back: at(2), left: at(3) };
 }
 
-/** The expected readings after cm forward (negative: backward). */
+/** The expected readings after a move of `distance` cm; negative numbers move backward. */
 export function moved(readings: SensorReadings, distance: number): SensorReadings {
   return { ...readings, front: readings.front - distance, back: readings.back + distance };
 }
@@ -41,14 +43,14 @@ export async function readings(host: Host): Promise<SensorReadings> {
   return (await host.snapshot()).sensors;
 }
 
-/** @throws Mismatch unless the current readings are these */
+/** @throws Mismatch unless the current readings are the expected ones */
 export async function mustRead(host: Host, expected: SensorReadings, after: string) {
   const found = await readings(host);
   must(areNear(found, expected), `about ${show(expected)} ${after}`, show(found));
 }
 
 /**
- * Returns the robot along its right wall to its position.
+ * Moves the robot along the right wall to its position.
  * @throws NotTestable if it does not arrive
  */
 export async function atHome(host: Host): Promise<Snapshot> {

@@ -1,7 +1,7 @@
 /**
- * Names of CSS classes: two or three letters each, since what is read by nobody should cost nobody. The
- * part of the page that index.html draws by itself names its classes `app.page`, file and class, and is
- * told the short ones here.
+ * Names of CSS classes in the build: `c` and a number in base 36. Short names reduce the size of
+ * the page. index.html names its classes `app.page` (file and class), which this plugin replaces by
+ * the short names.
  */
 import { globSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -10,7 +10,7 @@ import type { Plugin } from "vite";
 const source = (path: string): string =>
   fileURLToPath(new URL(`../src/${path}.module.css`, import.meta.url));
 
-/** The styles that index.html may use. */
+/** The stylesheets that index.html may use. */
 const shellStyles: Readonly<Record<string, string>> = {
   app: source("app/app"),
   bar: source("app/top-bar"),
@@ -27,12 +27,15 @@ const shellStyles: Readonly<Record<string, string>> = {
   lessons: source("features/lessons/lessons-invitation"),
 };
 
-/** A class, or an animation, which has a name of the same kind. */
+/** A class, or an animation, which needs a name of the same kind. */
 const NAME = /(?:\.|@keyframes )([a-z][\w-]*)/gi;
 
 let numbers: ReadonlyMap<string, number> | null = null;
 
-/** The same numbers in each build, whichever file comes first; small ones for what is on the first screen. */
+/**
+ * The same numbers in each build, independent of the order of files. The classes of the first
+ * screen get the smallest numbers.
+ */
 function numbered(): ReadonlyMap<string, number> {
   const files = globSync(source("**/*")).toSorted();
   const keys = [...new Set([...Object.values(shellStyles), ...files])].flatMap((path) =>
@@ -41,7 +44,6 @@ function numbered(): ReadonlyMap<string, number> {
   return new Map([...new Set(keys)].map((key, at) => [key, at]));
 }
 
-/** A name for a class of a file. */
 export function scopedName(name: string, path: string): string {
   numbers ??= numbered();
   const at = numbers.get(`${path} ${name}`);
@@ -49,7 +51,7 @@ export function scopedName(name: string, path: string): string {
   return `c${at.toString(36)}`;
 }
 
-/** @param word of a class attribute: `app.page` stands for the class `page` of app.module.css */
+/** @param word of a class attribute: `app.page` is the class `page` of app.module.css */
 function shownName(word: string): string {
   const [file = "", name] = word.split(".");
   if (name === undefined) return word;

@@ -1,6 +1,6 @@
 /**
- * Puts the English words into a file of data beside the page's script. They are fetched together, and
- * data is read several times as fast as the same words in a script.
+ * Emits the English texts as a JSON file beside the page's script. The browser fetches both in
+ * parallel, and parses JSON several times as fast as the same texts in a script.
  */
 import type { Plugin } from "vite";
 import { en } from "../src/text/en/index.ts";
@@ -14,7 +14,7 @@ export function englishWords(): Plugin {
     resolveId: (id) => (id === NAME ? `\0${NAME}` : null),
     load(id) {
       if (id !== `\0${NAME}`) return null;
-      // While Corridor is developed the words come as a module, so that an edit shows at once.
+      // In development the texts are a module, so that an edit is displayed at once.
       if (this.environment.mode === "dev") return `export default ""`;
       const file = this.emitFile({
         type: "asset",

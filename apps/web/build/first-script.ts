@@ -1,7 +1,7 @@
 /**
- * Tells the page's first script, which is no part of the bundle, the few words that it says, and where
- * the simulator worker and the page's own script are: it fetches and starts both. It is made as small as
- * the rest.
+ * Builds the page's first script, which is not part of the bundle, and minifies it. Writes its
+ * texts and the addresses of the simulator worker and the page's script into index.html. The first
+ * script fetches and starts both.
  */
 import { createRequire } from "node:module";
 import { fileURLToPath } from "node:url";
@@ -20,7 +20,7 @@ function read<File extends keyof typeof en>(tag: string, file: File): (typeof en
   return require(`../src/text/${tag}/${file}.json`) as (typeof en)[File];
 }
 
-/** What `public/first.js` says in a language. */
+/** The texts of `public/first.js` in a language. */
 export function firstWords(tag: string) {
   const { controls, run, pause, step, max } = read(tag, "shell").run;
   const { invitation, begin } = read(tag, "lessons");
@@ -39,7 +39,7 @@ function replaced(html: string, text: string, by: string): string {
   return written;
 }
 
-/** `public/first.js` without its comments and long names. */
+/** `public/first.js`, minified. */
 async function smallScript(): Promise<string> {
   const built = await build({
     configFile: false,
@@ -71,7 +71,7 @@ export function firstScript(): Plugin {
       handler(html, { bundle }) {
         const words = Object.fromEntries(languages.map(({ tag }) => [tag, firstWords(tag)]));
         const worded = told(html, "data-words", JSON.stringify(words).replaceAll('"', "&quot;"));
-        // While Corridor is developed the page starts the worker.
+        // In development the page starts the worker.
         if (bundle === undefined) return worded;
         const worker = Object.keys(bundle).find((file) => WORKER.test(file));
         if (worker === undefined) throw new Error("the build has no simulator worker");
@@ -82,8 +82,8 @@ export function firstScript(): Plugin {
           parts.push(part.trim());
           return "";
         });
-        // What a template holds is not fetched before the script takes it out. The styles of the house,
-        // and the worker behind its Run, come first all the same.
+        // The browser does not fetch what a template contains before the script inserts it. The
+        // styles of the static page and the worker have a higher priority.
         const links = parts.join("").replaceAll(" crossorigin", ' fetchpriority="low" crossorigin');
         const template = `<template id="parts">${links}</template>`;
         const filled = replaced(bare, FIRST, `${template}\n    ${FIRST}`);

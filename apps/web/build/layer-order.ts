@@ -1,11 +1,11 @@
 /**
- * Lets each stylesheet of the build begin with the order of the layers. The first sheet that a browser
- * reads decides it, and which one that is changes with what shares what: a part's own sheet may come
- * before the one that has the statement.
+ * Prepends the order of the cascade layers to each stylesheet of the build. The first stylesheet
+ * that a browser reads decides the order. Which one that is depends on how the bundler splits the
+ * stylesheets.
  */
 import type { Plugin } from "vite";
 
-/** As in src/ui/base.css. */
+/** The same order as in src/ui/base.css. */
 export const ORDER = "@layer base,ui,features,reader;";
 
 export function layerOrder(): Plugin {

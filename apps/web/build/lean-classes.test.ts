@@ -1,4 +1,7 @@
-/** The names of classes in components: none is missing in its stylesheet, and few need a table. */
+/**
+ * Every class name in a component exists in its stylesheet, and few components need a table of
+ * names.
+ */
 import { readdirSync, readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { expect, test } from "vitest";

@@ -1,7 +1,7 @@
 /**
- * Puts the short names of classes where they are used. A stylesheet's table of names would come along
- * with its first component, also for those that come later or never; a component that names its classes
- * one by one imports each by itself instead, and the bundler writes it in its place.
+ * Inlines the short names of classes in components. A stylesheet's table of names would load with
+ * its first component, with the names of components that load later or never. A component that
+ * names its classes one by one imports each name instead, and the bundler inlines it.
  */
 import type { Plugin } from "vite";
 
@@ -18,14 +18,14 @@ export function leanClasses(): Plugin {
       filter: { id: [STYLES, COMPONENT] },
       handler: (code, id) =>
         STYLES.test(id)
-          ? // Its rules stay, though nothing of its script may be left.
+          ? // The rules are needed even if no name of the module is used.
             { code, map: null, moduleSideEffects: "no-treeshake" }
           : { code: importOneByOne(code), map: null },
     },
   };
 }
 
-/** A name that is computed, as in `styles[kind]`, needs the table. */
+/** A computed name, as in `styles[kind]`, needs the whole table. */
 export function importOneByOne(code: string): string {
   return code.replaceAll(IMPORT, (statement, table: string, path: string) =>
     new RegExp(`\\b${table}\\[(?!["'])`).test(code)

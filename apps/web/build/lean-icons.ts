@@ -1,6 +1,6 @@
 /**
- * Takes the keys out of the icons' drawings. React asks for them only while Corridor is developed, and
- * since they are random they are what compresses worst of an icon.
+ * Removes the keys from the elements of the icons. React needs them only in development, and random
+ * keys compress badly.
  */
 import type { Plugin } from "vite";
 

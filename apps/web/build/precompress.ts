@@ -1,6 +1,6 @@
 /**
- * Puts a brotli and a gzip version beside each text file of the build, so that the relay only has to
- * pick one: compressed once, as well as it gets, instead of quickly at each request.
+ * Writes a brotli and a gzip version beside each text file of the build. The relay selects one, and
+ * compresses nothing per request.
  */
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { extname, join, resolve } from "node:path";
@@ -8,7 +8,7 @@ import { brotliCompressSync, constants, gzipSync } from "node:zlib";
 import type { Plugin } from "vite";
 
 const textFiles = new Set([".css", ".html", ".js", ".json", ".svg", ".txt", ".webmanifest"]);
-/** Below this, what is saved does not pay for the headers. In bytes. */
+/** Minimum size in bytes: for smaller files, compression saves less than its headers cost. */
 const LEAST_BYTES = 512;
 
 export function precompress(): Plugin {
@@ -19,7 +19,7 @@ export function precompress(): Plugin {
     configResolved(config) {
       folder = resolve(config.root, config.build.outDir);
     },
-    // After the service worker, which is written when everything else is there.
+    // Runs after the service worker, which is written after all other files.
     closeBundle: {
       order: "post",
       sequential: true,
@@ -41,7 +41,7 @@ function compressAll(folder: string): void {
   }
 }
 
-/** No block size is the best for all files: some hundred bytes of a first visit are between the two. */
+/** No block size is best for all files: the two differ by some hundred bytes in a first visit. */
 function smallestBrotli(content: Buffer): Buffer {
   const hint = { [constants.BROTLI_PARAM_SIZE_HINT]: content.length };
   const [first, second] = [

@@ -9,7 +9,7 @@ function withFolder() {
   onTestFinished(() => rmSync(served, { recursive: true }));
   const built = join(served, ".next");
   return {
-    /** a build of these files, published */
+    /** publishes a build of these files */
     publish: (files: Record<string, string>): void => {
       for (const [file, text] of Object.entries(files)) {
         mkdirSync(dirname(join(built, file)), { recursive: true });

@@ -1,7 +1,8 @@
 /**
- * Builds beside the served folder and moves the finished files into it, so that a relay that runs during a build
- * serves the old page or the new one, and never a missing file. What the new page loads is there before the page
- * itself, and the files of the build before stay, for pages that are open and load a part of theirs later.
+ * Builds beside the served folder and moves the finished files into it. A relay that runs during a
+ * build serves the old page or the new one, and never a missing file. The parts of the new page are
+ * moved before the page itself. The files of the previous build stay for pages that are open and
+ * load a part later.
  */
 import {
   existsSync,
@@ -16,7 +17,7 @@ import {
 import { dirname, join } from "node:path";
 import type { Plugin } from "vite";
 
-/** In the served folder, which does not serve names with a dot in front. */
+/** Inside the served folder: the relay does not serve names that start with a dot. */
 const BUILT = ".next";
 const LIST = ".published.json";
 
@@ -29,7 +30,7 @@ export function publish(): Plugin {
     configResolved(config) {
       served = join(config.root, "dist");
     },
-    // After the compressed files, which are the last to be written.
+    // Runs after compression, which writes the last files.
     closeBundle: {
       order: "post",
       sequential: true,
@@ -42,13 +43,14 @@ export function publish(): Plugin {
 
 /**
  * Moves all files of a finished build into the served folder.
- * @param built is empty and deleted afterwards
+ * @param built folder of the build, deleted afterwards
  */
 export function publishFiles(built: string, served: string): void {
   const before = publishedFiles(served);
   const files = filesIn(built);
   const isPart = (file: string): boolean => file.startsWith("assets");
-  // Parts have a hash of their content in their name, so a new one never replaces an old one.
+  // The names of parts contain a hash of their content, so that a new part never replaces an old
+  // one.
   for (const file of files.toSorted((a, b) => Number(isPart(b)) - Number(isPart(a)))) {
     const to = join(served, file);
     mkdirSync(dirname(to), { recursive: true });
@@ -62,7 +64,7 @@ export function publishFiles(built: string, served: string): void {
   writeFileSync(join(served, LIST), JSON.stringify(files));
 }
 
-/** The files of the build before, where there was one. */
+/** The files of the previous build, if any. */
 function publishedFiles(served: string): string[] {
   const list = join(served, LIST);
   if (!existsSync(list)) return [];

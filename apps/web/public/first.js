@@ -1,9 +1,10 @@
-// What cannot wait for the page's own script: theme, contrast and language, before the first paint; the
-// simulator worker, which gets ready while that script is still on its way; and, on a first visit, Run in
-// the house that index.html draws. A file of its own, since the page's Content-Security-Policy forbids
-// inline scripts. src/app/theme.ts, language.ts and simulator-start.ts take over.
+// Runs before the page's own script: sets theme, contrast and language before the first paint, and
+// starts the simulator worker. On a first visit it also connects the Run button of the static page
+// in index.html. It is a separate file because the Content-Security-Policy forbids inline scripts.
+// src/app/theme.ts, language.ts and simulator-start.ts take over.
 (() => {
-  // Asked by the browser wherever a script is started by its address: ours alone are (Trusted Types).
+  // The default Trusted Types policy: the browser calls it for each script address, and it permits
+  // only Corridor's own scripts.
   window.trustedTypes?.createPolicy("default", {
     createScriptURL: (address) => {
       const { origin, pathname } = new URL(address, location);
@@ -13,7 +14,7 @@
   });
   const root = document.documentElement;
   const { simulator, page, words } = document.currentScript.dataset;
-  /** Storage may be forbidden: then nothing is kept. */
+  /** Reads from storage, which the browser may forbid; then the result is null. */
   const ask = (read) => {
     try {
       return read();
@@ -31,7 +32,7 @@
   const isStrong = kept("contrast") === "more" || asksFor("contrast: more");
   Object.assign(root.dataset, { theme, contrast: isStrong ? "more" : "normal" });
 
-  /** The words of the few things below, by language. */
+  /** The texts below, by language. */
   const catalogues = JSON.parse(words || '{"en":{}}');
   const writing = (tag) =>
     ask(() => {
@@ -39,7 +40,8 @@
       return `${language}-${script}`;
     });
   const tags = Object.keys(catalogues);
-  // "en-GB" is English, wherever that is read: only the rest asks Intl, which takes milliseconds to wake.
+  // "en-GB" is English without a lookup. Only other tags use Intl, whose initialization takes
+  // milliseconds.
   const find = (wish) => {
     const [, language] = /^([a-z]{2})(-[A-Z]{2})?$/.exec(wish) ?? [];
     if (tags.includes(language)) return language;
@@ -53,7 +55,7 @@
   ].reduce((found, wish) => found ?? find(wish), undefined);
   Object.assign(root, { lang, dir: lang === "ar" ? "rtl" : "ltr" });
 
-  // Without the page's script, or without words, the English of index.html is all that can be said.
+  // Without the page's script, or without texts, only the English of index.html is available.
   window.corridorFailed = (...words) => {
     const [alert] = document.getElementById("failed").content.children;
     if (words.length > 0) alert.lang = alert.dir = "";
@@ -62,7 +64,7 @@
     document.getElementById("root").replaceChildren(alert);
   };
 
-  // The addresses are there in a build; while Corridor is developed the page starts both by itself.
+  // Only a build has the addresses; in development the page starts both itself.
   if (!simulator) return;
   const text = catalogues[lang];
   const isFirst =
@@ -73,16 +75,17 @@
         sessionStorage.getItem("corridor.run") ||
         Object.keys(localStorage).some((key) => /^corridor\.(work|aside)\./.test(key)),
     );
-  // A name needs no message, which would wait for the page: the worker begins by itself.
+  // On a first visit the worker's name contains its input, so that it starts without a message of
+  // the page.
   const name = isFirst ? JSON.stringify([text.maze, text.program]) : "";
-  // Whoever looks on at another page's robot needs none here.
+  // A page that watches another page's robot needs no simulator.
   const isWatch = location.pathname.startsWith("/r/");
   const worker = isWatch ? {} : new Worker(simulator, { type: "module", name });
   const early = { worker, queue: [], failure: null };
   window.corridorSimulator = early;
   let isPressed = false;
-  // A script is read as soon as it arrives, which takes a core away from the worker that starts meanwhile:
-  // on a first visit the page's comes after the first tick, or, on a slow line, long before that.
+  // Parsing a script occupies a core, which delays the worker's start. On a first visit the browser
+  // therefore fetches the page's script after 100 ms, or as soon as the page opens.
   const fetchPage = () => document.head.append(document.getElementById("parts").content);
   if (isFirst) setTimeout(fetchPage, 100);
   else fetchPage();
@@ -91,14 +94,15 @@
     fetchPage();
     import(page).catch(() => window.corridorFailed());
   };
-  // The house is painted before the rest of the page is run; who has pressed Run already sees the robot
-  // start first. A hidden page paints nothing, and a robot may fail to start.
+  // The browser paints the static page before the page's script runs. After a press of Run the
+  // robot starts first. The timeouts cover a hidden page, which paints nothing, and a robot that
+  // fails to start.
   document.addEventListener("DOMContentLoaded", () => {
     if (!isPressed) requestAnimationFrame(() => setTimeout(() => open()));
     setTimeout(() => open(), isPressed ? 1000 : 300);
   });
   worker.onerror = (event) => {
-    // A file that does not come has no message.
+    // A file that fails to load has no message.
     early.failure = String(event.message ?? "");
     open();
   };
@@ -117,7 +121,7 @@
   if (!isFirst) return;
 
   const watch = new MutationObserver(() => {
-    // The last thing in the document: the house is there.
+    // The last element of index.html: the static page is complete.
     if (document.getElementById("wordmark") === null) return;
     watch.disconnect();
     document.querySelector("[data-early]").setAttribute("aria-label", text.controls);
@@ -134,7 +138,7 @@
         worker.postMessage({ type: button.dataset.does });
       };
     }
-    // Who has seen the lessons, or does not want them, is not invited again.
+    // A visitor who has opened or dismissed the lessons is not invited again.
     root.dataset.first = kept("lessons") === null ? "invited" : "";
   });
   watch.observe(document, { childList: true, subtree: true });

@@ -5,7 +5,7 @@ import type { Answer } from "../host.ts";
 import { must, shaped } from "../mismatch.ts";
 import { mustRead, readings } from "../setting.ts";
 
-/** Invalid bodies by their error. */
+/** Invalid request bodies, by the name of their error. */
 const wrongBodies: Record<string, { body: string | Uint8Array; path?: string }> = {
   "no JSON": { body: '{"action":' },
   nothing: { body: "" },
@@ -120,7 +120,10 @@ export const badInput: CheckGroup = {
   ],
 };
 
-/** The problem document (RFC 9457) that must come with this status. */
+/**
+ * The problem document (RFC 9457) of a response.
+ * @throws Mismatch if the status or the document differs
+ */
 function problemIn(answer: Answer, status: number, what: string): ProblemDocument {
   must(answer.status === status, `${status} for ${what}`, `${answer.status} ${answer.text}`);
   const type = answer.header("content-type");

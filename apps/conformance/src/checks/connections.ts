@@ -26,7 +26,7 @@ import { messageFlow } from "./message-flow.ts";
 
 const LEFT = { action: "left 90" } as const;
 const RIGHT = { action: "right 90" } as const;
-/** delay of a command in ms, and a shorter time to live */
+/** additional transit time of a command in ms, and a ttl that is shorter */
 const HELD_MS = 1_500;
 const SHORT_TTL = 1_000;
 const SILENCE_MS = 8_000;
@@ -36,7 +36,7 @@ interface Door {
   /** prefix of the checks' names */
   over: string;
   open: OpenConnection;
-  /** the response to an invalid hello: a close code, or a status */
+  /** the response to an invalid hello: a close code or an HTTP status */
   refusals: { wrongKey: number; version: number };
   answerTo: (host: Host, hello: ReturnType<Host["hello"]>) => Promise<number | null>;
 }
@@ -111,7 +111,7 @@ function checksOf({ feature, over, open, refusals, answerTo }: Door): Check[] {
     needs: [feature],
     run,
   });
-  /** Runs with a connection that has its welcome, and closes it. */
+  /** Opens a connection, waits for its welcome, runs the callback and closes the connection. */
   const withOne = async <T>(
     host: Host,
     run: (connection: Connection) => Promise<T>,
@@ -255,7 +255,7 @@ function checksOf({ feature, over, open, refusals, answerTo }: Door): Check[] {
   ];
 }
 
-/** Sends a command, which must be accepted. @returns the record of its ack */
+/** Sends a command, which the host must accept. @returns the record of the ack */
 async function taken(
   connection: Connection,
   host: Host,
@@ -290,7 +290,7 @@ function statesOf({ received }: Connection) {
   return received.flatMap((message) => (message.type === "state" ? [message] : []));
 }
 
-/** The numbers of the states follow `n` without a gap. */
+/** @throws Mismatch unless the numbers of the received states follow `n` without a gap */
 function mustFollow(connection: Connection, n: number): void {
   const numbers = statesOf(connection).map((state) => state.n);
   const isWhole = numbers.every((each, index) => each === n + index + 1);

@@ -15,12 +15,12 @@ import {
   turned,
 } from "../setting.ts";
 
-/** The pen's wall is met after half of it, at the latest. */
+/** cm, longer than the distance from HOME to the right wall */
 const TO_THE_WALL = 60;
-/** A robot that stands reports at least once a second. */
+/** A robot reports at least once a second, also while it stands. */
 const REPORT_MS = 5_000;
 const DRIVE_MS = 1_500;
-/** Turns of the wheels by about 20 degrees each; more than this is no quarter turn. */
+/** The wheels turn the robot by about 20 degrees at a time; a quarter turn takes fewer turns. */
 const MOST_WHEEL_TURNS = 20;
 
 export const directions: CheckGroup = {
@@ -164,7 +164,7 @@ export const directions: CheckGroup = {
         const order = { action: "drive", left: 0, right: 0, milliseconds: DRIVE_MS } as const;
         await complete(host, order);
         const took = performance.now() - began;
-        // A slow network may add to it, and nothing takes away from it.
+        // A slow network can lengthen the measured time, but not shorten it.
         const isRight = took > 0.9 * DRIVE_MS && took < 3 * DRIVE_MS;
         must(isRight, `about ${DRIVE_MS} ms`, `${Math.round(took)} ms`);
       },
@@ -283,7 +283,7 @@ export const directions: CheckGroup = {
       run: async (host) => {
         const speeds: number[] = [];
         const isRight = (speed: number) => speed > 50 && speed < 200;
-        // A busy computer may slow down one try, not all of them.
+        // A busy computer can slow down one attempt, but hardly all three.
         while (!speeds.some(isRight) && speeds.length < 3) speeds.push(await forwardSpeed(host));
         const found = `${speeds.map((speed) => Math.round(speed)).join(", ")} cm/s`;
         must(speeds.some(isRight), "about 100 cm/s", found);
@@ -307,7 +307,7 @@ export const directions: CheckGroup = {
   ],
 };
 
-/** Each must end as completed. */
+/** Sends commands one by one. @throws Mismatch unless each ends as completed */
 async function complete(host: Host, ...orders: Order[]): Promise<CommandRecord[]> {
   const records: CommandRecord[] = [];
   for (const order of orders) {
@@ -318,7 +318,7 @@ async function complete(host: Host, ...orders: Order[]): Promise<CommandRecord[]
   return records;
 }
 
-/** Turns, looks, and turns back by quarters to the left. */
+/** Sends commands, checks the readings after them, and turns back by quarter turns to the left. */
 async function turns(host: Host, orders: Order[], quarters: number): Promise<void> {
   await atHome(host);
   await complete(host, ...orders);
@@ -341,7 +341,7 @@ async function wheelTurn(host: Host, power: number): Promise<void> {
   await complete(host, { action: "drive", left: power, right: -power, milliseconds: 300 });
 }
 
-/** Turns by the wheels until the robot looks to the side. @returns how many turns that took */
+/** Turns by the wheels until the robot faces right. @returns the number of turns */
 async function wheelTurnsToTheRight(host: Host): Promise<number> {
   for (let times = 1; times <= MOST_WHEEL_TURNS; times++) {
     await wheelTurn(host, 0.1);
@@ -354,7 +354,7 @@ async function wheelTurnsToTheRight(host: Host): Promise<number> {
   throw new Mismatch("a quarter turn to the right by the wheels", show(await readings(host)));
 }
 
-/** @returns cm/s */
+/** @returns the speed in cm/s */
 async function forwardSpeed(host: Host): Promise<number> {
   await atHome(host);
   await host.send({ action: "forward" });
@@ -364,7 +364,7 @@ async function forwardSpeed(host: Host): Promise<number> {
   return (first.sensors.front - last.sensors.front) / ((last.tick - first.tick) / 60);
 }
 
-/** Waits for a reading in front. @returns it */
+/** Waits for a reading of the front sensor. @returns its snapshot */
 async function whenFront(
   host: Host,
   isThere: (front: number) => boolean,

@@ -1,4 +1,4 @@
-/** Events: server-sent and by long poll, resumed without loss, or with a gap. */
+/** Events: server-sent and by long poll, resumed without loss or with a reported gap. */
 import { eventPageSchema, hasEnded, type CommandState, type StateEvent } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
 import { EventStream, withEvents } from "../event-stream.ts";
@@ -7,7 +7,7 @@ import { must, shaped } from "../mismatch.ts";
 
 const EVENTS_MS = 15_000;
 const STREAM_MS = 2_000;
-/** Snapshots in that time; the protocol allows 20 a second. */
+/** Maximum number of snapshots in that time; the protocol allows 20 a second. */
 const MOST_SNAPSHOTS = 60;
 const MANY = 6;
 
@@ -160,7 +160,7 @@ export const events: CheckGroup = {
   ],
 };
 
-/** The states of one command: in the order of a life, with one ending at its end. */
+/** The states of one command follow the protocol's order, with exactly one final state. */
 export function mustLive(states: readonly StateEvent[], seq: number): void {
   const life = states.filter(({ record }) => record.seq === seq).map(({ record }) => record.state);
   const endings = life.filter((state) => hasEnded(state));

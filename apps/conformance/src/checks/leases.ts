@@ -8,24 +8,27 @@ import { must } from "../mismatch.ts";
 import { atHome, mustStand } from "../setting.ts";
 
 /**
- * ms from sending to the ending. It can never take less than the lease, but more: a slow network
- * delays both ends.
+ * ms from sending a command to its final state: the lease, with a tolerance that is larger for
+ * network delays.
  */
 export const FORWARD_MS = { least: 2_800, most: 5_000 };
 const DRIVE_MS = { least: 400, most: 2_500 };
 const LONG_DRIVE_MS = { least: 1_900, most: 4_500 };
-/** cm from the far wall, at which the robot does not touch it */
+/** distance in cm at which the robot does not touch the far wall */
 const FAR_WALL = 50;
-/** Longer than any lease. */
+/** ms, longer than any lease */
 const GIVE_UP_MS = 8_000;
-/** Drives of one burst, and how many of them may start: three do not make a burst yet. */
+/** Number of drives in one burst, and how many of them may start. Three drives are no burst yet. */
 const BURST = 12;
 const BURST_STARTS = 4;
 
-/** Not ended by silence; the wall may have come nearer than expected. */
+/**
+ * States of a command that silence has not ended. The robot may reach the wall earlier than
+ * expected.
+ */
 const HELD: readonly CommandState[] = ["started", "collided"];
 
-/** Slowly ahead, and back again. */
+/** Slowly forward, and back again. */
 const AHEAD = { action: "drive", left: 0.05, right: 0.05 } as const;
 const BACK = { action: "drive", left: -0.05, right: -0.05 } as const;
 const STILL = { action: "drive", left: 0, right: 0 } as const;
@@ -39,7 +42,7 @@ export const leases: CheckGroup = {
       run: async (host) => {
         await atHome(host);
         await withEvents(host, async (events) => {
-          // The open stream does not count: this script is silent.
+          // The open event stream does not count as activity: this script is silent.
           mustTake(await lasts(host, events, { action: "forward" }), FORWARD_MS);
         });
         await mustStand(host);
@@ -156,7 +159,7 @@ export const leases: CheckGroup = {
       needs: ["long-poll"],
       run: async (host) => {
         await withEvents(host, async (events) => {
-          // One request brings them all at once, however slow the network is.
+          // One request delivers all commands at once, however slow the network is.
           const connection = await openByLongPoll(host);
           const { seq } = await host.done({ action: "stop" });
           const command = { ...STILL, lease: 1_000 };
@@ -210,13 +213,13 @@ export const leases: CheckGroup = {
   ],
 };
 
-/** Leaves room for a `reverse` that lasts for its whole lease. */
+/** Moves the robot so that it can `reverse` for the whole lease without touching a wall. */
 async function toTheFarWall(host: Host): Promise<void> {
   const { sensors } = await host.snapshot();
   await host.done({ action: "move", distance: sensors.front - FAR_WALL });
 }
 
-/** Sends an endless motion. @returns ms until it was cancelled */
+/** Sends an endless motion. @returns ms until the host cancelled it */
 async function lasts(host: Host, events: EventStream, order: Order): Promise<number> {
   const sentAt = performance.now();
   const { seq } = await host.send(order);
@@ -225,7 +228,7 @@ async function lasts(host: Host, events: EventStream, order: Order): Promise<num
   return end.at - sentAt;
 }
 
-/** A hold-up on the way may delay the ending of one of two motions, not of both. */
+/** Runs two motions: a network delay can lengthen one of them, but hardly both. */
 async function bothLast(
   host: Host,
   orders: readonly [Order, Order],

@@ -1,11 +1,11 @@
-/** The states of a command, from its acceptance to its one ending. */
+/** The states of a command, from its acceptance to its single final state. */
 import { commandRecordSchema, hasEnded } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
 import { withEvents } from "../event-stream.ts";
 import { must, shaped } from "../mismatch.ts";
 import { atHome } from "../setting.ts";
 
-/** For longer than a check takes. */
+/** Lasts longer than a check. */
 const BUSY = { action: "drive", left: 0, right: 0, milliseconds: 60_000 } as const;
 
 export const life: CheckGroup = {

@@ -6,17 +6,23 @@ import { must, Mismatch, NeverTestable, shaped } from "../mismatch.ts";
 
 const BUSY = { action: "drive", left: 0, right: 0, milliseconds: 60_000 } as const;
 const WAITING = 64;
-/** A relay has some more at the robot. */
+/**
+ * Maximum number of commands before the queue is full. A relay can have some at the robot in
+ * addition to its queue.
+ */
 const MOST = 100;
-/** Commands at once, and commands a second, that a host must take. */
+/** Commands at once, and commands a second, that a host must accept. */
 const BURST = 40;
 const RATE = 20;
-/** Stops at once that a host must take. */
+/** Stops at once that a host must accept. */
 const STOPS = 20;
-/** Pauses while the queue is filled; a host that takes 20 a second needs four. */
+/**
+ * Maximum number of waits while the queue fills. A host that accepts 20 commands a second needs
+ * four.
+ */
 const MOST_PAUSES = 20;
 const LOG_PAGE = 200;
-/** The protocol promises 10,000 and 1,000; a run may have fewer. */
+/** The protocol promises 10,000 records and 1,000 events. A run may produce fewer. */
 const RETAINED_RECORDS = { min: 250, max: 10_000 };
 const RETAINED_EVENTS = { min: 400, max: 1_000 };
 
@@ -27,7 +33,7 @@ export const limits: CheckGroup = {
       promise: "burst",
       name: "40 commands at once are taken, and 20 more after a second",
       run: async (host) => {
-        // So much as was sent before may count for a host that limits the rate.
+        // Earlier commands can count toward a host's rate limit, so that the check waits first.
         await pause((BURST / RATE) * 1_000 + 500);
         for (const count of [BURST, RATE]) {
           await mustTakeAtOnce(host, count, BUSY);
@@ -139,7 +145,7 @@ async function mustTakeAtOnce(host: Host, count: number, body: Order): Promise<v
   must(refused.length === 0, `${count} answers of 202`, refused.map(({ text }) => text)[0]);
 }
 
-/** Sends what waits until the queue is full. */
+/** Sends commands until the queue is full. */
 async function fill(host: Host) {
   await host.send(BUSY);
   let pauses = 0;

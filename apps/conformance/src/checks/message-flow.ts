@@ -12,7 +12,7 @@ import {
 import { pause, type Host } from "../host.ts";
 import { must } from "../mismatch.ts";
 
-/** Longer than a check. */
+/** Lasts longer than a check. */
 const BUSY = { action: "drive", left: 0, right: 0, milliseconds: 60_000 } as const;
 /** Time until the first heartbeat; the protocol promises one every 20 s. */
 const HEARTBEAT_MS = { least: 15_000, most: 25_000 };
@@ -21,7 +21,7 @@ const CREDIT = 2;
 /** A moving robot reports about 20 times in this time. */
 const UNSEEN_MS = 1_000;
 const PACE_MS = 3_000;
-/** Snapshots a second, and in addition those that belong to a state. */
+/** Maximum number of snapshots a second, and a tolerance for snapshots that belong to a state. */
 const PACE = 10;
 const PACE_SLACK = 5;
 
@@ -105,7 +105,7 @@ export const messageFlow: readonly Check[] = [
     },
   },
   {
-    // The last one, because it waits while the other checks of its group run.
+    // The last check of its group, because it waits while the others run.
     promise: "websocket-heartbeat",
     name: "over a WebSocket, a heartbeat is sent every 20 s",
     needs: ["websocket"],

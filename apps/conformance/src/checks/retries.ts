@@ -1,4 +1,4 @@
-/** A repeated command is executed once, and never late. */
+/** A host executes a repeated command once, and never after its ttl. */
 import { commandRecordSchema, problemSchema, type Order } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
 import type { Host } from "../host.ts";

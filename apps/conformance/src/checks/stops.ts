@@ -1,11 +1,11 @@
-/** `stop` bypasses the queue; other ways to cancel commands. */
+/** `stop` bypasses the queue; other methods of cancelling commands. */
 import { commandRecordSchema, type CommandRecord } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
 import { pause, type Host } from "../host.ts";
 import { must, shaped } from "../mismatch.ts";
 import { areNear, atHome, HOME, mustRead, mustStand, readings, show } from "../setting.ts";
 
-/** Far more than a robot needs, far less than the commands that occupy it. */
+/** ms, much longer than a stop takes and much shorter than the commands that occupy the robot */
 const STOP_MS = 5_000;
 const BUSY = { action: "drive", left: 0, right: 0, milliseconds: 20_000 } as const;
 

@@ -1,4 +1,4 @@
-/** What is wrong with a copy of the example, and the promise whose check is the first to fail. */
+/** A fault in a copy of the example, and the promise whose check must fail first. */
 import type { Edit } from "./physical-robot.ts";
 import type { BridgeFault } from "./websocket-bridge.ts";
 
@@ -6,6 +6,6 @@ export interface InjectedFault {
   fault: string;
   edits: readonly Edit[];
   caughtBy: string;
-  /** for a WebSocket, which the example has by a bridge alone */
+  /** a fault of the WebSocket, which only the bridge adds to the example */
   bridge?: BridgeFault;
 }

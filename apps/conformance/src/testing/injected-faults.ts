@@ -15,7 +15,7 @@ const CONTROLLER = "physical_robot/controller.py";
 const VALIDATION = "physical_robot/validation.py";
 const SERVER = "physical_robot/server.py";
 
-/** A fault by one replaced text. */
+/** A fault that replaces one text of the source. */
 function fault(caughtBy: string, what: string, file: string, before: string, after: string) {
   return { fault: what, caughtBy, edits: [{ file, before, after }] };
 }
@@ -937,7 +937,10 @@ const longPoll: InjectedFault[] = [
   ),
 ];
 
-/** The same text for a key at both ends of one connection, and another one at the next. */
+/**
+ * Appends the number of the connection to a key, so that the host receives another key in each
+ * connection.
+ */
 function keyOfConnection(message: Message, connection: number): Message {
   const { type, key } = message;
   return type === "command" ? { ...message, key: `${key}-${connection}` } : message;

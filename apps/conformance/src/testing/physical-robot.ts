@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { createInterface } from "node:readline";
 
 const ROBOT = join(import.meta.dirname, "../../../../examples/physical-robot");
-/** The pen of docs/conformance.md: 2 m wide, 5 m long, the goal in its far right corner. */
+/** The pen of docs/conformance.md: 2 m wide and 5 m long, with the goal in the far right corner. */
 export const PEN = "####,#.G#,#..#,#..#,#..#,#.S#,####";
 
 /** A replacement in a Python file. The text must occur exactly once. */
@@ -19,9 +19,9 @@ export interface Edit {
 
 export interface RobotOptions {
   room: string;
-  /** speed factor of its motors; leases and times to live are unchanged */
+  /** speed factor of the motors; leases and ttls are unchanged */
   haste?: number;
-  /** whether it measures its pose */
+  /** whether the robot measures its pose */
   isTracked?: boolean;
   edits?: readonly Edit[];
 }
@@ -46,7 +46,7 @@ export async function startPhysicalRobot(options: RobotOptions): Promise<Running
     child.kill("SIGKILL");
     if (folder !== null) rmSync(folder, { recursive: true, force: true });
   };
-  // Its output stays open: a host that finds it closed would end.
+  // The output stays open: the host ends when its output is closed.
   const line = once(createInterface({ input: child.stdout }), "line") as Promise<[string]>;
   const exit = once(child, "exit").then(() => {
     throw new Error(`The robot's host has ended: ${errors}`);
@@ -61,7 +61,7 @@ export async function startPhysicalRobot(options: RobotOptions): Promise<Running
   }
 }
 
-/** @throws Error unless each text occurs exactly once */
+/** A copy of the example with the edits. @throws Error unless each text occurs exactly once */
 function copyWith(edits: readonly Edit[]): string {
   const folder = mkdtempSync(join(tmpdir(), "corridor-robot-"));
   cpSync(ROBOT, folder, { recursive: true });

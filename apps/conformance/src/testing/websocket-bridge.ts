@@ -1,6 +1,6 @@
 /**
- * Adds a WebSocket to a host without one, to test the checks of WebSockets. Forwards commands as
- * requests and events from the event stream. Messages can have injected faults.
+ * Adds a WebSocket to a host without one, to test the checks of WebSockets. The bridge forwards
+ * commands as requests, and events from the event stream. Faults can be injected into its messages.
  */
 import { createHash } from "node:crypto";
 import { createServer, request, type IncomingMessage, type ServerResponse } from "node:http";
@@ -27,24 +27,24 @@ export interface Message {
 }
 
 export interface BridgeFault {
-  /** changes a message of the script; `connection` is the number of its connection */
+  /** changes a message from the script; `connection` is the number of its connection */
   toHost?: (message: Message, connection: number) => Message;
   /** changes a message to the script; null drops it */
   toScript?: (message: Message, connection: number) => Message | null;
-  /** in place of 4401 */
+  /** the close code that replaces 4401 */
   closeCode?: number;
   /** accepts a hello of any version */
   takesAnyVersion?: boolean;
   /** polls the host while a connection is open */
   isRestless?: boolean;
-  /** sends snapshots that are not acknowledged */
+  /** sends snapshots without waiting for acknowledgements */
   ignoresSeen?: boolean;
-  /** in place of 16 KiB */
+  /** the limit that replaces 16 KiB */
   maxBytes?: number;
 }
 
 interface Bridge {
-  /** the same robot, through the bridge */
+  /** the address of the same robot, through the bridge */
   address: string;
   stop: () => void;
 }
@@ -55,7 +55,7 @@ const TOO_LARGE = 1009;
 const HEARTBEAT_MS = 20_000;
 const CREDIT = 2;
 
-/** @param address of a robot whose host has no WebSocket */
+/** @param address of a robot whose host offers no WebSocket */
 export async function startBridge(address: string, fault: BridgeFault = {}): Promise<Bridge> {
   const { origin, pathname, hash } = new URL(address);
   const api = `${origin}/api/v1/robots/${pathname.slice(3)}`;
@@ -85,7 +85,7 @@ export async function startBridge(address: string, fault: BridgeFault = {}): Pro
   };
 }
 
-/** Forwards a plain request; removes the WebSocket from the list of missing features. */
+/** Forwards an HTTP request, and removes the WebSocket from the list of missing features. */
 async function forward(origin: string, asked: IncomingMessage, answer: ServerResponse) {
   const { method = "GET", url = "/", headers } = asked;
   if (url.endsWith("/features")) {
@@ -116,9 +116,9 @@ class BridgedSocket {
   /** numbers of the snapshots that the script has not acknowledged */
   #unseen: number[] = [];
   #acknowledges = false;
-  /** the newest snapshot that waits for an acknowledgement */
+  /** the newest snapshot, held until the script acknowledges an earlier one */
   #heldSnapshot: Snapshot | null = null;
-  /** messages are processed one at a time */
+  /** serial queue: messages are processed one at a time */
   #work: Promise<void> = Promise.resolve();
 
   constructor(socket: Duplex, api: string, fault: BridgeFault, connection: number) {
@@ -216,7 +216,7 @@ class BridgedSocket {
     this.#say({ type: "problem", problem, key: key ?? null });
   }
 
-  /** What comes by the stream of events, which does not count as a request of the script. */
+  /** Reads the event stream, which does not count as a request of the script. */
   async #follow(since: string): Promise<void> {
     const headers = { Authorization: `Bearer ${this.#key}`, "Last-Event-ID": since };
     const { signal } = this.#closed;
@@ -276,8 +276,8 @@ class BridgedSocket {
 }
 
 /**
- * One whole frame of a client, which masks it; null while it has not come. Frames here are short
- * and whole.
+ * The first complete frame of a client, unmasked; null until all of its bytes have arrived.
+ * Messages here are short and not fragmented.
  */
 function takeFrame(bytes: Buffer) {
   if (bytes.length < 2) return null;

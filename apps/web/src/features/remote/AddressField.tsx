@@ -1,4 +1,6 @@
-/** The robot's address: the one thing that a script needs. Its key is copied along and not displayed. */
+/**
+ * The address of the robot, which is all that a script needs. Its key is copied, but not displayed.
+ */
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { joinSentences } from "../../text/joined.ts";
@@ -22,7 +24,7 @@ export function AddressField({ address, session }: AddressFieldProps) {
       <dt className={styles["label"]}>{t("remote.address")}</dt>
       <dd className={styles["value"]}>
         <span dir="ltr" className={styles["mono"]}>
-          {/* Where the browser does not copy, the whole of it has to be there to be selected. */}
+          {/* Where the browser refuses to copy, the user needs the whole address to select it. */}
           {isRefused ? address.full : address.shown}
         </span>
         <CopyButton

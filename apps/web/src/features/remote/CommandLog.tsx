@@ -1,4 +1,4 @@
-/** Every command that this page knows, newest first. */
+/** Every command in the page's log, newest first. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";

@@ -57,7 +57,7 @@ export function CommandTable({ commands }: { commands: readonly ListedCommand[] 
 
 interface CommandRowProps {
   record: ListedCommand;
-  /** whether the timeline shows a moment of it */
+  /** whether the displayed tick of the timeline belongs to the command */
   isSelected: boolean;
 }
 

@@ -1,4 +1,4 @@
-/** Whether a script can reach the robot, in words, and the button that changes it. */
+/** The state of the connection in words, and the button that changes it. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
@@ -26,7 +26,7 @@ export function ConnectionCard() {
     >
       <span className={styles["dot"]} aria-hidden="true" />
       <div className={styles["cardWords"]}>
-        {/* Only the change of state is spoken, not the seconds that count up. */}
+        {/* Screen readers announce only the change of state, not the seconds that count up. */}
         <output className="visually-hidden">{view.kind === "quiet" ? "" : title}</output>
         <p className={styles["cardTitle"]} aria-hidden={view.kind !== "quiet"}>
           {title}
@@ -61,7 +61,7 @@ function useWords(view: ConnectionView): { title: string; note: string } {
       return { title: t("runDetails:remotePaused.title"), note: t("runDetails:remotePaused.note") };
     case "connected":
     case "quiet": {
-      // The relay names a language by the request's headers, or just "Script".
+      // The relay derives the language from the request's headers, or sends "Script".
       const client =
         view.client === "" || view.client === "Script"
           ? t("remote.someScript")

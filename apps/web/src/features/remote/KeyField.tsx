@@ -1,4 +1,6 @@
-/** The key of the robot's address, hidden until it is asked for, and the button that replaces it. */
+/**
+ * The key in the robot's address, hidden until the user shows it, and the button that replaces it.
+ */
 import { Eye, EyeOff } from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";

@@ -1,4 +1,4 @@
-/** The keys that were given away, when each was made and used last, and the button that takes one back. */
+/** The robot's keys, with the times of their creation and last use, and buttons to revoke them. */
 import { useEffect, useId, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -22,7 +22,7 @@ export function KeyList({ session }: { session: RemoteSession }) {
     const isDone = await revokeKey(fetch, session, id);
     setOutcome(isDone ? "done" : "failed");
     lookAgain();
-    // The button that was pressed goes.
+    // The pressed button disappears with its row.
     if (isDone) heading.current?.focus();
   };
   if (keys === null) return null;
@@ -68,7 +68,7 @@ function KeyRow({ listed, onRevoke }: { listed: ListedKey; onRevoke: () => void 
           {joinList(t, [...(names.length === 0 ? [] : [what]), made, used])}
         </p>
       </div>
-      {/* The one in the address is replaced by "New key". */}
+      {/* "New key" replaces the key in the address, which therefore has no revoke button. */}
       {!isShown && (
         <Button size="small" aria-describedby={id} onClick={onRevoke}>
           {t("remote.keys.revoke")}
@@ -78,7 +78,7 @@ function KeyRow({ listed, onRevoke }: { listed: ListedKey; onRevoke: () => void 
   );
 }
 
-/** What the scripts are called that were heard lately by this key. */
+/** The names of the known scripts that use a key. */
 function useScriptsOf(key: string): string[] {
   const { remote } = useServices();
   const scripts = useStore(remote, (state) => state.scripts);
@@ -86,7 +86,7 @@ function useScriptsOf(key: string): string[] {
 }
 
 /**
- * Asked of the service now and then, whenever a script was paired or the address has a new key, and by
+ * Requests the keys periodically, after each pairing and each change of the address's key, and on
  * `lookAgain`.
  */
 function useKeys(session: RemoteSession) {

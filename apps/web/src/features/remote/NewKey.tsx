@@ -1,4 +1,7 @@
-/** A new key for scripts, in place of one that went astray: asks first, for scripts are cut off by it. */
+/**
+ * Replaces the scripts' key after a confirmation, because the service disconnects scripts that use
+ * the old key.
+ */
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
@@ -10,7 +13,7 @@ import styles from "./remote.module.css";
 
 interface NewKeyProps {
   session: RemoteSession;
-  /** @param isMade whether there is a new key now */
+  /** @param isMade whether the service created the key */
   onDone: (isMade: boolean) => void;
 }
 
@@ -21,7 +24,8 @@ export function NewKey({ session, onDone }: NewKeyProps) {
   const make = async (): Promise<void> => {
     setAsking(false);
     const next = await withNewKey(fetch, session);
-    // The worker keeps the link; what it tells back is kept for a reload.
+    // The worker holds the connection. The page stores the session that the worker reports, for a
+    // reload.
     if (next !== null) simulator.send({ type: "remote-open", session: next, fresh: false });
     onDone(next !== null);
   };

@@ -1,7 +1,8 @@
 /**
- * The question of a script that has typed the robot's code, wherever its owner is on the page: below the messages,
- * on a phone in a row of its own above Run, or in the dialog that is open, outside of which nothing can be pressed.
- * It goes where the Remote panel asks it in sight, once it is answered, and when its time is over.
+ * The question of a script that has typed the robot's pairing code, wherever the owner is on the
+ * page. It is placed below the messages, on a phone in its own row above Run, or in the open modal
+ * dialog. It disappears when the Remote panel's question is in view, when it is answered, and when
+ * it expires.
  */
 import { useEffect, useId, useSyncExternalStore } from "react";
 import { createPortal } from "react-dom";
@@ -43,7 +44,8 @@ export function PairingCall({ session }: { session: RemoteSession }) {
         isShown && dialog !== null && styles["inDialog"],
       )}
     >
-      {/* Always there, since a region that comes with its text is not read out; the panel's own says it too. */}
+      {/* Always rendered: screen readers skip a live region that is inserted with its text. The
+          panel announces the question too. */}
       <output id={textId} className={styles["text"]} aria-live={isInReach ? "off" : "polite"}>
         {isShown && (
           <>
@@ -78,7 +80,7 @@ export function PairingCall({ session }: { session: RemoteSession }) {
   return dialog === null ? call : createPortal(call, dialog);
 }
 
-/** The dialog in front, if any. */
+/** The topmost modal dialog, if any. */
 function openDialog(): Element | null {
   return [...document.querySelectorAll("dialog:modal")].at(-1) ?? null;
 }

@@ -1,4 +1,7 @@
-/** A code to type where the script runs, in place of the long address; and the question when one asks by it. */
+/**
+ * A short code that the user types where the script runs, in place of the long address. Also
+ * displays the question of a script that used it.
+ */
 import { useEffect, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -11,7 +14,7 @@ import { pairingOf } from "./robot-pairing.ts";
 import { useTimeLeft } from "./use-time-left.ts";
 import styles from "./remote.module.css";
 
-/** So much of the field is in sight at least. */
+/** Minimum share of the field that counts as in view. */
 const ENOUGH = 0.95;
 
 export function PairingField({ session }: { session: RemoteSession }) {
@@ -25,7 +28,7 @@ export function PairingField({ session }: { session: RemoteSession }) {
     if (element === null) return;
     pairing.store.setState({ field: element });
     const watch = new IntersectionObserver(
-      // Not the whole of it: a fraction of a pixel may always be cut off.
+      // Less than the whole field: a fraction of a pixel can be cut off.
       (entries) =>
         pairing.store.setState({ isInSight: (entries.at(-1)?.intersectionRatio ?? 0) >= ENOUGH }),
       { threshold: ENOUGH },
@@ -37,7 +40,7 @@ export function PairingField({ session }: { session: RemoteSession }) {
     };
   }, [pairing]);
   const isShown = view.kind === "open" || view.kind === "asked";
-  /** The button that was pressed is gone: the one in its place takes the focus over. */
+  /** Moves the focus from the pressed button, which is gone, to the button in its place. */
   const press = async (work: Promise<void>): Promise<void> => {
     await work;
     if (document.activeElement === document.body) field.current?.querySelector("button")?.focus();
@@ -83,7 +86,7 @@ export function PairingField({ session }: { session: RemoteSession }) {
   );
 }
 
-/** Read letter by letter by those who listen. */
+/** Screen readers spell the code letter by letter. */
 function Code({ code }: { code: string }) {
   return (
     <p dir="ltr" className={styles["pairingCode"]}>

@@ -1,4 +1,4 @@
-/** Where a script's question comes up. Only a page whose robot scripts can reach has it. */
+/** The place of a script's question. Only a page with a remote session renders it. */
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { lazyPart } from "../../ui/lazy-part.tsx";

@@ -1,4 +1,4 @@
-/** Says that the scripts of this robot are paused, and lets them drive again. */
+/** Reports that the scripts of this robot are paused, and resumes them. */
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";

@@ -1,4 +1,4 @@
-/** What the robot does for scripts now, and the last five commands before. */
+/** The running command of a script, and the last five that ended. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";

@@ -1,4 +1,7 @@
-/** What a first script does not need: key, code, watch link, other languages, scripts by name, and the log. */
+/**
+ * What a first script does not need: key, code, watch link, other languages, scripts by name, and
+ * the log.
+ */
 import { ChevronRight } from "lucide-react";
 import { useEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
@@ -14,7 +17,7 @@ import { WatchField } from "./WatchField.tsx";
 import styles from "./remote.module.css";
 
 interface RemoteMoreProps {
-  /** null while scripts cannot reach the robot: then the log alone is there */
+  /** null while scripts cannot reach the robot: then only the log is displayed */
   address: RobotAddress | null;
   session: RemoteSession | null;
 }
@@ -23,7 +26,7 @@ export function RemoteMore({ address, session }: RemoteMoreProps) {
   const { t } = useTranslation();
   const [isOpen, setOpen] = useState(false);
   const details = useRef<HTMLDetailsElement>(null);
-  // The content is below the screen where the panel is full: the reader sees what was opened.
+  // In a full panel the content opens below the visible part.
   useEffect(() => {
     if (isOpen) details.current?.scrollIntoView({ block: "start" });
   }, [isOpen]);

@@ -1,4 +1,7 @@
-/** The Remote side of the panel: connection, address, a first script and its commands; the rest behind "More". */
+/**
+ * The Remote panel: connection, address, a first script and its commands; the rest is behind
+ * "More".
+ */
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { AddressField } from "./AddressField.tsx";

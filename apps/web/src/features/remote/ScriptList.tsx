@@ -1,6 +1,6 @@
 /**
- * The scripts by name, what each did last, and the button that sends one away or lets it back; and the one
- * that pauses them all.
+ * The scripts by name, with the last command of each, a button that blocks or unblocks each, and a
+ * button that pauses all.
  */
 import { useId, useState } from "react";
 import { useTranslation } from "react-i18next";
@@ -96,7 +96,7 @@ function ScriptRow({ script, now, onChange }: ScriptRowProps) {
   );
 }
 
-/** What it did last and how that stands, and for how long it has been silent. */
+/** The last command and its state, and for how long the script has been silent. */
 function useDetails(script: ListedScript, now: number): string[] {
   const { t } = useTranslation();
   const { remote } = useServices();
@@ -115,7 +115,7 @@ function useDetails(script: ListedScript, now: number): string[] {
   ];
 }
 
-/** The relay names a language by the request's headers, or just "Script". */
+/** The relay derives the language from the request's headers, or sends "Script". */
 function useLanguageName(client: string): string {
   const { t } = useTranslation();
   return client === "" || client === "Script"

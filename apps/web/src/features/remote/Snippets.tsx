@@ -1,4 +1,7 @@
-/** Scripts in other languages and without the library. The displayed text hides the key, as a projector may show it. */
+/**
+ * Scripts in other languages and without the library. The displayed text masks the key, because a
+ * projector may show it.
+ */
 import { useId, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { CopyButton } from "../share/CopyButton.tsx";
@@ -6,7 +9,7 @@ import { maskKey, type RobotAddress } from "./robot-address.ts";
 import { snippet, snippetLanguages, type SnippetLanguage } from "./snippets.ts";
 import styles from "./remote.module.css";
 
-/** As many as a script has. */
+/** Lines of the longest script. */
 const SHOWN_LINES = 12;
 
 export function Snippets({ address }: { address: RobotAddress }) {
@@ -42,7 +45,7 @@ export function Snippets({ address }: { address: RobotAddress }) {
           onRefused={() => setRefused(true)}
         />
       </div>
-      {/* A field, not a pre: it can be scrolled and selected by keyboard in every browser. */}
+      {/* A field instead of a `pre`: every browser can scroll and select it by keyboard. */}
       <textarea
         dir="ltr"
         className={styles["code"]}

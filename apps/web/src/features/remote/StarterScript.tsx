@@ -1,4 +1,7 @@
-/** A first script in Python, to copy. The displayed text hides the key, so that a projector does not reveal it. */
+/**
+ * A first script in Python, to copy. The displayed text masks the key, because a projector may show
+ * it.
+ */
 import { Download } from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
@@ -31,7 +34,7 @@ export function StarterScript({ address }: { address: RobotAddress }) {
           onRefused={() => setRefused(true)}
         />
       </div>
-      {/* A field, not a pre: it can be scrolled and selected by keyboard in every browser. */}
+      {/* A field instead of a `pre`: every browser can scroll and select it by keyboard. */}
       <textarea
         dir="ltr"
         className={styles["code"]}
@@ -45,7 +48,7 @@ export function StarterScript({ address }: { address: RobotAddress }) {
       <p className={styles["note"]}>
         {isRefused ? t("remote.copyByHand") : t("remote.libraryNote")}
       </p>
-      {/* In a tab of its own: the robot is gone when its page is. */}
+      {/* Opens in a new tab: leaving this page ends the robot. */}
       <p className={styles["learn"]}>
         {ready && (
           <a className={styles["library"]} href="/docs" target="_blank" rel="noopener">

@@ -1,4 +1,4 @@
-/** An address for those who only look on: made when it is asked for, since most robots need none. */
+/** The watch link for viewers, created on request because most robots need none. */
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { Button } from "../../ui/Button.tsx";
@@ -46,7 +46,7 @@ export function WatchField({ session }: { session: RemoteSession }) {
   );
 }
 
-/** The button that was pressed is gone: the one in its place takes the focus over. */
+/** Moves the focus from the pressed button, which is gone, to the button in its place. */
 function focusIn(field: HTMLElement | null): void {
   field?.querySelector("button")?.focus();
 }

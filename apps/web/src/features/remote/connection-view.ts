@@ -1,7 +1,7 @@
-/** The state of the connection as the panel names it. */
+/** The state of the connection that the panel displays. */
 import type { RemoteStatus, RemoteTrouble } from "../../worker/worker-messages.ts";
 
-/** A script that was heard less long ago than this is connected; after that it is quiet. In ms. */
+/** ms since the last message of a script, after which it counts as quiet instead of connected. */
 const QUIET_AFTER_MS = 5_000;
 
 export type ConnectionView =
@@ -10,8 +10,9 @@ export type ConnectionView =
   | { kind: "lost" | "over"; reason: RemoteTrouble };
 
 /**
- * @param isRunPaused whether the robot stands still until Run is pressed: what scripts send waits, so they fall silent
- * @param now milliseconds since 1970
+ * @param isRunPaused whether the robot waits for Run: commands of scripts wait too, so that scripts
+ * fall silent
+ * @param now ms since 1970
  */
 export function viewConnection(
   status: RemoteStatus,

@@ -1,4 +1,4 @@
-/** The keys of a robot as its owner is told of them, and taking one back. */
+/** Lists and revokes the keys of a robot for its owner. */
 import { keyListSchema, readJson, type KeyList } from "@corridor/protocol";
 import { keyIdOf } from "./key-id.ts";
 import { bearer, isDone, type Ask } from "./owner-calls.ts";
@@ -9,15 +9,18 @@ const MAX_ANSWER = 4_096;
 export interface ListedKey {
   id: string;
   kind: "drive" | "watch";
-  /** ms, by the service's clock */
+  /** ms since its creation, by the service's clock */
   madeAgo: number;
-  /** null: never used */
+  /** ms since its last use, by the service's clock; null: never used */
   usedAgo: number | null;
-  /** the one in the address that the panel shows */
+  /** whether it is the key in the address that the panel displays */
   isShown: boolean;
 }
 
-/** @returns all but the owner's own, that of the address first, then the oldest; null when nobody can tell */
+/**
+ * @returns all keys but the owner's, first that of the address, then the oldest; null if
+ * unavailable
+ */
 export async function listKeys(
   ask: Ask,
   { id, ownerKey, driverKey }: Owner & { driverKey: string },
@@ -33,14 +36,14 @@ export async function listKeys(
   }
 }
 
-/** @returns whether the service did so */
+/** @returns whether the service revoked the key */
 export async function revokeKey(ask: Ask, owner: Owner, key: string): Promise<boolean> {
   return isDone(ask, owner, `/keys/${key}`, { method: "DELETE" });
 }
 
 /**
  * @param shown id of the key in the address
- * @param now by the clock that wrote the times
+ * @param now ms since 1970, by the service's clock
  */
 export function listed({ keys }: KeyList, shown: string, now: number): ListedKey[] {
   const ago = (time: string): number => Math.max(0, now - Date.parse(time));

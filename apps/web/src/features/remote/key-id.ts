@@ -1,6 +1,7 @@
 /**
- * The id of a key, by which the service lists it: the beginning of its SHA-256 as base64url. Reckoned here and not
- * by `crypto.subtle`, which a page has by HTTPS only; a class often reaches its service by plain HTTP.
+ * The id by which the service lists a key: the first characters of its SHA-256 in base64url.
+ * Computed here because `crypto.subtle` needs HTTPS, and classrooms often reach the service by
+ * plain HTTP.
  */
 
 // prettier-ignore
@@ -26,7 +27,7 @@ export function keyIdOf(key: string): string {
   for (let at = 0; at < bytes.byteLength; at += BLOCK) {
     state = mixed(state, new DataView(bytes.buffer, at, BLOCK));
   }
-  // Six letters hold 36 bits: the first two words have them all.
+  // Six characters of base64 are 36 bits, which the first two words contain.
   const first = state
     .slice(0, 2)
     .flatMap((word) => [24, 16, 8, 0].map((by) => (word >>> by) & 255));
@@ -34,7 +35,7 @@ export function keyIdOf(key: string): string {
   return base64.replaceAll("+", "-").replaceAll("/", "_").slice(0, ID_LETTERS);
 }
 
-/** Whole blocks: a 1 bit after the text, and its length in bits at the end. */
+/** The padded message: a 1 bit after the text, whole blocks, and the length in bits at the end. */
 function padded(text: Uint8Array): Uint8Array<ArrayBuffer> {
   const bytes = new Uint8Array(Math.ceil((text.length + 9) / BLOCK) * BLOCK);
   bytes.set(text);
@@ -63,7 +64,7 @@ function mixed(state: readonly number[], block: DataView): number[] {
   return [a, b, c, d, e, f, g, h].map((value, at) => (value + (state[at] ?? 0)) | 0);
 }
 
-/** A word turned right by each of these bits, all of it xored. */
+/** The XOR of a word's right rotations by each of these numbers of bits. */
 function turned(value: number, ...bits: number[]): number {
   return bits.reduce((all, by) => all ^ ((value >>> by) | (value << (32 - by))), 0);
 }

@@ -16,7 +16,7 @@ const MINUTE = 60_000;
 it("lists the keys that were given away, the address's own first, with their ages", () => {
   expect(listed({ keys }, "first1", Date.parse(at(30)))).toEqual([
     { id: "first1", kind: "drive", madeAgo: 30 * MINUTE, usedAgo: 5 * MINUTE, isShown: true },
-    // The clocks of two relays may differ a little.
+    // The clocks of two relays can differ slightly.
     { id: "paired", kind: "drive", madeAgo: 20 * MINUTE, usedAgo: 0, isShown: false },
     { id: "watch1", kind: "watch", madeAgo: 10 * MINUTE, usedAgo: null, isShown: false },
   ]);

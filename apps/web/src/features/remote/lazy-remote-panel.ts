@@ -1,4 +1,4 @@
-/** The Remote panel comes when Remote is chosen; who never drives by script never loads it. */
+/** The Remote panel loads when the user chooses Remote. */
 import { lazyPart } from "../../ui/lazy-part.tsx";
 
 export const LazyRemotePanel = lazyPart(

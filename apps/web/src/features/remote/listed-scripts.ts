@@ -1,12 +1,14 @@
-/** Which scripts the panel shows, and in an order in which no row moves away from under the pointer. */
+/**
+ * Which scripts the panel lists. Their order is stable, so that no row moves away from the pointer.
+ */
 import type { ListedScript } from "../../worker/worker-messages.ts";
 
-/** One without a line is forgotten once it was silent for so long. In ms. */
+/** ms of silence after which a script without a connection is no longer listed. */
 const SHOWN_MS = 120_000;
-/** A script that was heard less long ago than this is there; after that it is quiet. In ms. */
+/** ms of silence after which a script counts as quiet. */
 const QUIET_AFTER_MS = 5_000;
 
-/** @param now milliseconds since 1970 */
+/** @param now ms since 1970 */
 export function shownScripts(scripts: readonly ListedScript[], now: number): ListedScript[] {
   return scripts
     .filter(
@@ -16,7 +18,10 @@ export function shownScripts(scripts: readonly ListedScript[], now: number): Lis
     .toSorted((a, b) => order(a.name ?? a.client, b.name ?? b.client) || order(a.id, b.id));
 }
 
-/** Whole seconds for which a script has been quiet; 0 while it is heard. */
+/**
+ * Whole seconds for which a script has been quiet; 0 while it is connected, blocked or recently
+ * active.
+ */
 export function quietSeconds(
   { isBlocked, connections, seenAt }: ListedScript,
   now: number,

@@ -1,5 +1,7 @@
-/** What the owner of a robot asks of the service: how long the robot has left, new keys, and which
- * scripts may drive. */
+/**
+ * Requests of a robot's owner to the service: remaining lifetime, new keys, and permissions of
+ * scripts.
+ */
 import {
   createdKeySchema,
   readJson,
@@ -12,13 +14,13 @@ import { keyIdOf } from "./key-id.ts";
 
 const MAX_ANSWER = 4_096;
 
-/** fetch, as far as it is needed */
+/** The part of `fetch` that is used here. */
 export type Ask = (
   url: string,
   init: { method?: string; headers: Record<string, string>; body?: string },
 ) => Promise<Response>;
 
-/** @returns seconds until the robot is forgotten; null when nobody can tell */
+/** @returns seconds until the service deletes the robot; null if unavailable */
 export async function secondsLeft(
   ask: Ask,
   { id, ownerKey }: Pick<RemoteSession, "id" | "ownerKey">,
@@ -34,29 +36,29 @@ export async function secondsLeft(
 }
 
 /**
- * Makes a new key for the address; who has the old one is cut off by the service, and scripts with keys of their
- * own go on.
- * @returns the session with the new address; null when the service made none
+ * Creates a new key for the address. The service disconnects scripts that use the old key; scripts
+ * with their own keys continue.
+ * @returns the session with the new address; null if the service created none
  */
 export async function withNewKey(ask: Ask, session: RemoteSession): Promise<RemoteSession | null> {
   const wish: KeyRequest = { kind: "drive", replace: keyIdOf(session.driverKey) };
   let answer = await makeKey(ask, session, wish);
-  // The old one is gone already: the answer to an earlier wish may have been lost.
+  // The old key no longer exists: the response to an earlier request may have been lost.
   if (answer.status === 409) answer = await makeKey(ask, session, { kind: "drive" });
   const { made } = answer;
   return made === null ? null : { ...session, driverKey: made.key, address: made.address };
 }
 
 /**
- * Makes a key for whoever only looks on; an earlier one ends.
- * @returns the address with it; null when the service made none
+ * Creates a watch key for viewers, which replaces an earlier one.
+ * @returns the address with the key; null if the service created none
  */
 export async function watchAddress(ask: Ask, session: RemoteSession): Promise<string | null> {
   const { made } = await makeKey(ask, session, { kind: "watch", replace: true });
   return made?.address ?? null;
 }
 
-/** Sends a script away, until it is let back. @returns whether the service did so */
+/** Blocks a script until it is unblocked. @returns whether the service did so */
 export async function sendAway(
   ask: Ask,
   session: RemoteSession,
@@ -68,12 +70,12 @@ export async function sendAway(
   });
 }
 
-/** @param script id @returns whether the service did so */
+/** Unblocks a script. @param script its id @returns whether the service did so */
 export async function letBack(ask: Ask, session: RemoteSession, script: string): Promise<boolean> {
   return isDone(ask, session, `/blocked/${script}`, { method: "DELETE" });
 }
 
-/** Pauses remote driving, or lets scripts drive again. @returns whether the service did so */
+/** Pauses all scripts, or resumes them. @returns whether the service did so */
 export async function pauseDriving(
   ask: Ask,
   session: RemoteSession,
@@ -82,7 +84,7 @@ export async function pauseDriving(
   return isDone(ask, session, "/pause", { method: isPaused ? "PUT" : "DELETE" });
 }
 
-/** @returns whether the service did what was asked of it */
+/** @returns whether the service accepted the request */
 export async function isDone(
   ask: Ask,
   { id, ownerKey }: Pick<RemoteSession, "id" | "ownerKey">,
@@ -97,7 +99,7 @@ export async function isDone(
   }
 }
 
-/** @returns the status too: that of a service that does not answer is null */
+/** @returns the key, and the status: null if the service does not respond */
 async function makeKey(
   ask: Ask,
   { id, ownerKey }: RemoteSession,

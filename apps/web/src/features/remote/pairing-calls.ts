@@ -1,4 +1,4 @@
-/** What the owner of a robot asks of the service about its pairing code. */
+/** Requests of a robot's owner to the service about the pairing code. */
 import {
   createdPairingSchema,
   pairingSchema,
@@ -14,7 +14,7 @@ export type Owner = Pick<RemoteSession, "id" | "ownerKey">;
 
 const MAX_ANSWER = 4_096;
 
-/** @returns the code; null when the service made none */
+/** @returns the code; null if the service created none */
 export async function makeCode(ask: Ask, owner: Owner): Promise<CreatedPairing | null> {
   try {
     const answer = await ask(url(owner), { method: "POST", headers: bearer(owner.ownerKey) });
@@ -26,8 +26,8 @@ export async function makeCode(ask: Ask, owner: Owner): Promise<CreatedPairing |
 }
 
 /**
- * How it stands with the code. Waits for so many seconds for a script that asks.
- * @returns null when nobody can tell at the moment; "gone" when there is no such robot
+ * The state of the pairing. Waits up to `seconds` for a script that uses the code.
+ * @returns null if the state is unavailable; "gone" if the robot does not exist
  */
 export async function lookAtPairing(
   ask: Ask,
@@ -44,7 +44,7 @@ export async function lookAtPairing(
   }
 }
 
-/** Says yes or no. @returns how that went; over: nobody asks any more */
+/** Accepts or declines a script. @returns the outcome; over: the question has expired */
 export async function replyToPairing(
   ask: Ask,
   owner: Owner,
@@ -67,7 +67,7 @@ export async function replyToPairing(
   }
 }
 
-/** @returns whether the service did so */
+/** @returns whether the service deleted the code */
 export async function takeBackCode(ask: Ask, owner: Owner): Promise<boolean> {
   return isDone(ask, owner, "/pairing", { method: "DELETE" });
 }

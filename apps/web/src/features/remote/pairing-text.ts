@@ -1,6 +1,6 @@
-/** A pairing code and its time, as they are read from a screen. */
+/** A pairing code and its remaining time, as text. */
 
-/** "BCDF GHJK": two groups are typed without losing the place. */
+/** "BCDF GHJK": two groups are easier to type. */
 export function groupedCode(code: string): string {
   const half = Math.ceil(code.length / 2);
   return `${code.slice(0, half)} ${code.slice(half)}`;

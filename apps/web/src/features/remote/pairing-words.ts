@@ -1,4 +1,4 @@
-/** What is said of a pairing: who asks, and what came of it. */
+/** The texts of a pairing: which script asks, and the outcome. */
 import type { TFunction } from "i18next";
 import type { PairingQuestion, PairingView } from "./robot-pairing.ts";
 
@@ -7,7 +7,7 @@ export function questionText(t: TFunction, question: PairingQuestion): string {
   return t("remote.pair.asks", { script: scriptText(t, question) });
 }
 
-/** What came of it, in a sentence; empty while there is nothing to say. */
+/** The outcome in a sentence; empty while there is none. */
 export function newsText(t: TFunction, view: PairingView): string {
   if (view.trouble === "tooManyKeys") return t("remote.pair.tooManyKeys");
   if (view.trouble === "failed") return t("remote.watchFailed");

@@ -1,13 +1,14 @@
-/** Which commands the first view of the Remote panel lists. */
+/** The commands that the first view of the Remote panel lists. */
 import type { ListedCommand } from "../../worker/worker-messages.ts";
 
-/** Commands that have ended and are listed below the running one. */
+/** Maximum number of listed commands that have ended. */
 const RECENT = 5;
 
 /**
  * @param commands newest first
- * @param selected number of a command that is selected on the timeline; null: none
- * @returns the running command, the last five that ended and the selected one, newest first, and how many wait
+ * @param selected number of the command that is selected on the timeline; null: none
+ * @returns the running command, the last five that ended and the selected one, newest first, and
+ * the number of queued commands
  */
 export function recentCommands(
   commands: readonly ListedCommand[],

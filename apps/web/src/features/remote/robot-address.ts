@@ -1,20 +1,20 @@
-/** The parts of a robot's address, `https://HOST/r/ID#KEY`, and the key as it may be seen by others. */
+/** The parts of a robot's address, `https://HOST/r/ID#KEY`, and a masked key. */
 import type { RemoteSession } from "../../worker/worker-messages.ts";
 
 export interface RobotAddress {
-  /** with the key: all that a script needs */
+  /** the address with the key, which is all that a script needs */
   full: string;
-  /** what the page displays: the URL without its key */
+  /** the displayed address, without the key */
   shown: string;
-  /** where the robot's REST calls begin */
+  /** base URL of the robot's REST API */
   api: string;
   key: string;
 }
 
-/** How much of a key may be seen, so that two can be told apart. */
+/** Number of displayed characters of a key, so that two keys can be distinguished. */
 const SHOWN_KEY_LENGTH = 4;
 
-/** @returns null for an address that is not a URL */
+/** @returns null if the address is not a URL */
 export function robotAddress({ id, address, driverKey }: RemoteSession): RobotAddress | null {
   const url = URL.parse(address);
   if (url === null) return null;
@@ -26,7 +26,7 @@ export function robotAddress({ id, address, driverKey }: RemoteSession): RobotAd
   };
 }
 
-/** The key with all but its last four characters hidden; a short key is hidden altogether. */
+/** The key with all but its last four characters masked. A short key is masked entirely. */
 export function maskKey(key: string): string {
   const tail = key.length >= 3 * SHOWN_KEY_LENGTH ? key.slice(-SHOWN_KEY_LENGTH) : "••••";
   return `•••• •••• ${tail}`;

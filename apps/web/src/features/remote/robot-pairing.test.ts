@@ -9,7 +9,7 @@ const made = { code: "BCDFGHJK", endsInSeconds: 600 };
 const shown = (state: string, asks: unknown = null) =>
   Response.json({ state, question: asks, endsInSeconds: 500 });
 
-/** A page's pairing with a service whose answers the test gives one by one. */
+/** The pairing of a page with a service whose responses the test gives one by one. */
 function withService() {
   const asked: string[] = [];
   const waiting: ((answer: Response | Error) => void)[] = [];

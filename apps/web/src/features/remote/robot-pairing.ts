@@ -1,6 +1,6 @@
 /**
- * The pairing code of one robot as its page shows it. It goes on while the panel is closed: the code is shown
- * once by the service, and a script may ask meanwhile.
+ * The pairing code of one robot. It continues while the panel is closed: the service returns a code
+ * only once, and a script may use it meanwhile.
  */
 import type { Pairing } from "@corridor/protocol";
 import { createStore, type StoreApi } from "zustand/vanilla";
@@ -13,7 +13,7 @@ import {
   type Owner,
 } from "./pairing-calls.ts";
 
-/** Below the 25 s that the service allows. */
+/** Seconds, below the 25 s that the service allows. */
 const WAIT_SECONDS = 20;
 const RETRY_MS = 2_000;
 
@@ -28,9 +28,9 @@ export type PairingView = { trouble: "failed" | "tooManyKeys" | null } & (
 
 export interface PairingState {
   view: PairingView;
-  /** where the Remote panel asks, while it is open */
+  /** the element of the Remote panel that displays the question, while the panel is open */
   field: Element | null;
-  /** whether all of that is on the screen: a panel scrolls, or lies below the stage */
+  /** whether that element is in view: a panel scrolls, or lies below the stage */
   isInSight: boolean;
 }
 
@@ -38,16 +38,16 @@ export interface PairingParts {
   owner: Owner;
   ask: Ask;
   now: () => number;
-  /** does something after so many ms */
+  /** calls `work` after a delay */
   later: (work: () => void, milliseconds: number) => void;
 }
 
 export class RobotPairing {
   readonly store: StoreApi<PairingState>;
   readonly #parts: PairingParts;
-  /** what was begun last: answers to anything earlier say nothing any more */
+  /** number of the newest operation: responses to earlier ones are ignored */
   #turn = 0;
-  /** nothing that was begun waits for its first answer */
+  /** whether no operation waits for its first response */
   #isIdle = true;
 
   constructor(parts: PairingParts) {
@@ -59,7 +59,7 @@ export class RobotPairing {
     }));
   }
 
-  /** Shows a new code, and waits for a script that asks by it. */
+  /** Creates a code, and waits for a script that uses it. */
   async open(): Promise<void> {
     const turn = this.#begin();
     const made = await makeCode(this.#parts.ask, this.#parts.owner);
@@ -70,11 +70,11 @@ export class RobotPairing {
   }
 
   /**
-   * Finds a question that came before this page was loaded anew, or waits for it: the code that was shown
-   * then still counts, though the page knows it no more.
+   * After a reload, finds a pending question or waits for one. The earlier code is still valid,
+   * though the page no longer knows it.
    */
   async resume(): Promise<void> {
-    // What its owner has begun meanwhile goes on.
+    // An operation that the owner has started continues.
     if (!this.#isIdle || this.store.getState().view.kind !== "none") return;
     const turn = this.#begin();
     const found = await lookAtPairing(this.#parts.ask, this.#parts.owner, 0);
@@ -85,7 +85,7 @@ export class RobotPairing {
     if (found.state === "open") await this.#follow(this.#begin(), this.#endOf(found));
   }
 
-  /** Takes an open code back, or says no to the script that asks. */
+  /** Deletes an open code, or declines the script that asks. */
   async decline(): Promise<void> {
     const { view } = this.store.getState();
     if (view.kind === "asked") return this.#reply(view.question, false);
@@ -96,13 +96,13 @@ export class RobotPairing {
     else this.#trouble("failed");
   }
 
-  /** Lets the script that asks drive. */
+  /** Accepts the script that asks. */
   async accept(): Promise<void> {
     const { view } = this.store.getState();
     if (view.kind === "asked") await this.#reply(view.question, true);
   }
 
-  /** Nobody looks any more. */
+  /** Ends the pairing: responses to earlier operations are ignored. */
   close(): void {
     this.#begin();
   }
@@ -154,7 +154,7 @@ export class RobotPairing {
     const { view } = this.store.getState();
     this.#isIdle = true;
     this.store.setState({ view: { ...view, trouble } });
-    // What was cut short by the try goes on.
+    // The failed operation interrupted the wait for a script, which continues here.
     if (view.kind === "open") void this.#follow(this.#turn, view.endsAt);
   }
 
@@ -172,7 +172,10 @@ type PairingShown = PairingView extends infer View
 
 let newest: { id: string; pairing: RobotPairing } | null = null;
 
-/** The pairing of a robot, the same each time. A page has one robot; that of an earlier one ends. */
+/**
+ * The pairing of a robot, the same object on each call. A page has one robot: the pairing of an
+ * earlier robot ends.
+ */
 export function pairingOf(owner: Owner): RobotPairing {
   if (newest?.id === owner.id) return newest.pairing;
   newest?.pairing.close();

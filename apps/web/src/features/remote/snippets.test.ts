@@ -1,4 +1,4 @@
-/** The scripts are run as a user would run them, against a small robot that answers over HTTP. */
+/** Runs the scripts as a user would, against a small robot that responds over HTTP. */
 import { spawn, spawnSync } from "node:child_process";
 import { once } from "node:events";
 import { mkdtemp, rm, writeFile } from "node:fs/promises";
@@ -10,7 +10,7 @@ import { describe, expect, it, onTestFinished } from "vitest";
 import { snippet, snippetLanguages, starterLines, starterScript } from "./snippets.ts";
 
 const KEY = "d_test-key";
-/** Java says the same in wider lines. */
+/** Maximum columns of a line; Java needs wider ones. */
 const widest = { python: 92, javascript: 92, java: 126, curl: 92 };
 
 const programs = {
@@ -27,7 +27,9 @@ const isMissing = {
   curl: spawnSync("curl", ["--version"]).status !== 0,
 };
 
-/** How a robot answers a command, and then the request for its record. */
+/**
+ * How a robot responds to a command and to the request for its record, and what the script prints.
+ */
 const endings = [
   { name: "was done", record: { state: "completed", reason: null }, prints: "completed" },
   {
@@ -38,7 +40,7 @@ const endings = [
   { name: "was refused", detail: "The owner has paused.", prints: "The owner has paused." },
 ];
 
-/** @returns where its calls begin, and what was requested */
+/** @returns the base URL of the robot's API, and the requests that it receives */
 async function startRobot({ record, detail }: (typeof endings)[number]) {
   const requests: string[] = [];
   const server = createServer((request, response) => {

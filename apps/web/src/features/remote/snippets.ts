@@ -1,12 +1,12 @@
 /**
- * Scripts to copy. The starter script uses the library, `corridor.py`. The others need nothing to be installed:
- * they send one command, and print how it ended or why the robot did not do it.
+ * Scripts to copy. The starter script uses the library, `corridor.py`. The others need no
+ * installation: they send one command, and print its final state or why the robot rejected it.
  */
 
-/** Lines of the starter script. */
+/** Number of lines of the starter script. */
 export const starterLines = 6;
 
-/** @param address the robot's address with its key, or with a mask where it is only displayed */
+/** @param address the robot's address with its key, or with a masked key to display */
 export function starterScript(address: string): string {
   return `from corridor import Robot
 robot = Robot("${address}")
@@ -21,8 +21,8 @@ export const snippetLanguages = ["javascript", "java", "curl", "python"] as cons
 export type SnippetLanguage = (typeof snippetLanguages)[number];
 
 /**
- * @param api where the robot's REST calls begin, without a slash at the end
- * @param key the driver key, or a mask where it is only shown
+ * @param api base URL of the robot's REST API, without a trailing slash
+ * @param key the driver key, or a mask to display
  */
 export function snippet(language: SnippetLanguage, api: string, key: string): string {
   const texts = { python, javascript, java, curl };

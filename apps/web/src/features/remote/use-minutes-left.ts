@@ -1,11 +1,11 @@
-/** How long a robot's address is good for, asked of the service now and then. */
+/** The remaining lifetime of a robot's address, requested from the service periodically. */
 import { useEffect, useState } from "react";
 import type { RemoteSession } from "../../worker/worker-messages.ts";
 import { secondsLeft } from "./owner-calls.ts";
 
 const ASK_EVERY_MS = 60_000;
 
-/** Whole minutes; null while nobody can tell. */
+/** Whole minutes; null while the time is unavailable. */
 export function useMinutesLeft(session: RemoteSession): number | null {
   const [minutes, setMinutes] = useState<number | null>(null);
   const { id, ownerKey } = session;

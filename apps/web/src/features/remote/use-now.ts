@@ -1,9 +1,9 @@
-/** The time for words such as "heard 0.3 s ago". */
+/** The current time, for texts such as "0.3 s ago". */
 import { useEffect, useState } from "react";
 
 const TICK_MS = 200;
 
-/** Milliseconds since 1970, renewed five times a second while `isRunning`. */
+/** ms since 1970, updated five times a second while `isRunning`. */
 export function useNow(isRunning: boolean): number {
   const [now, setNow] = useState(() => Date.now());
   useEffect(() => {

@@ -1,9 +1,12 @@
-/** The command of a script at the moment that the timeline shows. */
+/** The command of a script at the displayed tick. */
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { useShownMoment } from "../timeline/use-shown-moment.ts";
 
-/** @returns its number at the relay; null while the newest moment is shown, and where a script waits */
+/**
+ * @returns its number at the relay; null while the newest tick is displayed, or if no command runs
+ * at the displayed one
+ */
 export function useSelectedCommand(): number | null {
   const { run } = useServices();
   const isNow = useStore(run, ({ view }) => view === "now");

@@ -1,7 +1,7 @@
-/** Whole seconds until a moment, counted down once a second. */
+/** Whole seconds until a time, updated once a second. */
 import { useEffect, useState } from "react";
 
-/** @param endsAt by `performance.now()` */
+/** @param endsAt ms by `performance.now()` */
 export function useTimeLeft(endsAt: number): number {
   const [left, setLeft] = useState(() => secondsUntil(endsAt));
   useEffect(() => {

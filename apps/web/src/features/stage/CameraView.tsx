@@ -1,6 +1,6 @@
 /**
- * What stands over the stage while a phone's Drive tab is open: a button for the whole maze or back to the
- * robot and, where the camera shows a part only, the whole maze in small.
+ * The controls over the stage while the Drive tab of a phone is open: a button that switches
+ * between the whole maze and the robot, and a small map while the camera shows only a part.
  */
 import { LocateFixed, Scan } from "lucide-react";
 import { useTranslation } from "react-i18next";
@@ -19,7 +19,7 @@ export function CameraView({ view }: { view: StageViewStore }) {
   const { camera } = useServices();
   const isWhole = useStore(camera, (state) => state.isWhole);
   const follows = useStore(view, ({ layout }) => layout?.follows === true);
-  // A maze that fits at the robot's scale is always whole.
+  // A maze that fits at the robot's scale is always displayed whole.
   if (!isWhole && !follows) return null;
   const Icon = isWhole ? LocateFixed : Scan;
   return (

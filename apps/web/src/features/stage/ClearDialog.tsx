@@ -1,4 +1,4 @@
-/** Clear maze, the one edit that asks first. */
+/** Clear maze, the only edit that asks for confirmation. */
 import { clearBlocks } from "@corridor/maze";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";

@@ -1,4 +1,4 @@
-/** The whole screen for the maze and its program, where the browser offers it. */
+/** Full screen for the maze and its program, where the browser supports it. */
 import { Maximize, Minimize } from "lucide-react";
 import { useSyncExternalStore } from "react";
 import { useTranslation } from "react-i18next";
@@ -15,7 +15,7 @@ export function FullScreenButton() {
 
   function toggle(): void {
     const done = isFull ? document.exitFullscreen() : document.documentElement.requestFullscreen();
-    // A browser may still refuse, by its owner's settings.
+    // The browser can reject the request, depending on its settings.
     done.catch(() => showMessage(screen, { tone: "info", text: t("stage.fullScreenRefused") }));
   }
 

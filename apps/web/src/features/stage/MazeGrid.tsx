@@ -1,7 +1,7 @@
 /**
- * The maze as a grid for the keyboard and for screen readers, lying invisibly over its picture; the
- * pointer is taken here too. Only the squares around the cursor exist in the page: a maze may have
- * 65,536 of them.
+ * The maze as an ARIA grid for keyboard and screen readers, which lies invisibly over the drawn
+ * maze. It also receives pointer events. Only the squares around the cursor are in the DOM, because
+ * a maze can have 65,536 squares.
  */
 import { sizeOf, type Cell } from "@corridor/maze";
 import { useId, type KeyboardEvent, type RefObject } from "react";
@@ -30,7 +30,7 @@ export function MazeGrid({ controller, element }: MazeGridProps) {
   const { workspace, screen, speech, run } = useServices();
   const { t, i18n } = useTranslation();
   const newestMaze = useStore(workspace, (state) => state.maze);
-  // The robot of an earlier moment stands in the maze of then.
+  // At a past tick the robot stands in the maze of that tick.
   const maze = useStore(run, (state) => state.pastMaze) ?? newestMaze;
   const layout = useStore(controller.view, (view) => view.layout);
   const chosen = useStore(controller.view, (view) => view.cursor);
@@ -45,7 +45,7 @@ export function MazeGrid({ controller, element }: MazeGridProps) {
     cellLabel(t, maze, cell, robotFacingOn(at, cell));
   const robotNow = () => robotSquare(run.getState());
 
-  // What a tape measures is told when it lies still, not at each square on its way.
+  // Screen readers announce the start of a tape and its final length, not each square between them.
   const tapeNews =
     tape === null
       ? null
@@ -76,7 +76,7 @@ export function MazeGrid({ controller, element }: MazeGridProps) {
     const next = moveCursor(cursor, event, size);
     if (next === null) return;
     event.preventDefault();
-    // The square must exist before it can have the focus.
+    // The square must be in the DOM before it can receive the focus.
     flushSync(() => controller.view.setState({ cursor: next }));
     if (isMeasuring) controller.measure.aim(next);
     element.current?.querySelector<HTMLElement>('[tabindex="0"]')?.focus();
@@ -128,7 +128,10 @@ export function MazeGrid({ controller, element }: MazeGridProps) {
   );
 }
 
-/** The way that the robot faces if it is on this square. @param robot "column,row,facing" or "" */
+/**
+ * The direction that the robot faces if it stands on this square.
+ * @param robot "column,row,facing" or ""
+ */
 function robotFacingOn(robot: string, cell: Cell): Facing | null {
   const [column, row, facing] = robot.split(",");
   const isHere = Number(column) === cell.column && Number(row) === cell.row && robot !== "";

@@ -49,7 +49,7 @@ interface SizeFormProps {
   onDone: (columns: number, rows: number) => void;
 }
 
-/** Lives only while the dialog is open, so it begins with the size that the maze has then. */
+/** Mounted only while the dialog is open, so that the form starts with the current size. */
 function SizeForm({ before, onDone }: SizeFormProps) {
   const { t } = useTranslation();
   const [columns, setColumns] = useState(String(before.columns));
@@ -83,7 +83,7 @@ interface SideFieldProps {
   onChange: (text: string) => void;
 }
 
-/** Keeps what was typed when it is left: nothing is resized before the button is pressed. */
+/** Retains the typed text on blur: only the button resizes the maze. */
 function SideField({ label, text, onChange }: SideFieldProps) {
   const { t } = useTranslation();
   const id = useId();
@@ -103,7 +103,7 @@ function SideField({ label, text, onChange }: SideFieldProps) {
   );
 }
 
-/** Columns or rows as typed; null where a maze cannot have so many. */
+/** Columns or rows as typed; null if a maze cannot have that many. */
 function readSide(text: string): number | null {
   return readNumber(text, { min: 1, max: MAX_SIDE, whole: true });
 }

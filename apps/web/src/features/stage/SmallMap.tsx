@@ -1,7 +1,8 @@
 /**
- * The whole maze in small, with the robot in it and a frame around the part that shows: drawn when the maze
- * changes; the robot is moved on it as often as the panel is told of it. A picture for the eye: the grid
- * tells all of it. Where the stage is scrolled, a press on the map brings that part into view.
+ * The whole maze in small, with the robot and a frame around the visible part. The maze is drawn
+ * when it changes; the robot moves with each snapshot of the run store. Hidden from screen readers,
+ * because the grid contains the same information. Where the stage scrolls, a press on the map
+ * scrolls to that part.
  */
 import { sizeOf } from "@corridor/maze";
 import { useEffect, useRef, type PointerEvent } from "react";
@@ -21,15 +22,15 @@ import styles from "./camera-view.module.css";
 import { hasMapRoom, mapSide } from "./map-side.ts";
 import type { StageViewStore } from "./stage-view.ts";
 
-/** The picture's longer side, in CSS pixels. */
+/** Longer side of the map, in CSS pixels. */
 const LONGEST_PX = 96;
 const ROBOT_PX = 12;
-/** Around the picture: padding and border, on both sides together. */
+/** Padding and border of both sides together, in CSS pixels. */
 const FRAME_PX = 10;
 
 interface SmallMapProps {
   view: StageViewStore;
-  /** scrolls the stage; none where a camera goes with the robot */
+  /** scrolls the stage; undefined while a camera follows the robot */
   onScroll?: (scroll: Scroll) => void;
 }
 
@@ -90,7 +91,7 @@ export function SmallMap({ view, onScroll }: SmallMapProps) {
   );
 }
 
-/** A frame around the part of the maze that the stage shows. */
+/** A frame around the visible part of the maze. */
 function VisiblePart({ view, scale }: { view: StageViewStore; scale: number }) {
   const layout = useStore(view, (state) => state.layout);
   const scroll = useStore(view, (state) => state.scroll);
@@ -111,7 +112,7 @@ function VisiblePart({ view, scale }: { view: StageViewStore; scale: number }) {
   );
 }
 
-/** The lower corner that the robot is not in. */
+/** The lower corner of the stage that does not contain the robot. */
 function useSide(view: StageViewStore, map: { width: number; height: number }) {
   const { run } = useServices();
   const layout = useStore(view, (state) => state.layout);

@@ -1,4 +1,4 @@
-/** The maze with the robot, the tools that change it, and what its measures mean. */
+/** The maze with the robot, the tools that edit it, and the legend. */
 import { useEffect, useLayoutEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -11,13 +11,16 @@ import { StageLegend } from "./StageLegend.tsx";
 import { ToolStrip } from "./ToolStrip.tsx";
 import styles from "./stage.module.css";
 
-/** A phone's, while its Drive tab is open. */
+/** For a phone while its Drive tab is open. */
 const CameraView = lazyPart(async () => (await import("./CameraView.tsx")).CameraView);
 
 /** For a maze that is larger than the stage. */
 const SmallMap = lazyPart(async () => (await import("./SmallMap.tsx")).SmallMap);
 
-/** Fills its grid area. It keeps the trail, so it stays mounted while the page's layout changes. */
+/**
+ * Fills its grid area. The stage holds the trail, so that it stays mounted while the page's layout
+ * changes.
+ */
 export function Stage() {
   const services = useServices();
   const { t, i18n } = useTranslation();

@@ -1,4 +1,4 @@
-/** Below the maze: the scale, and where the robot is. */
+/** Below the maze: the scale, and the position of the robot. */
 import { useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -14,7 +14,7 @@ import type { StageViewStore } from "./stage-view.ts";
 import { scaleBar } from "./scale-bar.ts";
 import styles from "./stage.module.css";
 
-/** Wanted at once where the maze is larger than the stage; the keys for zooming work without it. */
+/** Loads at once if the maze is larger than the stage. The keys for zooming work without it. */
 const ZoomButtons = deferredPart(async () => (await import("./ZoomButtons.tsx")).ZoomButtons);
 
 export function StageLegend({ view }: { view: StageViewStore }) {
@@ -37,7 +37,9 @@ export function StageLegend({ view }: { view: StageViewStore }) {
   );
 }
 
-/** Said when it is read, not each time it changes: the panel's bumps and goals are news, this is not. */
+/**
+ * Screen readers can read the position, but do not announce its changes, unlike bumps and goals.
+ */
 function RobotPlace() {
   const { run } = useServices();
   const { t } = useTranslation();

@@ -1,4 +1,4 @@
-/** Above the maze: what a press on a square does, and what is done to the whole maze. */
+/** Above the maze: the tools that edit squares, and the commands for the whole maze. */
 import { Eraser, Flag, Grid2x2Plus, LocateFixed, Redo2, Ruler, Scaling, Undo2 } from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
@@ -67,7 +67,7 @@ export function ToolStrip() {
   );
 }
 
-/** A challenge may keep the maze as it is: then there is nothing to clear or resize. */
+/** Not rendered while a challenge fixes the maze. */
 function WholeMaze({ onClear, onResize }: { onClear: () => void; onResize: () => void }) {
   const { t } = useTranslation();
   return (

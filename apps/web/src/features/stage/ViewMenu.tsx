@@ -1,4 +1,7 @@
-/** What the stage shows besides maze and robot, and the figures that its measures rest on. */
+/**
+ * The View menu: what the stage displays besides maze and robot, and the figures behind its
+ * measures.
+ */
 import { ChevronDown, Eye } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { Button } from "../../ui/Button.tsx";

@@ -1,4 +1,4 @@
-/** What the View menu holds. */
+/** The content of the View menu. */
 import { Eraser, MessageSquareText, Redo2, Scaling, Undo2 } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -19,7 +19,10 @@ export interface ViewMenuProps {
   onResize: () => void;
 }
 
-/** What a phone has no room for in the strip or the legend stands here. Rulers have none either. */
+/**
+ * Includes the commands for which a phone has no room in the strip or the legend. A phone has no
+ * rulers.
+ */
 export function ViewMenuContent({ onClear, onResize }: ViewMenuProps) {
   const services = useServices();
   const { screen } = services;

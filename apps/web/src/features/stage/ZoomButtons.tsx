@@ -1,4 +1,4 @@
-/** Zoom out, the whole maze, zoom in: below the maze, and in the View menu where the stage is small. */
+/** Zoom out, whole maze, zoom in: below the maze, or in the View menu where the stage is small. */
 import { Scan, ZoomIn, ZoomOut } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";

@@ -1,4 +1,4 @@
-/** What a screen reader says of a square: "row 3, column 7, open, robot here, facing up". */
+/** The label of a square for screen readers: "row 3, column 7, open, robot here, facing up". */
 import { isBlock, type Cell, type HeadingName, type MazeDocument } from "@corridor/maze";
 import type { TFunction } from "i18next";
 import { joinList } from "../../text/joined.ts";
@@ -11,7 +11,7 @@ const startFacing: Record<HeadingName, Facing> = {
   west: "left",
 };
 
-/** @param robotFacing the way the robot faces if it stands on this square, else null */
+/** @param robotFacing the direction that the robot faces if it stands on this square, else null */
 export function cellLabel(
   t: TFunction,
   maze: MazeDocument,

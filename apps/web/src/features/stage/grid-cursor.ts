@@ -1,10 +1,10 @@
-/** Where the keyboard goes in the grid of squares. Pure. */
+/** Moves the keyboard's cursor in the grid of squares. Pure. */
 import type { Cell } from "@corridor/maze";
 
-/** Rows that Page Up and Page Down pass over. */
+/** Rows by which Page Up and Page Down move. */
 const PAGE = 10;
 
-/** As much of a KeyboardEvent as is needed here. */
+/** The part of KeyboardEvent that is used here. */
 interface KeyFacts {
   key: string;
   ctrlKey: boolean;
@@ -17,15 +17,15 @@ interface Size {
   rows: number;
 }
 
-/** The cell itself, or the nearest one inside a maze that has become smaller. */
+/** The cell, or the nearest cell inside a maze that has shrunk. */
 export function clampCell({ column, row }: Cell, { columns, rows }: Size): Cell {
   const clamp = (value: number, count: number) => Math.min(count - 1, Math.max(0, value));
   return { column: clamp(column, columns), row: clamp(row, rows) };
 }
 
 /**
- * The cell that a key leads to; the same one at an edge.
- * @returns null for keys that do not move
+ * The cell to which a key moves; the same cell at an edge.
+ * @returns null for keys that do not move the cursor
  */
 export function moveCursor(cell: Cell, key: KeyFacts, size: Size): Cell | null {
   if (key.altKey) return null;
@@ -56,12 +56,14 @@ export function moveCursor(cell: Cell, key: KeyFacts, size: Size): Cell | null {
   }
 }
 
-/** Whether a cell is the cursor's or next to it, so that it exists in the page. */
+/** Whether a cell is the cursor's or next to it, so that it is in the DOM. */
 export function isAround(cursor: Cell, { column, row }: Cell): boolean {
   return Math.abs(column - cursor.column) <= 1 && Math.abs(row - cursor.row) <= 1;
 }
 
-/** Indices from `at - 1` to `at + 1` inside `0..count - 1`: what exists in the page around the cursor. */
+/**
+ * Indices from `at - 1` to `at + 1` inside `0..count - 1`, which are in the DOM around the cursor.
+ */
 export function around(at: number, count: number): number[] {
   return [at - 1, at, at + 1].filter((index) => index >= 0 && index < count);
 }

@@ -1,11 +1,14 @@
-/** Where the invisible grid lies over the drawn maze, and which part of it takes the pointer. Pure. */
+/**
+ * The position of the invisible grid over the drawn maze, and the part that receives the pointer.
+ * Pure.
+ */
 import type { Pose } from "@corridor/protocol";
 import type { Camera } from "../../canvas/camera.ts";
 import type { Layout } from "../../canvas/viewport.ts";
 
 /**
- * Pixels by which the grid is moved from its place in the content. Scrolling moves it by itself; a camera,
- * which only the painter knows of, does not.
+ * Pixels by which the grid is moved from its position in the content. The browser moves it when the
+ * user scrolls, but not when the camera moves.
  * @param pixelRatio device pixels per CSS pixel
  */
 export function gridOffset(
@@ -20,7 +23,7 @@ export function gridOffset(
   return { x: -x, y: -y };
 }
 
-/** Whether a pixel of the view belongs to the part in which the maze may show. */
+/** Whether a pixel of the view is inside the part that displays the maze. */
 export function isInPort({ port }: Layout, x: number, y: number): boolean {
   return x >= port.x && y >= port.y && x < port.x + port.width && y < port.y + port.height;
 }

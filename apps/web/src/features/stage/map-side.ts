@@ -1,11 +1,11 @@
 /**
- * Where the small map stands: in the lower left corner of the stage, unless the robot or a reading beside
- * it would stand under it there. Pure; CSS pixels of the view.
+ * The position of the small map: the lower left corner of the stage, unless the map would cover the
+ * robot or a reading beside it. Pure; CSS pixels of the view.
  */
 
-/** From the robot's centre to the far end of a reading beyond the wall beside it. */
+/** Distance from the robot's centre to the far end of a reading outside the wall beside it. */
 const REACH_PX = 62;
-/** Between the map and the stage's edges. */
+/** Distance between the map and the edges of the stage. */
 const EDGE_PX = 8;
 
 interface Size {
@@ -13,7 +13,7 @@ interface Size {
   height: number;
 }
 
-/** Whether the map stays inside of the stage: a low one would have it over the tools above. */
+/** Whether the map fits into the stage; in a low stage it would cover the tools above. */
 export function hasMapRoom(view: Size, map: Size): boolean {
   return map.height + EDGE_PX <= view.height;
 }

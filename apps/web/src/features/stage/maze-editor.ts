@@ -1,7 +1,7 @@
 /**
- * Carries the pointer's and the keyboard's intents into the workspace. One stroke, however many
- * cells it paints, is one step of undo; each reason for a refusal is told once, when the stroke ends,
- * so that a press that becomes a pinch says nothing.
+ * Applies intents of the pointer and the keyboard to the workspace. One stroke is one step of undo,
+ * however many cells it paints. Each reason for a refusal is reported once, at the end of the
+ * stroke. A press that becomes a pinch therefore reports nothing.
  */
 import { isBlock, type Cell, type MazeDocument } from "@corridor/maze";
 import type { Pose } from "@corridor/protocol";
@@ -11,7 +11,7 @@ import { beginStroke, setMaze, type WorkspaceStore } from "../../stores/workspac
 import { paintBlock, pressTool, type ToolEdit, type ToolRefusal } from "./tool-edit.ts";
 
 interface Stroke {
-  /** what every cell of a Blocks stroke becomes; null for tools that act once a press */
+  /** the new state of every cell of a Blocks stroke; null for tools that act once per press */
   filled: boolean | null;
   before: MazeDocument;
   refusals: Set<ToolRefusal>;
@@ -21,13 +21,13 @@ interface Stroke {
 export interface MazeEditorPort {
   workspace: WorkspaceStore;
   screen: ScreenStore;
-  /** where the robot is now; null before the first frame */
+  /** the current pose of the robot; null before the first frame */
   pose: () => Pose | null;
-  /** whether an open challenge keeps its maze as it is */
+  /** whether an open challenge fixes its maze */
   isFixed: () => boolean;
-  /** says in words why nothing happened */
+  /** reports why nothing changed */
   refuse: (code: ToolRefusal) => void;
-  /** says that a stroke of blocks has buried so many goals, once it is over */
+  /** reports the number of goals that a finished stroke of blocks has removed */
   goalsRemoved: (count: number) => void;
 }
 
@@ -39,7 +39,7 @@ export class MazeEditor {
     this.#port = port;
   }
 
-  /** Follows the pointer; "hover" changes nothing here. */
+  /** Applies an intent of the pointer; "hover" changes nothing. */
   follow(intent: Intent): void {
     switch (intent.type) {
       case "hover":
@@ -59,7 +59,7 @@ export class MazeEditor {
     }
   }
 
-  /** One press of the tool, from the keyboard. */
+  /** One press of the tool, by keyboard. */
   press(cell: Cell): void {
     this.follow({ type: "begin", cell });
     this.follow({ type: "end" });
@@ -74,7 +74,7 @@ export class MazeEditor {
       return;
     }
     const { tool } = screen.getState();
-    // It never changes the maze, whoever presses.
+    // The Measure tool never changes the maze.
     if (tool === "measure") return;
     this.#stroke = {
       filled: tool === "blocks" ? !isBlock(maze, cell.column, cell.row) : null,

@@ -1,4 +1,6 @@
-/** The Measure tool: a tape by dragging from point to point, or square by square from the keyboard. */
+/**
+ * The Measure tool: the user drags a tape from point to point, or places its points by keyboard.
+ */
 import type { Cell } from "@corridor/maze";
 import type { StageViewStore } from "./stage-view.ts";
 import { middleOf, type TapePoint } from "./tape.ts";
@@ -12,20 +14,22 @@ export class MeasureTool {
     this.#view = view;
   }
 
-  /** A pointer went down: a new tape begins here. */
+  /** The pointer is down: a new tape starts here. */
   begin(pointerId: number, point: TapePoint): void {
     this.#pointerId = pointerId;
     this.#view.setState({ tape: { from: point, to: point, isOpen: true } });
   }
 
-  /** The pointer that draws has moved. */
+  /** The pointer that draws the tape has moved. */
   drag(pointerId: number, point: TapePoint): void {
     const { tape } = this.#view.getState();
     if (pointerId !== this.#pointerId || tape === null) return;
     this.#view.setState({ tape: { ...tape, to: point } });
   }
 
-  /** The pointer that draws was let go: the tape stays. A press without a way leaves none. */
+  /**
+   * The pointer that draws the tape is up: the tape stays. A press without a drag leaves no tape.
+   */
   end(pointerId: number): void {
     const { tape } = this.#view.getState();
     if (pointerId !== this.#pointerId || tape === null) return;
@@ -34,7 +38,7 @@ export class MeasureTool {
     this.#view.setState({ tape: hasLength ? { ...tape, isOpen: false } : null });
   }
 
-  /** Space or Enter on a square: its middle becomes the first point, then the second. */
+  /** Space or Enter on a square: its middle becomes the first or the second point. */
   press(cell: Cell): void {
     const { tape } = this.#view.getState();
     const point = middleOf(cell);
@@ -46,13 +50,13 @@ export class MeasureTool {
     });
   }
 
-  /** The keyboard's cursor went to a square: an open tape follows. */
+  /** The keyboard's cursor has moved to a square: the second point of an open tape follows. */
   aim(cell: Cell): void {
     const { tape } = this.#view.getState();
     if (tape?.isOpen === true) this.#view.setState({ tape: { ...tape, to: middleOf(cell) } });
   }
 
-  /** Takes the tape away. @returns whether there was one */
+  /** Removes the tape. @returns whether there was one */
   clear(): boolean {
     const hadTape = this.#view.getState().tape !== null;
     this.#pointerId = null;

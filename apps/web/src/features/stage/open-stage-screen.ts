@@ -1,6 +1,7 @@
 /**
- * Where the stage is drawn: in the simulator worker, on canvases that are handed over to it, or, in a
- * browser without OffscreenCanvas, here on the page by the same renderer, which is only then loaded.
+ * Opens the drawing of the stage: in the simulator worker, on transferred canvases, or on the page
+ * in a browser without OffscreenCanvas. Both use the same renderer, which the page loads only in
+ * the second case.
  */
 import interFont from "../../ui/fonts/inter-latin.woff2?url";
 import type { LayerCanvases } from "../../canvas/drawing-context.ts";
@@ -9,8 +10,8 @@ import type { Scroll } from "../../canvas/viewport.ts";
 import type { StageLink, StageScreen } from "./stage-screen.ts";
 
 /**
- * @param holder what the canvases are put into: new ones each time, since a canvas is handed over once
- * @param follow scrolls the stage so that the robot stays in sight
+ * @param holder receives new canvases on each call, because a canvas can be transferred only once
+ * @param follow scrolls the stage so that the robot stays in view
  */
 export function openStageScreen(
   simulator: StageLink,
@@ -23,7 +24,7 @@ export function openStageScreen(
     live: document.createElement("canvas"),
   };
   holder.replaceChildren(...Object.values(canvases));
-  // Every browser that can hand a canvas over has animation frames in its workers too.
+  // Every browser that can transfer a canvas supports animation frames in workers.
   const screen =
     "OffscreenCanvas" in window && "transferControlToOffscreen" in HTMLCanvasElement.prototype
       ? openInWorker(simulator, canvases, follow)

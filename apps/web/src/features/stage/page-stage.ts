@@ -1,4 +1,7 @@
-/** Draws the stage on the page's main thread, where the browser cannot hand canvases to a worker. */
+/**
+ * Draws the stage on the page's main thread, where the browser cannot transfer canvases to a
+ * worker.
+ */
 import type { LayerCanvases } from "../../canvas/drawing-context.ts";
 import { loadRaceGhosts, raceGhostsLayer } from "../../canvas/layers/lazy-race-ghosts.ts";
 import { StageRenderer } from "../../canvas/renderer.ts";
@@ -6,7 +9,7 @@ import type { Scroll } from "../../canvas/viewport.ts";
 import { FrameBuffer } from "../../worker/frame-buffer.ts";
 import type { StageLink, StageScreen } from "./stage-screen.ts";
 
-/** @param follow scrolls the stage so that the robot stays in sight */
+/** @param follow scrolls the stage so that the robot stays in view */
 export function openPageStage(
   simulator: StageLink,
   canvases: LayerCanvases<HTMLCanvasElement>,
@@ -26,7 +29,7 @@ export function openPageStage(
     if (message.type !== "picture") return;
     frames.add(message.frame);
     if (message.frame.ghosts !== undefined && raceGhostsLayer() === null) {
-      // One that does not come leaves the ghosts out; the next frame asks again.
+      // If the ghosts fail to load, they are not drawn; the next frame tries again.
       loadRaceGhosts().then(
         () => renderer.repaint(),
         () => undefined,

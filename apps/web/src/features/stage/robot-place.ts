@@ -1,4 +1,4 @@
-/** Where the robot is, in words: the square it stands on and the way it faces. Pure. */
+/** The robot's position in words: its square and the direction that it faces. Pure. */
 import type { Pose } from "@corridor/protocol";
 import type { Cell } from "@corridor/maze";
 import { CELL } from "../../canvas/viewport.ts";
@@ -14,10 +14,10 @@ const facings = [
   "upLeft",
 ] as const;
 
-/** One of eight ways, as the reader sees the stage. */
+/** One of eight directions, as displayed on the stage. */
 export type Facing = (typeof facings)[number];
 
-/** The nearest of eight ways. @param heading degrees clockwise from north */
+/** The nearest of eight directions. @param heading degrees clockwise from north */
 export function facingOf(heading: number): Facing {
   return facings[Math.round(heading / 45) % 8] ?? "up";
 }

@@ -1,19 +1,19 @@
 /**
- * Messages lie over the lower or the upper edge of the stage: the root says at which of them the robot is, so
- * that they keep to the other one (messages.module.css).
+ * Messages cover the lower or the upper edge of the stage. The root element has the robot's side as
+ * an attribute, so that messages use the other edge (messages.module.css).
  */
 import { viewportAt, viewX, viewY } from "../../canvas/viewport.ts";
 import type { RunStore } from "../../stores/run-store.ts";
 import type { StageViewStore } from "./stage-view.ts";
 
-/** How far a message reaches into the drawing area, and to either side of its middle, in px. */
+/** How far a message extends into the drawing area, and to either side of its middle, in px. */
 const REACH = { upper: 120, lower: 112, aside: 320 };
-/** Half of the robot's width as it is drawn, in units. */
+/** Half of the robot's drawn width, in units. */
 const ROBOT_HALF = 28;
 
 export type RobotSide = "upper" | "lower" | null;
 
-/** @param robot the middle and half the width of the robot, in px of the drawing area */
+/** @param robot its middle and half its width, in px of the drawing area */
 export function robotSide(
   robot: { x: number; y: number; half: number },
   area: { width: number; height: number },
@@ -23,7 +23,7 @@ export function robotSide(
   return robot.y - robot.half < REACH.upper ? "upper" : null;
 }
 
-/** @returns a function that ends it */
+/** @returns a function that stops the updates */
 export function tellRobotSide(view: StageViewStore, run: RunStore): () => void {
   const { dataset } = document.documentElement;
   const look = (): void => {

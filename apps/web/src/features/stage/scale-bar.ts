@@ -1,12 +1,12 @@
-/** The scale bar: a round number of centimetres that is neither a speck nor longer than a thumb. Pure. */
+/** The scale bar: a round number of centimetres with a readable width. Pure. */
 import { CELL } from "../../canvas/viewport.ts";
 
-/** Room that "0", the middle and the last number need beside each other. */
+/** Minimum width for the labels "0", the middle and the end beside each other. */
 const LEAST_PX = 70;
 const lengths = [50, 100, 200, 500];
 const TICKS = 10;
 
-/** `units` long and `width` pixels wide; `ticks`: pixels of its eleven marks. */
+/** `units`: its length; `width`: the same in px; `ticks`: positions of its eleven marks, in px. */
 export function scaleBar(cellPx: number): { units: number; width: number; ticks: number[] } {
   const pixelsOf = (units: number): number => (units * cellPx) / CELL;
   const units = lengths.find((length) => pixelsOf(length) >= LEAST_PX) ?? 500;

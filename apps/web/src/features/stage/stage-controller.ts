@@ -1,6 +1,6 @@
 /**
- * Everything of the stage that is not React: connects the stores, the pointer and the renderer.
- * Components hand their elements over in `mount` and read the view store.
+ * The part of the stage outside React: connects the stores, the pointer and the renderer.
+ * Components pass their elements to `mount` and read the view store.
  */
 import { MAX_GOALS, MAX_SIDE, sizeOf, type Cell, type MazeDocument } from "@corridor/maze";
 import type { Pose } from "@corridor/protocol";
@@ -27,13 +27,13 @@ import { createStageView } from "./stage-view.ts";
 import { tellUndoable } from "./tell-undoable.ts";
 import { previewOf, type ToolRefusal } from "./tool-edit.ts";
 
-/** The elements that the stage is drawn into. */
+/** The elements of the stage. */
 export interface StageElements {
-  /** scrolls where the maze is larger than the view */
+  /** scrolls if the maze is larger than the view */
   scroller: HTMLElement;
-  /** lies over the maze and takes the pointer */
+  /** lies over the maze and receives the pointer */
   grid: HTMLElement;
-  /** what the canvases lie in */
+  /** contains the canvases */
   layers: HTMLElement;
 }
 
@@ -57,7 +57,7 @@ export class StageController {
   #palette: Palette | null = null;
   #pixelRatio = 1;
   #isCalm = false;
-  /** the maze's size and whether a camera goes along: what the reader's zoom is for */
+  /** the maze's size and whether a camera follows the robot: the zoom applies to these only */
   #zoomedFor = "";
   #drawnTape: { tape: Tape; measured: Measured } | null = null;
 
@@ -81,7 +81,7 @@ export class StageController {
     });
   }
 
-  /** Begins to draw and to listen. @returns a function that ends it */
+  /** Starts drawing and adds the listeners. @returns a function that stops both */
   mount(elements: StageElements): () => void {
     const { workspace, screen, run, simulator, camera } = this.#services;
     const { scroller } = elements;
@@ -102,7 +102,7 @@ export class StageController {
     const onKey = (event: KeyboardEvent): void => {
       if (event.key !== "Escape") return;
       this.#pointer.cancel();
-      // What lies on top of the page has the key to itself; a tape that goes has used it up.
+      // A dialog or popover has the key to itself. Removing a tape handles the key.
       const isCovered = document.querySelector("dialog:modal, :popover-open") !== null;
       if (!isCovered && this.measure.clear()) event.preventDefault();
     };
@@ -160,17 +160,17 @@ export class StageController {
     };
   }
 
-  /** Brings another part of the maze into view. */
+  /** Scrolls to another part of the maze. */
   readonly scrollTo = (scroll: Scroll): void => {
     if (this.#elements !== null) moveScroll(this.view, this.#elements.scroller, scroll);
   };
 
-  /** The elements have the sizes of the newest layout. */
+  /** Called when the elements have the sizes of the newest layout. */
   layoutApplied(): void {
     if (this.#elements !== null) applyScroll(this.view, this.#elements.scroller);
   }
 
-  /** What it needs is loaded after the stage is there. @returns a function that ends it */
+  /** Loads the gestures after the stage. @returns a function that removes the listeners */
   #listenToZoom(scroller: HTMLElement): () => void {
     const { camera } = this.#services;
     const zoom: CameraState["zoom"] = (by, at) => {
@@ -193,7 +193,7 @@ export class StageController {
     };
   }
 
-  /** Once there are messages, they have to keep clear of it. @returns a function that ends it */
+  /** Publishes the robot's side once there are messages. @returns a function that stops it */
   #tellRobotSide(): () => void {
     const { screen, run } = this.#services;
     let stop = screen.subscribe(({ messages }) => {
@@ -207,14 +207,14 @@ export class StageController {
     return () => stop();
   }
 
-  /** @returns a function that ends it */
+  /** @returns a function that removes the listeners */
   #listenToPointer(grid: HTMLElement): () => void {
     const end = new AbortController();
     const on = (type: PointerEventName, handle: (event: PointerEvent) => void): void =>
       grid.addEventListener(
         type,
         (event) => {
-          // Whoever drives with a thumb edits nothing: the tools are not in sight.
+          // In the Drive tab the pointer does not edit, because the tools are hidden.
           if (!this.#services.camera.getState().isDriving) handle(event);
         },
         { signal: end.signal },
@@ -246,10 +246,13 @@ export class StageController {
     return () => end.abort();
   }
 
-  /** The keyboard goes to any square, also to one that the camera does not show. */
+  /**
+   * The keyboard can move to a square that the camera does not show; then the whole maze is
+   * displayed.
+   */
   #seeFocus(grid: HTMLElement): void {
     if (grid.querySelector(":focus-visible") === null) return;
-    // A press focuses a square too, and a camera that moves would end its stroke.
+    // A press focuses a square too; moving the camera would cancel its stroke.
     const { camera } = this.#services;
     const { isDriving, isWhole } = camera.getState();
     if (isDriving && !isWhole) camera.setState({ isWhole: true });
@@ -286,7 +289,9 @@ export class StageController {
     return tapePointAt(layout, event.clientX - maze.left, event.clientY - maze.top);
   }
 
-  /** Divides the stage anew where its size, the maze's size or the rulers have changed. */
+  /**
+   * Computes the layout again after the size of the stage or the maze, or the rulers, have changed.
+   */
   #divide(): void {
     const room = this.#room();
     if (room === null) return;
@@ -299,7 +304,7 @@ export class StageController {
     setLayout(this.view, layout);
   }
 
-  /** What the stage's division depends on now; null while the stage has no size. */
+  /** What the layout depends on; null while the stage has no size. */
   #room(): StageRoom | null {
     if (this.#elements === null) return null;
     const { scroller } = this.#elements;
@@ -309,7 +314,7 @@ export class StageController {
     const { isDriving, isWhole } = this.#services.camera.getState();
     const maze = sizeOf(this.#shownMaze());
     const follows = isDriving && !isWhole;
-    // Another maze, and another way to look at it, begin at their own size.
+    // A maze of another size, and another camera mode, start with their own zoom.
     const zoomedFor = `${maze.columns} ${maze.rows} ${follows}`;
     if (zoomedFor !== this.#zoomedFor) {
       this.#zoomedFor = zoomedFor;
@@ -318,13 +323,13 @@ export class StageController {
     return { maze, view, showRulers, follows, zoom: this.view.getState().zoom };
   }
 
-  /** The maze of the shown moment, which had another one where it was resized since. */
+  /** The maze of the displayed tick, which can differ from the current one. */
   #shownMaze(): MazeDocument {
     const { run, workspace } = this.#services;
     return run.getState().pastMaze ?? workspace.getState().maze;
   }
 
-  /** The squares for screen readers lie where the camera shows them. */
+  /** Moves the squares for screen readers to where the camera shows them. */
   #panGrid(): void {
     const { layout } = this.view.getState();
     const pose = this.#pose();
@@ -357,12 +362,12 @@ export class StageController {
     });
   }
 
-  /** The same object as long as the tape is the same, since a model is compared field by field. */
+  /** Returns the same object for the same tape, because models are compared field by field. */
   #measured(tape: Tape | null): Measured | null {
     if (tape === null) return null;
     if (tape !== this.#drawnTape?.tape) {
       const { from, to } = tape;
-      // Set apart: a canvas does not see by itself that words go from right to left.
+      // Isolates each line: a canvas does not detect the direction of text.
       const lines = tapeWords(this.#words.t, this.#words.language, tape);
       const words = lines.map((line) => `\u2068${line}\u2069`);
       this.#drawnTape = { tape, measured: { from, to, words } };
@@ -370,7 +375,7 @@ export class StageController {
     return this.#drawnTape.measured;
   }
 
-  /** An open challenge may keep its maze as it is. */
+  /** Whether an open challenge fixes its maze. */
   #isMazeFixed(): boolean {
     return this.#services.challenge.getState().rights?.maze === false;
   }
@@ -383,7 +388,7 @@ export class StageController {
     return previewOf(maze, tool, cell, this.#pose());
   }
 
-  /** Where the robot was when the page was last told; null before the first frame. */
+  /** The robot's pose in the newest snapshot; null before the first frame. */
   #pose(): Pose | null {
     return this.#services.run.getState().snapshot?.pose ?? null;
   }
@@ -397,7 +402,10 @@ export class StageController {
   }
 }
 
-/** @param start begins something and gives what ends it. @returns a function that ends it, begun or not */
+/**
+ * @param start starts something and returns the function that ends it
+ * @returns a function that ends it, even before it has started
+ */
 function startLater(start: () => Promise<() => void>): () => void {
   const begun = start();
   return () => void begun.then((stop) => stop());

@@ -1,4 +1,4 @@
-/** How much room the stage leaves around the maze, by its width and by what it shows. Pure. */
+/** The padding around the maze, by the width of the stage and by what it displays. Pure. */
 import {
   layOut,
   layOutFollowing,
@@ -9,34 +9,37 @@ import {
   type Padding,
 } from "../../canvas/viewport.ts";
 
-/** Below this width the stage is a phone's: the maze takes it whole, without rulers. */
+/** Below this width the layout is that of a phone: the maze fills the stage, without rulers. */
 const COMPACT_BELOW_PX = 600;
 
-/** Side of a square while a camera goes with the robot: 0.6 px per unit. */
+/** Side of a square while a camera follows the robot: 0.6 px per unit. */
 const FOLLOW_CELL_PX = 60;
 
 /** Room for the small tag of a reading beside a robot that touches the maze's frame. */
 const tagRoom: Padding = { top: 19, right: 26, bottom: 19, left: 26 };
-/** Besides, room for the button over the stage: the tag above a robot at the upper end of the maze stands below it. */
+/**
+ * Also leaves room for the button over the stage, which would cover the tag of a robot at the upper
+ * end of the maze.
+ */
 const belowButton: Padding = { ...tagRoom, top: 78 };
-/** Below this height the maze takes the stage whole, and readings outside of it are left out. */
+/** Below this height the maze fills the stage, and readings outside of it are omitted. */
 const TAG_ROOM_FROM_PX = 120;
 const compact: Padding = { top: 4, right: 8, bottom: 4, left: 8 };
 const withRulers: Padding = { top: 36, right: 34, bottom: 20, left: 70 };
 const withoutRulers: Padding = { top: 19, right: 34, bottom: 20, left: 34 };
 
-/** Whether rulers are drawn: wished for, and there is room. */
+/** Whether to draw rulers: they are enabled, and there is room for them. */
 export function hasRulers(width: number, showRulers: boolean): boolean {
   return showRulers && width >= COMPACT_BELOW_PX;
 }
 
 /**
- * The zoom that the reader chose: side of a square in CSS pixels, or the whole maze however small; null for the
- * size at which a maze opens.
+ * The zoom that the user has chosen: side of a square in CSS pixels, or the whole maze at any size;
+ * null for the initial size of a maze.
  */
 export type Zoom = number | "fit" | null;
 
-/** Divides the stage's drawing area (CSS pixels) for a maze. */
+/** Computes the layout of a maze in the stage's drawing area (CSS pixels). */
 export function stageLayout(
   maze: Size,
   view: { width: number; height: number },
@@ -52,8 +55,8 @@ export function stageLayout(
 }
 
 /**
- * @param minWholePx the smallest squares at which the maze opens whole
- * @param cutPx the squares of a maze that does not
+ * @param minWholePx minimum side of a square at which the whole maze is displayed initially
+ * @param cutPx side of a square if the maze does not fit
  */
 function zoomed(
   maze: Size,
@@ -77,17 +80,17 @@ interface Size {
   rows: number;
 }
 
-/** What the stage's division depends on. */
+/** What the layout depends on. */
 export interface StageRoom {
   maze: Size;
   view: { width: number; height: number };
   showRulers: boolean;
-  /** whether a camera goes with the robot */
+  /** whether a camera follows the robot */
   follows: boolean;
   zoom: Zoom;
 }
 
-/** Divides the stage's drawing area, for a camera or for the whole maze. */
+/** Computes the layout for a camera or for the whole maze. */
 export function divideStage({ maze, view, showRulers, follows, zoom }: StageRoom): Layout {
   if (!follows) return stageLayout(maze, view, showRulers, zoom);
   const cellPx = typeof zoom === "number" ? Math.round(zoom) : FOLLOW_CELL_PX;

@@ -1,7 +1,8 @@
 /**
- * The drawn maze, the grid for keyboard and screen readers, and the pointer agree, whatever happened before.
- * The painter is the real one, on a canvas that records where the maze's frame is drawn. The scroll container is
- * a model of the browser's: it loses and restores its position without an event.
+ * The drawn maze, the grid for keyboard and screen readers, and the pointer agree after any
+ * sequence of events. The test uses the real painter, on a canvas that records where the maze's
+ * frame is drawn. The scroll container is a model of the browser's: it loses and restores its
+ * position without an event.
  */
 import type { Cell, MazeDocument } from "@corridor/maze";
 import { snapshotOf } from "@corridor/protocol/testing";
@@ -23,7 +24,10 @@ import { zoomStage, type ZoomBy } from "./stage-zoom.ts";
 const palette = readPalette(() => "black");
 const robotRadius = 25;
 
-/** A canvas that notes where the maze's frame was drawn last: the first round rectangle after it was emptied. */
+/**
+ * A canvas that records where the maze's frame was drawn last: the first round rectangle after a
+ * clear.
+ */
 function frameRecorder() {
   const drawn = { frame: null as { x: number; y: number; width: number } | null, isEmpty: true };
   const context = new Proxy(
@@ -45,7 +49,7 @@ function frameRecorder() {
   return { canvas, drawn };
 }
 
-/** A scroll container: positions are clamped, and only what scrolls it fires an event. */
+/** A scroll container: positions are clamped, and only scrolling fires an event. */
 class Box {
   isScrolling = false;
   most: Scroll = { x: 0, y: 0 };
@@ -60,7 +64,7 @@ class Box {
   }
   scrollTo({ left = 0, top = 0 }: ScrollToOptions): void {
     if (!this.isScrolling) return;
-    // Browsers round to pixels of the device.
+    // Browsers round to device pixels.
     const whole = (at: number, most: number) => Math.min(most, Math.max(0, Math.floor(at)));
     this.#at = { x: whole(left, this.most.x), y: whole(top, this.most.y) };
     this.hasEvent = true;
@@ -140,7 +144,7 @@ class Stage {
   }
 
   #applyLayout(layout: Layout): void {
-    // React gives the elements their sizes before anything else happens.
+    // React applies the sizes to the elements before any other event.
     this.box.isScrolling = layout.overflows;
     this.box.most = {
       x: Math.max(0, layout.content.width - layout.view.width),
@@ -182,9 +186,9 @@ class Stage {
     readScroll(this.view, this.box);
   }
 
-  /** Until nothing is left to be handled; fails where that never is. */
+  /** Handles events until none is pending. @throws Error if events remain */
   settle(): void {
-    // A round answers one request, and each answer to an outdated one may lead to a new request.
+    // A round handles one request, and the response to an outdated request can lead to a new one.
     const rounds = 20 + 2 * this.#requests.length;
     for (let round = 0; round < rounds; round++) {
       this.paint();
@@ -218,7 +222,7 @@ class Stage {
     });
   }
 
-  /** Where the grid's corner lies in the view. */
+  /** The position of the grid's corner in the view. */
   grid(): { x: number; y: number; width: number } {
     const { layout } = this.view.getState();
     if (layout === null) throw new Error("the stage has no layout");
@@ -231,7 +235,7 @@ class Stage {
     };
   }
 
-  /** Where the maze's corner is drawn in the view. */
+  /** The position of the drawn maze's corner in the view. */
   drawn(): { x: number; y: number; width: number } {
     const { frame } = this.#recorder.drawn;
     if (frame === null) throw new Error("nothing was drawn");
@@ -267,7 +271,7 @@ class Stage {
 const share = fc.double({ min: 0, max: 1, noNaN: true });
 const side = fc.constantFrom(1, 3, 7, 11, 21, 37, 60, 256);
 type Step = (stage: Stage) => void;
-/** What the page and its painter do, in any order. */
+/** Steps of the page and its painter, in any order. */
 const anyTurn = fc.constantFrom<Step>(
   (stage) => stage.paint(),
   (stage) => stage.answer(),
@@ -296,7 +300,7 @@ const anyFollowing = fc.boolean().map((follows): Step => (stage) => {
   stage.follows = follows;
   stage.divide();
 });
-/** The reader moves the view. */
+/** The user scrolls. */
 const anyScroll = fc.tuple(share, share).map(
   ([x, y]): Step =>
     (stage) =>
@@ -319,7 +323,7 @@ const anyZoom = fc
         ),
   );
 const anyStep = fc.oneof(anyTurn, anyDrive, anyMaze, anyRoom, anyFollowing, anyScroll, anyZoom);
-/** All but the reader's hand on the view; mostly a drive that the page does not keep up with. */
+/** All steps but the user's scrolling; mostly drives that the page cannot follow in time. */
 const anyEvent = fc.oneof(
   { weight: 6, arbitrary: anyTurn },
   { weight: 4, arbitrary: anyDrive },
@@ -349,7 +353,7 @@ describe("the drawn maze, the grid and the pointer", () => {
           expect(stage.drawn()).toEqual(stage.grid());
           expect(stage.squareUnderPointer()).toEqual(stage.robotSquare());
           stage.drive(x, y);
-          // A robot that has not moved since the reader scrolled leaves the view to the reader.
+          // A robot that has not moved since the user scrolled does not scroll the view back.
           stage.settle();
           stage.drive(x < 0.5 ? x + 0.2 : x - 0.2, y);
           stage.settle();
@@ -378,7 +382,7 @@ describe("the drawn maze, the grid and the pointer", () => {
     const stage = new Stage();
     stage.openMaze(37, 37);
     stage.settle();
-    // The page is slow to answer: its answer is for a place that the robot has left long ago.
+    // The page responds late, for a position that the robot has left.
     stage.drive(0.5, 0.9);
     stage.paint();
     stage.drive(0.5, 0.1);

@@ -1,32 +1,32 @@
 /**
- * The scroll position of the stage. The view store owns it, together with the layout: the painter, the grid
- * and the pointer all use these two. The page's scroll container follows a new layout as soon as it has the
- * layout's sizes, and leads when the reader scrolls.
+ * The scroll position of the stage. The view store owns it, together with the layout: the painter,
+ * the grid and the pointer use both. The page's scroll container follows a new layout as soon as it
+ * has the layout's sizes. It leads when the user scrolls.
  *
- * A scroll event is not enough to keep them in step: a container that no longer scrolls goes to 0
- * without one, and a container that scrolls again may start where it was left.
+ * A scroll event is not enough to synchronize them. A container that no longer scrolls moves to 0
+ * without an event. A container that scrolls again can start at its earlier position.
  */
 import { clampScroll, type Layout, type Scroll } from "../../canvas/viewport.ts";
 import type { StageViewStore } from "./stage-view.ts";
 
-/** As much of a scroll container as is needed here. */
+/** The part of a scroll container that is used here. */
 export type ScrollBox = Pick<HTMLElement, "scrollLeft" | "scrollTop"> & {
   scrollTo(options: ScrollToOptions): void;
 };
 
-/** Divides the stage anew; the scroll position moves into what the layout can show. */
+/** Sets the layout and clamps the scroll position to it. */
 export function setLayout(view: StageViewStore, layout: Layout): void {
   view.setState({ layout, scroll: clampScroll(layout, view.getState().scroll) });
 }
 
-/** Brings the container to the stored position, once it has the layout's sizes. */
+/** Scrolls the container to the stored position, once it has the layout's sizes. */
 export function applyScroll(view: StageViewStore, box: ScrollBox): void {
   const { scroll } = view.getState();
   box.scrollTo({ left: scroll.x, top: scroll.y, behavior: "instant" });
   readScroll(view, box);
 }
 
-/** Stores the container's position. */
+/** Stores the container's scroll position. */
 export function readScroll(view: StageViewStore, box: ScrollBox): void {
   const { layout, scroll } = view.getState();
   if (layout === null) return;
@@ -34,7 +34,10 @@ export function readScroll(view: StageViewStore, box: ScrollBox): void {
   if (next.x !== scroll.x || next.y !== scroll.y) view.setState({ scroll: next });
 }
 
-/** Scrolls on the painter's request. It is answered even where nothing moves, so that it can ask again. */
+/**
+ * Scrolls on the painter's request. The request counts as handled even if nothing moves, so that
+ * the painter can send another one.
+ */
 export function followRequest(view: StageViewStore, box: ScrollBox, scroll: Scroll): void {
   const { layout, answers } = view.getState();
   if (layout === null) return;
@@ -42,7 +45,7 @@ export function followRequest(view: StageViewStore, box: ScrollBox, scroll: Scro
   applyScroll(view, box);
 }
 
-/** Scrolls where the reader points to on the small map. */
+/** Scrolls to the part that the user selects on the small map. */
 export function moveScroll(view: StageViewStore, box: ScrollBox, scroll: Scroll): void {
   const { layout } = view.getState();
   if (layout === null) return;

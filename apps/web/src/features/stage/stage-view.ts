@@ -1,4 +1,4 @@
-/** What the stage's parts share while it is shown: how it is divided, and the square under the pointer. */
+/** State that the parts of the stage share: the layout, and the squares of pointer and keyboard. */
 import type { Cell } from "@corridor/maze";
 import { createStore } from "zustand/vanilla";
 import type { Layout, Scroll } from "../../canvas/viewport.ts";
@@ -8,17 +8,17 @@ import type { Tape } from "./tape.ts";
 export interface StageView {
   /** null until the stage has been measured */
   layout: Layout | null;
-  /** which part shows of a maze that is larger than the stage; of this layout */
+  /** the position of the visible part, in this layout */
   scroll: Scroll;
-  /** how many of the painter's requests to scroll were handled */
+  /** number of handled scroll requests of the painter */
   answers: number;
-  /** what the reader chose */
+  /** the zoom that the user has chosen */
   zoom: Zoom;
-  /** the square that a press would change; null while the pointer is elsewhere or presses */
+  /** the square that a press would change; null while the pointer is elsewhere or pressed */
   hover: Cell | null;
-  /** the square that the keyboard stands on; null as long as it is the start */
+  /** the square of the keyboard's cursor; null while it is the start */
   cursor: Cell | null;
-  /** what is measured; null while nothing is */
+  /** the measuring tape; null if there is none */
   tape: Tape | null;
 }
 

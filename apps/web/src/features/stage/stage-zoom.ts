@@ -1,4 +1,4 @@
-/** Zooms the stage. Pure but for the view store; loaded when the reader first zooms. */
+/** Zooms the stage. Pure except for the view store; loads when the user first zooms. */
 import { CELL, clampScroll, MAX_CELL_PX, type Layout, type Scroll } from "../../canvas/viewport.ts";
 import { isInPort } from "./grid-place.ts";
 import { divideStage, type StageRoom } from "./stage-layout.ts";
@@ -7,7 +7,7 @@ import type { StageViewStore } from "./stage-view.ts";
 /** A step of the buttons and keys, the whole maze, or a factor from a wheel or two fingers. */
 export type ZoomBy = "in" | "out" | "fit" | { factor: number };
 
-/** A place: pixels of the view, or units of the maze. */
+/** A point in pixels of the view, or in units of the maze. */
 export interface Point {
   x: number;
   y: number;
@@ -16,8 +16,8 @@ export interface Point {
 const STEP = 1.25;
 
 /**
- * @param at pixel of the view that stays where it is; null: the robot stays, or comes to the middle
- * @param robot units
+ * @param at pixel of the view that stays in place; null: the robot stays, or moves to the middle
+ * @param robot position in units
  */
 export function zoomStage(
   view: StageViewStore,
@@ -52,7 +52,7 @@ function wishOf(now: number, by: ZoomBy, least: number): number {
   return now * by.factor;
 }
 
-/** What of the maze belongs to which pixel of the view after zooming. */
+/** A point of the maze and its pixel in the view after zooming. */
 interface Anchor {
   units: Point;
   pixel: Point;

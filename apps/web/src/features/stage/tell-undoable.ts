@@ -1,9 +1,9 @@
-/** Says what an edit took along that nobody asked for, with Undo while Undo still means that edit. */
+/** Reports a side effect of an edit, with an Undo button while Undo reverts that edit. */
 import type { i18n } from "i18next";
 import { dismiss, showMessage, type ScreenStore } from "../../stores/screen-store.ts";
 import { undo, type WorkspaceStore } from "../../stores/workspace-store.ts";
 
-/** Tells about the edit just made; the message leaves with the next edit, whoever makes it. */
+/** Reports on the newest edit. The next edit dismisses the message. */
 export function tellUndoable(
   { screen, workspace }: { screen: ScreenStore; workspace: WorkspaceStore },
   words: Pick<i18n, "t">,

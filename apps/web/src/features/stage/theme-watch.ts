@@ -1,6 +1,9 @@
-/** Tells when the page's colours, words or fonts may have changed: another theme or language, or the system's. */
+/**
+ * Observes changes of the page's colours, texts or fonts: another theme or language, or another
+ * system setting.
+ */
 
-/** @returns a function that ends it */
+/** @returns a function that stops observing */
 export function watchTheme(onChange: () => void): () => void {
   const root = document.documentElement;
   const observer = new MutationObserver(onChange);
@@ -19,8 +22,8 @@ export function watchTheme(onChange: () => void): () => void {
 }
 
 /**
- * Custom properties as the page shows them now. Forced colours have names, and what a worker draws by these
- * names is the system's light colours, whatever the reader chose: it gets what they are here.
+ * The current values of custom properties. Forced colours are system colour names, which a worker
+ * resolves to light colours regardless of the user's choice. Therefore the page resolves them here.
  */
 export function shownProperties(): (property: string) => string {
   const style = getComputedStyle(document.documentElement);
@@ -35,7 +38,10 @@ export function shownProperties(): (property: string) => string {
   };
 }
 
-/** Tells when the window moves to a screen of another pixel density. @returns a function that ends it */
+/**
+ * Observes moves of the window to a screen with another pixel density.
+ * @returns a function that stops observing
+ */
 export function watchPixelRatio(onChange: (pixelRatio: number) => void): () => void {
   let query: MediaQueryList | null = null;
   const listen = (): void => {

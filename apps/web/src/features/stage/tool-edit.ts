@@ -1,6 +1,6 @@
 /**
- * What a tool does to a square, and what it would do: pure, over the maze's own edits.
- * A square that the robot stands on cannot be filled.
+ * The edits of a tool and their previews, based on the edits of packages/maze. Pure. A square under
+ * the robot cannot be filled.
  */
 import {
   headingNames,
@@ -22,15 +22,18 @@ import type { EditTool } from "../../stores/screen-store.ts";
 export type ToolRefusal =
   | MazeRefusal
   | "robot-here"
-  /** an open challenge keeps its maze as it is */
+  /** an open challenge fixes its maze */
   | "maze-fixed";
 
 export type ToolEdit = { ok: true; maze: MazeDocument } | { ok: false; code: ToolRefusal };
 
-/** The disc may lie this deep in a wall that it touches (units); that is no standing in the cell. */
+/**
+ * Depth in units by which the robot's disc can overlap a wall that it touches, which does not count
+ * as standing in the cell.
+ */
 const CONTACT = 0.01;
 
-/** Whether the robot's disc reaches into a cell. */
+/** Whether the robot's disc overlaps a cell. */
 export function isRobotOver(pose: Pose | null, cell: Cell): boolean {
   if (pose === null) return false;
   const nearest = (at: number, index: number): number =>
@@ -40,7 +43,10 @@ export function isRobotOver(pose: Pose | null, cell: Cell): boolean {
   return dx * dx + dy * dy < (ROBOT_RADIUS - CONTACT) ** 2;
 }
 
-/** Fills or opens a cell, unless the robot stands there. On the start, the start is the reason. */
+/**
+ * Fills or opens a cell, unless the robot stands there. On the start, the start is the reported
+ * reason.
+ */
 export function paintBlock(
   maze: MazeDocument,
   cell: Cell,
@@ -52,7 +58,9 @@ export function paintBlock(
   return edit;
 }
 
-/** What one press of a tool does: add or remove a block, place or turn the start, add or remove a goal. */
+/**
+ * One press of a tool: adds or removes a block, places or turns the start, adds or removes a goal.
+ */
 export function pressTool(
   maze: MazeDocument,
   tool: EditTool,
@@ -69,14 +77,14 @@ export function pressTool(
   }
 }
 
-/** A start that is pressed again turns right; one that moves keeps its heading. */
+/** A press on the start turns it right. A start that moves retains its heading. */
 function headingAfterPress({ start }: MazeDocument, cell: Cell): HeadingName {
   if (start.column !== cell.column || start.row !== cell.row) return start.heading;
   const next = (headingNames.indexOf(start.heading) + 1) % headingNames.length;
   return headingNames[next] ?? "north";
 }
 
-/** What a press would leave on the square, for showing before it happens. */
+/** The result of a press, as a preview. */
 export function previewOf(
   maze: MazeDocument,
   tool: EditTool,

@@ -1,7 +1,7 @@
 /**
- * The robot's square and facing for the names of the squares around the cursor, as "column,row,facing"; ""
- * before the first frame, and while the robot is elsewhere, so that nothing is drawn again then. While it
- * runs they follow once a second: a name that changes under the cursor is read out.
+ * The robot's square and facing for the labels of the squares around the cursor, as
+ * "column,row,facing". "" before the first frame and while the robot is elsewhere, which avoids
+ * renders. Updates at most once a second during a run, because screen readers read a changed label.
  */
 import type { Cell } from "@corridor/maze";
 import { useEffect, useState } from "react";
@@ -15,7 +15,7 @@ export function useRobotSquare({ column, row }: Cell): string {
   const { run } = useServices();
   const [square, setSquare] = useState(() => robotSquare(run.getState()));
   useEffect(() => {
-    // Told with a frame of the run, never by a timer between two: each drawing of the page costs.
+    // Updates with a frame of the run instead of a timer, to avoid additional renders.
     const pace = new Throttle<null>(() => performance.now());
     const look = (state: RunState) => {
       if (!pace.isDue(state.snapshot?.state === "running", null)) return;
@@ -29,7 +29,7 @@ export function useRobotSquare({ column, row }: Cell): string {
   return square;
 }
 
-/** The robot's square and facing now, wherever it is: "column,row,facing", "" before the first frame. */
+/** The robot's current square and facing: "column,row,facing", or "" before the first frame. */
 export function robotSquare({ snapshot }: RunState): string {
   if (snapshot === null) return "";
   const { column, row } = cellOf(snapshot.pose);

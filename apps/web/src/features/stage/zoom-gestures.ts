@@ -1,14 +1,14 @@
-/** Ctrl and the wheel, and two fingers: they zoom the stage around the place where they are. */
+/** Zooms the stage around the position of the pointer: Ctrl and the wheel, or two fingers. */
 import type { Point, ZoomBy } from "./stage-zoom.ts";
 
-/** A wheel's notch of 100 pixels zooms by a quarter. */
+/** One notch of a wheel, 100 pixels, zooms by a quarter. */
 const WHEEL = Math.log(1.25) / 100;
-/** A trackpad's pinch sends small steps, a wheel large ones; one event zooms by no more than this. */
+/** Maximum delta of one event: a trackpad's pinch sends small deltas, a wheel large ones. */
 const MOST_DELTA = 100;
 
 type Zoom = (by: ZoomBy, at: Point) => void;
 
-/** @returns a function that ends it */
+/** @returns a function that removes the listeners */
 export function listenToZoom(element: HTMLElement, zoom: Zoom): () => void {
   const end = new AbortController();
   const options = { signal: end.signal, passive: false };

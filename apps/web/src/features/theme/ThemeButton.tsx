@@ -1,4 +1,4 @@
-/** The theme in the top bar: its picture opens the choice. */
+/** The button of the theme in the top bar, which opens the choice. */
 import { Monitor, Moon, Sun } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";

@@ -1,4 +1,4 @@
-/** Light, dark, or as the system; high contrast on top of each. */
+/** Light, dark or system theme, each with optional high contrast. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import type { ScreenStore } from "../../stores/screen-store.ts";

@@ -1,4 +1,4 @@
-/** The mark of a bump, as on the stage. */
+/** The icon of a bump, as on the stage. */
 export function BurstIcon({ size }: { size: number }) {
   return (
     <svg width={size} height={size} viewBox="-9 -9 18 18" aria-hidden="true">

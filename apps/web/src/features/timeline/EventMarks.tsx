@@ -1,4 +1,4 @@
-/** The pictures of what happened, above the ribbon. */
+/** The icons of run events, above the ribbon. */
 import type { TimelineEvent, TurnName } from "@corridor/recording";
 import type { PlainAction } from "@corridor/protocol";
 import { Flag, Pencil } from "lucide-react";
@@ -8,7 +8,7 @@ import { BurstIcon } from "./BurstIcon.tsx";
 import type { EventMark } from "./event-marks.ts";
 import styles from "./run-timeline.module.css";
 
-/** A mark this small shows which way the robot turned, not how it came to. */
+/** A small mark shows the direction of a turn, not its kind. */
 const turnIcons: Readonly<Record<TurnName, PlainAction>> = {
   "left 90": "left 90",
   "delayed left 90": "left 90",
@@ -35,11 +35,11 @@ interface MarkProps {
   kind: TimelineEvent["kind"];
   turn: TurnName | null;
   x: number;
-  /** whether others that would overlap it are one mark with it */
+  /** whether the mark also represents events that would overlap it */
   isGroup: boolean;
 }
 
-/** Events stay where they are while the run goes on: only new ones are drawn. */
+/** Memoized: events keep their position while the run continues, so that only new ones render. */
 const Mark = memo(function Mark({ kind, turn, x, isGroup }: MarkProps) {
   return (
     <span

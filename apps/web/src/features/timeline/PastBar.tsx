@@ -1,4 +1,4 @@
-/** What can be done from an earlier moment of the run: watch on from it, or go back to now. */
+/** The controls of the past: play the recorded run from the displayed tick, or return to now. */
 import { Play, SkipForward } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -7,7 +7,7 @@ import { Button } from "../../ui/Button.tsx";
 import { RaceButton } from "../race/RaceButton.tsx";
 import styles from "./past-bar.module.css";
 
-/** There only while the past is shown. */
+/** Renders only while the past is displayed. */
 export function PastBar() {
   const { t } = useTranslation();
   const { run, simulator } = useServices();

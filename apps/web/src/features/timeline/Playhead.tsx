@@ -1,6 +1,6 @@
 /**
- * Where in the run the shown moment is, and who drives it: the badge of a line, the flag at the goal; at a bump in
- * red the line that caused it. It moves by itself between two pictures of the timeline.
+ * The displayed tick in the run, and who drives at it: the badge of a line, the flag at the goal,
+ * or in red the line that caused a bump. The playhead moves between two renders of the timeline.
  */
 import { causeLine } from "@corridor/coach";
 import { CornerDownRight, Flag, RadioTower, User } from "lucide-react";
@@ -17,7 +17,7 @@ import styles from "./run-timeline.module.css";
 
 interface PlayheadProps {
   scale: TimeScale;
-  /** what happens at the shown moment */
+  /** the event at the displayed tick */
   event: "goal" | "bump" | null;
 }
 
@@ -30,7 +30,7 @@ export function Playhead({ scale, event }: PlayheadProps) {
     let drawn = -1;
     const move = () => {
       const place = Math.round(xOf(scale, run.getState().snapshot?.tick ?? 0));
-      // Outside of the displayed part it waits at an end of it, unseen.
+      // Outside of the displayed part the playhead is placed out of view.
       const isOutside = scale.isPart && (place < 0 || place > scale.width);
       const x = isOutside ? -1000 : Math.min(scale.width, place);
       if (x === drawn || head.current === null) return;
@@ -44,7 +44,7 @@ export function Playhead({ scale, event }: PlayheadProps) {
   return (
     <div
       ref={head}
-      // The slider says the moment and who drives; a number alone says nothing.
+      // The slider announces the tick and the driver.
       aria-hidden="true"
       data-playhead=""
       className={classNames(styles["playhead"], styles[tone ?? (isNow ? "live" : "rest")])}
@@ -63,7 +63,7 @@ export function Playhead({ scale, event }: PlayheadProps) {
   );
 }
 
-/** The number of the line in charge, else a picture of who drives; the bent arrow is "otherwise": past all lines. */
+/** The number of the current line, else an icon of the driver. The bent arrow means "otherwise". */
 function DriverMark() {
   const { run } = useServices();
   const diagnosis = useStore(run, shownDiagnosis);
@@ -76,7 +76,10 @@ function DriverMark() {
   return line === "default" ? <CornerDownRight size={14} aria-hidden="true" /> : line + 1;
 }
 
-/** Number and arrow share a place, and one has the colour of its ground: see line-notes.module.css. */
+/**
+ * Number and arrow share a place, and one has the colour of the background: see
+ * line-notes.module.css.
+ */
 function LineMark() {
   const { run } = useServices();
   const element = useRef<HTMLSpanElement>(null);

@@ -1,4 +1,4 @@
-/** The ribbon of who drove, on its track with the axis below it. */
+/** The ribbon of drivers, on its track with the axis below it. */
 import type { TimelineDriver } from "@corridor/recording";
 import { memo, useMemo } from "react";
 import { useTranslation } from "react-i18next";
@@ -14,7 +14,7 @@ import { TimelineAxis } from "./TimelineAxis.tsx";
 
 interface RibbonProps {
   picture: TimelinePicture;
-  /** whether the newest moment is shown, so that the newest segment is alive */
+  /** whether the newest tick is displayed, so that the newest segment is marked as live */
   isNow: boolean;
 }
 
@@ -29,7 +29,7 @@ export const Ribbon = memo(function Ribbon({ picture, isNow }: RibbonProps) {
           key={segment.x}
           {...segment}
           isNewest={isNow && segment.isNewest}
-          // The numbers of its commands say more of a script.
+          // The numbers of a script's commands replace its name.
           name={segment.who === "remote" && picture.commands.length > 0 ? null : names(segment.who)}
         />
       ))}
@@ -44,7 +44,7 @@ interface RibbonSegmentProps extends Segment {
   name: string | null;
 }
 
-/** Only the newest one grows while the run goes on. */
+/** Memoized: only the newest segment grows while the run continues. */
 const RibbonSegment = memo(function RibbonSegment({
   who,
   x,
@@ -67,7 +67,7 @@ const RibbonSegment = memo(function RibbonSegment({
   );
 });
 
-/** A command of a script; its number begins where it began. */
+/** A command of a script on the ribbon. Its number is at its start. */
 const CommandSegment = memo(function CommandSegment({ label, x, width, result }: CommandMark) {
   return (
     <g className={runStyles["command"]} data-command={label} data-result={result}>

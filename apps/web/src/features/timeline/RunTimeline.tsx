@@ -1,6 +1,6 @@
 /**
- * The timeline of a run: who drove when and what happened, as a slider that shows any moment of it. A press
- * or a drag shows the moment under the pointer, a press on a mark exactly that of the event.
+ * The timeline of a run: drivers and events, as a slider that displays any tick. A press or a drag
+ * displays the tick under the pointer. A press on a mark displays the tick of its event.
  */
 import { useRef, useState, type KeyboardEvent, type PointerEvent } from "react";
 import { useTranslation } from "react-i18next";
@@ -28,10 +28,10 @@ import { useShownMoment } from "./use-shown-moment.ts";
 
 const TimelineZoom = deferredPart(async () => (await import("./TimelineZoom.tsx")).TimelineZoom);
 
-/** From five seconds on a run asks for zoom; before, it comes in the background only. */
+/** Ticks of a run after which the zoom is needed. Before, it loads in the background. */
 const LONG_TICKS = 300;
 
-/** What the tooltip tells, and where it points, in px from the left end. */
+/** The text of the tooltip, and its position in px from the left end. */
 interface Tip {
   x: number;
   text: string;
@@ -54,7 +54,9 @@ export function RunTimeline() {
   const [isFocused, setFocused] = useState(false);
   const [scrubber] = useState(() => new Scrubber(simulator));
 
-  /** The moment under the pointer: of the mark there, else by its place; never after now. */
+  /**
+   * The tick under the pointer: that of a mark, else that of the position; at most the last tick.
+   */
   function tickUnder(event: PointerEvent<HTMLElement>, picture: TimelinePicture) {
     const { scale, marks, commands, endTick } = picture;
     const box = track.current?.getBoundingClientRect();
@@ -63,7 +65,7 @@ export function RunTimeline() {
     const marked =
       event.clientY < box.top
         ? markUnder(marks, x)?.event.tick
-        : // A press on the number of a command is for its begin; a drag goes on from there tick by tick.
+        : // A press on a command's number selects its start. A drag continues tick by tick.
           event.type === "pointerdown"
           ? commandUnder(commands, x)?.tick
           : undefined;
@@ -93,7 +95,7 @@ export function RunTimeline() {
   function press(event: PointerEvent<HTMLElement>): void {
     if (event.button !== 0 || !event.isPrimary || picture === null || picture.endTick === 0) return;
     event.currentTarget.setPointerCapture(event.pointerId);
-    // From here on the arrow keys go on.
+    // Moves the focus to the slider, so that the arrow keys continue from here.
     event.preventDefault();
     slider.current?.focus();
     follow(event);
@@ -124,7 +126,7 @@ export function RunTimeline() {
         onPointerLeave={() => setPointed(null)}
         onPointerCancel={() => setPointed(null)}
       >
-        {/* The pointer has the picture. */}
+        {/* The slider receives no pointer events: the element around it handles them. */}
         <TimelineSlider
           inputRef={slider}
           moment={moment}
@@ -159,13 +161,13 @@ export function RunTimeline() {
   );
 }
 
-/** How many events are one mark with that of a tick: " (+3)"; empty for none. */
+/** The number of further events in the mark of a tick: " (+3)"; empty if there are none. */
 function moreAt({ marks }: TimelinePicture, tick: number): string {
   const more = marks.find(({ event }) => event.tick === tick)?.more ?? 0;
   return more === 0 ? "" : ` (+${more})`;
 }
 
-/** What the slider tells those who listen, for those who look. */
+/** Displays what the slider announces to screen readers. */
 function FocusTip({ moment, scale }: { moment: StoreApi<ShownMoment>; scale: TimeScale }) {
   const { t, i18n } = useTranslation();
   const shown = useStore(moment);
@@ -178,7 +180,7 @@ function FocusTip({ moment, scale }: { moment: StoreApi<ShownMoment>; scale: Tim
   );
 }
 
-/** Points at its place and stays above the timeline: at the left end it begins there, at the right it ends. */
+/** A tooltip above the timeline, aligned so that it does not extend beyond the ends. */
 function TimelineTip({ x, text, width }: Tip & { width: number }) {
   const transform = `translateX(${(-100 * x) / width}%)`;
   return (

@@ -4,13 +4,13 @@ import { formatClock } from "../../text/numbers.ts";
 import type { AxisMark, TimeScale } from "./time-scale.ts";
 import styles from "./timeline.module.css";
 
-/** Half of a long name of the axis, in px. */
+/** Half the width of a long label of the axis, in px. */
 const END_PX = 20;
 const TICKS_PER_SECOND = 60;
 
 interface TimelineAxisProps {
   scale: TimeScale;
-  /** the moments that it names */
+  /** the ticks that have a label */
   marks: readonly AxisMark[];
 }
 
@@ -37,13 +37,13 @@ export function TimelineAxis({ scale, marks }: TimelineAxisProps) {
   );
 }
 
-/** Names at the ends of the axis stay within them. */
+/** Labels at the ends of the axis do not extend beyond them. */
 function anchorOf(x: number, width: number): "start" | "middle" | "end" {
   if (x < END_PX) return "start";
   return x > width - END_PX ? "end" : "middle";
 }
 
-/** "2:30"; with tenths where the axis names them. */
+/** "2:30", with tenths if the labels need them. */
 function clockText(tick: number, step: number, language: string): string {
   const text = formatClock(tick, language);
   return step % TICKS_PER_SECOND === 0 ? text.slice(0, -2) : text;

@@ -1,6 +1,6 @@
 /**
- * The place of the timeline. Before a run it is an empty track with the time below it; the run's timeline comes
- * in a file of its own once there is a run.
+ * The place of the timeline. Before a run it is an empty track with its axis; the run's timeline
+ * loads once there is a run.
  */
 import { useDeferredValue, useEffect, useRef, useState } from "react";
 import { useStore } from "zustand";
@@ -15,7 +15,8 @@ const RunTimeline = deferredPart(async () => (await import("./RunTimeline.tsx"))
 export function TimelineBar() {
   const { run } = useServices();
   const hasRun = useStore(run, ({ nowTick }) => nowTick > 0);
-  // A run may be older than the page, which then has the line to itself until it stands.
+  // A restored run can be older than the page. Its timeline loads after the first render, so that
+  // it does not compete with the page.
   const isStanding = useDeferredValue(true, false);
   return (
     <div className={styles["place"]}>

@@ -1,6 +1,7 @@
 /**
- * The timeline for the keyboard and for those who listen: a native slider without a look. Written straight
- * to the page: React would draw the whole timeline again each second, and write all that an input has.
+ * The timeline for keyboard and screen readers: an invisible native slider. Its value is written
+ * directly to the DOM: React would render the whole timeline each second, and write all attributes
+ * of the input.
  */
 import { useEffectEvent, useLayoutEffect, type ComponentProps, type RefObject } from "react";
 import { useTranslation } from "react-i18next";
@@ -14,9 +15,9 @@ interface TimelineSliderProps extends Pick<
 > {
   inputRef: RefObject<HTMLInputElement | null>;
   moment: StoreApi<ShownMoment>;
-  /** the run's last tick, as far as the picture knows */
+  /** the last tick of the run in the current picture */
   endTick: number;
-  /** the slider was moved, by whatever moves one */
+  /** called when the user moves the slider */
   onMove: (tick: number) => void;
 }
 

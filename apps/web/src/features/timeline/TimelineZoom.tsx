@@ -1,4 +1,6 @@
-/** Buttons that zoom the timeline, and the bar that scrolls a part of it; wheel, fingers and keys do the same. */
+/**
+ * Buttons that zoom the timeline, and a bar that scrolls it. Wheel, fingers and keys do the same.
+ */
 import { Scan, ZoomIn, ZoomOut } from "lucide-react";
 import { useEffect, useLayoutEffect, useRef, useState, type RefObject } from "react";
 import { useTranslation } from "react-i18next";
@@ -11,11 +13,11 @@ import styles from "./timeline-zoom.module.css";
 import { listenToTimelineZoom, ZOOM_STEP } from "./zoom-input.ts";
 import { TimelineZoomer } from "./timeline-zoomer.ts";
 
-/** Between each end of the timeline and those of its time, in px. */
+/** Distance between each end of the timeline and of its axis, in px. */
 const MARGIN = 10;
 
 interface TimelineZoomProps {
-  /** of the timeline */
+  /** the element of the timeline */
   element: RefObject<HTMLElement | null>;
   zoom: TimelineZoomStore;
 }
@@ -73,7 +75,7 @@ export function TimelineZoom({ element, zoom }: TimelineZoomProps) {
   );
 }
 
-/** Of the time, in px. */
+/** Width of the axis, in px. */
 function widthOf({ current }: RefObject<HTMLElement | null>): number {
   return (current?.clientWidth ?? 0) - 2 * MARGIN;
 }
@@ -86,10 +88,10 @@ interface ScrollBarProps {
   onScroll: (from: number) => void;
 }
 
-/** A native scrolling box: mouse, finger and keys work as everywhere. */
+/** A native scroll container, which supports mouse, touch and keyboard. */
 function ScrollBar({ window, whole, label, onScroll }: ScrollBarProps) {
   const box = useRef<HTMLDivElement>(null);
-  /** where it was put, in px: what it then tells of itself is no wish of the reader */
+  /** last scroll position in px: a scroll event at this position does not come from the user */
   const put = useRef(0);
   useLayoutEffect(() => {
     if (box.current === null) return;
@@ -99,7 +101,7 @@ function ScrollBar({ window, whole, label, onScroll }: ScrollBarProps) {
   return (
     <section
       ref={box}
-      // Boxes that scroll are for the keyboard as well.
+      // Keyboard users can scroll the container only if it can receive the focus.
       // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex
       tabIndex={0}
       aria-label={label}

@@ -6,7 +6,10 @@ import { scaleOf } from "./time-scale.ts";
 
 const width = 480;
 
-/** A log of commands: how long each takes, how it ends, and how long the robot waits before it. */
+/**
+ * A log of commands: the ticks of each, its final state, and the ticks for which the robot waits
+ * before it.
+ */
 function logOf(...commands: [number, "completed" | "collided" | "cancelled" | null, number?][]) {
   const log = new CommandLog();
   let tick = 0;

@@ -1,40 +1,40 @@
 /**
- * The commands of scripts as the ribbon shows them: each with its number, from its begin to its end.
- * Those that lie too close for a number of their own are one mark: "3–7".
+ * The commands of scripts on the ribbon, each with its number, from its start to its end. Commands
+ * that are too close for their own numbers share a mark: "3–7".
  */
 import type { CommandLog } from "@corridor/recording";
 import { widthOf } from "./segment-name.ts";
 import { xOf, type TimeScale } from "./time-scale.ts";
 
-/** More neighbours than these are not weighed against each other. */
+/** Maximum number of commands that are compared for the result of one mark. */
 const MOST_WEIGHED = 256;
 
-/** What of a command log is read here. */
+/** The part of a command log that is used here. */
 export type Commands = Pick<CommandLog, "count" | "at" | "countUpTo">;
 
 export interface CommandMark {
-  /** the number, or the first and the last: "3", "3–7" */
+  /** the number, or the first and the last number: "3", "3–7" */
   label: string;
-  /** tick at whose end the first one began */
+  /** tick at whose end the first command started */
   tick: number;
   /** px from the left end */
   x: number;
-  /** px that its commands took, at least 1 */
+  /** width of its commands in px, at least 1 */
   width: number;
-  /** px that can be pressed to get to its begin: those of the label */
+  /** width of its label in px, which can be pressed to display the start */
   pressWidth: number;
-  /** of several the worst */
+  /** for several commands, the worst result */
   result: CommandResult;
 }
 
 type CommandResult = "running" | "done" | "collided" | "ended";
 
-/** What says more comes first. */
+/** The results, most important first. */
 const RANK: readonly CommandResult[] = ["collided", "ended", "running", "done"];
 
 /**
- * Marks from the left to the right, none over another.
- * @param endTick the run's last tick, up to which a running command goes
+ * The marks from left to right, without overlap.
+ * @param endTick last tick of the run, to which a running command extends
  */
 export function commandMarksOf(log: Commands, scale: TimeScale, endTick: number): CommandMark[] {
   const marks: CommandMark[] = [];
@@ -47,7 +47,7 @@ export function commandMarksOf(log: Commands, scale: TimeScale, endTick: number)
     let label = String(first.seq);
     const from = Math.max(scale.from, first.from);
     const x = xOf(scale, from);
-    // A longer label needs more room, which may take in more commands.
+    // A longer label needs more room, which can include more commands.
     for (;;) {
       const room = (widthOf(label) / scale.width) * scale.span;
       const reached = Math.max(after, log.countUpTo(Math.ceil(from + room) - 1));
@@ -72,7 +72,7 @@ export function commandMarksOf(log: Commands, scale: TimeScale, endTick: number)
   }
 }
 
-/** The mark whose label lies under a place, in px from the left end; null where there is none. */
+/** The mark whose label is under a position, in px from the left end; null if there is none. */
 export function commandUnder(marks: readonly CommandMark[], x: number): CommandMark | null {
   return marks.find((mark) => x >= mark.x && x < mark.x + mark.pressWidth) ?? null;
 }

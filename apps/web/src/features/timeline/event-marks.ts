@@ -1,16 +1,16 @@
 /**
- * The events that the timeline has room to show above its ribbon: turns, bumps, the goal, edits. Where
- * two would overlap, the one that says more is shown.
+ * The events above the ribbon: turns, bumps, the goal, edits. Where two would overlap, the more
+ * important one is displayed.
  */
 import type { Timeline, TimelineEvent } from "@corridor/recording";
 import { xOf, type TimeScale } from "./time-scale.ts";
 
-/** Two marks stand at least this far apart, in px. */
+/** Minimum distance between two marks, in px. */
 const MARK_PX = 15;
-/** More neighbours than these are not weighed against each other. */
+/** Maximum number of neighbouring events that are compared. */
 const MOST_WEIGHED = 64;
 
-/** What says more comes first. */
+/** The ranks of events; the lowest is the most important. */
 const RANK: Readonly<Record<TimelineEvent["kind"], number>> = {
   goal: 0,
   bump: 1,
@@ -18,18 +18,18 @@ const RANK: Readonly<Record<TimelineEvent["kind"], number>> = {
   turn: 3,
 };
 
-/** What of a timeline is read here. */
+/** The part of a timeline that is used here. */
 export type Events = Pick<Timeline, "eventCount" | "eventAt" | "eventsUpTo">;
 
 export interface EventMark {
   event: TimelineEvent;
-  /** px from the left end to its middle */
+  /** px from the left end to the middle of the mark */
   x: number;
-  /** how many that would overlap it are one mark with it */
+  /** number of further events that the mark represents */
   more: number;
 }
 
-/** Marks from the left to the right, none closer to another than it is wide. */
+/** The marks from left to right, at least one mark's width apart. */
 export function marksOf(timeline: Events, scale: TimeScale): EventMark[] {
   const leastTicks = (MARK_PX / scale.width) * scale.span;
   const marks: EventMark[] = [];
@@ -44,7 +44,7 @@ export function marksOf(timeline: Events, scale: TimeScale): EventMark[] {
   return marks;
 }
 
-/** The first event from an index on, unless one that it would hide says more. */
+/** The first event from an index on, unless a more important event would overlap it. */
 function mostTelling(timeline: Events, index: number, leastTicks: number): TimelineEvent {
   let best = timeline.eventAt(index);
   const last = Math.min(timeline.eventCount, index + MOST_WEIGHED);
@@ -56,7 +56,7 @@ function mostTelling(timeline: Events, index: number, leastTicks: number): Timel
   return best;
 }
 
-/** The mark whose picture lies under a place, in px from the left end; null where there is none. */
+/** The mark whose icon is under a position, in px from the left end; null if there is none. */
 export function markUnder(marks: readonly EventMark[], x: number): EventMark | null {
   const reach = MARK_PX / 2;
   return marks.find((mark) => Math.abs(mark.x - x) <= reach) ?? null;

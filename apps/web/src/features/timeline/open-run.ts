@@ -1,6 +1,6 @@
 /**
- * Opens a recorded run, of a link or a file: its maze and program become a work beside the reader's own,
- * and the run is shown from its start, to be watched, gone back in and run on from.
+ * Opens a recorded run from a link or a file. Its maze and program become a project beside the
+ * user's own. The run is displayed from its start, and can be played, rewound and continued.
  */
 import type { FieldProblem } from "@corridor/protocol";
 import type { RunDocument } from "@corridor/recording";
@@ -12,8 +12,9 @@ import { loadRun } from "../../app/run-requests.ts";
 type Opener = Pick<Services, "simulator" | "projects" | "screen">;
 
 /**
- * @param run one that passed its schema
- * @returns nothing when it was opened or given up; else what is wrong with it, and nothing has changed
+ * @param run a document that has passed its schema
+ * @returns an empty list if the run was opened or cancelled; else its problems, and nothing has
+ * changed
  */
 export async function openRun(
   { simulator, projects, screen }: Opener,
@@ -22,7 +23,7 @@ export async function openRun(
 ): Promise<readonly FieldProblem[]> {
   const waiting = new WaitingMessage(screen, words, () => load.cancel());
   const onPart = (part: number) => {
-    // Nobody waits for a long one before an empty page: it is told of, and can be declined.
+    // A long run loads in the background: the page is usable, and a message reports the progress.
     screen.setState({ isOpening: false });
     waiting.tell(part);
   };
@@ -46,7 +47,7 @@ export async function openRun(
   return [];
 }
 
-/** Says that a long run is on its way, how far it is, and how not to wait for it. */
+/** The message that reports the progress of a long run, with a button that cancels it. */
 class WaitingMessage {
   readonly #screen: Opener["screen"];
   readonly #words: Pick<i18n, "t">;
@@ -59,7 +60,7 @@ class WaitingMessage {
     this.#cancel = cancel;
   }
 
-  /** @param part how much is done, from 0 to 1 */
+  /** @param part progress from 0 to 1 */
   tell(part: number): void {
     if (this.#id === null) {
       const t = this.#words.t;

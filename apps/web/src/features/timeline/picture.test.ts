@@ -4,7 +4,7 @@ import { pictureMark, pictureOf } from "./picture.ts";
 
 const HOUR = 216_000;
 
-/** A timeline whose line 1 has driven up to a tick. */
+/** A timeline whose line 1 drives until a tick. */
 function timelineUpTo(tick: number): Timeline {
   const timeline = new Timeline();
   timeline.recordDriver(0, 1);
@@ -12,7 +12,7 @@ function timelineUpTo(tick: number): Timeline {
   return timeline;
 }
 
-/** What tells the picture from others. */
+/** The text that distinguishes the picture from others. */
 function markOf(timeline: Timeline, width = 400): string {
   return pictureMark(pictureOf(timeline, width));
 }

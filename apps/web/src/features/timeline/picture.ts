@@ -1,4 +1,4 @@
-/** Everything that the timeline draws at one size, from one look at the recording. */
+/** Everything that the timeline draws at one size, computed from one state of the recording. */
 import type { Timeline } from "@corridor/recording";
 import { commandMarksOf, type CommandMark } from "./command-marks.ts";
 import { marksOf, type EventMark } from "./event-marks.ts";
@@ -18,13 +18,13 @@ export interface TimelinePicture {
   marks: readonly EventMark[];
   commands: readonly CommandMark[];
   axis: readonly AxisMark[];
-  /** the run's last tick */
+  /** the last tick of the run */
   endTick: number;
 }
 
 /**
- * @param width of the timeline, in px
- * @param window the part that is displayed; null for the whole run
+ * @param width width of the timeline, in px
+ * @param window the displayed part; null for the whole run
  */
 export function pictureOf(
   timeline: Timeline,
@@ -44,8 +44,8 @@ export function pictureOf(
 }
 
 /**
- * The same text for pictures that look the same, to a pixel: in a long run, most of what comes is too
- * narrow to be seen.
+ * A text that is equal for pictures that look equal to a pixel. In a long run, most changes are too
+ * narrow to be visible.
  */
 export function pictureMark({
   scale,

@@ -73,7 +73,7 @@ describe("the ribbon", () => {
           overlap = Math.max(overlap, right - x);
           right = x + wide;
         }
-        // The thinnest is drawn a pixel wide; places are rounded to a tenth.
+        // The narrowest segment is one pixel wide, and positions are rounded to a tenth of a pixel.
         expect(overlap).toBeLessThan(1.1);
         expect(Math.min(1, ...segments.map((segment) => segment.width))).toBe(1);
         expect(right).toBeLessThanOrEqual(width + 1);

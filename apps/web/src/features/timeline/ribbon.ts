@@ -1,17 +1,17 @@
 /**
- * The ribbon of the timeline: who or which line drove, as segments that a screen can show. What is
- * narrower than a few pixels is one segment with its neighbours, so that a run of hours costs no more
- * than the screen is wide.
+ * The ribbon of the timeline: which driver or line drove, as visible segments. Narrow stretches are
+ * merged, so that the number of segments depends on the width of the screen, not on the length of
+ * the run.
  */
 import type { Timeline, TimelineDriver } from "@corridor/recording";
 import { xOf, type TimeScale } from "./time-scale.ts";
 
-/** Narrower stretches are shown together with those after them, in px. */
+/** Minimum width in px; narrower stretches are merged with those after them. */
 const LEAST_PX = 3;
-/** Between two segments, in px. */
+/** Distance between two segments, in px. */
 const GAP_PX = 1;
 
-/** What of a timeline is read here. */
+/** The part of a timeline that is used here. */
 export type Stretches = Pick<
   Timeline,
   "segmentCount" | "endTick" | "tickOf" | "driverOf" | "segmentAt"
@@ -23,11 +23,11 @@ export interface Segment {
   x: number;
   /** px, at least 1 */
   width: number;
-  /** the newest stretch, which may still grow */
+  /** the newest stretch, which can still grow */
   isNewest: boolean;
 }
 
-/** The segments of a run from the left to the right; they do not overlap. */
+/** The segments of a run from left to right, without overlap. */
 export function ribbonOf(timeline: Stretches, scale: TimeScale): Segment[] {
   const { segmentCount, endTick } = timeline;
   const leastTicks = (LEAST_PX / scale.width) * scale.span;
@@ -37,7 +37,8 @@ export function ribbonOf(timeline: Stretches, scale: TimeScale): Segment[] {
   while (next < segmentCount) {
     const from = Math.max(scale.from, timeline.tickOf(next));
     if (from > end) break;
-    // All that begins and ends within the least width, but never the newest: it shows who drives now.
+    // Merges the stretches that start and end within the minimum width, but never the newest, which
+    // shows the current driver.
     const reached = Math.min(timeline.segmentAt(from + leastTicks), segmentCount - 1);
     const isSingle = reached <= next + 1;
     const after = isSingle ? next + 1 : reached;
@@ -53,7 +54,10 @@ export function ribbonOf(timeline: Stretches, scale: TimeScale): Segment[] {
   return segments;
 }
 
-/** What is too narrow to be told from its neighbour is one with it. */
+/**
+ * Adds a segment, or merges it into the previous one if both are mixed or too narrow. The newest
+ * segment is never merged.
+ */
 function add(segments: Segment[], segment: Segment): void {
   const last = segments.at(-1);
   if (last === undefined || segment.isNewest || !isBlurred(last) || !isBlurred(segment)) {

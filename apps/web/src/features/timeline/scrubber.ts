@@ -1,6 +1,6 @@
 /**
- * Asks the simulator for moments while a finger draws along the timeline: one at a time, and the
- * newest wish next, so that a slow machine skips moments and never queues them.
+ * Sends seek requests while the user drags along the timeline: one at a time, and the newest tick
+ * next. A slow machine skips ticks instead of queueing them.
  */
 import type { FromWorker, ToWorker } from "../../worker/worker-messages.ts";
 
@@ -18,7 +18,7 @@ export class Scrubber {
     this.#simulator = simulator;
   }
 
-  /** Shows the moment at the end of a tick, as soon as the one before it is shown. */
+  /** Displays the end of a tick, as soon as the previous request is done. */
   show(tick: number): void {
     if (this.#endWait !== null) {
       this.#wish = tick;
@@ -27,12 +27,12 @@ export class Scrubber {
     this.#simulator.send({ type: "seek", tick });
     this.#endWait = this.#simulator.listen(({ type }) => {
       if (type === "frame") this.#shown();
-      // What broke shows nothing any more: who goes on drawing asks anew.
+      // After a fault the request has no response. Further drags send new requests.
       if (type === "fault") this.stop();
     });
   }
 
-  /** Forgets what is wished and not yet asked for, and waits for nothing any more. */
+  /** Discards the pending tick, and stops waiting for the current request. */
   stop(): void {
     this.#wish = null;
     this.#endWait?.();

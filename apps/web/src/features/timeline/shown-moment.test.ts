@@ -6,7 +6,9 @@ import { momentAt, sayMoment } from "./shown-moment.ts";
 
 const { t } = createI18n(en);
 
-/** Me for 4 s with a bump at 3 s, then line 2, which turns at 6 s; the goal at 10 s by "otherwise". */
+/**
+ * Me for 4 s with a bump at 3 s, then line 2, which turns at 6 s; the goal at 10 s by "otherwise".
+ */
 const timeline = new Timeline();
 timeline.recordDriver(0, "me");
 timeline.recordEvent({ kind: "bump", tick: 180, driver: "me" });

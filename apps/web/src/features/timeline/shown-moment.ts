@@ -1,4 +1,4 @@
-/** What the timeline says of a moment in words: when it is, who drives, and what happens. */
+/** A tick of the timeline in words: its time, the driver and the event. */
 import type {
   CommandLog,
   Timeline,
@@ -11,20 +11,20 @@ import { commandText } from "../../text/command-text.ts";
 import { joinList } from "../../text/joined.ts";
 import { formatSeconds } from "../../text/numbers.ts";
 
-/** An event is told from just before it to a tenth of a second after it, in ticks. */
+/** Ticks before and after an event during which it is displayed. */
 const BEFORE = 1;
 const AFTER = 5;
 const TICKS_PER_MINUTE = 3600;
 
 export interface ShownMoment {
   tick: number;
-  /** ticks up to it in which a script let the robot wait, which the clock counts apart */
+  /** ticks up to it in which the robot waited for a script, which the clock counts separately */
   waited: number;
-  /** null before anybody drove */
+  /** null before anyone has driven */
   who: TimelineDriver | null;
-  /** of a script, at this moment; null where it waits or another drives */
+  /** the command of a script at this tick; null while the script waits or another driver drives */
   command: TimelineCommand | null;
-  /** null where nothing happens */
+  /** null if there is no event */
   event: TimelineEvent | null;
 }
 
@@ -47,7 +47,7 @@ export function momentAt(
   };
 }
 
-/** The command that runs at the end of a tick, or that ended there. */
+/** The command that runs at the end of a tick, or that ends there. */
 function commandAt(
   log: Pick<CommandLog, "countUpTo" | "at">,
   tick: number,
@@ -56,7 +56,10 @@ function commandAt(
   return command === undefined || (command.to !== null && command.to < tick) ? null : command;
 }
 
-/** "12.4 s, line 2 drives, right 90"; of a script "8.1 s driving, 4.3 s waiting, command 7: move 50, completed" */
+/**
+ * "12.4 s, line 2 drives, right 90"; for a script "8.1 s driving, 4.3 s waiting, command 7: move
+ * 50, completed"
+ */
 export function sayMoment(
   t: TFunction,
   { tick, waited, who, command, event }: ShownMoment,
@@ -77,7 +80,7 @@ export function sayMoment(
   return joinList(t, parts);
 }
 
-/** "12.4 s", from a minute on "208 min 16.0 s" */
+/** "12.4 s"; from one minute "208 min 16.0 s" */
 function sayTime(t: TFunction, tick: number, language: string): string {
   const minutes = Math.floor(tick / TICKS_PER_MINUTE);
   const seconds = formatSeconds(tick % TICKS_PER_MINUTE, language);
@@ -101,7 +104,7 @@ function sayWho(t: TFunction, who: TimelineDriver): string {
     : t(`timeline.drives.${who}`);
 }
 
-/** What an event is called: "right 90", "bump", "goal reached". */
+/** The name of an event: "right 90", "bump", "goal reached". */
 function sayEvent(t: TFunction, event: TimelineEvent): string {
   switch (event.kind) {
     case "turn":

@@ -1,6 +1,6 @@
 /**
- * Ticks and pixels of the timeline: how much time the axis spans, where a tick lies on it, and which
- * moments it names. The span grows in steps, so that a run's ribbon rests between them.
+ * Ticks and pixels of the timeline: the span of the axis, the position of a tick, and the labels.
+ * The span grows in steps, so that the ribbon does not move between them.
  */
 
 /** Ticks in a second of simulated time. */
@@ -8,7 +8,7 @@ const SECOND = 60;
 const MINUTE = 60 * SECOND;
 const HOUR = 60 * MINUTE;
 
-/** Spans of the axis in ticks; beyond the last one it grows by whole multiples of it. */
+/** Spans of the axis in ticks. Beyond the last one, the span is a multiple of it. */
 const SPANS: readonly number[] = [
   30 * SECOND,
   40 * SECOND,
@@ -18,14 +18,14 @@ const SPANS: readonly number[] = [
   ...[1, 1.5, 2, 3, 4, 6, 8, 12].map((hours) => hours * HOUR),
 ];
 
-/** Distances between two names of the axis, in ticks. */
+/** Distances between two labels of the axis, in ticks. */
 const STEPS: readonly number[] = [
   ...[1, 2, 5, 10, 15, 30].map((seconds) => seconds * SECOND),
   ...[1, 2, 3, 5, 10, 15, 30].map((minutes) => minutes * MINUTE),
   ...[1, 2, 3, 6, 12].map((hours) => hours * HOUR),
 ];
 
-/** Two names of the axis stand at least this far apart, in px. */
+/** Minimum distance between two labels of the axis, in px. */
 const LEAST_STEP_PX = 44;
 
 type AxisUnit = "s" | "min" | "h";
@@ -36,41 +36,44 @@ const TICKS_OF_UNIT: Readonly<Record<AxisUnit | "tick", number>> = {
   h: HOUR,
 };
 
-/** The part of a run that a zoomed timeline displays. */
+/** The displayed part of a run on a zoomed timeline. */
 export interface TimeWindow {
   /** tick at the left end */
   from: number;
   /** ticks from the left end to the right end */
   span: number;
-  /** ticks between two names of the axis */
+  /** ticks between two labels of the axis */
   step: number;
 }
 
-/** How ticks lie on a timeline of some width. */
+/** The mapping of ticks to a timeline of some width. */
 export interface TimeScale {
-  /** tick at the left end: 0 while the whole run is displayed */
+  /** tick at the left end; 0 while the whole run is displayed */
   from: number;
-  /** whether a part of the run is displayed: the axis then names times of the clock */
+  /** whether a part of the run is displayed; then the labels are clock times */
   isPart: boolean;
   /** ticks from the left end to the right end */
   span: number;
-  /** ticks between two names of the axis; divides the span */
+  /** ticks between two labels of the axis; divides the span */
   step: number;
-  /** px */
+  /** width in px */
   width: number;
 }
 
-/** A moment that the axis names. */
+/** A label of the axis. */
 export interface AxisMark {
   tick: number;
   /** px from the left end */
   x: number;
   unit: AxisUnit | "tick";
-  /** whole, in that unit */
+  /** whole number of that unit */
   value: number;
 }
 
-/** The scale on which a run of `endTick` ticks fits; `width` in px. */
+/**
+ * The scale on which a run of `endTick` ticks fits.
+ * @param width width in px
+ */
 export function scaleOf(endTick: number, width: number): TimeScale {
   const widest = SPANS.at(-1) ?? HOUR;
   const span = SPANS.find((each) => each >= endTick) ?? Math.ceil(endTick / widest) * widest;
@@ -80,18 +83,18 @@ export function scaleOf(endTick: number, width: number): TimeScale {
   return { from: 0, isPart: false, span, step: step ?? span, width };
 }
 
-/** Where a tick lies, in px from the left end, without fractions of a tenth. */
+/** The position of a tick, in px from the left end, rounded to a tenth. */
 export function xOf({ from, span, width }: TimeScale, tick: number): number {
   return Math.round(((tick - from) / span) * width * 10) / 10;
 }
 
-/** The tick at a place; places outside are the ends. */
+/** The tick at a position. Positions outside are clamped to the ends. */
 export function tickAt({ from, span, width }: TimeScale, x: number): number {
   if (width <= 0) return from;
   return from + Math.round(Math.min(1, Math.max(0, x / width)) * span);
 }
 
-/** The moments that the axis names, from its left end to its right; all in one unit. */
+/** The labels of the axis from left to right, all in the same unit. */
 export function axisOf(scale: TimeScale): AxisMark[] {
   const { from, span, step, isPart } = scale;
   const unit = isPart ? "tick" : unitOf(span);
@@ -102,7 +105,7 @@ export function axisOf(scale: TimeScale): AxisMark[] {
   });
 }
 
-/** Names of the axis are whole numbers of one unit. */
+/** The unit in which the labels are whole numbers. */
 function unitOf(span: number): AxisUnit {
   return span <= 2 * MINUTE ? "s" : span <= 2 * HOUR ? "min" : "h";
 }

@@ -1,13 +1,14 @@
-/** What a key asks for while the timeline has the focus (DESIGN-LANGUAGE: keys). */
+/** The request of a key while the timeline has the focus. */
 import type { ToWorker } from "../../worker/worker-messages.ts";
 
-/** What Page Up and Page Down skip: 10 s, in ticks. */
+/** Ticks that Page Up and Page Down skip: 10 s. */
 const PAGE = 600;
 
 /**
- * @param shownTick the moment that is shown, and `nowTick` the newest one
- * @param isShift one tick instead of one decision
- * @returns what to ask of the simulator; null when the key is not the timeline's
+ * @param shownTick the displayed tick
+ * @param nowTick the newest tick
+ * @param isShift moves by one tick instead of one decision
+ * @returns the request to the simulator; null if the timeline does not use the key
  */
 export function timelineKey(
   key: string,

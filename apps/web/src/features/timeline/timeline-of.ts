@@ -1,8 +1,8 @@
-/** The page's copy of the run's timeline. A file of its own: nobody needs it before there is a run. */
+/** The page's copy of the run's timeline, in its own file because only a run needs it. */
 import { Timeline } from "@corridor/recording";
 import type { TimelineStore } from "../../stores/timeline-store.ts";
 
-/** Not while rendering: the first call lets listeners know. */
+/** Do not call while rendering: the first call notifies listeners. */
 export function timelineOf(store: TimelineStore): Timeline {
   return store.open(() => new Timeline());
 }

@@ -1,11 +1,14 @@
-/** Which part of the run the timeline displays. What changes it comes in a file of its own (`TimelineZoom.tsx`). */
+/**
+ * The part of the run that the timeline displays. `TimelineZoom.tsx`, which changes it, loads
+ * separately.
+ */
 import { createStore } from "zustand/vanilla";
 import type { TimeWindow } from "./time-scale.ts";
 
 interface TimelineZoomState {
-  /** null: the whole run */
+  /** null while the whole run is displayed */
   window: TimeWindow | null;
-  /** two fingers zoom: they do not scrub */
+  /** whether two fingers zoom, which does not scrub */
   isPinching: boolean;
 }
 

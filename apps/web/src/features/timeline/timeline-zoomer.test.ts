@@ -6,7 +6,7 @@ import { createTimelineZoom } from "./timeline-zoom-store.ts";
 import { TimelineZoomer } from "./timeline-zoomer.ts";
 import type { TimeWindow } from "./time-scale.ts";
 
-/** A zoomer, and how often it measured the timeline. */
+/** A zoomer, and the number of times that it measured the timeline. */
 function setUp(window: TimeWindow | null) {
   const zoom = createTimelineZoom();
   zoom.setState({ window });
@@ -17,7 +17,7 @@ function setUp(window: TimeWindow | null) {
     return 800;
   });
   run.subscribe(zoomer.follow);
-  /** the robot drives on to a tick */
+  /** the robot drives to a tick */
   const drive = (tick: number): void =>
     run.setState({ view: "now", nowTick: tick, snapshot: snapshotAt(tick) });
   return { zoom, drive, measured };

@@ -1,4 +1,4 @@
-/** Changes which part of the run the timeline displays: as the reader asks, and as the displayed moment moves. */
+/** Changes the displayed part of the run, as the user requests and as the displayed tick moves. */
 import type { RunState, RunStore } from "../../stores/run-store.ts";
 import type { TimelineStore } from "../../stores/timeline-store.ts";
 import { scaleOf, type TimeWindow } from "./time-scale.ts";
@@ -17,7 +17,10 @@ export class TimelineZoomer implements ZoomActions {
   readonly #zoom: TimelineZoomStore;
   readonly #width: () => number;
 
-  /** @param width of the time, in px; measuring it lays out the page, so a frame of the run does not ask for it */
+  /**
+   * @param width measures the axis in px. This forces a layout, so that `follow` avoids it for most
+   * frames.
+   */
   constructor(sources: Sources, zoom: TimelineZoomStore, width: () => number) {
     this.#sources = sources;
     this.#zoom = zoom;
@@ -40,7 +43,7 @@ export class TimelineZoomer implements ZoomActions {
     const tick = this.#sources.run.getState().snapshot?.tick ?? 0;
     const { from, span } = this.#displayed;
     const share = (tick - from) / span;
-    // A moment out of sight comes to the middle.
+    // A displayed tick outside of the part moves to the middle.
     this.#show(zoomedBy(this.#now, factor, tick, share < 0 || share > 1 ? 0.5 : share));
   };
 
@@ -53,18 +56,20 @@ export class TimelineZoomer implements ZoomActions {
 
   readonly pinch = (isPinching: boolean): void => this.#zoom.setState({ isPinching });
 
-  /** The displayed moment stays in sight, unless the reader looks elsewhere while the robot drives. */
+  /**
+   * Keeps the displayed tick in view, unless the user views another part while the robot drives.
+   */
   readonly follow = ({ snapshot, view, nowTick }: RunState, before: RunState): void => {
     const { window } = this.#zoom.getState();
     if (window === null || snapshot === null) return;
-    // A new run is displayed whole.
+    // A new run is displayed as a whole.
     if (nowTick === 0 || nowTick < window.from) return this.#show(null);
     const tickBefore = before.snapshot?.tick ?? 0;
     if (snapshot.tick === tickBefore || holds(window, snapshot.tick)) return;
     const isLive = view === "now" && snapshot.state === "running";
     if (isLive && !holds(window, tickBefore)) return;
     const now = this.#now;
-    // The timeline comes a frame later than the moment.
+    // The timeline is updated one frame after the displayed tick.
     const endTick = Math.max(now.endTick, nowTick);
     this.#show(following({ ...now, endTick }, snapshot.tick));
   };

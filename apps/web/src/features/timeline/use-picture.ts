@@ -1,6 +1,6 @@
 /**
- * The timeline's picture for the width that an element has. While the robot drives it is painted anew
- * only when something in it has moved by a pixel; otherwise it is exact to the tick.
+ * The timeline's picture for the width of an element. While the robot drives, it is rendered again
+ * only if something has moved by a pixel. Otherwise it is exact to the tick.
  */
 import { useLayoutEffect, useState, type RefObject } from "react";
 import { createStore, useStore } from "zustand";
@@ -9,15 +9,16 @@ import type { TimelineZoomStore } from "./timeline-zoom-store.ts";
 import { pictureMark, pictureOf, type TimelinePicture } from "./picture.ts";
 import { timelineOf } from "./timeline-of.ts";
 
-/** @returns null before the element was measured */
+/** @returns null before the element is measured */
 export function usePicture(
   element: RefObject<HTMLElement | null>,
   zoom: TimelineZoomStore,
 ): TimelinePicture | null {
   const { run, timeline: timelines } = useServices();
-  // A store's news are drawn with those of the run, in the same frame of the page; React's own come later.
+  // A store renders in the same frame as the run store. An update of React state would render
+  // later.
   const [shown] = useState(() => createStore<{ picture: TimelinePicture | null }>(() => NOTHING));
-  // Before the browser paints: it takes the place of the empty track.
+  // Before the browser paints, because the picture replaces the empty track.
   useLayoutEffect(() => {
     let width = element.current?.clientWidth ?? 0;
     let painted = "";

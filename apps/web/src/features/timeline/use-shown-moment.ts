@@ -1,6 +1,7 @@
 /**
- * The moment that is shown, with what the timeline tells of it. While the robot runs it follows once a
- * second, as a screen reader can; otherwise at once. A store, so that each part reads no more of it than it shows.
+ * The displayed tick with its description. It updates once a second while the robot runs, for
+ * screen readers, and otherwise at once. A store, so that each component subscribes only to what it
+ * displays.
  */
 import { useLayoutEffect, useState } from "react";
 import { createStore, type StoreApi } from "zustand";

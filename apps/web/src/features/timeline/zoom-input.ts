@@ -1,20 +1,23 @@
-/** What zooms and moves a timeline: Ctrl and the wheel, a sideways wheel, two fingers, and + - 0. */
+/**
+ * Input that zooms and moves a timeline: Ctrl and the wheel, a horizontal wheel, two fingers, and
+ * the keys + - 0.
+ */
 
 export interface ZoomActions {
-  /** zooms around a place, a share of the width from 0 to 1 */
+  /** zooms around a position, as a share of the width from 0 to 1 */
   zoom: (factor: number, share: number) => void;
-  /** zooms around the displayed moment; null: the whole run */
+  /** zooms around the displayed tick; null: the whole run */
   zoomHere: (factor: number | null) => void;
   /** moves by a share of the displayed part */
   move: (share: number) => void;
-  /** two fingers came or left */
+  /** two fingers have touched or left the timeline */
   pinch: (isPinching: boolean) => void;
 }
 
-/** A wheel's notch of 100 pixels zooms by a quarter; one event by no more than that. */
+/** One notch of a wheel, 100 pixels, zooms by a quarter, which is the maximum of one event. */
 const WHEEL = Math.log(1.25) / 100;
 const MOST_DELTA = 100;
-/** One press of a key or a button. */
+/** Zoom factor of one press of a key or a button. */
 export const ZOOM_STEP = 2;
 
 const keys: Readonly<Record<string, number | null>> = {
@@ -25,8 +28,9 @@ const keys: Readonly<Record<string, number | null>> = {
 };
 
 /**
- * @param element of the timeline, and `margin` px between each of its ends and those of the time
- * @returns a function that ends it
+ * @param element the element of the timeline
+ * @param margin px between each end of the element and of its axis
+ * @returns a function that removes the listeners
  */
 export function listenToTimelineZoom(
   element: HTMLElement,
@@ -82,7 +86,7 @@ export function listenToTimelineZoom(
       const factor = keys[event.key];
       if (factor === undefined || event.altKey || event.ctrlKey || event.metaKey) return;
       event.preventDefault();
-      // The same keys zoom the maze elsewhere.
+      // Elsewhere, the same keys zoom the maze.
       event.stopPropagation();
       zoomHere(factor);
     },

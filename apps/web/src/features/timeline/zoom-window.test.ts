@@ -9,7 +9,7 @@ const MINUTE = 3600;
 const width = 300;
 const whole: Zoomed = { window: null, endTick: 104 * MINUTE, width };
 
-/** A run of 104 minutes with a turn each second, by line 1. */
+/** A run of 104 minutes by line 1, with a turn each second. */
 function longRun(): Timeline {
   const timeline = new Timeline();
   timeline.recordDriver(0, 0);

@@ -1,33 +1,39 @@
-/** The part of a run that a zoomed timeline displays: how it grows, shrinks, moves and follows a moment. */
+/**
+ * The displayed part of a run on a zoomed timeline: how it grows, shrinks, moves and follows a
+ * tick.
+ */
 import { scaleOf, type TimeWindow } from "./time-scale.ts";
 
 /** The shortest part, in ticks: two seconds. */
 const LEAST_SPAN = 120;
-/** Distances between two names of the axis, in ticks; below a second they are tenths. */
+/** Distances between two labels of the axis, in ticks; below one second the labels have tenths. */
 const STEPS: readonly number[] = [
   12, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 18_000, 36_000, 54_000, 108_000, 216_000,
 ];
-/** "104:30.5" has room in so many px. */
+/** Minimum distance between two labels in px, for "104:30.5". */
 const LEAST_STEP_PX = 56;
-/** A followed moment that leaves the part on the right is then here, as a share of it; on the left mirrored. */
+/**
+ * Position of a followed tick that leaves the part on the right, as a share of the part; mirrored
+ * on the left.
+ */
 const AHEAD = 0.75;
 
-/** The timeline that is zoomed. */
+/** The state of a timeline that can be zoomed. */
 export interface Zoomed {
   /** null while the whole run is displayed */
   window: TimeWindow | null;
-  /** the run's last tick */
+  /** the last tick of the run */
   endTick: number;
-  /** px */
+  /** width in px */
   width: number;
 }
 
 /**
  * The part after a zoom.
- * @param factor above 1: closer
- * @param at the tick that stays where it is
- * @param share where that is, from 0 (left end) to 1
- * @returns null where the whole run fits
+ * @param factor above 1 zooms in
+ * @param at the tick that stays in place
+ * @param share its position, from 0 (left end) to 1
+ * @returns null if the whole run fits
  */
 export function zoomedBy(
   { window, endTick, width }: Zoomed,
@@ -40,13 +46,13 @@ export function zoomedBy(
   return span >= whole ? null : windowOf(at - share * span, span, whole, width);
 }
 
-/** The part that begins at another tick. */
+/** The part that starts at another tick. */
 export function movedTo({ window, endTick, width }: Zoomed, from: number): TimeWindow | null {
   if (window === null) return null;
   return windowOf(from, window.span, scaleOf(endTick, width).span, width);
 }
 
-/** The part that holds a tick: the same where it does already. */
+/** The part that contains a tick; unchanged if it already does. */
 export function following(zoomed: Zoomed, tick: number): TimeWindow | null {
   const { window } = zoomed;
   if (window === null || holds(window, tick)) return window;

@@ -1,4 +1,4 @@
-/** The time and the bumps of the shown moment; in words, too, when that is not now. */
+/** The time and the bumps at the displayed tick, and a text if the past is displayed. */
 import { History } from "lucide-react";
 import { useCallback } from "react";
 import { useTranslation } from "react-i18next";
@@ -13,7 +13,7 @@ export function Clock() {
   const { t, i18n } = useTranslation();
   const { run } = useServices();
   const { language } = i18n;
-  // The clock of a script counts its driving; its waiting is displayed apart.
+  // The clock of a script counts its driving. Its waiting is displayed separately.
   const isApart = useStore(run, (state) => state.waited > 0 || state.snapshot?.driver === "remote");
   const time = useCallback(
     ({ snapshot, waited }: RunState) => {

@@ -1,4 +1,4 @@
-/** Run, Pause, or Run from here: one place, one width, whatever it does. */
+/** Run, Pause or Run from here, with one position and one width. */
 import { Pause, Play } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -13,7 +13,7 @@ export function RunButton() {
   const { simulator, run } = useServices();
   const does = useStore(run, runButton);
   const isFault = useStore(run, ({ fault }) => fault !== null);
-  // A recorded run can be played and paused all the same.
+  // The playback of a recorded run can be paused in any case.
   const isRefused = isProgramRefused(useRights()) && does !== "pause";
   const isMe = useStore(run, ({ snapshot }) => snapshot?.driver === "me");
   const note =
@@ -38,7 +38,7 @@ export function RunButton() {
       disabled={isFault || isRefused}
       title={note}
       aria-keyshortcuts="Control+Enter"
-      // What it says, though the robot may have come to rest by itself meanwhile.
+      // Sends what the label says, although the robot may have stopped by itself meanwhile.
       onClick={() => simulator.send({ type: does })}
     >
       {does === "run-here" ? t("timeline.runFromHere") : t(`shell.run.${does}`)}

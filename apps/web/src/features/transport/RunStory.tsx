@@ -1,6 +1,7 @@
 /**
- * The newest bump or goal in words, for those who come to read it; when it happens the spoken run says
- * it, and the timeline, the stage and the lines show it. Before a run it says, in the timeline's place, how to begin one.
+ * The newest bump or goal as text for screen readers. When it happens, features/speech announces
+ * it, and the timeline, the stage and the lines display it. Before a run, a visible hint how to
+ * start one.
  */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";

@@ -24,7 +24,7 @@ export function Transport() {
   const { run } = useServices();
   const isFresh = useStore(run, ({ nowTick }) => nowTick === 0);
   const view = useStore(run, (state) => state.view);
-  // Time flows: nobody steps back in it. The room for that is Reset's word.
+  // While the robot runs there is no step back, and Reset displays its word instead.
   const canStepBack = useStore(
     run,
     ({ snapshot, nowTick }) => nowTick > 0 && snapshot?.state !== "running",
@@ -131,7 +131,8 @@ function SpeedMenu() {
         if (next === undefined) return;
         run.setState({ speed: next });
         simulator.send({ type: "speed", speed: next });
-        // Chosen with the mouse: leave the menu, so that the drive keys drive and do not choose.
+        // Removes the focus after a mouse selection, so that the drive keys move the robot instead
+        // of the selection.
         const focused = document.activeElement;
         if (focused instanceof HTMLElement && !focused.matches(":focus-visible")) focused.blur();
       }}

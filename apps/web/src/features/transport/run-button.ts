@@ -1,18 +1,20 @@
-/** What the big button and Step do now, and what a press of one, or of its shortcut, asks for. */
+/**
+ * The function of the run button and of Step, and the requests that they and their shortcuts send.
+ */
 import type { Rights } from "@corridor/challenge";
 import type { Snapshot } from "@corridor/protocol";
 import type { RunView, StepLength, ToWorker } from "../../worker/worker-messages.ts";
 
-/** What decides it; the run store has all of it. */
+/** The part of the run store that is used here. */
 interface RunNow {
   snapshot: Snapshot | null;
   view: RunView;
 }
 
 /**
- * Pause while a program or a script lets the robot move, and while the past is played. While a hand
- * drives it is Run, even with a key held: it hands the robot to the program. In the past it is Run from
- * here.
+ * Pause while a program or a script drives, and while the past is played. Run while the user
+ * drives, even with a key held: it transfers the robot to the program. Run from here while the past
+ * is displayed.
  */
 export function runButton({ snapshot, view }: RunNow): "run" | "pause" | "run-here" {
   if (view === "playing") return "pause";
@@ -20,17 +22,17 @@ export function runButton({ snapshot, view }: RunNow): "run" | "pause" | "run-he
   return snapshot?.state === "running" && snapshot.driver !== "me" ? "pause" : "run";
 }
 
-/** Whether a challenge is for a hand alone: Run and Step are off there. */
+/** Whether a challenge excludes the driver Program, which disables Run and Step. */
 export function isProgramRefused(rights: Pick<Rights, "drivers"> | null): boolean {
   return rights !== null && !rights.drivers.includes("program");
 }
 
-/** What a press of the big button asks of the simulator. */
+/** The request of the run button. */
 export function runOrPause(now: RunNow): ToWorker {
   return { type: runButton(now) };
 }
 
-/** What a press of Step asks: the next decision or tick; where the past is displayed, a recorded one. */
+/** The request of Step: the next decision or tick; while the past is displayed, a recorded one. */
 export function stepOn(
   { view, snapshot }: Pick<RunNow, "view" | "snapshot">,
   length: StepLength = "decision",
@@ -40,7 +42,7 @@ export function stepOn(
   return { type: "seek", tick: (snapshot?.tick ?? 0) + 1 };
 }
 
-/** What "One decision back" asks: the exact mirror of Step. */
+/** The request of "One decision back", the inverse of Step. */
 export function stepBack(
   { snapshot }: Pick<RunNow, "snapshot">,
   length: StepLength = "decision",

@@ -1,4 +1,4 @@
-/** The one-line story of the run: which sentence tells the newest goal or bump, and its numbers. */
+/** The one-line story of the run: the sentence for the newest goal or bump, and its numbers. */
 import type { DriverName } from "@corridor/protocol";
 import type { TFunction } from "i18next";
 import type { RunEvent } from "../../worker/worker-messages.ts";
@@ -7,7 +7,7 @@ import { formatSeconds } from "../../text/numbers.ts";
 /** Side of a square of the maze, in cm. */
 const SQUARE = 100;
 
-/** Who or what was in charge; the sentence names it. */
+/** The driver or line in charge, which the sentence names. */
 export type Teller = "line" | "otherwise" | DriverName;
 
 export interface Story {
@@ -16,17 +16,18 @@ export interface Story {
   /** 1 for the first line; 0 when no numbered line was in charge */
   line: number;
   seconds: string;
-  /** those seconds in ticks */
+  /** the same time in ticks */
   after: number;
   tick: number;
-  /** square of the maze, counted from 1 as the maze's grid says it */
+  /** square of the maze, counted from 1 as in the labels of the grid */
   column: number;
   row: number;
 }
 
 /**
- * What there is to tell about a moment.
- * @param waited ticks up to it in which a script let the robot wait, which the clock counts apart
+ * The story of a run event.
+ * @param waited ticks up to it in which the robot waited for a script, which the clock counts
+ * separately
  */
 export function storyOf({ kind, line, driver, tick, pose }: RunEvent, waited = 0): Story {
   const isNumbered = typeof line === "number" && kind === "goal";
@@ -45,7 +46,7 @@ export function storyOf({ kind, line, driver, tick, pose }: RunEvent, waited = 0
 }
 
 /**
- * The sentence of a story. Which line caused a bump is for the diagnosis to say.
+ * The sentence of a story. The diagnosis names the line that caused a bump.
  * @param t with the namespace "runDetails" loaded
  */
 export function storyText(t: unknown, story: Story): string {

@@ -1,4 +1,4 @@
-/** Why there is nothing to look at, and where to go from here. */
+/** Why there is nothing to watch, and what to do next. */
 import { useTranslation } from "react-i18next";
 import { classNames } from "../../ui/class-names.ts";
 import { Button } from "../../ui/Button.tsx";

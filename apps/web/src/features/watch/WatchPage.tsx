@@ -1,4 +1,4 @@
-/** The page of an onlooker: the robot in its maze, how it is and what it sees; nothing to drive it with. */
+/** The page of a viewer: the robot in its maze, its state and its readings, without controls. */
 import { Eye } from "lucide-react";
 import { useEffect } from "react";
 import { useTranslation } from "react-i18next";
@@ -20,7 +20,7 @@ import styles from "./watch.module.css";
 interface WatchPageProps {
   store: WatchStore;
   screen: ScreenStore;
-  /** null while there is nothing to look at */
+  /** null while there is nothing to watch */
   client: () => WatchClient | null;
 }
 

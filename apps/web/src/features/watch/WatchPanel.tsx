@@ -1,4 +1,4 @@
-/** Beside the stage: how the robot is, who drives it and what it sees. */
+/** Beside the stage: the state of the robot, its driver and its readings. */
 import { List, RadioTower, User } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -42,7 +42,7 @@ export function WatchPanel({ store }: { store: WatchStore }) {
   );
 }
 
-/** Read when one comes to it, not said each time it changes. */
+/** Screen readers can read the position, but do not announce its changes. */
 function RobotPlace({ store }: { store: WatchStore }) {
   const { t } = useTranslation();
   const pose = useStore(store, ({ snapshot }) => snapshot?.pose ?? null);
@@ -52,7 +52,7 @@ function RobotPlace({ store }: { store: WatchStore }) {
   return <p className={styles["place"]}>{t("stage.robotAt", { x, y, facing })}</p>;
 }
 
-/** What has changed is said as well: another driver, the goal, a page that falls asleep or goes. */
+/** Screen readers announce changes of the state, the driver and the goal. */
 function RobotNews({ store }: { store: WatchStore }) {
   const { t } = useTranslation(["words", "watch"], { useSuspense: false });
   const state = useStore(store, robotState);

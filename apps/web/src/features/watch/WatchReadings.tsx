@@ -1,4 +1,4 @@
-/** The four readings around the robot, in cm, where the sensors are. */
+/** The four readings around the robot in cm, at the positions of the sensors. */
 import { sensorNames } from "@corridor/protocol";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -30,7 +30,7 @@ export function WatchReadings({ store }: { store: WatchStore }) {
             )}
           >
             <dt>{t(`drive.sensor.${sensor}`)}</dt>
-            {/* A reading on its decimal sign, which stays in its place while digits come and go. */}
+            {/* Aligned at the decimal sign, which stays in place while the digits change. */}
             <dd>
               <span>{whole}</span>
               <span>{tenths === undefined ? "" : sign + tenths}</span>

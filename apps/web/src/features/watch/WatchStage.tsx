@@ -1,4 +1,7 @@
-/** The maze with the robot in it, drawn by the worker. Those who listen are told where it is when they ask. */
+/**
+ * The maze with the robot, drawn by the worker. The drawing is hidden from screen readers, which
+ * read a sentence instead.
+ */
 import { useEffect, useLayoutEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -50,7 +53,7 @@ export function WatchStage({ store, client }: { store: WatchStore; client: Watch
   );
 }
 
-/** A sentence that changes with the square and the way that the robot faces, not with each step. */
+/** A sentence that changes with the square and the direction of the robot, not with each step. */
 function describe(
   { maze, snapshot }: WatchState,
   t: ReturnType<typeof useTranslation<["words", "watch"]>>["t"],

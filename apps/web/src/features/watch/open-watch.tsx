@@ -1,6 +1,6 @@
 /**
- * The page of whoever opens a robot's address: instead of a robot of its own it shows that one, live and
- * read-only. Comes in files of its own; nothing of the simulator is started.
+ * The page of a viewer: it displays the robot of the address, live and read-only. It loads its own
+ * files, and starts no simulator.
  */
 import "../../ui/base.css";
 import "../../ui/fonts/inter.css";
@@ -19,12 +19,12 @@ import { WatchPage } from "./WatchPage.tsx";
 
 export interface WatchParts {
   root: Pick<Root, "render">;
-  /** in the reader's language */
+  /** in the language of the page */
   words: i18n;
   language: LanguageChoice;
   /** theme and contrast */
   screen: ScreenStore;
-  /** localStorage: the theme that was chosen on this device */
+  /** localStorage, with the theme that the user has chosen */
   device: KeyValueStorage;
 }
 
@@ -37,7 +37,7 @@ export async function openWatch(parts: WatchParts): Promise<void> {
       tab,
       replaceAddress: (address) => history.replaceState(history.state, "", address),
     });
-  // Before anything else: the key is out of sight.
+  // First of all: removes the key from the visible address.
   const visit = read();
   await words.loadNamespaces("watch");
   startTheme({
@@ -56,7 +56,7 @@ export async function openWatch(parts: WatchParts): Promise<void> {
     client.watch(next.robot);
   };
   begin(visit);
-  // Another link to the same robot, pasted into the address, is no other page.
+  // Another link to the same robot in the address bar does not reload the page.
   window.addEventListener("hashchange", () => {
     if (location.hash.length > 1) begin(read());
   });

@@ -1,6 +1,6 @@
 /**
- * What somebody wants who opens a robot's address: to look on, where it ends in a watch key. A key is
- * taken out of the address at once and kept in this tab, so that a reload goes on looking.
+ * Reads the address of a robot, which is for a viewer if it contains a watch key. The key is
+ * removed from the address at once and stored for this tab, so that a reload continues to watch.
  */
 import type { KeyValueStorage } from "../../app/project-storage.ts";
 import type { WatchedRobot } from "../../worker/watch-messages.ts";
@@ -9,7 +9,7 @@ export type Visit =
   | { kind: "watch"; robot: WatchedRobot }
   /** the address is for a script */
   | { kind: "script" }
-  /** a part of it is missing */
+  /** a part of the address is missing */
   | { kind: "broken" };
 
 export interface WatchAddressPorts {
@@ -24,11 +24,11 @@ const KEPT = "corridor.watch";
 const PATH = /^\/r\/([A-Za-z0-9_-]{22})\/?$/;
 const WATCH_KEY = /^wch_[A-Za-z0-9_-]{22}$/;
 
-/** Reads the address and takes the key out of it. */
+/** Reads the address and removes the key from it. */
 export function takeVisit({ location, tab, replaceAddress }: WatchAddressPorts): Visit {
   const { pathname, search } = location;
   const key = location.hash.slice(1);
-  // First of all: from here on nobody reads the key over the reader's shoulder.
+  // First of all, so that nobody can read the key on the screen.
   if (key !== "") replaceAddress(pathname + search);
   const id = PATH.exec(pathname)?.[1];
   if (id === undefined) return { kind: "broken" };
@@ -48,6 +48,6 @@ function keep(tab: KeyValueStorage, { id, key }: WatchedRobot): void {
   try {
     tab.setItem(KEPT, `${id} ${key}`);
   } catch {
-    // A reload then asks for the whole link again.
+    // Without storage, a reload needs the whole link again.
   }
 }

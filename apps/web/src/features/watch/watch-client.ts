@@ -1,10 +1,10 @@
-/** The page's end of an onlooker's worker. */
+/** The client of the worker on a viewer's page. */
 import type { StageLink } from "../stage/stage-screen.ts";
 import type { StageToWorker } from "../../worker/stage-messages.ts";
 import type { FromWatcher, ToWatcher, WatchedRobot } from "../../worker/watch-messages.ts";
 import { seeSnapshot, type WatchStore } from "./watch-store.ts";
 
-/** As much of a Worker as is needed here. */
+/** The part of Worker that is used here. */
 interface WatchPort {
   postMessage(message: ToWatcher, transfer: Transferable[]): void;
   onmessage: ((event: MessageEvent<FromWatcher>) => void) | null;
@@ -15,7 +15,7 @@ export class WatchClient implements StageLink {
   readonly #port: WatchPort;
   readonly #listeners = new Set<Parameters<StageLink["listen"]>[0]>();
 
-  /** @param store is told all that is seen of the robot */
+  /** @param store receives the state of the robot */
   constructor(port: WatchPort, store: WatchStore) {
     this.#port = port;
     port.onmessage = ({ data }) => {
@@ -44,12 +44,12 @@ export class WatchClient implements StageLink {
     this.#port.postMessage({ type: "watch", robot }, []);
   }
 
-  /** Looks at nothing any more. */
+  /** Stops watching. */
   stop(): void {
     this.#port.postMessage({ type: "watch", robot: null }, []);
   }
 
-  /** The device has a network again. */
+  /** Reconnects now, because the device is online again. */
   tryAgain(): void {
     this.#port.postMessage({ type: "watch-again" }, []);
   }

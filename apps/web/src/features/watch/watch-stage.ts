@@ -1,4 +1,4 @@
-/** Everything of an onlooker's stage that is not React: what it draws, and how large. */
+/** The part of a viewer's stage outside React: the stage model and the layout. */
 import { sizeOf } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { i18n } from "i18next";
@@ -11,7 +11,7 @@ import { shownProperties, watchPixelRatio, watchTheme } from "../stage/theme-wat
 import type { WatchClient } from "./watch-client.ts";
 import type { WatchStore } from "./watch-store.ts";
 
-/** The lines of the robot's program stay with its owner. */
+/** Viewers do not receive the lines of the robot's program. */
 const noProgram: ProgramDocument = {
   format: "corridor/program",
   version: 1,
@@ -24,14 +24,14 @@ export interface WatchStagePorts {
   client: WatchClient;
   store: WatchStore;
   words: Pick<i18n, "t">;
-  /** scrolls where the maze is larger than the view */
+  /** scrolls if the maze is larger than the view */
   scroller: HTMLElement;
-  /** what the canvases are put into */
+  /** receives the canvases */
   layers: HTMLElement;
   view: StageViewStore;
 }
 
-/** Begins to draw. @returns a function that ends it */
+/** Starts drawing. @returns a function that ends it */
 export function openWatchStage(ports: WatchStagePorts): () => void {
   const { client, store, words, scroller, layers, view } = ports;
   const screen = openStageScreen(client, layers, (scroll) => followRequest(view, scroller, scroll));

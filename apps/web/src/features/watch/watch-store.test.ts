@@ -9,7 +9,7 @@ import { createWatchStore, drivenBy, endingOf, robotState } from "./watch-store.
 const robot = { id: "A".repeat(22), key: `wch_${"B".repeat(22)}` };
 const lost = { kind: "lost", reason: closeReasons.restart } as const;
 
-/** A page that looks on, and a worker that tells what it is told to. */
+/** The page of a viewer, with a worker whose messages the test sends. */
 function looking() {
   const store = createWatchStore({ kind: "watch", robot });
   const sent: ToWatcher[] = [];

@@ -1,4 +1,4 @@
-/** What an onlooker's page knows of the robot, and the sentence that says how it is. */
+/** The state of a viewer's page, and the name of the sentence that describes it. */
 import type { WatchStatus } from "@corridor/client/watch";
 import type { MazeDocument } from "@corridor/maze";
 import { closeReasons, type DriverName, type Snapshot } from "@corridor/protocol";
@@ -8,15 +8,15 @@ import type { Visit } from "./watch-address.ts";
 export interface WatchState {
   visit: Visit;
   line: WatchStatus & {
-    /** whether there was a line already, so that this is another one */
+    /** whether there was a connection before, so that this is a reconnection */
     isAgain: boolean;
   };
   snapshot: Snapshot | null;
-  /** the tick at which a script's command was last seen to run; null while none was since Remote drives */
+  /** the last tick at which a script's command ran; null if none has since Remote drives */
   scriptTick: number | null;
-  /** null: nobody knows it; undefined: nobody has said so yet */
+  /** null: the maze is unknown; undefined: not received yet */
   maze: MazeDocument | null | undefined;
-  /** the worker did not load, or broke */
+  /** whether the worker failed */
   isBroken: boolean;
 }
 
@@ -25,7 +25,7 @@ export function createWatchStore(visit: Visit) {
 }
 export type WatchStore = ReturnType<typeof createWatchStore>;
 
-/** Before anything of a robot is known. */
+/** The state before any message about a robot. */
 export const nothingYet: Omit<WatchState, "visit"> = {
   line: { kind: "connecting", isAgain: false },
   snapshot: null,
@@ -34,7 +34,7 @@ export const nothingYet: Omit<WatchState, "visit"> = {
   isBroken: false,
 };
 
-/** How the robot is, by the name of its sentence. */
+/** The state of the robot, as the name of its sentence. */
 export type RobotState = "connecting" | "waiting" | "running" | "paused" | "gone" | "lost";
 
 export function robotState({ line, snapshot }: WatchState): RobotState {
@@ -42,10 +42,15 @@ export function robotState({ line, snapshot }: WatchState): RobotState {
   return snapshot === null ? "waiting" : snapshot.state;
 }
 
-/** After so many ticks without a command, half a minute at the usual speed, nobody counts on the script. */
+/**
+ * Ticks without a command, half a minute at normal speed, after which the script counts as
+ * finished.
+ */
 const SCRIPT_STAYS = 1800;
 
-/** What a snapshot changes: it tells of the command that runs, not of the scripts that there are. */
+/**
+ * The state after a snapshot, which contains the running command, but not the connected scripts.
+ */
 export function seeSnapshot(
   { scriptTick }: Pick<WatchState, "scriptTick">,
   snapshot: Snapshot,
@@ -57,16 +62,16 @@ export function seeSnapshot(
   return { snapshot, scriptTick: isStill ? scriptTick : null };
 }
 
-/** Who drives, by the name of its sentence. */
+/** The driver, as the name of its sentence. */
 export function drivenBy({ snapshot, scriptTick }: WatchState): DriverName | "waiting" | null {
   const driver = snapshot?.driver ?? null;
   return driver === "remote" && scriptTick === null ? "waiting" : driver;
 }
 
-/** Why there is nothing to look at, by the name of its sentences. */
+/** The reason why there is nothing to watch, as the name of its sentences. */
 export type Ending = "script" | "broken" | "revoked" | "forgotten" | "failed";
 
-/** Null as long as there is something to look at, or will be. */
+/** Null while there is something to watch, or will be. */
 export function endingOf({ visit, line, isBroken }: WatchState): Ending | null {
   if (visit.kind !== "watch") return visit.kind;
   if (isBroken) return "failed";

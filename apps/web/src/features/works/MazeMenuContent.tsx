@@ -1,4 +1,4 @@
-/** What the maze menu holds: the maze's name, a new maze, the works on this device. */
+/** The content of the maze menu: the maze's name, a new maze, and the projects on this device. */
 import { FilePlus2 } from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";

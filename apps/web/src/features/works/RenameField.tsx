@@ -1,4 +1,4 @@
-/** The maze's name as a field; all that is typed in one go is one step of undo. */
+/** The maze's name as a field. All changes until the field loses focus are one step of undo. */
 import { MAX_NAME_LENGTH, rename } from "@corridor/maze";
 import { useEffect, useRef } from "react";
 import { useTranslation } from "react-i18next";
@@ -17,7 +17,7 @@ export function RenameField() {
     endStroke.current?.();
     endStroke.current = null;
   };
-  // The menu may close, and the field go, without a blur.
+  // Closing the menu removes the field without a blur event.
   useEffect(() => () => endStroke.current?.(), []);
   return (
     <div className={styles["rename"]}>
@@ -29,7 +29,7 @@ export function RenameField() {
         onBlur={end}
         onKeyDown={(event) => {
           if (event.key === "Enter") {
-            // Focus goes back to the menu's button, which the same key would press again.
+            // The focus moves to the menu's button, which the same key would press again.
             event.preventDefault();
             event.currentTarget.closest<HTMLElement>("[popover]")?.hidePopover();
           }

@@ -1,4 +1,4 @@
-/** Whether the newest edit is safe on this device, in words. */
+/** Whether the newest edit is stored on this device, in words. */
 import { CircleCheck, TriangleAlert } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -6,7 +6,7 @@ import { useServices } from "../../app/services.ts";
 import { classNames } from "../../ui/class-names.ts";
 import styles from "./maze-menu.module.css";
 
-/** In the bar it stands beside the name where there is room; in the menu it always stands. */
+/** In the bar it is displayed beside the name where there is room, in the menu always. */
 export function SaveState({ isInMenu = false }: { isInMenu?: boolean }) {
   const { t } = useTranslation();
   const { screen } = useServices();

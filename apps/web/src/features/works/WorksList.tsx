@@ -1,4 +1,4 @@
-/** The works on this device, newest first: open one, delete one. */
+/** The projects on this device, newest first, with buttons to open and delete each. */
 import { sizeOf } from "@corridor/maze";
 import { Trash2 } from "lucide-react";
 import { useTranslation } from "react-i18next";

@@ -1,4 +1,4 @@
-/** A new empty maze, opened as a work of its own beside what was open. */
+/** Opens a new empty maze as its own project. */
 import type { MazeDocument } from "@corridor/maze";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
@@ -19,7 +19,9 @@ function emptyMaze(name: string): MazeDocument {
   };
 }
 
-/** A program that the reader has written comes along; a message leads back. */
+/**
+ * The new project takes over the user's own program. A message leads back to the earlier project.
+ */
 export function openEmptyMaze(
   { projects, screen, workspace }: Pick<Services, "projects" | "screen" | "workspace">,
   words: Pick<i18n, "t">,
