@@ -236,7 +236,7 @@ class BridgedSocket {
     if (event !== "state") return;
     const record = value as CommandRecord;
     if (hasEnded(record.state)) {
-      this.#sendSnapshot((await (await this.#ask("/sensors")).json()) as Snapshot);
+      this.#offer((await (await this.#ask("/sensors")).json()) as Snapshot);
     }
     const n = Number(/^id: ?.*-(\d+)$/m.exec(block)?.[1]);
     this.#say({ type: "state", n, record });
