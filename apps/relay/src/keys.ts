@@ -1,9 +1,11 @@
-/** Ids and bearer keys: random bits, 128 for robots and keys. Keys are stored only as their SHA-256. */
+/**
+ * Ids and bearer keys: random bits, 128 for robots and keys. Keys are stored only as their SHA-256.
+ */
 import { createHash, randomBytes, randomInt, timingSafeEqual } from "node:crypto";
 import { PAIRING_LENGTH, PAIRING_LETTERS, SHORT_CODE_LENGTHS } from "@corridor/protocol";
 import type { KeyKind, StoredKey } from "./store/session-store.ts";
 
-/** delete: deletes the document of a short link. line: authenticates a long-poll connection. */
+/** delete: deletes a short link's document. connection: authenticates a long-poll connection. */
 const PREFIX: Record<KeyKind | "delete" | "connection", string> = {
   own: "own_",
   drive: "drv_",

@@ -1,6 +1,6 @@
 /**
- * Every kind of problem that the relay returns: its HTTP status, its title, and the text of its page
- * at `/problems/KIND`, to which `type` in a problem document points.
+ * Every kind of problem that the relay returns: its HTTP status, its title, and the text of its
+ * page. The `type` in a problem document points to that page, `/problems/KIND`.
  */
 
 export interface ProblemText {

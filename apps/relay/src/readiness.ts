@@ -1,8 +1,8 @@
 /**
  * Readiness of the relay: the store responds and no shutdown was requested.
  *
- * A full disk makes the relay `degraded`, not unready: robots and scripts still read and move, and
- * a load balancer that removes the relay would stop that too.
+ * A full disk makes the relay `degraded`, not unready. Robots and scripts still read and move. A
+ * load balancer that removes the relay would stop that too.
  */
 import type { Logger } from "pino";
 import type { Clock } from "./clock.ts";

@@ -1,5 +1,5 @@
 /**
- * Periodic task that visits all members and spreads its visits over turns of the event loop, so
+ * Periodic task that visits all members. It spreads its visits over turns of the event loop, so
  * that other work waits for a few visits only.
  */
 import type { Clock } from "./clock.ts";

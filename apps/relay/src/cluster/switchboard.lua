@@ -1,5 +1,5 @@
--- What relays know of each other besides the steps of the store. Time is that of Redis alone.
--- KEYS: 1 the robot's session, 2 its line, 3 the relays by the time until which they count as alive.
+-- Liveness of relays and ownership of pages. All times are those of Redis.
+-- KEYS: 1 the robot's session, 2 its channel, 3 relays by the time until which they count as alive.
 local step, given, relay = ARGV[1], cjson.decode(ARGV[2]), ARGV[3]
 local SESSION, LINE, RELAYS = unpack(KEYS)
 local clock = redis.call('TIME')
@@ -7,7 +7,7 @@ local now = clock[1] * 1000 + math.floor(clock[2] / 1000)
 
 local steps = {}
 
--- The robot's page, as it was stored, where its relay lives.
+-- The stored page of the robot, if its relay is alive.
 local function holderOf(session)
   local page = redis.call('HGET', session, 'page')
   if not page then return nil end
@@ -15,7 +15,7 @@ local function holderOf(session)
   return alive >= now and page or nil
 end
 
--- This relay lives. Returns whether it had counted as dead, and who has the pages of these robots.
+-- Heartbeat of this relay. Returns whether it had counted as dead, and the pages of these robots.
 function steps.beat()
   local before = tonumber(redis.call('ZSCORE', RELAYS, relay) or 0)
   redis.call('ZADD', RELAYS, now + given.ms, relay)
@@ -34,7 +34,7 @@ function steps.holder()
   return holderOf(SESSION) or 'null'
 end
 
--- The page with this epoch is away.
+-- Removes the page with this epoch, because it disconnected, and publishes that.
 function steps.left()
   local page = redis.call('HGET', SESSION, 'page')
   if page and cjson.decode(page).epoch == given.epoch then

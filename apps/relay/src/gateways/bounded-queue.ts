@@ -1,6 +1,6 @@
 /**
- * Limits the number of unfinished messages of one page. They wait in line for the store, so a page
- * that sends without waiting could exhaust the relay's memory.
+ * Limits the number of unfinished messages of one page. They wait for the store, so a page that
+ * sends without waiting could exhaust the relay's memory.
  */
 import { closeReasons } from "@corridor/protocol";
 import { limits } from "../sessions/limits.ts";

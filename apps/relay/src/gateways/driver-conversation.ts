@@ -1,6 +1,6 @@
 /**
- * Protocol of a script or a watcher. A script sends commands and receives records, states and
- * snapshots. A watcher only receives.
+ * Protocol of a script or a viewer. A script sends commands and receives records, states and
+ * snapshots. A viewer only receives.
  */
 import {
   closeReasons,

@@ -1,33 +1,39 @@
 /**
- * The shorter of two ways to the disk. To hand entries to a thread and be told takes longer than to write a few of
- * them, where the disk is quick: both threads have to be woken. So few are written at once by whoever calls, and many,
- * or any as long as the disk is slow, by the thread.
+ * Selects the faster of two journals for each write. On a fast disk, waking a thread and waiting
+ * for its answer takes longer than writing a few entries. Small batches are therefore written
+ * synchronously. Large batches, and all batches while the disk is slow, go to the thread.
  */
 import type { Journal, Told } from "./journal.ts";
 import type { Entry, Tidying } from "./journal-writer.ts";
 
-/** More come together only where much is going on; few right behind these have more behind them. */
+/**
+ * Larger batches occur only under load. A small batch right after a large one usually has more
+ * behind it.
+ */
 const FEW = 4;
-/** Whoever else is served meanwhile waits as long. */
+/** A synchronous write blocks all other work for its duration. */
 const SLOW_MS = 2;
-/** So many more slow writes than quick ones: one alone is that of a busy machine, which the thread would wait for as well. */
+/**
+ * Slow writes in excess of fast ones before the thread takes over. A single slow write shows a busy
+ * machine, which delays the thread too.
+ */
 const MANY_SLOW = 3;
-/** After so long it is tried again whether the disk is quick. */
+/** Time after which synchronous writes are tried again. */
 const TRY_AGAIN_MS = 10_000;
 
 export class AdaptiveJournal implements Journal {
   readonly #own: Journal;
   readonly #thread: Journal;
   readonly #now: () => number;
-  /** slow writes, less the quick ones since */
+  /** number of slow writes minus fast ones, at least 0 */
   #slow = 0;
   #slowUntil = -Infinity;
-  /** how many came last */
+  /** number of entries in the previous write */
   #before = 0;
 
   /**
    * @param own writes before it returns
-   * @param now ms by a clock that is never set back
+   * @param now ms of a monotonic clock
    */
   constructor(own: Journal, thread: Journal, now: () => number = () => performance.now()) {
     this.#own = own;

@@ -1,20 +1,20 @@
 /**
- * Room that is held back for bad times. A full disk refuses even to delete; giving the ballast up lets
- * robots end what they run and people delete what they have, until somebody makes room.
+ * Reserved disk space. A full disk rejects even deletions. After the ballast is released, robots
+ * can end running commands and people can delete data until space is free again.
  */
 import { closeSync, fsyncSync, openSync, rmSync, statSync, writeSync } from "node:fs";
 
-/** Some hundred steps, and the log of SQLite at its longest. */
+/** Enough for some hundred steps and the longest SQLite log. */
 const BYTES = 4 * 1024 * 1024;
 
 export interface Ballast {
-  /** @returns false when it was given up before */
+  /** @returns false if it was released before */
   giveUp(): boolean;
-  /** Holds the room back, if there is as much. @returns whether it is held now */
+  /** Reserves the space if the disk has enough. @returns whether the space is reserved now */
   hold(): boolean;
 }
 
-/** Ballast of so many bytes in a file of its own. */
+/** Ballast in a file of its own. */
 export class BallastFile implements Ballast {
   readonly #path: string;
   #isHeld = false;
@@ -48,7 +48,7 @@ export class BallastFile implements Ballast {
   #write(): void {
     const file = openSync(this.#path, "w", 0o600);
     try {
-      // Written, not only sized: a file with holes holds no room back.
+      // The bytes are written, because a sparse file reserves no space.
       const written = writeSync(file, Buffer.alloc(BYTES));
       if (written < BYTES) throw new Error("no disk space for the reserve file");
       fsyncSync(file);

@@ -1,6 +1,6 @@
 /**
- * One command as a store on disk keeps it. What stands in a row was checked before it was written: to check it
- * again at each step took a third of what a command costs.
+ * A command in the form in which the SQLite store holds it. Rows are validated before they are
+ * written. Validating them again in each step took a third of the cost of a command.
  */
 import type { Command, CommandRecord, CommandState } from "@corridor/protocol";
 import { commandIn } from "./known-commands.ts";
@@ -12,26 +12,26 @@ export interface CommandRow {
   readonly script: string | null;
   readonly key: string | null;
   readonly command: Command;
-  /** the command as JSON, by which two are compared */
+  /** the command as JSON, for comparison */
   readonly text: string;
   readonly acceptedAt: number;
   readonly ttl: number;
   readonly deadline: number;
   readonly replace: boolean;
   readonly lease: number | null;
-  /** it does not wait for those before it */
+  /** it does not wait for earlier commands */
   readonly overtakes: boolean;
   state: CommandState;
   reason: string | null;
-  /** why it was taken back, though the robot has it */
+  /** why it was cancelled although the robot already has it */
   recalled: string | null;
   pose: CommandRecord["pose"];
   distance: number | null;
-  /** of the page that it was delivered to */
+  /** of the page to which it was delivered */
   epoch: number | null;
 }
 
-/** What of a row is where in an entry, by which the tables read it, too: nothing changes its place. */
+/** Layout of a journal entry. The tables read the same positions, so they must not change. */
 type Entry = [
   seq: number,
   driver: string,
@@ -49,11 +49,11 @@ type Entry = [
   pose: string | null,
   distance: number | null,
   epoch: number | null,
-  /** entries of the first journals end before it */
+  /** missing in entries of the first journals */
   forgotten?: number,
 ];
 
-/** A stop, as JSON. */
+/** A stop command as JSON. */
 export const STOP = '{"action":"stop"}';
 
 export function isStop(text: string): boolean {
@@ -61,8 +61,8 @@ export function isStop(text: string): boolean {
 }
 
 /**
- * A row as a step has left it, as the journal and the tables have it.
- * @param forgotten up to which number the robot's commands that have ended are forgotten by that step; 0: none is
+ * Serialises a row for the journal and the tables.
+ * @param forgotten highest seq up to which this step deletes the robot's ended commands; 0: none
  */
 export function entryOf(row: CommandRow, forgotten: number): string {
   const { seq, driver, script, key, text, acceptedAt, ttl, deadline, replace, lease } = row;
@@ -89,7 +89,7 @@ export function entryOf(row: CommandRow, forgotten: number): string {
   return JSON.stringify(entry);
 }
 
-/** @throws SyntaxError when it is no entry */
+/** @throws SyntaxError if the text is not an entry */
 export function rowIn(entry: string): { row: CommandRow; forgotten: number } {
   const [seq, driver, script, key, text, acceptedAt, ttl, deadline, replaces, lease, ...rest] =
     JSON.parse(entry) as Entry;
@@ -118,7 +118,7 @@ export function rowIn(entry: string): { row: CommandRow; forgotten: number } {
 
 const newest = { at: Number.NaN, text: "" };
 
-/** A time as text: many come in the same millisecond. */
+/** Formats a time. Many commands arrive in the same millisecond, so the last result is reused. */
 function timeOf(at: number): string {
   if (at !== newest.at) Object.assign(newest, { at, text: new Date(at).toISOString() });
   return newest.text;

@@ -1,4 +1,6 @@
-/** Finds the commands of a robot, wherever they are: at hand, and only then in the tables. To be called in a step. */
+/**
+ * Finds commands of a robot, first in memory and then in the tables. Must be called within a step.
+ */
 import type { CommandRecord } from "@corridor/protocol";
 import { isStop, recordOfRow, STOP, type CommandRow } from "./command-row.ts";
 import type { LiveRobot } from "./live-robot.ts";
@@ -30,7 +32,7 @@ export function recordOf(
   return row && recordOfRow(row);
 }
 
-/** What came with this key. */
+/** The command with this idempotency key. */
 export function withKey(
   statements: Statements,
   id: string,
@@ -43,7 +45,7 @@ export function withKey(
   return row === undefined || row.seq <= robot.forgotten ? null : recordOfRow(row);
 }
 
-/** Those with a higher number, in order. */
+/** Commands with a higher seq, in order. */
 export function recordsAfter(
   statements: Statements,
   id: string,
@@ -57,7 +59,7 @@ export function recordsAfter(
   return rows.slice(0, limit).map(recordOfRow);
 }
 
-/** The newest number of a command after another one that overtakes in this way. */
+/** The highest seq of a stop or a replacing command after `after`; null if there is none. */
 export function newestOvertaking(
   statements: Statements,
   id: string,

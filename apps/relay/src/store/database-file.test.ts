@@ -32,7 +32,7 @@ function opened(path: string) {
   return { file, documents, setAside };
 }
 
-/** A robot that has done 20 commands. */
+/** Executes 20 commands on a robot. */
 async function driven(store: SqliteStore): Promise<void> {
   await withRobots(store);
   const [robot = ""] = ROBOTS;
@@ -67,7 +67,7 @@ describe("the database file", () => {
       name: "has a damaged page",
       damage: (path: string) => {
         const file = openSync(path, "r+");
-        // The header and the list of tables stay whole.
+        // The header and the list of tables stay intact.
         writeSync(file, Buffer.alloc(4_096, 0xff), 0, 4_096, 3 * 4_096);
       },
     },
@@ -126,7 +126,7 @@ describe("the database file", () => {
     const paths = [
       join(folder, "file", "corridor.sqlite"),
       join(folder, "folder"),
-      // The system refuses a folder here, as for a parent that is missing.
+      // The system rejects a folder here with ENOENT.
       ...(existsSync("/proc/self") ? ["/proc/corridor/corridor.sqlite"] : []),
     ];
     for (const path of paths) {

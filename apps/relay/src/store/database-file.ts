@@ -1,6 +1,6 @@
 /**
- * The SQLite file on disk: private to the user of this process, checked before it is used, and set aside when it is
- * damaged, so that the relay serves an intact database or none.
+ * The SQLite file on disk. It is private to the user of this process and checked before use. A
+ * damaged file is renamed, so that the relay serves an intact database or none.
  */
 import {
   chmodSync,
@@ -25,7 +25,7 @@ const SQLITE_CANTOPEN = 14;
 const SQLITE_CONSTRAINT = 19;
 const SQLITE_NOTADB = 26;
 const DAMAGED: ReadonlySet<number> = new Set([SQLITE_CORRUPT, SQLITE_NOTADB]);
-/** How the check fails where a generated column cannot be read from a damaged text. */
+/** Error codes of the integrity check if damaged text breaks a generated column. */
 const DAMAGED_COLUMN: ReadonlySet<number> = new Set([SQLITE_ERROR, SQLITE_CONSTRAINT]);
 const NO_ACCESS: ReadonlySet<number> = new Set([
   SQLITE_PERM,
@@ -33,23 +33,26 @@ const NO_ACCESS: ReadonlySet<number> = new Set([
   SQLITE_IOERR,
   SQLITE_CANTOPEN,
 ]);
-/** Finds a text that is not JSON. A check of the file does not look into texts, and readers would fail later. */
+/**
+ * Finds texts that are not JSON. The integrity check does not parse texts, and reads would fail
+ * later.
+ */
 const DAMAGED_TEXT = `
   SELECT 1 FROM (
     SELECT entry AS text FROM journal UNION ALL SELECT entry FROM commands
     UNION ALL SELECT text FROM mazes UNION ALL SELECT text FROM documents
   ) WHERE NOT json_valid(text) LIMIT 1`;
-/** The same of the command and the pose, which are texts inside an entry. */
+/** Finds invalid JSON in the command and the pose, which are texts inside an entry. */
 const DAMAGED_INSIDE = `
   SELECT 1 FROM (SELECT entry FROM journal UNION ALL SELECT entry FROM commands)
   WHERE NOT (json_valid(entry ->> 4) AND json_valid(coalesce(entry ->> 13, '{}'))) LIMIT 1`;
-/** An extended code carries the primary one in its lowest byte. */
+/** The lowest byte of an extended error code is its primary code. */
 const PRIMARY_CODE = 0xff;
 
 /** Read and write for the owner, nothing for others. SQLite gives -wal and -shm the same mode. */
 const PRIVATE = 0o600;
 
-/** The database cannot be used; the message names its path and what to do. */
+/** The database cannot be used. The message names its path and the solution. */
 export class DatabaseFileError extends Error {
   override readonly name = "DatabaseFileError";
 
@@ -64,7 +67,7 @@ export class DatabaseFileError extends Error {
 }
 
 /**
- * Makes the file and its folder where they are missing, and takes every permission on the file from other users.
+ * Creates the file and its folder if they are missing, and removes all permissions of other users.
  * @throws DatabaseFileError
  */
 export function preparePrivateFile(path: string): void {
@@ -79,7 +82,10 @@ export function preparePrivateFile(path: string): void {
   }
 }
 
-/** Not `recursive`: Node never returns where the system refuses a folder with ENOENT, as in /proc. */
+/**
+ * Not `recursive`: with it, Node never returns if the system rejects a folder with ENOENT, as in
+ * /proc.
+ */
 function makeFolder(path: string): void {
   if (existsSync(path)) return;
   const parent = dirname(path);
@@ -87,15 +93,16 @@ function makeFolder(path: string): void {
   try {
     mkdirSync(path);
   } catch (error) {
-    // Another relay that starts beside this one may have made it.
+    // Another relay that starts at the same time may have created it.
     if (!existsSync(path)) throw error;
   }
 }
 
 /**
- * Opens the database and brings it to the newest schema. A damaged file is renamed, and a new one takes its place.
+ * Opens the database and migrates it to the newest schema. A damaged file is renamed and replaced
+ * by a new one.
  * @param setAside receives the new path of a damaged file
- * @throws DatabaseFileError where it cannot be read, or as `prepareDatabase` does
+ * @throws DatabaseFileError if the file is not accessible, or as `prepareDatabase` does
  */
 export function openIntactDatabase(path: string, setAside: (to: string) => void): DatabaseSync {
   try {
@@ -127,7 +134,7 @@ function open(path: string): DatabaseSync {
   }
 }
 
-/** @returns "ok" or what is damaged */
+/** @returns "ok" or a description of the damage */
 function checkFile(db: DatabaseSync): string {
   try {
     return String(db.prepare("PRAGMA integrity_check(1)").get()?.["integrity_check"]);
@@ -145,7 +152,7 @@ function primaryCode(error: unknown): number {
   return error instanceof Error && "errcode" in error ? Number(error.errcode) & PRIMARY_CODE : 0;
 }
 
-/** The database and SQLite's own files beside it. */
+/** The database and the files that SQLite creates beside it. */
 function filesOf(path: string): string[] {
   return [path, `${path}-wal`, `${path}-shm`].filter((file) => existsSync(file));
 }

@@ -1,9 +1,9 @@
-/** A store without room, as databases tell it, and how to find out whether SQLite has some again. */
+/** Detects a store without free space, and whether SQLite has free space again. */
 import type { DatabaseSync } from "node:sqlite";
 
 const SQLITE_FULL = 13;
 
-/** Nothing new is stored until somebody makes room. */
+/** The store accepts no new data until space is free. */
 export class StoreFull extends Error {
   override readonly name = "StoreFull";
 }
@@ -14,9 +14,9 @@ export function isDiskFull(error: unknown): boolean {
 }
 
 /**
- * Takes some room in the file and gives it back, for good each time: what is only begun and undone
- * never gets as far as the disk.
- * @throws the error of SQLite when there is no room
+ * Allocates some space in the file and frees it again. Each call commits, because a transaction
+ * that is rolled back never reaches the disk.
+ * @throws the error of SQLite if there is no space
  */
 export function takeRoom(db: DatabaseSync): void {
   db.exec("BEGIN IMMEDIATE");
@@ -25,7 +25,7 @@ export function takeRoom(db: DatabaseSync): void {
       "CREATE TABLE room (bytes BLOB); INSERT INTO room VALUES (zeroblob(16384)); DROP TABLE room; COMMIT",
     );
   } finally {
-    // A full disk may have rolled back already; then there is nothing left to undo.
+    // SQLite may already have rolled back because the disk is full.
     if (db.isTransaction) db.exec("ROLLBACK");
   }
 }

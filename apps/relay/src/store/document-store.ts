@@ -1,15 +1,16 @@
 /**
- * What the relay keeps behind short links: documents, each once, with the keys (hashed) of those who
- * stored it.
+ * Storage of the documents behind short links. Each document is stored once, with the hashed keys
+ * of everyone who stored it.
  *
- * The same text has the same id, whoever stores it. Who stores it gets a key to take it back; the
- * document goes with the last key, so that nobody deletes what others still pass on.
+ * Equal texts have the same id. Each person who stores a text gets a delete key. The document is
+ * deleted with its last key, so that nobody deletes a document that others share.
+ *
  * Each method is one atomic step. Every implementation passes `testing/document-store.cases.ts`.
  */
 export interface NewDocument {
-  /** ids that it may get if it is not stored yet, at least one: it gets the first that is free */
+  /** candidate ids for a new document, at least one; the first free id is used */
   ids: readonly string[];
-  /** SHA-256 of the text: by it the same text is found again */
+  /** SHA-256 of the text, to find an equal text */
   hash: string;
   text: string;
   /** SHA-256 of the key that may delete it */
@@ -21,16 +22,16 @@ export type RemoveResult = "removed" | "no-document" | "wrong-key";
 
 export interface DocumentStore {
   /**
-   * Stores a text, or adds the key to what is stored already.
-   * @returns the id under which it is found
-   * @throws Error when none of the ids is free
+   * Stores a text, or adds the key to an equal stored text.
+   * @returns the id of the document
+   * @throws Error if every candidate id is in use
    */
   add(document: NewDocument): Promise<string>;
-  /** Reads a text. A use is noted when the last note is older than `noteMs`. */
+  /** Reads a text. Updates the time of last use if it is older than `noteMs`. */
   read(id: string, now: number, noteMs: number): Promise<string | null>;
-  /** Takes a key away, and with the last one the document. */
+  /** Deletes a key. Deletes the document with its last key. */
   remove(id: string, keyHash: string): Promise<RemoveResult>;
-  /** Deletes what was last used before a time. @returns how many documents */
+  /** Deletes documents last used before a time. @returns how many */
   removeUnused(before: number): Promise<number>;
   close(): Promise<void>;
 }

@@ -13,7 +13,7 @@ it("knows whose each entry is and which are the oldest, whatever comes and goes"
   fc.assert(
     fc.property(fc.array(change, { maxLength: 60 }), (changes) => {
       const owners = new EntryOwners();
-      // Does the same, and says what is to be found.
+      // The model: performs the same changes on a plain list.
       let plain: { entry: number; whose: string }[] = [];
       let newest = 5;
       for (const each of changes) {

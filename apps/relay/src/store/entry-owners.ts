@@ -1,28 +1,32 @@
 /**
- * Whose each entry of the journal is, in order. Entries come at one end and go at the other: a map from which the
- * first are deleted goes over the places of all that were, each time it is asked for its first.
+ * The robot of each journal entry, in order. Entries are added at the end and removed from the
+ * start. A Map would be slow here: after deletions at its start, each iteration first skips all
+ * deleted slots.
  */
 
-/** Places of what is gone are given back so many at a time. */
+/** Number of removed entries after which their slots are freed. */
 const MOST_GONE = 4_096;
 
 export class EntryOwners {
   #entries: number[] = [];
   #owners: string[] = [];
-  /** how many of the first are gone */
+  /** number of removed entries at the start of the lists */
   #gone = 0;
 
   get size(): number {
     return this.#entries.length - this.#gone;
   }
 
-  /** @param entry number, higher than those of all before */
+  /** @param entry number, higher than all previous ones */
   add(entry: number, owner: string): void {
     this.#entries.push(entry);
     this.#owners.push(owner);
   }
 
-  /** The last of the oldest entries, at most so many, that come before this one; 0: none does. */
+  /**
+   * The number of the newest among the `most` oldest entries that precede `before`; 0 if there is
+   * none.
+   */
   lastOfOldest(most: number, before: number): number {
     let last = 0;
     const end = Math.min(this.#entries.length, this.#gone + most);
@@ -39,7 +43,7 @@ export class EntryOwners {
     if (this.#gone >= MOST_GONE) this.#giveBack();
   }
 
-  /** Deletes all that these have. @returns the numbers of the entries */
+  /** Deletes all entries of these owners. @returns the numbers of the entries */
   deleteOf(owners: ReadonlySet<string>): number[] {
     this.#giveBack();
     const isGone = this.#owners.map((owner) => owners.has(owner));

@@ -1,21 +1,21 @@
 /**
- * A database that one relay has for itself. What its robots do is in that relay's memory, and a second one would
- * write over it. SQLite's own lock on an empty file beside it tells: the system gives it free when its process
- * ends, however that came about.
+ * Exclusive lock on a database. A relay holds the state of its robots in memory, and a second relay
+ * would overwrite it. The lock is SQLite's own lock on an empty file beside the database. The
+ * operating system releases it when the process ends, even after a crash.
  */
 import { DatabaseSync } from "node:sqlite";
 import { preparePrivateFile } from "./database-file.ts";
 
 const SQLITE_BUSY = 5;
-/** A relay that is on its way out has it until its last connection is closed. */
+/** A relay that shuts down holds the lock until its last connection is closed. */
 const WAIT_MS = 10_000;
 
 export class FileLock {
   readonly #db: DatabaseSync;
 
   /**
-   * @param waitMs for another relay to end; nothing else is done meanwhile
-   * @throws Error that says what to do when another relay has the database
+   * @param waitMs time to wait for another relay to end; blocks this process
+   * @throws Error with a solution if another relay holds the lock
    */
   constructor(path: string, waitMs = WAIT_MS) {
     preparePrivateFile(`${path}-lock`);

@@ -1,4 +1,4 @@
-/** Whatever is asked of a group commit, throws there or is lost: as if the steps had been done one by one. */
+/** A model test: steps that succeed, throw or fail in groups have the same effect as one by one. */
 import { setImmediate as turn } from "node:timers/promises";
 import fc from "fast-check";
 import { expect, it } from "vitest";
@@ -6,7 +6,7 @@ import { LOST, NOTHING, withJournal } from "./testing/slow-journal.ts";
 
 interface Doing {
   what: "memory" | "rows" | "alone" | "turn" | "kept" | "lost" | "tidy";
-  /** of a step */
+  /** entries that the step adds */
   entries: number;
   throws: "no" | "first" | "midway";
 }
@@ -79,7 +79,7 @@ it("each is answered, by what those before it have left, whatever throws or is l
       for (const { doing, name, answer } of steps) {
         const { what, entries, throws } = doing;
         const got = await answer;
-        // One that added nothing may have been in a group that was lost.
+        // A step without entries may still be in a group that fails.
         const isLost = lost.has(name) || (entries === 0 && got === LOST.message);
         const isKept = !isLost && throws === "no";
         if (isKept) for (let each = 0; each < entries; each++) left.push(name);

@@ -1,4 +1,4 @@
-/** Steps whose entries the journal writes: whatever becomes of these, memory and disk say the same. */
+/** Steps with journal entries: memory and disk stay consistent, whatever the result of a write. */
 import { setImmediate as turn, setTimeout as wait } from "node:timers/promises";
 import { describe, expect, it } from "vitest";
 import { LOST, NOTHING, withJournal } from "./testing/slow-journal.ts";
@@ -47,7 +47,7 @@ describe("steps that add entries", () => {
     await turn();
     expect(hasRow()).toEqual([]);
     journal.tell();
-    // Those that wait are done at once, with the step that was done before: one transaction has all of it.
+    // The waiting steps run together with the step that ran before, in one transaction.
     expect(await d).toEqual(["a", "b", "c", "d"]);
     expect(hasRow()).toEqual(["c"]);
     expect(settled).toEqual(["a kept", "b kept", "c kept", "d kept"]);
@@ -93,7 +93,7 @@ describe("steps that add entries", () => {
     await expect(bad).rejects.toThrow("half done");
     await turn();
     expect(journal.names).toEqual(["a"]);
-    // What memory says at this moment is not so: nothing of it may come into the tables.
+    // Memory is invalid at this point, so it must not reach the tables.
     expect(journal.writing?.tidying).toBeNull();
     journal.tell();
     await turn();
@@ -136,7 +136,7 @@ describe("steps that add entries", () => {
   });
 });
 
-/** Robots do one step after the other, but there may be many robots, and the disk may hang. */
+/** Each robot runs one step at a time, but there may be many robots, and the disk may hang. */
 describe("many thousand steps", () => {
   const MANY = 150_000;
 

@@ -18,7 +18,7 @@ function withTable(now: () => number = () => 0) {
     db.close();
   });
   const add = (n: number) => commits.run(() => db.exec(`INSERT INTO rows (n) VALUES (${n})`));
-  /** what somebody else would find after a crash at this moment */
+  /** what another process would find after a crash at this point */
   const kept = () => Number(other.prepare("SELECT count(*) AS n FROM rows").get()?.["n"]);
   return { db, commits, add, kept };
 }
@@ -85,7 +85,9 @@ describe("commits in groups", () => {
   });
 
   it("leaves what the steps one by one would leave, whichever of them throw midway", async () => {
-    /** adds rows one after the other; a row that is there throws by itself, `throws` does at the end */
+    /**
+     * adds rows one by one; a duplicate row throws, and `throws` makes the step throw at its end
+     */
     const steps = fc.array(
       fc.record({
         rows: fc.array(fc.integer({ min: 0, max: 12 }), { maxLength: 3 }),

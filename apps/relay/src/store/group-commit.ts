@@ -1,20 +1,21 @@
 /**
- * Many steps of the SQLite stores, one commit: the disk is asked to keep them all at once, and each is
- * answered only after that.
+ * Group commit: many steps of the SQLite stores share one commit. The result of each step is
+ * returned only after the commit.
  *
- * There are two kinds. What becomes of commands is decided in memory and kept by entries of the journal: while
- * that writes a group, the next one is done. A step that changes rows needs the database for itself: it waits
- * until nothing is being written, and its group is one transaction of this connection, entries and all. Steps
- * are done in the order in which they come, so those after one that waits wait with it.
+ * Two kinds of steps share groups. A memory step decides about commands in memory and adds entries
+ * to the journal. While the journal writes one group, steps of the next group run. A rows step
+ * changes rows and needs exclusive access to the database. It waits until no write is in progress.
+ * Its group is one transaction of this connection, which includes the journal entries. Steps run in
+ * order of arrival, so steps behind a waiting one wait too.
  *
- * A group ends with the turn of the event loop in which it began, after 50 steps (32 for an idle journal), or after
- * 5 ms, whatever comes first, and is written once the one before it is: then it has what came meanwhile, however much
- * that is. So a lone step waits for nobody, and what arrives while the disk works is the next group. To wait the 5 ms
- * in any case would let one who sends one by one do 230 steps a second, not 21,000.
+ * A group ends with the turn of the event loop, after 50 steps (32 for an idle journal), or after 5
+ * ms, whichever is first. It is written after the previous group, and includes the steps that
+ * arrived meanwhile. So a single step does not wait for others. Always waiting for 5 ms would limit
+ * a sequential client to 230 steps a second instead of 21,000.
  *
- * A step that throws is undone alone. Where rows were changed, the group is rolled back, and the steps before it are
- * done once more: that is rare, and a savepoint around each step costs each of them. Should one of those fail
- * then, all of them do.
+ * A step that throws is rolled back alone. If rows were changed, the whole group is rolled back and
+ * the earlier steps run again. This is rare, while a savepoint would add a cost to every step. If
+ * one of the repeated steps throws, all of them fail.
  */
 import type { DatabaseSync } from "node:sqlite";
 import { InlineJournal, type Journal } from "./journal.ts";
@@ -22,20 +23,20 @@ import { JournalWriter, type Entry, type Tidying } from "./journal-writer.ts";
 import { Statements } from "./statements.ts";
 
 const MOST_STEPS = 50;
-/** A journal that has nothing to write is given so many at once, and writes them while the next are done. */
+/** An idle journal receives this many steps at once, and writes them while the next steps run. */
 const ENOUGH_STEPS = 32;
 const LONGEST_MS = 5;
-/** Who was given nothing to write for so long is idle. */
+/** The journal is idle if it received nothing for this time. */
 const IDLE_MS = 10;
 
-/** rows: needs the database. memory: adds entries. alone: outside of a transaction. */
+/** rows: needs the database. memory: adds entries. alone: runs outside of a transaction. */
 type Kind = "rows" | "memory" | "alone";
 
 interface Step {
   kind: Kind;
-  /** does it, or does it once more after it was undone */
+  /** runs the step; may run again after a rollback */
   work: () => void;
-  /** what follows once the group is on disk, or is not */
+  /** called once the group is on disk, or has failed */
   kept: () => void;
   lost: (error: unknown) => void;
 }
@@ -44,26 +45,26 @@ interface Group {
   begunAt: number;
   steps: Step[];
   entries: Entry[];
-  /** it has changed rows, or may have */
+  /** whether it has changed rows, or may have */
   isTransaction: boolean;
 }
 
-/** What is in memory beside the database. */
+/** State in memory that belongs to the database. */
 export interface Memory {
-  /** steps were undone, and what is in memory may not hold: is called before anything else is done */
+  /** Called first after a rollback: the state in memory may be invalid. */
   undone(): void;
-  /** what is to be tidied with so many entries. @param isIdle nothing else is to be written */
+  /** Compaction to write with a number of entries. @param isIdle nothing else is to be written */
   due(entries: number, isIdle: boolean): Tidying | null;
-  /** whether there would be something to tidy where nothing else is to be written */
+  /** whether an idle journal would have something to compact */
   readonly isUntidy: boolean;
-  /** @param failed why it was not; null: it was */
+  /** Called after a compaction. @param failed the error; null if it succeeded */
   tidied(tidying: Tidying, failed: unknown): void;
 }
 
 export interface GroupCommitParts {
   memory?: Memory;
   journal?: Journal;
-  /** ms by a clock that is never set back */
+  /** ms of a monotonic clock */
   now?: () => number;
 }
 
@@ -81,20 +82,20 @@ export class GroupCommit {
   readonly #journal: Journal;
   readonly #memory: Memory;
   readonly #now: () => number;
-  /** what is done and not on its way to the disk */
+  /** steps that have run and are not being written yet */
   #open: Group | null = null;
-  /** what the journal writes at the moment */
+  /** the group that the journal is writing */
   #writing: Group | null = null;
-  /** what is to be done */
+  /** steps that have not run */
   #waiting: Step[] = [];
-  /** how many of these are done: to take each away would move all others */
+  /** number of steps in `#waiting` that have run; removing each one would shift all others */
   #doneOfWaiting = 0;
-  /** how many groups the journal was given */
+  /** number of groups that the journal received */
   #sent = 0;
   #timer: NodeJS.Timeout | null = null;
   #isClosed = false;
   #isGoingOn = false;
-  /** a step has left half of itself in memory */
+  /** memory is poisoned: a step that threw left partial changes */
   #isSpoiled = false;
 
   constructor(
@@ -114,9 +115,9 @@ export class GroupCommit {
   }
 
   /**
-   * One atomic step: all of it or, when it throws, nothing, whatever becomes of the others.
-   * @param step may be called more than once, with what it did before undone: it changes the database, and
-   *   memory beside it, alone
+   * Runs one atomic step. If it throws, it has no effect, and other steps are not affected.
+   * @param step may run again after a rollback; it must change only the database and the memory
+   *   that belongs to it
    * @param kind memory: it changes no rows
    * @returns its result once it is on disk
    */
@@ -124,23 +125,23 @@ export class GroupCommit {
     return this.#take(step, kind);
   }
 
-  /** Work that has to be outside of a transaction: what was done before is on disk by then. */
+  /** Runs work outside of a transaction. All earlier steps are on disk by then. */
   alone<T>(work: () => T): Promise<T> {
     return this.#take(work, "alone");
   }
 
-  /** Whether a step in memory would be done at once: what is in memory is what it would find. */
+  /** Whether a memory step would run immediately and see the current memory. */
   get isPrompt(): boolean {
     return this.#next === null && !this.#isSpoiled;
   }
 
-  /** Adds an entry to the journal, in a step. */
+  /** Adds an entry to the journal. Must be called within a step. */
   append(entry: Entry): void {
     if (this.#open === null) throw new Error("append() was called outside of a step.");
     this.#open.entries.push(entry);
   }
 
-  /** Waits for all that was asked for; nothing is done any more after that. */
+  /** Waits for all steps. Later steps are rejected. */
   async close(): Promise<void> {
     const done = this.alone(() => undefined);
     this.#isClosed = true;
@@ -223,16 +224,16 @@ export class GroupCommit {
     group.isTransaction = true;
   }
 
-  /** A step threw that changes no rows: none of its entries is written. */
+  /** Handles an error of a step that changes no rows. Its entries are not written. */
   #spoil(group: Group, entries: number): void {
     if (group.entries.length === entries) return;
     group.entries.length = entries;
     this.#isSpoiled = true;
   }
 
-  /** Undoes what a step did before it threw, and keeps what the others of its group have done. */
+  /** Rolls back a step that threw, and runs the earlier steps of its group again. */
   #undoNewest(group: Group, error: unknown): void {
-    // Some errors, a full disk's among them, have undone the whole group.
+    // Some errors, such as a full disk, have already rolled back the whole group.
     const isGone = !this.#db.isTransaction;
     this.#rollBack(group);
     if (isGone) return this.#lose(group, error);
@@ -252,19 +253,19 @@ export class GroupCommit {
     this.#memory.undone();
   }
 
-  /** Lets what is done go to the disk, as soon as that has done with what it writes. */
+  /** Writes the open group unless a write is in progress. */
   #flush(): void {
     const group = this.#open;
     if (group === null || this.#writing !== null) return;
     if (group.isTransaction) {
       this.#commit(group);
-      // What cannot wait any more is tidied also where each group changes rows.
+      // Sends an empty group, so that overdue compaction also runs if every group changes rows.
       this.#send(this.#newGroup());
     } else this.#send(group);
     this.#goOn();
   }
 
-  /** By this connection. */
+  /** Commits a group through this connection. */
   #commit(group: Group): void {
     try {
       this.#openTransaction(group);
@@ -278,11 +279,11 @@ export class GroupCommit {
     for (const { kept } of group.steps) kept();
   }
 
-  /** By the journal. */
+  /** Writes a group through the journal. */
   #send(group: Group, isIdle = false): void {
     this.#open = null;
     this.#sent += 1;
-    // Half of a step in memory is nothing to bring into tables: it has no entries.
+    // Poisoned memory must not reach the tables, because the failed step has no entries.
     const tidying = this.#isSpoiled ? null : this.#memory.due(group.entries.length, isIdle);
     if (group.entries.length === 0 && tidying === null) {
       for (const { kept } of group.steps) kept();
@@ -294,14 +295,14 @@ export class GroupCommit {
       if (tidying !== null) this.#memory.tidied(tidying, lost ?? untidied);
       if (lost === null) for (const { kept } of group.steps) kept();
       else this.#undoSince(group, lost);
-      // What could not be tidied now is tried again with what is written next, and not for ever meanwhile.
+      // A failed compaction is retried with the next write, not in a loop.
       const isWell = lost === null && untidied === null;
       this.#goOn(isWell);
       if (isIdle && isWell) this.#tidyOn();
     });
   }
 
-  /** What was done since then was done with what is lost now: it is done once more. */
+  /** Fails a group, and runs all later steps again, because they saw its results. */
   #undoSince(group: Group, error: unknown): void {
     this.#waiting = [...(this.#open?.steps ?? []), ...this.#waiting.slice(this.#doneOfWaiting)];
     this.#doneOfWaiting = 0;
@@ -316,10 +317,14 @@ export class GroupCommit {
     for (const { lost } of group.steps) lost(error);
   }
 
-  /** Something is over: what waited for that is done, and what is done goes to the disk, as far as that is free. */
+  /**
+   * Continues after a write: runs waiting steps, and writes finished steps if no write is in
+   * progress.
+   */
   #goOn(mayTidy = true): void {
     if (mayTidy && this.#memory.isUntidy) this.#tidySoon();
-    // What this loop itself has led to is its next round, not a call within it: thousands may wait behind a slow disk.
+    // The running loop handles the work of nested calls. Recursion could be thousands of calls deep
+    // behind a slow disk.
     if (this.#isGoingOn) return;
     this.#isGoingOn = true;
     try {
@@ -337,7 +342,7 @@ export class GroupCommit {
     return this.#next !== null && this.#mayDo(this.#next.kind);
   }
 
-  /** The first that waits. */
+  /** The first step that has not run. */
   get #next(): Step | null {
     return this.#waiting[this.#doneOfWaiting] ?? null;
   }
@@ -357,7 +362,7 @@ export class GroupCommit {
     }
   }
 
-  /** Where nothing is to be written for a while, there is time to tidy. */
+  /** Schedules compaction for when the journal is idle. */
   #tidySoon(): void {
     if (this.#timer !== null || this.#isClosed) return;
     const sent = this.#sent;
@@ -368,7 +373,7 @@ export class GroupCommit {
     }, IDLE_MS).unref();
   }
 
-  /** As long as there still is nothing else to write, what is next is tidied without a pause. */
+  /** Continues compaction without a delay while there is nothing else to write. */
   #tidyOn(): void {
     const sent = this.#sent;
     setImmediate(() => {

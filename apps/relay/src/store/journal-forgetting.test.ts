@@ -1,4 +1,4 @@
-/** What is forgotten, and what is not: over restarts, and whatever of it is in the tables by then. */
+/** Deletion of old commands, across restarts and for any state of the tables. */
 import { join } from "node:path";
 import { DatabaseSync } from "node:sqlite";
 import { setTimeout as wait } from "node:timers/promises";
@@ -39,7 +39,7 @@ describe("the journal", () => {
       expect(await seqs()).toEqual([1, 4, 5]);
       await add("key-0006");
       expect(await seqs()).toEqual([5, 6]);
-      // Another has its key from now on.
+      // From now on, another command has this key.
       expect(await add("key-0001")).toMatchObject({ outcome: "stored", record: { seq: 7 } });
       await store.cancel(id, 7, { driver: "d", reason: "no" });
       await maybeRestart();
@@ -60,7 +60,7 @@ describe("the journal", () => {
       await store.deliver(id, 1, 8, NOW);
       await store.end(id, 1, completed(n));
       expect(await store.add(id, command)).toMatchObject({ outcome: "duplicate" });
-      // Forgets the one before it, by keeping no more than itself.
+      // Deletes the previous command, because it retains only itself.
       await store.add(id, { ...command, key: null, command: { action: "stop" } });
       await store.deliver(id, 1, 8, NOW);
       await store.end(id, 1, completed(++n));
@@ -68,7 +68,7 @@ describe("the journal", () => {
     const db = new DatabaseSync(file, { readOnly: true });
     onTestFinished(() => db.close());
     const entries = () => Number(db.prepare("SELECT count(*) AS n FROM journal").get()?.["n"]);
-    // All of it can be brought into the tables.
+    // A checkpoint can copy all commands to the tables.
     await expect.poll(entries).toBeLessThanOrEqual(4);
     await store.close();
   });

@@ -3,10 +3,10 @@ import { parentPort, workerData } from "node:worker_threads";
 import { JournalWriter, type Entry, type Tidying } from "./journal-writer.ts";
 import { openForWriting } from "./sqlite-schema.ts";
 
-/** null: there is nothing more to write */
+/** null: the thread must end */
 export type Order = { entries: Flat; tidying: Tidying | null } | null;
 
-/** Entries, one after the other: lists in a list take longer to be handed over. */
+/** Flattened entries, because nested arrays take longer to transfer. */
 type Flat = readonly Entry[number][];
 
 export interface Answer {
@@ -16,7 +16,7 @@ export interface Answer {
 
 interface Failure {
   message: string;
-  /** of SQLite; null: it is no error of that */
+  /** error code of SQLite; null for other errors */
   errcode: number | null;
 }
 

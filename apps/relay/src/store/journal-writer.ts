@@ -1,41 +1,41 @@
 /**
- * What is written of commands: entries at the end of the journal, and rows that are brought from there into the
- * tables. It needs to be told no more than numbers for the latter, so that whoever has the robots in memory can let
- * another thread do all of it.
+ * Writes commands to the database: entries at the end of the journal, and rows that a checkpoint
+ * copies from the journal to the tables. A checkpoint only needs numbers, so a thread without the
+ * robots in memory can write it.
  */
 import type { DatabaseSync } from "node:sqlite";
 import { Statements } from "./statements.ts";
 
-/** In the order in which they are given: CROSS keeps SQLite from another. */
+/** CROSS JOIN makes SQLite process the entries in the given order. */
 const KEEP_ROWS = `INSERT INTO commands (robot, entry)
   SELECT robot, entry FROM json_each(?) AS given CROSS JOIN journal ON journal.id = given.value WHERE true
   ON CONFLICT (robot, seq) DO UPDATE SET entry = excluded.entry`;
 const FORGET_ENDED = "DELETE FROM commands WHERE robot = ? AND seq <= ? AND is_open = 0";
 const FORGET_ONE = "DELETE FROM commands WHERE robot = ? AND seq = ?";
 
-/** A row as a step has left it. */
+/** A row after a step. */
 export type Entry = [id: number, robot: string, text: string];
 
-/** A robot's rows, to be brought into the tables. */
+/** The checkpoint of one robot. */
 export interface Bringing {
   robot: string;
-  /** numbers of the entries that have the rows as they are now */
+  /** numbers of the entries that hold the current rows */
   entries: number[];
-  /** numbers of commands that are forgotten, which the tables may have as they were before they ended */
+  /** seq of deleted commands, which the tables may hold in an earlier state */
   gone: number[];
-  /** number of the newest of its entries */
+  /** number of the robot's newest entry */
   upTo: number;
   lastSeq: number;
-  /** before this number, all of it has ended */
+  /** every command before this seq has ended */
   openFrom: number;
-  /** what of it has ended up to this number is deleted, but for what comes in now; 0: nothing is */
+  /** ended commands up to this seq are deleted, except those in `entries`; 0: none */
   forgotten: number;
 }
 
-/** What is brought into the tables, and what of the journal is not needed any more. */
+/** Rows to copy to the tables, and journal entries to delete. */
 export interface Tidying {
   bringing: Bringing[];
-  /** entries up to this one go, but for those of these robots */
+  /** entries up to this number are deleted, except those of the robots in `kept` */
   deleted: number;
   kept: string[];
 }
@@ -50,9 +50,9 @@ export class JournalWriter {
   }
 
   /**
-   * Writes entries for good, and tidies with them where that can be done.
-   * @returns why it was not tidied; null where it was
-   * @throws the error of SQLite when there is nothing of it on disk
+   * Commits entries, together with a compaction if possible.
+   * @returns the error of the compaction, or null
+   * @throws the error of SQLite if no entry was written
    */
   write(entries: readonly Entry[], tidying: Tidying | null): unknown {
     if (tidying === null) {
@@ -66,13 +66,13 @@ export class JournalWriter {
       });
       return null;
     } catch (error) {
-      // Nobody is refused a command for what can wait.
+      // A failed compaction must not reject commands.
       this.#commit(() => this.append(entries));
       return error;
     }
   }
 
-  /** In the transaction of whoever calls it. */
+  /** Adds entries in the caller's transaction. */
   append(entries: readonly Entry[]): void {
     const sql = "INSERT INTO journal (id, robot, entry) VALUES (?, ?, ?)";
     for (const entry of entries) this.#statements.run(sql, entry);
@@ -87,7 +87,7 @@ export class JournalWriter {
   }
 
   #bringIn({ robot, entries, gone, upTo, lastSeq, openFrom, forgotten }: Bringing): void {
-    // First, since another may have come with the key of one that is forgotten.
+    // Deletions come first, because another command may reuse the key of a deleted one.
     if (forgotten > 0) this.#statements.run(FORGET_ENDED, [robot, forgotten]);
     for (const seq of gone) this.#statements.run(FORGET_ONE, [robot, seq]);
     if (this.#statements.run(KEEP_ROWS, [JSON.stringify(entries)]) !== entries.length)
@@ -103,7 +103,7 @@ export class JournalWriter {
       work();
       this.#statements.run("COMMIT");
     } catch (error) {
-      // Some errors, a full disk's among them, have undone all of it already.
+      // Some errors, such as a full disk, have already rolled back the transaction.
       if (this.#db.isTransaction) this.#statements.run("ROLLBACK");
       throw error;
     }

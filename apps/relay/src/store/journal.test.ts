@@ -1,4 +1,4 @@
-/** However short the journal, and whatever comes between: a store answers as one that keeps all of it in memory. */
+/** A store returns the same results for any journal length and any interruption. */
 import { readdirSync, readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { DatabaseSync } from "node:sqlite";
@@ -24,7 +24,7 @@ import {
 const COMMANDS: Command[] = [{ action: "left 90" }, { action: "forward" }, { action: "stop" }];
 
 type Step = (store: SessionStore, robot: string) => Promise<unknown>;
-/** A step, whose robot it is of, and what happens to the store then. */
+/** A step, its robot, and an event in the store after it. */
 interface Turn {
   step: Step;
   robot: string;
@@ -144,7 +144,7 @@ async function told(store: SessionStore): Promise<unknown> {
   return all;
 }
 
-/** A step that fails, which undoes what was done in its group, whereupon that is done again. */
+/** A step that fails, so that its group is rolled back and runs again. */
 const failing = async (store: SessionStore, id = ROBOTS[0] ?? ""): Promise<void> => {
   const again = store.create({ id, createdAt: 1, keys: [] });
   await expect(again).rejects.toThrow(/UNIQUE/);
@@ -183,7 +183,7 @@ describe("the journal", () => {
               if (after === "undone") asked.push(failing(store));
               if (after === "nothing" && isHurried) continue;
               await answered();
-              // Long enough for rows to be brought into the tables.
+              // Long enough for a checkpoint.
               if (after === "idle") await wait(15);
               if (after !== "restart") continue;
               await store.close();
@@ -241,7 +241,7 @@ describe("the journal", () => {
     }
     await store.close();
     expect(db.prepare("SELECT count(*) AS n FROM commands").get()?.["n"]).toBeGreaterThan(0);
-    // Somebody mends it by hand.
+    // Repairs the entry by hand.
     db.prepare(`UPDATE journal SET entry = ? WHERE id = ${newest}`).run(whole);
     const after = new SqliteStore(file, 2);
     onTestFinished(() => after.close());
@@ -269,7 +269,7 @@ describe("the journal", () => {
     await before.remove(first);
     expect(holds(`traces-of-${first}`)).toBe(false);
     await before.close();
-    // As far as a relay came that was killed in the middle.
+    // The state after a relay was killed during a deletion.
     const db = new DatabaseSync(file);
     db.exec("PRAGMA foreign_keys = ON");
     db.prepare("DELETE FROM sessions WHERE id = ?").run(second);
@@ -285,7 +285,7 @@ describe("the journal", () => {
     const store = new SqliteStore(file, 3_000);
     onTestFinished(() => store.close());
     await withRobots(store);
-    // The log begins anew now and then; what it grows by is what was written.
+    // The log restarts occasionally. Its growth is the amount written.
     const size = (): number => statSync(`${file}-wal`).size;
     let most = 0;
     for (let n = 1; n <= 1_200; n++) {
@@ -333,7 +333,7 @@ describe("the journal", () => {
     onTestFinished(() => db.close());
     const entries = (where = ""): number =>
       Number(db.prepare(`SELECT count(*) AS n FROM journal ${where}`).get()?.["n"]);
-    // Nobody else has a turn meanwhile: there is never time to tidy.
+    // The store is never idle meanwhile, so compaction runs only when it is overdue.
     let longest = 0;
     for (let n = 1; n <= 100; n++) {
       await Promise.all(

@@ -1,24 +1,24 @@
-/** Who writes the journal, and where: with whoever calls, or on a thread of its own. */
+/** Interface of the journal, and an implementation that writes synchronously. */
 import type { DatabaseSync } from "node:sqlite";
 import { JournalWriter, type Entry, type Tidying } from "./journal-writer.ts";
 
 /**
- * What became of writing.
- * @param lost why nothing of it is on disk; null: it is
- * @param untidied why it was not tidied all the same; null: it was
+ * Receives the result of a write.
+ * @param lost the error if nothing was written, or null
+ * @param untidied the error if only the compaction failed, or null
  */
 export type Told = (lost: unknown, untidied: unknown) => void;
 
 export interface Journal {
   /**
-   * Writes entries for good, and tidies with them where that can be done. Nobody else may write to the database
-   * until it is told what became of that, and then it may have been told before this returns.
+   * Commits entries, together with a compaction if possible. No other write to the database may
+   * start before `told` is called, which can happen before this method returns.
    */
   write(entries: readonly Entry[], tidying: Tidying | null, told: Told): void;
   close(): Promise<void>;
 }
 
-/** Writes by the connection, and on the thread, of whoever calls. */
+/** Writes on the caller's thread and connection. */
 export class InlineJournal implements Journal {
   readonly #writer: JournalWriter;
 

@@ -1,9 +1,9 @@
-/** Something for each idempotency key, whose scope is the driver that sent it. */
+/** Index of values by idempotency key. Keys are scoped to the driver that sent them. */
 export class KeyIndex<T> {
-  /** by driver: a text made of both would have to be made, and hashed, for each look */
+  /** by driver; a combined string would have to be built and hashed for each lookup */
   readonly #byDriver = new Map<string, Map<string, T>>();
   #size = 0;
-  /** what was looked for last: most robots have one driver */
+  /** the last driver looked up, because most robots have one driver */
   #driver = "";
   #ofDriver: Map<string, T> | undefined;
 

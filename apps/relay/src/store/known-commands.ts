@@ -1,6 +1,6 @@
 /**
- * Robots are told the same few commands again and again. Equal ones are one object here, which all that remember
- * them share: nobody changes a command.
+ * Interns commands, because robots receive the same few commands repeatedly. Equal commands share
+ * one immutable object.
  */
 import type { Command } from "@corridor/protocol";
 
@@ -13,7 +13,7 @@ export interface KnownCommand {
 const MOST = 512;
 const known = new Map<string, KnownCommand>();
 
-/** @param text a command as JSON @throws SyntaxError when it is none */
+/** @param text a command as JSON @throws SyntaxError if it is not JSON */
 export function commandIn(text: string): KnownCommand {
   const before = known.get(text);
   if (before !== undefined) return before;

@@ -1,22 +1,22 @@
 /**
- * A robot whose commands are at hand: in memory as they are, so that what every command goes through needs no
- * tables. It holds what has not ended, and what has ended and is in no table yet.
+ * A robot whose current commands are in memory, so that the usual steps of a command need no
+ * tables. It holds the open commands, and the ended commands that no table holds yet.
  */
 import { hasEnded } from "@corridor/protocol";
 import type { CommandRow } from "./command-row.ts";
 import { KeyIndex } from "./key-index.ts";
 
-/** To look for a key in the tables takes as long as all else that a command needs of its store. */
+/** Looking up a key in the tables takes as long as all other work of the store for a command. */
 const MOST_LEFT = 1_000;
 
-/** What of its session counts for its commands. */
+/** Session state that determines which commands are accepted. */
 export interface Standing {
   epoch: number;
   lastSeq: number;
   isPaused: boolean;
   /** hashes */
   keys: ReadonlySet<string>;
-  /** ids of scripts */
+  /** ids of blocked scripts */
   away: ReadonlySet<string>;
 }
 
@@ -26,20 +26,22 @@ export class LiveRobot {
   readonly #open = new Map<number, CommandRow>();
   readonly #ended = new Map<number, CommandRow>();
   readonly #byKey = new KeyIndex<CommandRow>();
-  /** numbers of those that the tables do not have as they are, with the newest entry of each */
+  /** newest entry of each command whose current row is not in the tables, by seq */
   readonly #unsettled = new Map<number, number>();
-  /** keys of those that have ended and are in the tables alone; null: not all are known */
+  /** keys of ended commands that only the tables hold; null: not all are known */
   #left: KeyIndex<true> | null;
   #forgotten = 0;
-  /** entry since which the tables have some that are forgotten; Infinity: the next one; 0: they have none */
+  /**
+   * entry that records the last deletion; Infinity: the next entry; 0: the tables have applied it
+   */
   #forgottenAt = 0;
   #delivered = 0;
   readonly #waiting = { overtaking: 0, others: 0 };
 
   /**
-   * @param open what has not ended, as the tables have it, in order
-   * @param keep is told each row that a step has changed, and up to which number what has ended is forgotten
-   *   with that; 0: nothing is. @returns number of its entry
+   * @param open the open commands in the tables, in order
+   * @param keep receives each row that a step has changed, and the seq up to which ended commands
+   *   are deleted with it (0: none). @returns the number of its entry
    */
   constructor(
     standing: Standing,
@@ -52,33 +54,36 @@ export class LiveRobot {
     for (const row of open) this.#place(row);
   }
 
-  /** What has not ended, in order; what ends meanwhile is left out. */
+  /** Open commands in order, without those that end during the iteration. */
   get open(): Iterable<CommandRow> {
     return this.#open.values();
   }
 
-  /** Before this number, all of it has ended. */
+  /** Every command before this seq has ended. */
   get openFrom(): number {
     const [first] = this.#open.keys();
     return first ?? this.standing.lastSeq + 1;
   }
 
-  /** The tables have all of it, and nothing is open. */
+  /** Whether the tables hold every row and no command is open. */
   get isAtRest(): boolean {
     return this.#open.size === 0 && this.#unsettled.size === 0;
   }
 
-  /** How many have ended and are in no table yet. */
+  /** Number of ended commands that are not in the tables yet. */
   get endedCount(): number {
     return this.#ended.size;
   }
 
-  /** Up to this number it is as if the tables had none that have ended: what ended later is at hand. */
+  /**
+   * Ended commands in the tables up to this seq count as deleted. Those that ended later are in
+   * memory.
+   */
   get forgotten(): number {
     return this.#forgotten;
   }
 
-  /** Up to this number what has ended is to be deleted from the tables; 0: that was done. */
+  /** Ended commands up to this seq must be deleted from the tables; 0: none. */
   get toForget(): number {
     return this.#forgottenAt === 0 ? 0 : this.#forgotten;
   }
@@ -87,37 +92,40 @@ export class LiveRobot {
     return this.#open.get(seq) ?? this.#ended.get(seq) ?? null;
   }
 
-  /** All that is at hand, in order. */
+  /** All commands in memory, in order. */
   rows(): CommandRow[] {
     return [...this.#ended.values(), ...this.#open.values()].toSorted((a, b) => a.seq - b.seq);
   }
 
-  /** @returns what came with this key, of what is at hand */
+  /** @returns the command in memory with this key */
   withKey(driver: string, key: string): CommandRow | null {
     return this.#byKey.get(driver, key) ?? null;
   }
 
-  /** How many wait, without those that overtake. */
+  /** Number of accepted commands, without those that bypass the queue. */
   get waitingCount(): number {
     return this.#waiting.others;
   }
 
-  /** Whether the page has as many as it may have, and nothing waits that it may have all the same. */
+  /**
+   * Whether the page has as many commands as it may have, and no waiting command bypasses the
+   * limit.
+   */
   hasAll(window: number): boolean {
     return this.#delivered >= window && this.#waiting.overtaking === 0;
   }
 
-  /** How many are delivered, without those that overtake. */
+  /** Number of delivered commands, without those that bypass the queue. */
   get deliveredCount(): number {
     return this.#delivered;
   }
 
-  /** Whether the tables may have a command with this key that is not at hand. */
+  /** Whether the tables may hold a command with this key that is not in memory. */
   mayHaveLeft(driver: string, key: string): boolean {
     return this.#left === null || this.#left.get(driver, key) === true;
   }
 
-  /** A step changes one of its rows, or adds one. */
+  /** Changes or adds a row, in a step. */
   change(row: CommandRow, change: Partial<CommandRow> = {}): CommandRow {
     if (this.#open.has(row.seq)) this.#count(row, -1);
     Object.assign(row, change);
@@ -126,7 +134,7 @@ export class LiveRobot {
     return row;
   }
 
-  /** A row as a step has left it that was kept before. */
+  /** Restores a row from the journal. */
   restore({ row, forgotten }: { row: CommandRow; forgotten: number }, entry: number): void {
     this.forget(forgotten);
     const before = this.#open.get(row.seq);
@@ -134,7 +142,7 @@ export class LiveRobot {
     this.#put(row, entry);
   }
 
-  /** Forgets what has ended by now, up to this number; it is kept with the next change. */
+  /** Deletes the commands up to this seq that have ended by now. The next change records it. */
   forget(seq: number): void {
     if (seq <= this.#forgotten) return;
     this.#forgotten = seq;
@@ -142,7 +150,7 @@ export class LiveRobot {
     for (const row of this.#ended.values()) if (row.seq <= seq) this.#drop(row);
   }
 
-  /** The newest entry of each that the tables do not have as it is, and the numbers of what is forgotten instead. */
+  /** The newest entry of each row that the tables lack, and the seq of each deleted command. */
   unsettled(): { rows: number[]; gone: number[] } {
     const rows: number[] = [];
     const gone: number[] = [];
@@ -152,13 +160,16 @@ export class LiveRobot {
     return { rows, gone };
   }
 
-  /** The tables have all of it up to this entry now, and what has ended is found there. */
+  /**
+   * Called once the tables hold all entries up to this one. Releases ended commands from memory.
+   */
   settled(upTo: number): void {
     for (const [seq, entry] of this.#unsettled) {
       if (entry > upTo) continue;
       this.#unsettled.delete(seq);
       const row = this.#ended.get(seq);
-      // In the tables nobody looks for one that ended when those around it were forgotten already.
+      // Lookups ignore ended rows in the tables up to `#forgotten`, so a row below it stays in
+      // memory.
       if (row !== undefined && seq > this.#forgotten) this.#leave(row);
     }
     if (this.#forgottenAt <= upTo) this.#forgottenAt = 0;
@@ -196,7 +207,7 @@ export class LiveRobot {
   #drop(row: CommandRow): void {
     this.#ended.delete(row.seq);
     const { driver, key } = row;
-    // Once it is forgotten, another may have come with its key.
+    // Another command may have reused the key of a deleted one.
     if (key !== null && this.#byKey.get(driver, key) === row) this.#byKey.delete(driver, key);
   }
 }

@@ -1,14 +1,15 @@
 /**
- * The robots whose commands are at hand, and the journal that keeps what becomes of these.
+ * The robots whose commands are in memory, and the journal that stores the changes of these
+ * commands.
  *
- * A command changes four times in a second or two, and each change in the tables writes pages of several
- * indexes, of which every robot has its own. The journal is written at its end alone, and a commit of many
- * robots' changes writes a few pages. Rows come into the tables later, a robot's all at once and as they are
- * by then: when the journal has grown long, the robot that has waited longest first. What the journal holds
- * beyond the tables is read again when the file is opened, and when steps were undone.
+ * A command changes four times within a second or two. Each change in the tables would write pages
+ * of several indexes, in a different place for each robot. The journal is written only at its end,
+ * so a commit with changes of many robots writes a few pages. A checkpoint copies the current rows
+ * of a robot to the tables later, once the journal is long. The robot that has waited longest is
+ * first. Entries that the tables lack are read again when the file is opened and after a rollback.
  *
- * All of it is to be called in steps of the file, but for `peek`, `due` and `tidied`, and nobody else may change commands
- * in the tables.
+ * All methods except `peek`, `due` and `tidied` must be called in steps of the file. No other code
+ * may change commands in the tables.
  */
 import { entryOf, rowIn, type CommandRow } from "./command-row.ts";
 import { EntryOwners } from "./entry-owners.ts";
@@ -18,18 +19,21 @@ import { LiveRobot, type Standing } from "./live-robot.ts";
 import { numberIn, rowsIn } from "./sqlite-rows.ts";
 import type { Statements } from "./statements.ts";
 
-/** Entries that the journal has before rows are brought into the tables: some 5 MB. */
+/** Journal length in entries at which checkpoints start: about 5 MB. */
 export const LONG = 16_384;
-/** Where there is always something else to write, it may get so many times as long. */
+/** Factor by which the journal may exceed that length while it is never idle. */
 const MUCH_LONGER = 4;
-/** What of one robot has ended and is at hand; what reads its commands goes through all of these. */
+/**
+ * Limit for the ended commands of one robot in memory. Reads of its commands iterate over all of
+ * them.
+ */
 const MOST_ENDED = 256;
 /**
- * Rows that are brought in at a time, of whole robots, so that nobody waits for it and a full disk has room for it; more
- * where a slow disk lets more entries come at a time.
+ * Rows per checkpoint, rounded up to whole robots. A small number keeps delays short and fits on a
+ * full disk. The number grows if a slow disk lets more entries arrive at a time.
  */
 const ROWS_AT_A_TIME = 64;
-/** Entries that are deleted at a time: more than come with them, as a rule, so that the journal gets no longer. */
+/** Entries to delete at a time. Usually more than are added, so that the journal does not grow. */
 const ENTRIES_AT_A_TIME = 256;
 
 const OPEN_ROWS =
@@ -47,26 +51,26 @@ export class LiveRobots implements Memory {
   readonly #append: (entry: Entry) => void;
   readonly #long: number;
   readonly #live = new Map<string, LiveRobot>();
-  /** number of the first entry of each that has some that the tables do not have, in the order of these */
+  /** first entry of each robot with entries that the tables lack, in order of these entries */
   readonly #unsettled = new Map<string, number>();
-  /** the same of those that are being brought into the tables */
+  /** the same for robots whose checkpoint is being written */
   readonly #bringing = new Map<string, number>();
   readonly #owners = new EntryOwners();
   /** number of the next entry */
   #next = 1;
-  /** those of which much has ended */
+  /** robots with too many ended commands in memory */
   readonly #crowded = new Set<string>();
-  /** entries of robots that are gone */
+  /** entries of deleted robots */
   #orphans: number[] = [];
-  /** why the commands of these cannot be read, and their entries, which stay */
+  /** robots whose commands cannot be read: the error, and the entries to retain */
   readonly #broken = new Map<string, { error: unknown; entries: number[] }>();
-  /** what is at hand does not hold */
+  /** memory is invalid and must be restored */
   #isUndone = true;
 
   /**
-   * @param statements that are undone with the step that they are in
-   * @param append writes an entry with the step that it is in
-   * @param long entries that the journal has before rows are brought into the tables
+   * @param statements rolled back together with their step
+   * @param append adds an entry to the journal in the current step
+   * @param long journal length in entries at which checkpoints start
    */
   constructor(statements: Statements, append: (entry: Entry) => void, long: number) {
     this.#statements = statements;
@@ -75,34 +79,34 @@ export class LiveRobots implements Memory {
     this.#restore();
   }
 
-  /** Steps were undone that may have changed what is at hand. */
+  /** Called after a rollback that may have made memory invalid. */
   undone(): void {
     this.#isUndone = true;
   }
 
-  /** The robot as it is at this moment, outside of a step; null: that is not known without reading. */
+  /** The robot in its current state, outside of a step; null if that requires a read. */
   peek(id: string): LiveRobot | null {
     return this.#isUndone ? null : (this.#live.get(id) ?? null);
   }
 
-  /** @returns the robot with its commands at hand from now on; null: there is no such robot */
+  /** Loads a robot's commands into memory. @returns null if there is no such robot */
   open(id: string): LiveRobot | null {
     if (this.#isUndone) this.#restore();
     return this.#load(id);
   }
 
-  /** The robot's keys, or the scripts that were sent away, are others now. */
+  /** Reads the robot's keys and blocked scripts again after a change. */
   refresh(id: string, { standing }: LiveRobot): void {
     Object.assign(standing, this.#whoMay(id));
   }
 
-  /** A step is done with the robot: what need not be at hand is let go. */
+  /** Called at the end of a step with the robot. Releases it from memory if possible. */
   done(id: string, robot: LiveRobot): void {
     if (robot.endedCount > MOST_ENDED) this.#crowded.add(id);
     this.#release(id, robot);
   }
 
-  /** These robots are gone from the tables: their entries are no more than `orphans`. */
+  /** Called after robots were deleted from the tables. Their entries become orphans. */
   remove(ids: readonly string[]): void {
     if (this.#isUndone) this.#restore();
     const gone = new Set(ids);
@@ -115,32 +119,32 @@ export class LiveRobots implements Memory {
     this.#orphan(this.#owners.deleteOf(gone));
   }
 
-  /** There may be more of them than a call can be given. */
+  /** Not one call with all entries: there may be more of them than a call accepts. */
   #orphan(entries: readonly number[]): void {
     for (const entry of entries) this.#orphans.push(entry);
   }
 
-  /** Whether the journal still has entries of robots that are gone. */
+  /** Whether the journal contains entries of deleted robots. */
   get hasOrphans(): boolean {
     return this.#orphans.length > 0;
   }
 
-  /** Deletes some of them. */
+  /** Deletes a batch of orphaned entries. */
   deleteOrphans(): void {
-    // What was deleted may be there again, and the robot of these entries with it.
+    // A rollback may have restored the robot of these entries.
     if (this.#isUndone) this.#restore();
     for (const entry of this.#orphans.splice(-ENTRIES_AT_A_TIME))
       this.#statements.run("DELETE FROM journal WHERE id = ?", [entry]);
   }
 
-  /** Whether there is something to tidy, for whoever has time. */
+  /** Whether an idle journal has something to compact. */
   get isUntidy(): boolean {
     return this.#owners.size > this.#long;
   }
 
   /**
-   * What is to be written with the next entries; `tidied` has to be told of it before more is.
-   * @param isIdle there is time; otherwise only what cannot wait is
+   * Compaction to write with the next entries. `tidied` must be called before the next write.
+   * @param isIdle also compacts what could wait
    */
   due(entries: number, isIdle: boolean): Tidying | null {
     const isLong = this.#owners.size > this.#long * (isIdle ? 1 : MUCH_LONGER);
@@ -168,7 +172,7 @@ export class LiveRobots implements Memory {
     return { bringing, deleted, kept: [...this.#broken.keys()] };
   }
 
-  /** What was due is on disk, or nothing of it. @param failed why it is not */
+  /** Called after a compaction. @param failed the error; null if it succeeded */
   tidied({ bringing, deleted }: Tidying, failed: unknown): void {
     if (failed === null) {
       for (const { robot: id, upTo } of bringing) {
@@ -186,7 +190,7 @@ export class LiveRobots implements Memory {
     this.#bringing.clear();
   }
 
-  /** Robots in the order in which their rows are to be brought into the tables. */
+  /** Robots in the order of their checkpoints. */
   *#inTurn(isLong: boolean): Iterable<string> {
     yield* this.#crowded;
     if (isLong) yield* this.#unsettled.keys();
@@ -208,7 +212,7 @@ export class LiveRobots implements Memory {
     return robot;
   }
 
-  /** Reads what the journal holds beyond the tables, in the place of all that is at hand. */
+  /** Replaces memory by the entries that the tables lack. */
   #restore(): void {
     this.#live.clear();
     this.#unsettled.clear();
@@ -218,7 +222,7 @@ export class LiveRobots implements Memory {
     this.#orphans = [];
     this.#owners.clear();
     const settled = numberIn(this.#statements, "SELECT max(settled) AS found FROM sessions") ?? 0;
-    // A number counts once for each robot, also when the journal is empty.
+    // New entries need numbers above every checkpoint, even if the journal is empty.
     this.#next = settled + 1;
     const entries = this.#statements.all(
       `SELECT journal.id, robot, settled, entry FROM journal LEFT JOIN sessions ON sessions.id = robot
@@ -232,7 +236,7 @@ export class LiveRobots implements Memory {
         this.#load(robot)?.restore(rowIn(entry), id);
         this.#note(robot, id);
       } catch (error) {
-        // One robot that cannot be read must not be the end of all others: it fails whenever it is asked for.
+        // An unreadable robot must not affect others. Each access to it throws this error.
         this.#broken.set(robot, { error, entries: [] });
         this.#live.delete(robot);
         this.#unsettled.delete(robot);
@@ -241,7 +245,7 @@ export class LiveRobots implements Memory {
     for (const { id, robot, settled: until } of entries) {
       if (until === null) continue;
       const broken = this.#broken.get(robot);
-      // What the tables do not have of it stays, whatever becomes of the rest of the journal.
+      // Its entries that the tables lack are retained, whatever part of the journal is deleted.
       if (broken !== undefined && id > until) broken.entries.push(id);
       else this.#owners.add(id, robot);
     }
@@ -260,7 +264,7 @@ export class LiveRobots implements Memory {
     if (!this.#unsettled.has(id)) this.#unsettled.set(id, entry);
   }
 
-  /** The newest of the oldest entries, of which the tables have all that they say. */
+  /** The newest of the oldest entries that the tables fully cover. */
   #settledEntries(most: number): number {
     const [unsettled = this.#next] = this.#unsettled.values();
     return this.#owners.lastOfOldest(most, Math.min(unsettled, ...this.#bringing.values()));

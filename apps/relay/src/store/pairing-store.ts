@@ -1,9 +1,10 @@
 /**
- * What the relay keeps of pairing codes: at most one for each robot, as a hash, with the script that asked by
- * it. A row goes with its robot, with the next code, when it is taken back, and when its time is over.
+ * Storage of pairing codes: at most one for each robot, as a hash, with the script that used it. A
+ * row is deleted with its robot, by the next code, when it is revoked, and when it expires.
  *
- * Each method is one atomic step, so that several relays can share a store: of two scripts that come with one
- * code one has it, of two answers the first counts. Every implementation passes `testing/pairing-store.cases.ts`.
+ * Each method is one atomic step, so that several relays can share a store. If two scripts use the
+ * same code, one succeeds. If there are two answers, the first counts. Every implementation passes
+ * `testing/pairing-store.cases.ts`.
  */
 export interface NewPairing {
   robot: string;
@@ -12,18 +13,18 @@ export interface NewPairing {
   endsAt: number;
 }
 
-/** Who asks. */
+/** The script that requests access. */
 export interface PairingQuestion {
-  /** SHA-256 of the key that the script gets by a yes */
+  /** SHA-256 of the key that becomes valid if the owner accepts */
   key: string;
-  /** as it calls itself */
+  /** the script's name for itself */
   name: string | null;
-  /** its language */
+  /** the script's language */
   client: string;
 }
 
 export interface StoredPairing extends NewPairing {
-  /** open: nobody has used the code yet */
+  /** open: no script has used the code yet */
   state: "open" | "asked" | "accepted" | "refused";
   question: PairingQuestion | null;
 }
@@ -35,25 +36,25 @@ export type PairingFinder =
 
 export interface PairingStore {
   /**
-   * Makes a code count, in place of an earlier one of the robot.
-   * @returns taken: another robot has the same code; no-robot: there is none to pair with
+   * Stores a code in place of the robot's previous one.
+   * @returns taken: another robot has the same code; no-robot: the robot does not exist
    */
   open(pairing: NewPairing): Promise<"opened" | "taken" | "no-robot">;
-  /** What still counts. */
+  /** The pairing, unless it has expired. */
   find(by: PairingFinder, now: number): Promise<StoredPairing | null>;
-  /** open → asked. @returns false when the code does not count, or was used */
+  /** open → asked. @returns false if the code is unknown, expired or used */
   ask(code: string, question: PairingQuestion, now: number): Promise<boolean>;
   /**
-   * From one state to another, for the question with this key alone.
-   * @returns false when it is not in that state
+   * Changes the state of the request with this key.
+   * @returns false if it is not in the state `from`
    */
   settle(
     key: string,
     change: { from: StoredPairing["state"]; to: StoredPairing["state"] },
     now: number,
   ): Promise<boolean>;
-  /** Forgets the robot's code. @returns false when there was none */
+  /** Deletes the robot's code. @returns false if there was none */
   remove(robot: string): Promise<boolean>;
-  /** Forgets what counts no more. @returns how many */
+  /** Deletes expired codes. @returns how many */
   removeEnded(now: number): Promise<number>;
 }

@@ -1,6 +1,6 @@
 /**
- * What becomes of a robot's commands, step by step: see `SessionStore`, which says what each of them is for. Each
- * change names the states that it may come from, and an ending is for ever.
+ * State transitions of a robot's commands; see `SessionStore` for their meaning. Each transition
+ * names the states that it starts from. An ended command never changes again.
  */
 import { expiredReason, type CommandRecord, type Ending } from "@corridor/protocol";
 import { isStop, recordOfRow, termedOfRow, type CommandRow } from "./command-row.ts";
@@ -15,13 +15,13 @@ import {
   type TermedRecord,
 } from "./session-store.ts";
 
-/** Whether who sends a command may. @returns null: yes */
+/** Checks whether the sender may send commands. @returns null if it may */
 export function refusal({ standing }: LiveRobot, { driver, script }: NewCommand): AddResult | null {
   if (!standing.keys.has(driver)) return { outcome: "revoked" };
   return script !== null && standing.away.has(script) ? { outcome: "blocked" } : null;
 }
 
-/** Stores a command whose key is not known. @param known what it is */
+/** Stores a command whose idempotency key is new. @param known the interned command */
 export function add(robot: LiveRobot, command: NewCommand, known: KnownCommand): AddResult {
   const { standing } = robot;
   const { driver, script, key, acceptedAt, ttl, deadline, replace, lease } = command;
@@ -55,7 +55,7 @@ export function add(robot: LiveRobot, command: NewCommand, known: KnownCommand):
   return { outcome: "stored", record: recordOfRow(row), ended };
 }
 
-/** accepted → delivered, in order: as many as the window has room for, and all that overtake. */
+/** accepted → delivered, in order: as many as the window permits, and all that bypass it. */
 export function deliver(
   robot: LiveRobot,
   { epoch, window, now }: { epoch: number; window: number; now: number },
@@ -73,7 +73,7 @@ export function deliver(
   return due.map((row) => termedOfRow(robot.change(row, { state: "delivered", epoch })));
 }
 
-/** accepted → expired. @returns what has, and the next deadline of what waits */
+/** accepted → expired. @returns the expired commands, and the next deadline of the waiting ones */
 export function expire(
   robot: LiveRobot,
   now: number,
@@ -89,7 +89,10 @@ export function expire(
   return { ended, next };
 }
 
-/** Takes back a command that has not ended: accepted → cancelled, or the robot is to be asked. */
+/**
+ * Cancels an open command: accepted → cancelled. A command that the robot has is marked as
+ * recalled.
+ */
 export function cancel(robot: LiveRobot, row: CommandRow, reason: string): CancelResult {
   if (row.state !== "accepted") {
     robot.change(row, { recalled: row.recalled ?? reason });
@@ -101,7 +104,7 @@ export function cancel(robot: LiveRobot, row: CommandRow, reason: string): Cance
   };
 }
 
-/** Takes back all that a key or a script has sent, or all but stops. @returns what waited, and has ended by this */
+/** Cancels all commands of a key or a script, or all except stops. @returns those that ended */
 export function recallAllOf(
   robot: LiveRobot,
   whose: { driver: string } | { script: string } | "all",
@@ -117,14 +120,14 @@ export function recallAllOf(
   });
 }
 
-/** delivered → started. @returns null when it was not delivered, or the epoch is not the newest */
+/** delivered → started. @returns null if it was not delivered or the epoch is not the newest */
 export function begin(robot: LiveRobot, epoch: number, seq: number): CommandRecord | null {
   const row = robot.row(seq);
   if (row?.state !== "delivered" || robot.standing.epoch !== epoch) return null;
   return recordOfRow(robot.change(row, { state: "started" }));
 }
 
-/** delivered or started → its ending. @returns null when it was neither */
+/** delivered or started → its ending. @returns null if it was in neither state */
 export function end(robot: LiveRobot, ending: Ending): CommandRecord | null {
   const { seq, state, reason, pose, distance } = ending;
   const row = robot.row(seq);
@@ -132,16 +135,16 @@ export function end(robot: LiveRobot, ending: Ending): CommandRecord | null {
   return recordOfRow(robot.change(row, { state, reason, pose, distance }));
 }
 
-/** Ends all that is delivered or started: its page is away for good. */
+/** Cancels all delivered and started commands, because their page does not return. */
 export function abandon(robot: LiveRobot, reason: string): CommandRecord[] {
   const left = [...robot.open].filter(isWithRobot);
   return left.map((row) => recordOfRow(robot.change(row, { state: "cancelled", reason })));
 }
 
 /**
- * Brings the commands of a robot to what the page that takes it says of itself.
- * @param known finds a record, wherever it is
- * @param newest finds the newest number of a stop, or of a command that replaces, wherever it is
+ * Reconciles a robot's commands with the report of the page that acquires the robot.
+ * @param known finds a record in memory or in the tables
+ * @param newest finds the highest seq of a stop or a replacing command in memory or in the tables
  */
 export function meetPage(
   robot: LiveRobot,
@@ -150,7 +153,7 @@ export function meetPage(
   newest: (what: "stop" | "replace") => number | null,
 ): { changed: CommandRecord[]; refused: CommandRecord[] } {
   const { lastApplied, fresh, isSettled, endings, pose, left } = page;
-  // The robot that came has driven nothing of them.
+  // The new page's robot has not moved for these commands.
   const ending = { state: "cancelled", pose, distance: pose === null ? null : 0 } as const;
   const changed = new Map<number, CommandRecord>();
   const refused: CommandRecord[] = [];
@@ -176,9 +179,10 @@ export function meetPage(
     const why = { ...ending, reason: left.started };
     for (const row of robot.open) if (row.state === "started") change(row, why);
   }
-  // What was delivered when something overtook it may wait again now; it was overtaken all the same.
+  // A delivered command may be accepted again now, although a stop or a replacement arrived after
+  // it.
   for (const what of ["stop", "replace"] as const) {
-    // It takes long to look for among ten thousand.
+    // The lookup is slow among ten thousand commands.
     const seq = waiting(robot).length === 0 ? null : newest(what);
     if (seq === null) continue;
     for (const { record } of overtake(robot, { seq, stops: what === "stop" }))
@@ -187,7 +191,7 @@ export function meetPage(
   return { changed: [...changed.values()].toSorted((a, b) => a.seq - b.seq), refused };
 }
 
-/** Ends what was accepted before a command that overtakes. */
+/** Ends the accepted commands before a stop or a replacing command. */
 function overtake(
   robot: LiveRobot,
   { seq, stops }: { seq: number; stops: boolean },
@@ -211,7 +215,7 @@ function isWithRobot({ state }: CommandRow): boolean {
   return state === "delivered" || state === "started";
 }
 
-/** It must not start any more. */
+/** Whether a command must not start any more. */
 function isLate({ deadline, acceptedAt }: CommandRow, now: number): boolean {
   return deadline <= now || acceptedAt > now + CLOCK_TOLERANCE_MS;
 }

@@ -1,13 +1,14 @@
 /**
- * What the relay keeps: robot sessions, their keys (hashed) and the life of every command.
+ * Storage of the relay: robot sessions, their hashed keys and the state of every command.
  *
- * Each method is one atomic step, so that several relays can share a store. An ending is for ever:
- * every change of state names the states that it may come from, and the first writer wins.
- * Wall-clock times are milliseconds since 1970. Every implementation passes `testing/store.cases.ts`.
+ * Each method is one atomic step, so that several relays can share a store. An ended command never
+ * changes again: every transition names the states that it starts from, and the first writer wins.
+ * Times are wall-clock milliseconds since 1970. Every implementation passes
+ * `testing/store.cases.ts`.
  */
 import type { Command, CommandRecord, Ending, Pose } from "@corridor/protocol";
 
-/** own: be the robot's page. drive: send commands and read. watch: read. */
+/** own: acts as the robot's page. drive: sends commands and reads. watch: reads. */
 export const keyKinds = ["own", "drive", "watch"] as const;
 export type KeyKind = (typeof keyKinds)[number];
 
@@ -17,41 +18,43 @@ export interface StoredKey {
   hash: string;
 }
 
-/** When a key was made, and when it was in use last as far as that was noted; null: never. */
+/** When a key was created and last used, as far as recorded; null: never used. */
 export interface KeyTimes {
   hash: string;
   createdAt: number;
   lastUsedAt: number | null;
 }
 
-/** A key was in use at this time. */
+/** A use of a key. */
 export interface KeyUse {
   hash: string;
   at: number;
 }
 
-/** A script that its robot's owner has sent away. */
+/** A script that the robot's owner has blocked. */
 export interface StoredScript {
   id: string;
   /** hash of its key */
   driver: string;
-  /** as it calls itself */
+  /** the script's name for itself */
   name: string | null;
-  /** its language */
+  /** the script's language */
   client: string;
 }
 
 export interface StoredSession {
   id: string;
-  /** raised each time a page takes the robot; 0 before the first */
+  /** incremented each time a page acquires the robot; 0 before the first */
   epoch: number;
-  /** by which the page that took it last is known on each of its lines; empty where that said nothing */
+  /**
+   * id by which the last owning page identifies itself on each connection; empty if it sent none
+   */
   page: string;
   createdAt: number;
   lastUsedAt: number;
   keys: StoredKey[];
   away: StoredScript[];
-  /** the owner lets no script drive at the moment */
+  /** the owner has paused all scripts */
   isPaused: boolean;
 }
 
@@ -59,17 +62,17 @@ export interface KeyChange {
   add: StoredKey[];
   /** hashes */
   remove: string[];
-  /** all of this kind go, too */
+  /** also removes all keys of this kind */
   removeKind: KeyKind | null;
-  /** why what they had sent is taken back */
+  /** why the commands of removed keys are cancelled */
   reason: string;
-  /** refuse to add when there would be more */
+  /** limit for the number of keys; adding beyond it fails */
   most: number;
   now: number;
 }
 
 export type KeysResult =
-  /** `ended`: what waited and had been sent by a key that is gone */
+  /** `ended`: accepted commands of removed keys, which are now cancelled */
   | { outcome: "changed"; keys: StoredKey[]; ended: TermedRecord[] }
   | { outcome: "full" }
   | { outcome: "no-session" };
@@ -78,14 +81,14 @@ export interface ScriptChange {
   add: StoredScript | null;
   /** id */
   remove: string | null;
-  /** why what it had sent is taken back */
+  /** why the commands of the script are cancelled */
   reason: string;
-  /** refuse to add when there would be more */
+  /** limit for the number of blocked scripts; adding beyond it fails */
   most: number;
 }
 
 export type AwayResult =
-  /** `ended`: what waited and had been sent by the script */
+  /** `ended`: accepted commands of the script, which are now cancelled */
   | { outcome: "changed"; away: StoredScript[]; ended: TermedRecord[] }
   | { outcome: "full" }
   | { outcome: "no-session" };
@@ -99,43 +102,46 @@ export interface NewCommand {
   key: string | null;
   command: Command;
   acceptedAt: number;
-  /** ms that it was given to start within, for the words with which it expires */
+  /** ms within which it must start, for the text of its expiry */
   ttl: number;
-  /** wall-clock time by which it must have started */
+  /** wall-clock time by which it must start */
   deadline: number;
-  /** supersedes all that is accepted */
+  /** supersedes all accepted commands */
   replace: boolean;
-  /** ms for which a drive goes on by itself, where its sender asked for some */
+  /** ms for which a drive continues without a renewal, if the sender chose it */
   lease: number | null;
-  /** refuse when so many commands wait already (a stop is never refused) */
+  /** limit for the number of accepted commands; stops are never rejected */
   maxWaiting: number;
-  /** forget what has ended, with its key, before the newest so many commands; at least 1 */
+  /**
+   * number of newest commands to retain; older ones that have ended are deleted with their keys; at
+   * least 1
+   */
   keep: number;
 }
 
 export type AddResult =
-  /** `ended`: what a stop, or a command that replaces, has overtaken */
+  /** `ended`: commands that a stop or a replacing command has ended */
   | { outcome: "stored"; record: CommandRecord; ended: TermedRecord[] }
   | { outcome: "duplicate"; record: CommandRecord }
-  /** the same idempotency key came with another command */
+  /** an earlier command has the same idempotency key and a different body */
   | { outcome: "conflict"; record: CommandRecord }
   | { outcome: "full" }
-  /** its deadline was past when it came, and its key is not known */
+  /** its deadline had passed on arrival, and its idempotency key is new */
   | { outcome: "late" }
-  /** the key that sent it is none of this robot's any more */
+  /** the key that sent it is no longer a key of this robot */
   | { outcome: "revoked" }
-  /** the script that sent it is away */
+  /** the script that sent it is blocked */
   | { outcome: "blocked" }
-  /** the owner lets no script drive at the moment */
+  /** the owner has paused all scripts */
   | { outcome: "paused" }
   | { outcome: "no-session" };
 
-/** A record with what only the relay and the robot need of its command. */
+/** A record with the command details that only the relay and the robot need. */
 export interface TermedRecord {
   record: CommandRecord;
   /** hash of the key that sent it */
   driver: string;
-  /** id of the script that sent it; null where an earlier Corridor stored it */
+  /** id of the script that sent it; null if an earlier version of Corridor stored it */
   script: string | null;
   ttl: number;
   deadline: number;
@@ -145,7 +151,7 @@ export interface TermedRecord {
 
 export type CancelResult =
   | { outcome: "cancelled"; termed: TermedRecord }
-  /** delivered or started: the robot's to end */
+  /** it is delivered or started, so the robot must end it */
   | { outcome: "delivered"; record: CommandRecord }
   | { outcome: "over"; record: CommandRecord }
   | { outcome: "not-yours" }
@@ -153,27 +159,30 @@ export type CancelResult =
 
 export type EndResult =
   | { outcome: "ended"; record: CommandRecord }
-  /** it is not this page's to end, or not any more; null: there is no such command */
+  /** this page cannot end it, or it has ended; null: there is no such command */
   | { outcome: "over"; record: CommandRecord | null };
 
-/** A command from so much later than now shows that the clock was set back. */
+/** A command accepted further in the future than this shows that the clock was set back. */
 export const CLOCK_TOLERANCE_MS = 2_000;
 
-/** Why a command ends that the page before was given, where that one can neither end it nor report that it began. */
+/**
+ * Reasons for ending commands of the previous page if it can neither end them nor report their
+ * start.
+ */
 export interface LeftReasons {
-  /** delivered, and not known whether it has begun */
+  /** delivered, and not known whether it has started */
   delivered: string;
   started: string;
 }
 
-/** The page before is gone, and this one was loaded in its place. */
+/** The previous page is gone, and this one was loaded in its place. */
 export const reloadReasons: LeftReasons = {
   delivered:
     "The robot's page was reloaded, and this command may have started. Check where the robot is, then send a new command.",
   started: "The robot's page was reloaded and ended this command. Send a new command.",
 };
 
-/** The page before may still be there. */
+/** The previous page may still exist. */
 export const replacedReasons: LeftReasons = {
   delivered:
     "Another page took over the robot, and this command may have started. Check where the robot is, then send a new command.",
@@ -181,21 +190,21 @@ export const replacedReasons: LeftReasons = {
 };
 
 export interface PageState {
-  /** the page has started or ended this command and all before it that it was given */
+  /** the page has started or ended every command up to this seq that it received */
   lastApplied: number;
-  /** the page was loaded anew: what had started can never end by itself */
+  /** the page was reloaded, so a started command can no longer end by itself */
   fresh: boolean;
   endings: Ending[];
-  /** where its robot is: a command that is cancelled because the page came ends there; null where it is not known */
+  /** pose of the page's robot, where commands that are cancelled now end; null if unknown */
   pose: Pose | null;
-  /** by which it is known on each of its lines, where it says so */
+  /** id by which the page identifies itself on each connection, if it sent one */
   page?: string | undefined;
   /**
-   * Epoch of the page that had the robot last, where it is known what that one has not begun; null: nobody
-   * knows. Of no effect where another page has taken the robot since.
+   * Epoch of the previous owner if it is known which commands that page has not started; null:
+   * unknown. Has no effect if another page has acquired the robot since.
    */
   settled: number | null;
-  /** why commands end that the page before was given */
+  /** reasons for ending the commands of the previous page */
   left: LeftReasons;
 }
 
@@ -205,79 +214,78 @@ export interface SessionStore {
   ): Promise<void>;
   find(id: string): Promise<StoredSession | null>;
   /**
-   * Makes and revokes keys in one step, and takes back what the revoked ones have sent: see `cancel`. Scripts
-   * of a revoked key are not away any more: they are gone.
+   * Creates and revokes keys in one step, and cancels the commands of revoked keys; see `cancel`.
+   * Scripts of a revoked key are removed from the blocked ones.
    */
   changeKeys(id: string, change: KeyChange): Promise<KeysResult>;
-  /**
-   * Sends a script away, once however often it is asked for, and takes back what it has sent; or lets one
-   * back.
-   */
+  /** Blocks a script and cancels its commands, or unblocks a script. Blocking is idempotent. */
   changeAway(id: string, change: ScriptChange): Promise<AwayResult>;
   /**
-   * Pauses remote driving, and takes back all but stops; or lets scripts drive again.
-   * @param reason why what they had sent is taken back
-   * @returns what waited and has ended by this; null when there is no such session
+   * Pauses remote driving and cancels all commands except stops, or resumes it.
+   * @param reason why the commands are cancelled
+   * @returns the accepted commands that ended; null if there is no such session
    */
   pause(id: string, isPaused: boolean, reason: string): Promise<TermedRecord[] | null>;
   /**
-   * Keeps the maze that the robot is in, in the place of the one before.
-   * @param text of the document, as JSON
-   * @returns false: there is no such session
+   * Stores the maze that the robot is in, in place of the previous one.
+   * @param text the document as JSON
+   * @returns false if there is no such session
    */
   keepMaze(id: string, text: string): Promise<boolean>;
-  /** The maze that the robot is in; null where none was kept. */
+  /** The maze that the robot is in; null if none is stored. */
   maze(id: string): Promise<string | null>;
-  /** The times of its keys, in no order. */
+  /** Times of the session's keys, in no particular order. */
   keyTimes(id: string): Promise<KeyTimes[]>;
-  /** Notes that the session is in use, and its keys were; never sets a time back. */
+  /** Records a use of the session and of its keys. Times never decrease. */
   touch(id: string, now: number, keys: readonly KeyUse[]): Promise<void>;
-  /** Deletes the session and everything of it. @returns false when there was none */
+  /** Deletes the session and all of its data. @returns false if there was none */
   remove(id: string): Promise<boolean>;
   /** Deletes sessions last used or created before these times. @returns their ids */
   removeExpired(before: { lastUsedAt: number; createdAt: number }): Promise<string[]>;
 
   /**
-   * Stores a command as accepted, with the next seq, and forgets old ones that have ended. A stop
-   * cancels all that are accepted, one that replaces supersedes them. A known key is answered first,
-   * however late it comes again, and while scripts may not drive, too.
+   * Stores a command as accepted with the next seq, and deletes old ended commands. A stop cancels
+   * all accepted commands, and a replacing command supersedes them. A known idempotency key returns
+   * its earlier record, even after the deadline and while scripts are paused.
    */
   add(id: string, command: NewCommand): Promise<AddResult>;
   /**
-   * Marks the next accepted commands, in order, as delivered, so that at most `window` are delivered
-   * at a time. A stop, or a command that replaces, does not count and does not wait; what is due to
-   * expire stays where it is.
+   * Marks the next accepted commands as delivered, in order. At most `window` commands are
+   * delivered at a time. Stops and replacing commands do not count and do not wait. Commands that
+   * are due to expire are skipped.
    */
   deliver(id: string, epoch: number, window: number, now: number): Promise<TermedRecord[]>;
-  /** Whether it is known, without asking for it, that `deliver` would find nothing now. */
+  /** Whether it is known without a query that `deliver` would return nothing now. */
   hasAll(id: string, window: number): boolean;
   /**
-   * accepted → expired, for all whose deadline is past, and for those from a time that is yet to come:
-   * then the clock was set back, and nobody knows how late it is.
-   * @returns what has expired, and the next deadline of what waits; null: nothing waits
+   * accepted → expired, for commands whose deadline has passed or whose acceptance is in the
+   * future. The latter shows that the clock was set back, so their age is unknown.
+   * @returns the expired commands, and the next deadline of the waiting ones; null: none waits
    */
   expire(id: string, now: number): Promise<{ ended: TermedRecord[]; next: number | null }>;
   /**
-   * Takes one command back for the driver that sent it: accepted → cancelled. What the robot has keeps the
-   * wish: the robot is asked, and where it turns out that it never got the command, that is cancelled.
+   * Cancels a command for the driver that sent it: accepted → cancelled. If the robot has the
+   * command, the request is stored and the robot is asked to end it. If the robot turns out not to
+   * have received it, it is cancelled.
    */
   cancel(id: string, seq: number, by: { driver: string; reason: string }): Promise<CancelResult>;
-  /** delivered → started. @returns null when it was not delivered, or the epoch is not the newest */
+  /** delivered → started. @returns null if it was not delivered or the epoch is not the newest */
   start(id: string, epoch: number, seq: number): Promise<CommandRecord | null>;
-  /** delivered or started → its ending, by the page of the newest epoch. */
+  /** delivered or started → its ending, reported by the page of the newest epoch. */
   end(id: string, epoch: number, ending: Ending): Promise<EndResult>;
   /**
-   * The page with this epoch is away for good: raises the epoch, so that nothing of it counts any more,
-   * and ends all that is delivered or started as cancelled. Does nothing when a newer page has come.
-   * @returns what has ended by this; null: another relay that lives has the page
+   * Gives up a page that does not return: increments the epoch, so that its later reports are
+   * ignored, and cancels all delivered and started commands. Does nothing if a newer page exists.
+   * @returns the commands that ended; null if another running relay is connected to the page
    */
   abandon(id: string, epoch: number, reason: string): Promise<CommandRecord[] | null>;
   /**
-   * A page takes the robot: raises the epoch, stores what the page has done, and makes what was not begun
-   * wait again, except what was taken back or what a later stop or replacing command has overtaken
-   * meanwhile. Where nobody knows whether it was begun, it ends as cancelled: see `PageState.settled`.
-   * @returns what has changed, and the records whose ending the page tells otherwise than it was; null
-   *   when there is no such session
+   * Makes a page the owner of the robot: increments the epoch and stores what the page has done.
+   * Commands that were not started return to accepted, unless they were cancelled, stopped or
+   * superseded meanwhile. If it is unknown whether they started, they end as cancelled; see
+   * `PageState.settled`.
+   * @returns the changed records, and the records whose ending differs from the page's report; null
+   *   if there is no such session
    */
   takeOver(
     id: string,
@@ -289,12 +297,14 @@ export interface SessionStore {
   commandsAfter(id: string, seq: number, limit: number): Promise<CommandRecord[]>;
   /** The commands that have not ended, in order. */
   openCommands(id: string): Promise<CommandRecord[]>;
-  /** The commands that were taken back and that the robot has, in order, and why they were. */
+  /**
+   * Commands that the robot has and whose cancellation was requested, in order, with the reasons.
+   */
   recalled(id: string): Promise<{ seq: number; reason: string }[]>;
   /**
-   * Whether the store can be written, found out by writing.
-   * @returns full: it answers, and has no room left
-   * @throws Error when it does not answer
+   * Checks whether the store is writable, by writing.
+   * @returns full: it responds, but has no free space
+   * @throws Error if it does not respond
    */
   check(): Promise<"ok" | "full">;
   close(): Promise<void>;

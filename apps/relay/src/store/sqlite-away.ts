@@ -1,4 +1,4 @@
-/** The scripts that a robot's owner has sent away, in SQLite. */
+/** The scripts that a robot's owner has blocked, in SQLite. */
 import { z } from "zod";
 import type { AwayResult, ScriptChange, StoredScript, TermedRecord } from "./session-store.ts";
 import type { Statements } from "./statements.ts";
@@ -16,9 +16,9 @@ export function awayIn(statements: Statements, robot: string): StoredScript[] {
 }
 
 /**
- * Sends a script away, or lets one back.
- * @param blocked takes back what the script has sent
- * @returns all that are away then
+ * Blocks or unblocks a script.
+ * @param blocked cancels the commands of the script
+ * @returns all scripts that are blocked now
  */
 export function changeAway(
   writing: Statements,

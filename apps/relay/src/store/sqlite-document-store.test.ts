@@ -12,7 +12,7 @@ documentStoreCases("SqliteDocumentStore", async () => {
   const folder = testFolder();
   const open = (): SqliteDocumentStore => {
     const store = new SqliteDocumentStore(join(folder, "corridor.sqlite"));
-    // Closing twice is an error of SQLite; some cases close for themselves.
+    // Some cases close the store themselves.
     onTestFinished(() => store.close().catch(() => undefined));
     return store;
   };

@@ -7,7 +7,7 @@ import type { Statements } from "./statements.ts";
 export class SqliteDocumentStore implements DocumentStore {
   readonly #file: SqliteFile;
 
-  /** @param file or its path; closing the store closes it */
+  /** @param file a file or its path; closing the store closes the file */
   constructor(file: SqliteFile | string) {
     this.#file = typeof file === "string" ? new SqliteFile(file) : file;
   }
@@ -75,7 +75,7 @@ export class SqliteDocumentStore implements DocumentStore {
     try {
       await this.#file.growingStep(() => this.#file.writing.run(sql, [now, id, noteMs]));
     } catch (error) {
-      // A full disk must not keep anybody from reading; the next reader's use is noted instead.
+      // Reading must work on a full disk. The next read records its use instead.
       if (!isDiskFull(error)) throw error;
     }
   }

@@ -30,7 +30,7 @@ describe("a database that a newer Corridor has to write anew", () => {
   });
 });
 
-/** A robot with commands that wait and run, on a disk that is full but for the ballast, which is held. */
+/** A robot with accepted and started commands, on a disk that is full except for the ballast. */
 async function onFillingDisk() {
   const ballast = { isHeld: true, hasRoom: false, giveUp: () => false };
   const holder: Ballast = {
@@ -75,7 +75,7 @@ async function onFillingDisk() {
   return { store, add, hasRoomAgain };
 }
 
-/** The same after the first command that was refused. */
+/** The same, after the first rejected command. */
 async function onFullDisk() {
   const { store, add, hasRoomAgain } = await onFillingDisk();
   let stored = 0;

@@ -1,10 +1,9 @@
 /**
- * One SQLite file that several stores share: how it is read, how it is written, and what happens when
- * its disk is full.
+ * One SQLite file that several stores share: reads, writes and the behaviour on a full disk.
  *
- * Reads have a connection of their own, so that nobody is told of a step that is not on disk yet. On a
- * full disk the ballast is given up: what ends or deletes something still works, what is new is refused
- * until there is as much room again.
+ * Reads have a separate connection, so that they never return changes that are not on disk yet. A
+ * full disk releases the ballast. Steps that end or delete data then still work. Steps that add
+ * data are rejected until the ballast can be reserved again.
  */
 import type { DatabaseSync } from "node:sqlite";
 import { BallastFile, type Ballast } from "./ballast.ts";
@@ -19,12 +18,13 @@ import { AdaptiveJournal } from "./adaptive-journal.ts";
 import { Statements } from "./statements.ts";
 import { ThreadedJournal } from "./threaded-journal.ts";
 
-/** While the disk is full, it is looked at for room no more often. */
+/** Minimum time between checks for free space while the disk is full. */
 const LOOK_MS = 1_000;
 
 /**
- * Opens a database; where the disk is too full for what a newer schema needs, once more with the ballast's room.
- * @throws Error that says how much room to make
+ * Opens a database. If the disk is too full for a migration, it releases the ballast and tries
+ * again.
+ * @throws Error that states how much space to free
  */
 export function withRoom<T>(open: () => T, ballast: Ballast): T {
   try {
@@ -48,11 +48,11 @@ export function withRoom<T>(open: () => T, ballast: Ballast): T {
 export interface SqliteFileParts {
   /** default: a file beside the database */
   ballast?: Ballast;
-  /** ms for another relay that has it to end */
+  /** ms to wait for another relay to release the database */
   waitMs?: number;
-  /** much of the journal is written on a thread of its own */
+  /** a separate thread writes large batches, and all batches while the disk is slow */
   isThreaded?: boolean;
-  /** receives where a damaged database was moved to; a new one is open then */
+  /** receives the new path of a damaged database; a new database replaces it */
   setAside?: (to: string) => void;
 }
 
@@ -64,19 +64,19 @@ export class SqliteFile {
   readonly #ballast: Ballast;
   /** for steps */
   readonly writing: Statements;
-  /** for what only reads: sees what is on disk */
+  /** for reads; returns committed data only */
   readonly reading: Statements;
   #memory: Memory | null = null;
   #isFull: boolean;
-  /** whether there is room again: what is asked for meanwhile comes after the step that asked for that */
+  /** pending check for free space; later steps run after the step that started it */
   #finding: Promise<boolean> | null = null;
   #lookedAt = -Infinity;
   #closed: Promise<void> | null = null;
 
   /**
-   * @param path of the database, made with its folder when it is missing
-   * @throws DatabaseFileError when it cannot be read or written; Error when another relay has it, or a newer one
-   *   wrote it
+   * @param path of the database; the file and its folder are created if missing
+   * @throws DatabaseFileError if the file is not accessible; Error if another relay uses it or a
+   *   newer version wrote it
    */
   constructor(
     path: string,
@@ -105,12 +105,12 @@ export class SqliteFile {
     this.#isFull = !this.#ballast.hold();
   }
 
-  /** What its steps have in memory. */
+  /** Sets the state in memory that belongs to the steps. */
   remember(memory: Memory): void {
     this.#memory = memory;
   }
 
-  /** What needs room waits while there is none. */
+  /** Compaction needs space, so it waits while the disk is full. */
   #memoryWithRoom(): Memory {
     const isUntidy = (): boolean => !this.#isFull && this.#memory?.isUntidy === true;
     return {
@@ -126,34 +126,34 @@ export class SqliteFile {
     };
   }
 
-  /** Whether what is in memory is what the next step in memory would find. */
+  /** Whether the current memory is what the next memory step would see. */
   get isPrompt(): boolean {
     return this.#finding === null && this.#commits.isPrompt;
   }
 
-  /** Adds an entry to the journal, in a step. */
+  /** Adds an entry to the journal. Must be called within a step. */
   append(entry: Entry): void {
     this.#commits.append(entry);
   }
 
   /**
-   * One atomic step that ends, moves or deletes something. It may use the ballast's room.
+   * Runs one atomic step that ends, moves or deletes data. It may use the space of the ballast.
    * @param kind memory: it changes no rows
    */
   step<T>(work: () => T, kind: "rows" | "memory" = "rows"): Promise<T> {
     if (this.#finding !== null) return this.#stepAfter(this.#finding, work, kind);
     return this.#commits.run(work, kind).catch((error: unknown) => {
       if (!isDiskFull(error)) throw error;
-      // Once, whoever of its group was first to give the ballast up: the room is there for all of them.
+      // One retry is enough: the ballast is released for every step of the group.
       this.#noteFull(error);
       return this.#commits.run(work, kind);
     });
   }
 
   /**
-   * One atomic step that adds something.
+   * Runs one atomic step that adds data.
    * @param kind memory: it changes no rows
-   * @throws StoreFull, or the error of SQLite, when the disk is full
+   * @throws StoreFull, or the error of SQLite, if the disk is full
    */
   growingStep<T>(work: () => T, kind: "rows" | "memory" = "rows"): Promise<T> {
     const grow = (): Promise<T> =>
@@ -176,12 +176,12 @@ export class SqliteFile {
     try {
       await finding;
     } catch {
-      // Whoever asked for room is told.
+      // The caller that started the check receives the error.
     }
     return this.step(work, kind);
   }
 
-  /** Finds room, with those behind it that are asked for meanwhile. */
+  /** Checks for free space. Concurrent callers share one check. */
   #findRoomFirst(): Promise<boolean> {
     if (this.#finding !== null) return this.#finding;
     const finding = this.#findRoom();
@@ -190,20 +190,23 @@ export class SqliteFile {
     return finding;
   }
 
-  /** To be the first that waits for it, so that those after it find it over. */
+  /**
+   * Called before any other caller waits for the check, so that `#finding` is null when those
+   * continue.
+   */
   async #letGo(finding: Promise<boolean>): Promise<void> {
     try {
       await finding;
     } catch {
-      // Whoever asked for room is told.
+      // The caller that started the check receives the error.
     }
     this.#finding = null;
   }
 
   /**
-   * A step that deletes. Deleted rows are overwritten in the pages; after this their copies are gone
-   * from the log as well.
-   * @param work returns how much was deleted
+   * Runs a step that deletes data. SQLite overwrites deleted rows in the pages. This also removes
+   * their copies from the write-ahead log.
+   * @param hasDeleted whether the result of `work` shows a deletion
    */
   async forget<T>(work: () => T, hasDeleted: (result: T) => boolean): Promise<T> {
     const result = await this.step(work);
@@ -211,7 +214,7 @@ export class SqliteFile {
     return result;
   }
 
-  /** The file itself may have to grow for what is in the log: on a full disk by the ballast's room. */
+  /** A WAL checkpoint may enlarge the file. On a full disk it uses the space of the ballast. */
   async #emptyLog(): Promise<void> {
     const empty = (): Promise<void> =>
       this.#commits.alone(() => this.#db.exec("PRAGMA wal_checkpoint(TRUNCATE)"));
@@ -224,7 +227,10 @@ export class SqliteFile {
     }
   }
 
-  /** Whether it can be written, found out by writing. @throws the error of SQLite when it does not answer */
+  /**
+   * Checks whether the file is writable, by writing.
+   * @throws the error of SQLite if it does not respond
+   */
   async check(): Promise<"ok" | "full"> {
     try {
       if (this.#isFull) return (await this.#findRoom(0)) ? "ok" : "full";
@@ -237,7 +243,7 @@ export class SqliteFile {
     }
   }
 
-  /** Waits for all that was asked for, and is closed by then for whoever waits for it. */
+  /** Waits for all steps. Every call resolves once the file is closed. */
   close(): Promise<void> {
     this.#closed ??= this.#close();
     return this.#closed;

@@ -48,9 +48,9 @@ export function noteKeyUses(writing: Statements, robot: string, uses: readonly K
 }
 
 /**
- * Makes and revokes keys.
- * @param revoked takes back what came with a key
- * @returns all that there are then
+ * Creates and revokes keys.
+ * @param revoked cancels the commands of a key
+ * @returns all keys that exist now
  */
 export function changeKeys(
   writing: Statements,

@@ -23,7 +23,7 @@ const pairingRow = z.object({
 export class SqlitePairingStore implements PairingStore {
   readonly #file: SqliteFile;
 
-  /** @param file is closed by whoever opened it */
+  /** @param file closed by the caller */
   constructor(file: SqliteFile) {
     this.#file = file;
   }

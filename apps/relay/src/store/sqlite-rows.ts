@@ -3,7 +3,7 @@ import type { SQLInputValue } from "node:sqlite";
 import { rowIn, type CommandRow } from "./command-row.ts";
 import type { Statements } from "./statements.ts";
 
-/** The column `found` of the first row; null where there is none. */
+/** The column `found` of the first row; null if there is none. */
 export function numberIn(
   statements: Statements,
   sql: string,
@@ -13,7 +13,7 @@ export function numberIn(
   return typeof found === "number" ? found : null;
 }
 
-/** What is in the column `entry`. */
+/** The rows in the column `entry`. */
 export function rowsIn(statements: Statements, sql: string, values: SQLInputValue[]): CommandRow[] {
   return statements.all(sql, values).map(({ entry }) => rowIn(String(entry)).row);
 }

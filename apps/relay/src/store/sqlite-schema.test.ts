@@ -7,10 +7,10 @@ import { openDatabase } from "./sqlite-schema.ts";
 import { SqliteStore } from "./sqlite-store.ts";
 import { LEFT, ID, sent } from "./testing/robot-in-store.ts";
 
-/** The last version that kept the commands of a robot together. */
+/** The last version that stored the commands of a robot together. */
 const BY_ROBOT = 10;
 
-/** A file of that version: what ended and what did not, of two robots. */
+/** A file of that version with open and ended commands of two robots. */
 function fileOfBefore(): string {
   const file = join(testFolder(), "corridor.sqlite");
   const db = openDatabase(file, BY_ROBOT);

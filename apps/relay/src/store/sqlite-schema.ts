@@ -1,4 +1,4 @@
-/** Tables of the SQLite stores, and the pragmas that their promises rest on. */
+/** Tables of the SQLite stores, and the pragmas that their guarantees need. */
 import { DatabaseSync } from "node:sqlite";
 
 const SESSIONS = `
@@ -50,7 +50,7 @@ CREATE TABLE document_keys (
 ) STRICT, WITHOUT ROWID;
 `;
 
-// A command from before there were deadlines gets what one without a wish gets now.
+// Commands from before deadlines get the current default ttl.
 const TERMS = `
 ALTER TABLE commands ADD COLUMN ttl INTEGER NOT NULL DEFAULT 10000;
 ALTER TABLE commands ADD COLUMN deadline INTEGER NOT NULL DEFAULT 0;
@@ -59,7 +59,7 @@ ALTER TABLE commands ADD COLUMN lease INTEGER;
 UPDATE commands SET deadline = accepted_at + ttl;
 `;
 
-// Why a command was taken back that the robot has.
+// Why a command that the robot has was cancelled.
 const RECALLED = `
 ALTER TABLE commands ADD COLUMN recalled TEXT;
 `;
@@ -100,21 +100,21 @@ CREATE TABLE pairings (
 CREATE INDEX pairings_by_end ON pairings (ends_at);
 `;
 
-// By which a page is known when it comes back.
+// The id by which a page identifies itself when it returns.
 const PAGE_NAME = `
 ALTER TABLE sessions ADD COLUMN page TEXT NOT NULL DEFAULT '';
 `;
 
-// A key from before there were times is as old as its robot, for all that is known.
+// The creation time of older keys is unknown. They get that of their robot.
 const KEY_TIMES = `
 ALTER TABLE keys ADD COLUMN made_at INTEGER NOT NULL DEFAULT 0;
 ALTER TABLE keys ADD COLUMN last_used_at INTEGER;
 UPDATE keys SET made_at = (SELECT created_at FROM sessions WHERE id = robot);
 `;
 
-// Rows in the order of time: what changes together, of whatever robots, stands together, and a commit
-// writes few pages. `is_open` is there for its index, which a change of state would write as well otherwise,
-// and which would make a table of its own for the list of states, each time.
+// Rows in order of time: rows that change together are adjacent, whatever their robot, so a commit
+// writes few pages. `is_open` exists for its index. An index on the state would be written on each
+// change of state. A list of states would create a temporary table for each query.
 const COMMANDS_BY_TIME = `
 ALTER TABLE commands RENAME TO commands_before;
 DROP INDEX commands_by_key;
@@ -154,7 +154,8 @@ CREATE UNIQUE INDEX commands_by_key ON commands (robot, driver, key) WHERE key I
 CREATE INDEX commands_open ON commands (robot, seq) WHERE is_open = 1;
 `;
 
-// What became of commands since their rows were brought into the tables; `settled`: up to which entry those are.
+// Changes of commands since the last checkpoint. `settled`: the entry up to which the tables hold a
+// robot's rows.
 const JOURNAL = `
 CREATE TABLE journal (
   id INTEGER PRIMARY KEY,
@@ -164,9 +165,10 @@ CREATE TABLE journal (
 ALTER TABLE sessions ADD COLUMN settled INTEGER NOT NULL DEFAULT 0;
 `;
 
-// A row is its entry, as the journal had it: it is moved, and nobody takes it apart and puts it together again.
-// What is asked for stands in the indexes, read from the entry. No index of what has not ended, which each command
-// would be written to and deleted from: `open_from` says before which number a robot's have ended, in the tables. A state that nobody knows is open: it is read, not deleted.
+// A row is its journal entry, so that a checkpoint moves it without parsing. Queries use indexes on
+// columns that are generated from the entry. There is no index of open commands, which each command
+// would be added to and deleted from. Instead, every command of a robot in the tables before
+// `open_from` has ended. Unknown states count as open, so that they are read and not deleted.
 const COMMANDS_AS_ENTRIES = `
 ALTER TABLE sessions ADD COLUMN open_from INTEGER NOT NULL DEFAULT 0;
 UPDATE sessions SET open_from = coalesce(
@@ -196,7 +198,8 @@ CREATE UNIQUE INDEX commands_by_seq ON commands (robot, seq);
 CREATE UNIQUE INDEX commands_by_key ON commands (robot, driver, key) WHERE key IS NOT NULL;
 `;
 
-// FULL: an acknowledged command survives a power cut. secure_delete: deleted means gone from the file.
+// FULL: an acknowledged command survives a power failure. secure_delete: deleted data is erased
+// from the file.
 const PROMISES = `
   PRAGMA journal_mode = WAL;
   PRAGMA synchronous = FULL;
@@ -205,12 +208,12 @@ const PROMISES = `
   PRAGMA busy_timeout = 2000;
 `;
 
-// A document from before there were short codes keeps its id; stored again, the same text gets a code.
+// Documents from before short codes keep their ids. Storing the same text again creates a code.
 const SHORT_CODES = `
 UPDATE documents SET hash = 'before:' || hash;
 `;
 
-/** What each version added to the one before it: the first leads from an empty file to version 1. */
+/** The migration for each version. The first one creates version 1 from an empty file. */
 const STEPS: readonly string[] = [
   SESSIONS,
   DOCUMENTS,
@@ -229,8 +232,8 @@ const STEPS: readonly string[] = [
 ];
 
 /**
- * Opens a database, made when it is missing.
- * @param newest version that it is brought to, for tests: as an earlier Corridor left it
+ * Opens a database and creates it if it is missing.
+ * @param newest schema version to migrate to; tests use earlier ones
  * @throws as `prepareDatabase` does
  */
 export function openDatabase(file: string, newest = STEPS.length): DatabaseSync {
@@ -239,21 +242,21 @@ export function openDatabase(file: string, newest = STEPS.length): DatabaseSync 
   return db;
 }
 
-/** Opens another connection to a prepared database, which promises as much. */
+/** Opens another connection to a prepared database, with the same guarantees. */
 export function openForWriting(file: string): DatabaseSync {
   const db = new DatabaseSync(file);
   db.exec(PROMISES);
   return db;
 }
 
-/** Opens another connection to a prepared database: it sees what is committed, and changes nothing. */
+/** Opens a read-only connection to a prepared database. It sees committed data only. */
 export function openForReading(file: string): DatabaseSync {
   return new DatabaseSync(file, { readOnly: true });
 }
 
 /**
- * Brings an open database to the schema of this version.
- * @throws Error when the file was written by a newer version
+ * Migrates an open database to the current schema.
+ * @throws Error if a newer version wrote the file
  */
 export function prepareDatabase(db: DatabaseSync, newest: number = STEPS.length): void {
   db.exec(PROMISES);

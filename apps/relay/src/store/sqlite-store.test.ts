@@ -39,10 +39,10 @@ storeCases("SqliteStore with a thread", openStore(true));
 
 it("finds the commands of a robot by index, however many have ended", async () => {
   const file = join(testFolder(), "corridor.sqlite");
-  // What is written of commands is brought into the tables with the next step.
+  // With a journal length of 0, the tables hold each write at the latest after the next one.
   const store = new SqliteStore(file, 0);
   onTestFinished(() => store.close());
-  // Not earlier: the check at start reads everything.
+  // Starts here, because the check at startup reads everything.
   const prepare = vi.spyOn(DatabaseSync.prototype, "prepare");
   onTestFinished(() => prepare.mockRestore());
   const id = "AAAAAAAAAAAAAAAAAAAAAA";
@@ -58,7 +58,7 @@ it("finds the commands of a robot by index, however many have ended", async () =
   await store.end(id, 1, completed(2));
   await store.abandon(id, 1, "gone");
   await store.expire(id, 2);
-  // Ends one that is in no table yet, and forgets it and those that are.
+  // Ends a command that is in no table yet, then deletes it and the ones in the tables.
   await store.add(id, { ...command, key: null, command: { action: "left 90" } });
   await store.add(id, { ...command, key: null, keep: 1, command: { action: "stop" } });
   await store.add(id, { ...command, key: "a-key-0002", command: { action: "stop" } });
@@ -73,7 +73,7 @@ it("finds the commands of a robot by index, however many have ended", async () =
   onTestFinished(() => db.close());
   const slow = [...ofCommands].filter((sql) => {
     const plan = db.prepare(`EXPLAIN QUERY PLAN ${sql}`).all();
-    // The one that forgets looks at all that is older than what is kept: at next to nothing.
+    // The deletion scans all rows older than the retained ones, which are few.
     const readsMany = sql.startsWith("DELETE")
       ? /SCAN|AUTOMATIC|by_\w+ \(robot=\?\)/
       : /SCAN (?!given)|AUTOMATIC|by_\w+ \(robot=\?\)|by_seq \(robot=\? AND seq<\?\)/;
@@ -91,7 +91,7 @@ it("reads none of what has ended where it looks for what is open", async () => {
   for (let n = 1; n <= 5; n++) await store.add(id, sent);
   await store.deliver(id, 1, 8, NOW);
   for (const seq of [1, 2, 3]) await store.end(id, 1, completed(seq));
-  // What was written is brought into the tables with what is written next.
+  // After the next write, the tables hold all earlier ones.
   await store.pause(id, false, "");
   await store.close();
   const db = new DatabaseSync(file);
@@ -112,7 +112,7 @@ it("is refused a file that another relay has, until that one ends", async () => 
   await new SqliteStore(file).close();
 });
 
-/** A process that has opened the file, and says so. */
+/** Starts a process that opens the file and prints that it did. */
 function startOther(file: string) {
   const store = JSON.stringify(join(import.meta.dirname, "sqlite-store.ts"));
   const script = `const { SqliteStore } = await import(${store});

@@ -1,10 +1,10 @@
 /**
- * The default store: one SQLite file, by the SQLite that is built into Node.
+ * The default store: one SQLite file, with the SQLite that is built into Node.
  *
- * The calls are synchronous inside, so each step is over before anything else runs; it is answered
- * once the group that it is in is on disk. They are short on purpose: what becomes of commands is decided in
- * memory and written at the end of a journal (`LiveRobots`), all else is rows of one robot by index. Only
- * the sweep for sessions that ran out, once a minute, reads through the sessions (not their commands).
+ * Steps are synchronous, so each one ends before any other code runs. Its result is returned once
+ * its group is on disk. Steps are short. Changes of commands happen in memory and are appended to a
+ * journal (`LiveRobots`). All other steps read rows of one robot by index. Only the deletion of
+ * expired sessions, once a minute, reads all sessions, but not their commands.
  */
 import { hasEnded, type CommandRecord, type Ending } from "@corridor/protocol";
 import { z } from "zod";
@@ -50,14 +50,15 @@ export class SqliteStore implements SessionStore {
   readonly #live: LiveRobots;
 
   /**
-   * @param file or its path; closing the store closes it
-   * @param journal how long it may get, in entries
+   * @param file a file or its path; closing the store closes the file
+   * @param journal length in entries at which checkpoints start
    */
   constructor(file: SqliteFile | string, journal = LONG) {
     this.#file = typeof file === "string" ? new SqliteFile(file) : file;
     this.#live = new LiveRobots(this.#file.writing, (entry) => this.#file.append(entry), journal);
     this.#file.remember(this.#live);
-    // Of a relay that was ended in the middle of a deletion; where it fails, the next deletion does it.
+    // A relay that was killed during a deletion leaves orphans. If this fails, the next deletion
+    // retries it.
     if (this.#live.hasOrphans) this.#forgetOrphans().catch(() => undefined);
   }
 
@@ -102,13 +103,13 @@ export class SqliteStore implements SessionStore {
         this.#live.refresh(id, robot);
         return result;
       });
-    // A key can be revoked on a full disk, too.
+    // Keys can be revoked on a full disk.
     return change.add.length === 0 ? this.#file.step(work) : this.#file.growingStep(work);
   }
 
   async changeAway(id: string, change: ScriptChange): Promise<AwayResult> {
     const { reason } = change;
-    // A script can be sent away on a full disk, too: few are.
+    // Scripts can be blocked on a full disk: their number is limited.
     return this.#file.step(() =>
       this.#of<AwayResult>(id, { outcome: "no-session" }, (robot) => {
         const result = changeAway(this.#writing, id, change, (script) =>
@@ -198,7 +199,7 @@ export class SqliteStore implements SessionStore {
         }
         return steps.add(robot, command, known);
       });
-    // A robot can be stopped on a full disk, too.
+    // Robots can be stopped on a full disk.
     return isStop(known.text)
       ? this.#file.step(work, "memory")
       : this.#file.growingStep(work, "memory");
@@ -256,7 +257,7 @@ export class SqliteStore implements SessionStore {
         const { lastApplied, settled } = page;
         const isSettled = settled !== null && settled >= robot.standing.epoch;
         this.#raiseEpoch(id, robot);
-        // A page that knows of later commands than this file saw a store that lost its newest rows.
+        // A page with later commands than this file saw a store that lost its newest rows.
         this.#writing.run(
           "UPDATE sessions SET page = ?, last_seq = max(last_seq, ?) WHERE id = ?",
           [page.page ?? "", lastApplied, id],
@@ -273,7 +274,8 @@ export class SqliteStore implements SessionStore {
     );
   }
 
-  // What is in memory may not be on disk yet: nobody is told before, and what reads commands is a step, too.
+  // Memory may be ahead of the disk. Reads of commands are steps too, so that they return only
+  // stored changes.
 
   command(id: string, seq: number): Promise<CommandRecord | null> {
     return this.#decide(id, null, (robot) => recordOf(this.#writing, id, robot, seq));
@@ -309,12 +311,12 @@ export class SqliteStore implements SessionStore {
     return this.#file.writing;
   }
 
-  /** A step that changes no rows. */
+  /** Runs a step that changes no rows. */
   #decide<T>(id: string, none: T, work: (robot: LiveRobot) => T): Promise<T> {
     return this.#file.step(() => this.#of(id, none, work), "memory");
   }
 
-  /** What a step does with a robot. @param none where there is no such robot */
+  /** Runs the work of a step on a robot. @param none result if there is no such robot */
   #of<T>(id: string, none: T, work: (robot: LiveRobot) => T): T {
     const robot = this.#live.open(id);
     if (robot === null) return none;
@@ -323,7 +325,10 @@ export class SqliteStore implements SessionStore {
     return result;
   }
 
-  /** Deletes what the journal has of robots that are gone, a little at a time; at least once, to be the last that does. */
+  /**
+   * Deletes the journal entries of deleted robots in batches. Runs at least once, so that a
+   * concurrent deletion has finished when this returns.
+   */
   async #forgetOrphans(): Promise<void> {
     do {
       await this.#file.forget(

@@ -1,4 +1,4 @@
-/** The statements of one SQLite connection, each prepared once. */
+/** Statements of one SQLite connection, each prepared once. */
 import type { DatabaseSync, SQLInputValue, SQLOutputValue, StatementSync } from "node:sqlite";
 
 export type Row = Record<string, SQLOutputValue>;
@@ -15,7 +15,7 @@ export class Statements {
     return this.#statement(sql).all(...values);
   }
 
-  /** @returns how many rows have changed */
+  /** @returns the number of changed rows */
   run(sql: string, values: SQLInputValue[] = []): number {
     return Number(this.#statement(sql).run(...values).changes);
   }

@@ -1,4 +1,4 @@
-/** A store that does not answer at the moment: whether the step was done nobody knows. */
+/** The store does not respond. It is unknown whether the step took effect. */
 export class StoreAway extends Error {
   override readonly name = "StoreAway";
 

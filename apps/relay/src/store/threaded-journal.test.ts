@@ -1,4 +1,4 @@
-/** The journal's thread, as it is: a thread, a file, and what may go wrong with either. */
+/** Tests of the journal's real thread and file, and of their failures. */
 import { once } from "node:events";
 import { mkdirSync, rmSync } from "node:fs";
 import { join } from "node:path";
@@ -32,7 +32,7 @@ function withThread(folder = testFolder()) {
       journal.write(entries, tidying, (lost, untidied) => resolve({ lost, untidied })),
     );
   const onDisk = () => db.prepare("SELECT id, robot, entry FROM journal").all();
-  /** the thread that was written to first */
+  /** the first thread that received a write */
   const thread = (): Worker => {
     const [first] = threads.mock.contexts;
     if (!(first instanceof Worker)) throw new Error("Nothing was written.");
@@ -79,7 +79,7 @@ describe("the journal's thread", () => {
   it("is answered for where it dies in the middle, and another goes on", async () => {
     const { db, write, onDisk, thread } = withThread();
     await write([entry(1)]);
-    // It waits for whoever else writes.
+    // The thread waits for the lock of this transaction.
     db.exec("BEGIN IMMEDIATE");
     const dying = write([entry(2)]);
     await wait(50);
@@ -87,7 +87,7 @@ describe("the journal's thread", () => {
     db.exec("ROLLBACK");
     await gone;
     expect((await dying).lost).toBeInstanceOf(Error);
-    // Nothing is locked by one that is gone.
+    // A terminated thread holds no lock.
     db.exec("BEGIN IMMEDIATE; COMMIT");
     const before = onDisk().length;
     expect(await write([entry(3)])).toEqual(DONE);
@@ -130,7 +130,7 @@ describe("the journal's thread", () => {
     mkdirSync(path);
     await file.close();
     rmSync(path, { recursive: true });
-    // It is free for the next one.
+    // The lock is free again.
     await expect(new SqliteFile(path, { waitMs: 0 }).close()).resolves.toBeUndefined();
   });
 
@@ -173,7 +173,7 @@ describe("a store whose journal has a thread", () => {
     await store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: sent.driver }] });
     await store.takeOver(ID, pageState());
     const add = (key: string | null = null) => store.add(ID, { ...sent, key });
-    /** Whoever else has the file lets nobody write. */
+    /** A second connection, which can block writes. */
     const other = new DatabaseSync(path);
     onTestFinished(() => other.close());
     const thread = (): Worker => posts.mock.contexts.at(-1) as Worker;
@@ -182,13 +182,13 @@ describe("a store whose journal has a thread", () => {
 
   it("has no more and no less than is on disk where the thread dies: nothing twice, no number twice", async () => {
     const { store, add, other, thread } = await withStore();
-    // As many at once as the thread is given.
+    // More entries than `AdaptiveJournal` writes synchronously, so the thread writes them.
     const several = (name: string) => [1, 2, 3, 4, 5].map((n) => add(`${name}-000${n}`));
     await Promise.all(several("first"));
     other.exec("BEGIN IMMEDIATE");
     const dying = several("dying");
     await wait(30);
-    // Done by what is lost then: these are done once more.
+    // These steps see the results of the failed write, so they run again.
     const behind = [add("behind-01"), store.deliver(ID, 1, 8, NOW), add("behind-02")];
     const rows = store.pause(ID, true, "paused");
     const gone = thread().terminate();
@@ -219,7 +219,7 @@ describe("a store whose journal has a thread", () => {
     expect((await Promise.allSettled(asked)).map(({ status }) => status)).toEqual(
       asked.map(() => "fulfilled"),
     );
-    // Closed for whoever waits for it, whoever was first to close it.
+    // Both calls wait until the file is closed.
     await store.close();
     await closed;
   });

@@ -1,6 +1,6 @@
 /**
- * Writes the journal on a thread of its own: a commit waits for the disk there, and the relay goes on meanwhile
- * with what is the next commit.
+ * Writes the journal on a separate thread. The thread waits for the disk while the relay runs the
+ * steps of the next commit.
  */
 import { Worker } from "node:worker_threads";
 import type { Journal, Told } from "./journal.ts";
@@ -9,11 +9,11 @@ import type { Answer, Order } from "./journal-thread.ts";
 
 export class ThreadedJournal implements Journal {
   readonly #path: string;
-  /** null: it has ended, and is started again with the next entries */
+  /** null: the thread has ended; the next write starts a new one */
   #thread: Worker | null;
   #told: Told | null = null;
 
-  /** @param path of a database that is there, of the newest schema */
+  /** @param path of an existing database with the newest schema */
   constructor(path: string) {
     this.#path = path;
     this.#thread = this.#start();
@@ -23,11 +23,12 @@ export class ThreadedJournal implements Journal {
     this.#told = told;
     try {
       this.#thread ??= this.#start();
-      // A process that has nothing else to do stays for the answer, and for nothing else.
+      // Keeps the process alive until the answer arrives, but not longer.
       this.#thread.ref();
       this.#thread.postMessage({ entries: entries.flat(), tidying } satisfies Order);
     } catch (error) {
-      // The machine has no thread for it, say. Later, since whoever is told may write again at once.
+      // The system may be unable to start a thread. Deferred, because the callback may write again
+      // immediately.
       setImmediate(() => this.#tell(error, null));
     }
   }
@@ -35,7 +36,7 @@ export class ThreadedJournal implements Journal {
   async close(): Promise<void> {
     const thread = this.#thread;
     if (thread === null) return;
-    // Not by `once` of node:events, which is thrown an error of the thread: it has ended all the same.
+    // Not `once` of node:events, which rejects if the thread fails. The thread ends in any case.
     const ended = new Promise((resolve) => thread.once("exit", resolve));
     thread.ref();
     thread.postMessage(null);
@@ -57,7 +58,7 @@ export class ThreadedJournal implements Journal {
     });
     thread.on("exit", (code) => {
       this.#thread = null;
-      // Its connection is closed by now: whoever is told can read what is on disk.
+      // The thread's connection is closed by now, so the caller can read what is on disk.
       this.#tell(failed ?? new Error(`The journal thread exited with code ${code}.`), null);
     });
     return thread;
@@ -70,7 +71,9 @@ export class ThreadedJournal implements Journal {
   }
 }
 
-/** An error as it was before it came from the thread, which loses what is not an error's own. */
+/**
+ * Restores an error from the thread, because a transferred error loses its additional properties.
+ */
 function errorOf({ message, errcode }: NonNullable<Answer["lost"]>): Error {
   return Object.assign(new Error(message), { errcode });
 }

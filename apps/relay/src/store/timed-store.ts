@@ -1,4 +1,4 @@
-/** A store whose commits are timed, whichever database is behind it. */
+/** Measures the commits of a store, for any database. */
 import type { SessionStore } from "./session-store.ts";
 
 /** Every step that ends in a commit. */
@@ -22,8 +22,8 @@ const COMMITS: ReadonlySet<string | symbol> = new Set([
 ] as const satisfies readonly (keyof SessionStore)[]);
 
 /**
- * Its methods are wrapped once: a store is asked thousands of times a second.
- * @param observe is told the seconds of each commit, also of one that failed
+ * Wraps each method once, because a store receives thousands of calls a second.
+ * @param observe receives the seconds of each commit, including failed ones
  */
 export function timedStore<T extends SessionStore>(
   store: T,
@@ -52,7 +52,7 @@ function timed(
     const begun = performance.now();
     const result = commit(...values);
     const done = (): void => observe((performance.now() - begun) / 1000);
-    // Of what went wrong whoever asked is told.
+    // The caller receives the error.
     result.finally(done).catch(() => undefined);
     return result;
   };

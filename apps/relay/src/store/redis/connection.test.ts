@@ -1,4 +1,4 @@
-/** The line to Redis, through a network that swallows everything without a word. */
+/** The connection to Redis through a network that drops all data silently. */
 import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { hasRedis, startTestRedis } from "../../testing/test-redis.ts";
 import { swallowingNet } from "../../testing/swallowing-net.ts";

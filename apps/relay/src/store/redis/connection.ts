@@ -1,26 +1,26 @@
-/** The connection to Redis or Valkey, and what its errors mean to whoever waits for a store. */
+/** The connection to Redis or Valkey, and the mapping of its errors to store errors. */
 import { createClient, ErrorReply } from "@redis/client";
 import { z } from "zod";
 import { StoreFull } from "../disk-full.ts";
 import { StoreAway } from "../store-away.ts";
 
 const CONNECT_MS = 5_000;
-/** Pause between signs of life, and the longest wait for one: a disk may hold Redis up for two seconds. */
+/** Interval between pings, and timeout for a response. A disk may block Redis for two seconds. */
 const PING_MS = 1_000;
 const SILENCE_MS = 3_000;
-/** For a line on which nothing is written, such as one whose greeting is never answered. */
+/** Timeout for a connection without traffic, such as one whose handshake is never answered. */
 const IDLE_MS = 6_000;
-/** Pause before a new try, drawn from 0 to a limit that doubles up to this one. */
+/** Reconnection delay: random, from 0 to a limit that doubles up to LONGEST_PAUSE_MS. */
 const LONGEST_PAUSE_MS = 1_000;
 const FIRST_PAUSE_MS = 50;
 
 export type Redis = ReturnType<typeof redisAt>;
 
 /**
- * Connects. A lost connection is mended by itself; what is asked meanwhile fails at once, so that
- * whoever waits can be told to come back.
- * @param log is told of a connection that breaks
- * @throws Error when nobody answers there
+ * Connects. The client reconnects automatically. Commands fail immediately while it is
+ * disconnected, so that callers can ask their clients to retry.
+ * @param log receives the errors of a lost connection
+ * @throws Error if the server cannot be reached
  */
 export async function connectRedis(url: string, log: (error: unknown) => void): Promise<Redis> {
   const redis = redisAt(url);
@@ -44,18 +44,18 @@ export async function connectRedis(url: string, log: (error: unknown) => void): 
 }
 
 /**
- * A line may be cut without a word, and whoever still writes to it never learns of it: the line is asked
- * for a sign of life, and made anew where none comes.
+ * Pings the server and reconnects if there is no response. A connection can break without a
+ * notification, and writing to it does not reveal that.
  */
 function watch(redis: Redis, log: (error: unknown) => void): void {
   const again = (): void => void setTimeout(() => void look(), PING_MS).unref();
   const look = async (): Promise<void> => {
-    // Whoever opened it has closed it.
+    // The caller has closed the client.
     if (!redis.isOpen) return;
     if (redis.isReady && !(await answers(redis)) && redis.isReady) {
       log(new Error(`Redis did not respond for ${SILENCE_MS} ms; reconnecting.`));
       redis.destroy();
-      // Given up only when it is closed meanwhile.
+      // Fails only if the client is closed meanwhile.
       redis.connect().catch(() => undefined);
     }
     again();
@@ -69,7 +69,7 @@ async function answers(redis: Redis): Promise<boolean> {
   });
   const answer = redis.ping().then(
     () => true,
-    // An error is an answer, or the line is known to be broken.
+    // An error is also a response, or shows that the connection is broken.
     () => true,
   );
   return Promise.race([answer, silence]);
@@ -84,7 +84,7 @@ function redisAt(url: string) {
       connectTimeout: CONNECT_MS,
       socketTimeout: IDLE_MS,
       reconnectStrategy: (tries, cause) => {
-        // At the start nobody waits for a Redis that may never come.
+        // At startup, a failed connection is reported instead of retried.
         if (!wasReady) return cause;
         return Math.random() * Math.min(LONGEST_PAUSE_MS, FIRST_PAUSE_MS * 2 ** tries);
       },
@@ -94,20 +94,21 @@ function redisAt(url: string) {
   return redis;
 }
 
-/** ms since 1970, as Redis believes. @throws StoreAway */
+/** Time of the Redis server in ms since 1970. @throws StoreAway */
 export async function timeOf(redis: Redis): Promise<number> {
   const answer = await asked(redis.sendCommand(["TIME"]));
   const [seconds, micros] = z.tuple([z.coerce.number(), z.coerce.number()]).parse(answer);
   return seconds * 1000 + micros / 1000;
 }
 
-/** @throws StoreFull or StoreAway for what Redis, not the step, is to blame for */
+/** @throws StoreFull or StoreAway for failures of Redis rather than of the step */
 export async function asked<T>(answer: Promise<T>): Promise<T> {
   try {
     return await answer;
   } catch (error) {
     if (!(error instanceof ErrorReply)) throw new StoreAway(error);
-    // OOM: its memory is full. MISCONF: it cannot write its files, most often for want of room.
+    // OOM: the memory is full. MISCONF: Redis cannot write its files, usually because the disk is
+    // full.
     if (/^(OOM|MISCONF)\b/.test(error.message)) throw new StoreFull();
     if (/^(LOADING|READONLY|MASTERDOWN|NOREPLICAS|BUSY)\b/.test(error.message)) {
       throw new StoreAway(error);

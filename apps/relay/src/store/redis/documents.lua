@@ -1,5 +1,5 @@
--- Documents behind short links: each step is one run of this script.
--- KEYS[1]: ids by last use. The other keys are named here, after what is found.
+-- Documents behind short links. Each step is one run of this script.
+-- KEYS[1]: ids by last use. The script builds the names of the other keys.
 local step, given = ARGV[1], cjson.decode(ARGV[2])
 local uses = KEYS[1]
 
@@ -11,7 +11,8 @@ local function used(id, now)
   redis.call('ZADD', uses, 'GT', now, id)
 end
 
--- The longest code; an id from before there were codes is longer. The same text, stored again, gets a code.
+-- Maximum length of a code. Ids from before codes are longer. Storing the same text again creates a
+-- code.
 local LONGEST_CODE = 6
 
 local function forget(id)

@@ -1,8 +1,8 @@
-/** Whether a Redis keeps what it was given. Found out at the start, because afterwards it is too late. */
+/** Checks at startup that Redis is configured to persist data. Later, data may already be lost. */
 import { ErrorReply } from "@redis/client";
 import type { Redis } from "./connection.ts";
 
-/** @throws Error that says what to change */
+/** @throws Error that states which setting to change */
 export async function requireDurable(redis: Redis): Promise<void> {
   if (valueIn(await redis.info("persistence"), "aof_enabled") !== "1") {
     throw new Error(
@@ -26,7 +26,7 @@ export async function requireDurable(redis: Redis): Promise<void> {
   }
 }
 
-/** The value of a field in what INFO says. */
+/** The value of a field in the response to INFO, or null. */
 export function valueIn(info: string, field: string): string | null {
   const line = info.split(/\r?\n/).find((each) => each.startsWith(`${field}:`));
   return line?.slice(field.length + 1).trim() ?? null;
@@ -36,7 +36,7 @@ async function setting(redis: Redis, name: string): Promise<string | null> {
   try {
     return (await redis.configGet(name))[name] ?? null;
   } catch (error) {
-    // Whoever rents a Redis may not read its settings.
+    // Providers of hosted Redis may forbid reading the settings.
     if (error instanceof ErrorReply) return null;
     throw error;
   }

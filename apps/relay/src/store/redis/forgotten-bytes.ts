@@ -1,6 +1,6 @@
 /**
- * Takes what was deleted out of the files of Redis. Its append-only file tells how things came about, so
- * a deletion is one more line in it; only writing it anew leaves the deleted out.
+ * Erases deleted data from the files of Redis. The append-only file records a deletion as one more
+ * entry. Only a rewrite of the file removes the deleted data.
  */
 import { setTimeout as pause } from "node:timers/promises";
 import { ErrorReply } from "@redis/client";
@@ -11,7 +11,7 @@ const POLL_MS = 20;
 
 export class ForgottenBytes {
   readonly #redis: Redis;
-  /** what has not begun yet: whoever comes before it begins may share it */
+  /** the rewrite that has not started yet; calls before its start share it */
   #next: Promise<void> | null = null;
   #newest: Promise<void> = Promise.resolve();
 
@@ -19,7 +19,7 @@ export class ForgottenBytes {
     this.#redis = redis;
   }
 
-  /** @returns once the files hold nothing any more that was deleted before this call */
+  /** @returns once the files contain no data that was deleted before this call */
   sweep(): Promise<void> {
     this.#next ??= this.#afterNewest();
     return this.#next;
@@ -34,7 +34,7 @@ export class ForgottenBytes {
 
   async #rewrite(): Promise<void> {
     for (;;) {
-      // One that another relay has begun may have begun before our deletion.
+      // A rewrite by another relay may have started before the deletion.
       await this.#untilIdle();
       this.#next = null;
       try {

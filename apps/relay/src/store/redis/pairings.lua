@@ -1,12 +1,12 @@
--- Pairing codes: each step is one run of this script.
--- KEYS: 1 robots by the time when their code ends. The other keys are named here, after what is found.
--- sessions.lua forgets a code with its robot, by the same names.
+-- Pairing codes. Each step is one run of this script.
+-- KEYS: 1 robots by the expiry of their code. The script builds the names of the other keys.
+-- sessions.lua deletes the code of a deleted robot and uses the same names.
 local step, given = ARGV[1], cjson.decode(ARGV[2])
 local ENDS = KEYS[1]
 
 local function session(robot) return 'corridor:{' .. robot .. '}' end
 local function pairing(robot) return session(robot) .. ':pairing' end
--- of its code, or of the key of whoever asked by it
+-- by the hash of the code, or of the requesting script's key
 local function byHash(hash) return 'corridor:pairing:' .. hash end
 
 local function forget(robot)
@@ -17,7 +17,7 @@ local function forget(robot)
   return redis.call('DEL', pairing(robot)) > 0
 end
 
--- Whether the robot's code is in this state and counts.
+-- Whether the robot's code is in this state and has not expired.
 local function isNow(robot, state)
   local found, ends = unpack(redis.call('HMGET', pairing(robot), 'state', 'endsAt'))
   return found == state and tonumber(ends) > given.now
@@ -29,7 +29,7 @@ function steps.open()
   if redis.call('EXISTS', session(given.robot)) == 0 then return '"no-robot"' end
   local holder = redis.call('GET', byHash(given.code))
   if holder and holder ~= given.robot then return '"taken"' end
-  -- First what a full Redis refuses: it undoes nothing.
+  -- Redis does not roll back. The first write is one that Redis rejects if its memory is full.
   redis.call('ZADD', ENDS, given.endsAt, given.robot)
   forget(given.robot)
   redis.call('ZADD', ENDS, given.endsAt, given.robot)

@@ -3,7 +3,7 @@ import { expect, it } from "vitest";
 import { FakeClock } from "../../testing/fake-clock.ts";
 import { RedisClock } from "./redis-clock.ts";
 
-/** A relay's clock, and a Redis whose clock is so far ahead of it. */
+/** A relay's clock, and a Redis whose clock is ahead by `aheadMs`. */
 async function withRedis(aheadMs: number, answerMs = 0) {
   const machine = new FakeClock();
   const redis = { aheadMs, isAway: false };

@@ -1,23 +1,24 @@
 /**
- * Time as Redis has it. Relays that share one compare deadlines that others of them have stored; the
- * clocks of their machines may be a minute apart, that of Redis is one.
+ * The time of the Redis server. Relays that share a Redis compare deadlines that other relays have
+ * stored. The clocks of their machines may differ by a minute.
  *
- * It is the relay's own clock with an offset that is measured again and again. Ahead it follows at once;
- * it never goes back, so that nothing gets more time: a little too far ahead it goes more slowly, and a
- * Redis whose clock was set back is not followed.
+ * This clock is the relay's own clock plus an offset that is measured periodically. It never goes
+ * back, so that no deadline is extended. If Redis is ahead, the clock jumps forward. If Redis is
+ * slightly behind, the clock slows down. If the clock of Redis was set back, the offset stays
+ * unchanged.
  */
 import type { Logger } from "pino";
 import { CLOCK_TOLERANCE_MS } from "../session-store.ts";
 import type { Clock } from "../../clock.ts";
 
 const LOOK_MS = 5_000;
-/** taken off at one look: less than a thousandth of the time that has passed since the one before */
+/** Maximum decrease of the offset per measurement: less than a thousandth of the interval. */
 const SLOWER_MS = 4;
 
 export interface RedisClockOptions {
   clock: Clock;
   log: Logger;
-  /** ms since 1970, as Redis believes */
+  /** time of the Redis server in ms since 1970 */
   ask: () => Promise<number>;
 }
 
@@ -59,7 +60,7 @@ export class RedisClock implements Clock {
   #lookAgain(): void {
     if (this.#isClosed) return;
     this.#cancelTimer = this.#options.clock.after(LOOK_MS, () => {
-      // Where Redis does not answer, the offset of before is good enough.
+      // The previous offset is accurate enough if Redis does not respond.
       void this.#look()
         .catch(() => undefined)
         .finally(() => this.#lookAgain());
@@ -71,7 +72,7 @@ export class RedisClock implements Clock {
     const asked = clock.now();
     const there = await ask();
     const answered = clock.now();
-    // It was asked for its time at some moment in between.
+    // Redis read its clock between the request and the response.
     const [least, most] = [there - answered, there - asked];
     const before = this.#offset;
     if (before === null) this.#offset = (least + most) / 2;

@@ -7,7 +7,7 @@ import { RedisDocumentStore } from "./redis-document-store.ts";
 
 describe.skipIf(!hasRedis)("with Redis", () => {
   documentStoreCases("RedisDocumentStore", async () => {
-    // At once: on a busy disk, "everysec" lets even the writing wait for a second or two.
+    // Not "everysec", which can delay even writes by one or two seconds on a busy disk.
     const server = await startTestRedis(["--appendfsync", "always"]);
     const open = async () => {
       const redis = await connectRedis(server.url, () => undefined);
@@ -28,7 +28,7 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     expect(await store.add({ ...again, ids: ["BCDF"] })).toBe("BCDF");
     expect(await store.read("abcdefghijkl", 1, 1)).toBe("{}");
     expect(await store.remove("abcdefghijkl", "old")).toBe("removed");
-    // Deleting the older one leaves the way from the text to its code.
+    // Deleting the older document does not delete the index from the text to the new code.
     expect(await store.add({ ...again, keyHash: "newer", ids: ["GHJK"] })).toBe("BCDF");
   });
 
@@ -41,7 +41,7 @@ describe.skipIf(!hasRedis)("with Redis", () => {
         return new RedisDocumentStore(redis, new ForgottenBytes(redis));
       }),
     );
-    // Both try the same codes in the same order, each for texts of its own.
+    // Both relays try the same codes in the same order, for different texts.
     const wanted = Array.from({ length: 120 }, (_, at) => `C${String(at).padStart(3, "0")}`);
     const given = await Promise.all(
       Array.from({ length: 50 }, (_, at) =>

@@ -7,7 +7,7 @@ import type { ForgottenBytes } from "./forgotten-bytes.ts";
 import { Script } from "./script.ts";
 
 const USES = "corridor:documents";
-/** documents that one step deletes: others wait for Redis meanwhile */
+/** Documents to delete per step, because each step blocks Redis. */
 const MOST_AT_ONCE = 500;
 
 const removeResult = z.enum(["removed", "no-document", "wrong-key"]);
@@ -17,7 +17,7 @@ export class RedisDocumentStore implements DocumentStore {
   readonly #script: Script;
   readonly #forgotten: ForgottenBytes;
 
-  /** @param redis is closed by whoever opened it */
+  /** @param redis closed by the caller */
   constructor(redis: Redis, forgotten: ForgottenBytes) {
     this.#redis = redis;
     this.#script = new Script(redis, "documents.lua");
@@ -34,7 +34,7 @@ export class RedisDocumentStore implements DocumentStore {
     try {
       await this.#script.run("use", [USES], { id, now, before: now - noteMs });
     } catch (error) {
-      // A full store must not keep anybody from reading; the next reader's use is noted instead.
+      // Reading must work if the store is full. The next read records its use instead.
       if (!isDiskFull(error)) throw error;
     }
     return text;
@@ -57,6 +57,6 @@ export class RedisDocumentStore implements DocumentStore {
   }
 
   async close(): Promise<void> {
-    // The connection is not this store's alone.
+    // Other stores share the connection.
   }
 }

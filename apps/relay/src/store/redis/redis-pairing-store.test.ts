@@ -8,7 +8,7 @@ import { RedisSessionStore } from "./redis-session-store.ts";
 
 describe.skipIf(!hasRedis)("with Redis", () => {
   pairingStoreCases("RedisPairingStore", async () => {
-    // At once: on a busy disk, "everysec" lets even the writing wait for a second or two.
+    // Not "everysec", which can delay even writes by one or two seconds on a busy disk.
     const server = await startTestRedis(["--appendfsync", "always"]);
     const open = async () => {
       const redis = await connectRedis(server.url, () => undefined);

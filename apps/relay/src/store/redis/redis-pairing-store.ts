@@ -1,4 +1,6 @@
-/** Pairing codes in Redis or Valkey, where the page may be at one relay and the script at another. */
+/**
+ * Pairing codes in Redis or Valkey. The page and the script may be connected to different relays.
+ */
 import { z } from "zod";
 import type {
   NewPairing,
@@ -12,7 +14,7 @@ import type { ForgottenBytes } from "./forgotten-bytes.ts";
 import { Script } from "./script.ts";
 
 const ENDS = "corridor:pairings";
-/** codes that one step forgets: others wait for Redis meanwhile */
+/** Codes to delete per step, because each step blocks Redis. */
 const MOST_AT_ONCE = 500;
 
 const openAnswer = z.enum(["opened", "taken", "no-robot"]);
@@ -25,7 +27,7 @@ const findAnswer = z
     code: z.string(),
     endsAt: z.number(),
     state: z.enum(["open", "asked", "accepted", "refused"]),
-    // As text: Lua has no null in a table.
+    // As text, because a Lua table cannot hold null.
     question: z
       .string()
       .transform((text): unknown => JSON.parse(text))
@@ -37,7 +39,7 @@ export class RedisPairingStore implements PairingStore {
   readonly #script: Script;
   readonly #forgotten: ForgottenBytes;
 
-  /** @param redis is closed by whoever opened it */
+  /** @param redis closed by the caller */
   constructor(redis: Redis, forgotten: ForgottenBytes) {
     this.#script = new Script(redis, "pairings.lua");
     this.#forgotten = forgotten;

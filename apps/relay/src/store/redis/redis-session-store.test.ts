@@ -14,7 +14,7 @@ async function openAt(url: string) {
 
 describe.skipIf(!hasRedis)("with Redis", () => {
   storeCases("RedisSessionStore", async () => {
-    // At once: on a busy disk, "everysec" lets even the writing wait for a second or two.
+    // Not "everysec", which can delay even writes by one or two seconds on a busy disk.
     const server = await startTestRedis(["--appendfsync", "always"]);
     return {
       store: (await openAt(server.url)).store,

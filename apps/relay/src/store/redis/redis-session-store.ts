@@ -1,6 +1,6 @@
 /**
- * Robot sessions in Redis or Valkey, which several relays may share. Each step is a run of
- * `sessions.lua`, which also tells the robot's line what it has changed, in the order of the changes.
+ * Robot sessions in Redis or Valkey, which several relays can share. Each step is a run of
+ * `sessions.lua`, which also publishes its changes on the robot's channel, in order.
  */
 import type { CommandRecord, Ending } from "@corridor/protocol";
 import { z } from "zod";
@@ -29,7 +29,7 @@ import { keysOf, sessionOf } from "./redis-keys.ts";
 import { endingOf, recordRow, rowOf, termedRow } from "./rows.ts";
 import { Script } from "./script.ts";
 
-/** sessions that one step forgets: others wait for Redis meanwhile */
+/** Sessions to delete per step, because each step blocks Redis. */
 const MOST_AT_ONCE = 200;
 
 const keysText = z
@@ -99,8 +99,8 @@ export class RedisSessionStore implements SessionStore {
   readonly #forgotten: ForgottenBytes;
 
   /**
-   * @param redis is closed by whoever opened it
-   * @param relay the name of this relay, by which it knows its own steps on the line
+   * @param redis closed by the caller
+   * @param relay name of this relay, by which it recognises its own steps on the channel
    */
   constructor(redis: Redis, forgotten: ForgottenBytes, relay: string) {
     this.#redis = redis;
@@ -126,7 +126,7 @@ export class RedisSessionStore implements SessionStore {
   }
 
   async changeAway(id: string, { add, remove, ...rest }: ScriptChange): Promise<AwayResult> {
-    // As text: Lua takes an empty list for an object.
+    // As text, because Lua encodes an empty list as an object.
     const script = add === null ? null : JSON.stringify(add);
     const values = { add: script, id: add?.id ?? remove, ...rest };
     return awayAnswer.parse(await this.#step("changeAway", id, values));
@@ -187,7 +187,7 @@ export class RedisSessionStore implements SessionStore {
     return z.array(termedRow).parse(await this.#step("deliver", id, values));
   }
 
-  /** Another relay may have changed what this one knows. */
+  /** Always false: another relay may have changed the session. */
   hasAll(): boolean {
     return false;
   }
@@ -259,7 +259,7 @@ export class RedisSessionStore implements SessionStore {
   }
 
   async close(): Promise<void> {
-    // The connection is not this store's alone.
+    // Other stores share the connection.
   }
 
   async #step(name: string, id: string, values: unknown): Promise<unknown> {

@@ -1,4 +1,4 @@
-/** A command as a row of JSON in Redis. What Lua would round stands in it as text. */
+/** A command as a JSON object in Redis. Values that Lua would round are stored as text. */
 import { commandRecordSchema, type Ending } from "@corridor/protocol";
 import { z } from "zod";
 import type { NewCommand, TermedRecord } from "../session-store.ts";
@@ -13,7 +13,7 @@ const row = z.object({
   pose: z.string().nullable(),
   distance: z.string().nullable(),
   driver: z.string(),
-  // A row of an earlier Corridor has none.
+  // Rows of earlier versions lack it.
   script: z.string().nullable().default(null),
   ttl: z.number(),
   deadline: z.number(),
@@ -22,7 +22,7 @@ const row = z.object({
 });
 const actionOf = z.object({ action: z.string() });
 
-/** The row of a command, read. */
+/** Parses the row of a command. */
 export const termedRow = row.transform((given): TermedRecord => {
   const { driver, script, ttl, deadline, replace, lease, ...shown } = given;
   const { command, pose, distance, acceptedAt, ...rest } = shown;
@@ -38,10 +38,10 @@ export const termedRow = row.transform((given): TermedRecord => {
   });
   return { record, driver, script, ttl, deadline, replace, lease };
 });
-/** The same without what only relay and robot need. */
+/** Parses a row into a record, without the details that only the relay and the robot need. */
 export const recordRow = termedRow.transform(({ record }) => record);
 
-/** A command that gets its number in Redis. */
+/** The row of a new command. Redis assigns its seq. */
 export function rowOf(given: NewCommand): unknown {
   const { driver, script, key, command, acceptedAt, ttl, deadline, replace, lease } = given;
   return {

@@ -1,4 +1,4 @@
-/** A Lua script that Redis runs as one atomic step, with its arguments and its answer as JSON. */
+/** A Lua script that Redis runs as one atomic step. Arguments and result are JSON. */
 import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -12,8 +12,8 @@ export class Script {
   readonly #always: readonly string[];
 
   /**
-   * @param file beside this one
-   * @param always what every step is given besides
+   * @param file in the folder of this module
+   * @param always additional arguments of every step
    */
   constructor(redis: Redis, file: string, always: readonly string[] = []) {
     this.#always = always;
@@ -22,7 +22,7 @@ export class Script {
     this.#hash = createHash("sha1").update(this.#text).digest("hex");
   }
 
-  /** Runs one of the steps in the script. */
+  /** Runs one step of the script. */
   async run(step: string, keys: string[], values: unknown): Promise<unknown> {
     const options = { keys, arguments: [step, JSON.stringify(values), ...this.#always] };
     const answer = await asked(

@@ -1,17 +1,24 @@
--- Robot sessions and the life of their commands: each step is one run of this script, so that several
--- relays can share one Redis. What a step must do is said in session-store.ts.
+-- Robot sessions and the state of their commands. Each step is one run of this script, so that
+-- several relays can share one Redis. session-store.ts documents the steps.
 --
--- KEYS: 1 the session, 2 commands that have not ended (by seq), 3 those that have (by seq), 4 seq by
--- idempotency key, 5 sessions by last use, 6 sessions by birth, 7 the robot's line, 8 the relays by the time until
--- which they count as alive.
--- Redis undoes nothing: where its memory is full, the first that a step writes must be something that Redis
--- refuses then, so that all of the step is refused.
--- A command is a row of JSON. What Lua would round, or need not know, is in it as text.
+-- KEYS:
+-- 1 the session
+-- 2 open commands by seq
+-- 3 ended commands by seq
+-- 4 seq by idempotency key
+-- 5 sessions by last use
+-- 6 sessions by creation
+-- 7 the robot's channel
+-- 8 relays by the time until which they count as alive
+--
+-- Redis does not roll back. The first write of a step must be one that Redis rejects if its memory
+-- is full, so that the whole step is rejected.
+-- A command is a JSON object. Values that Lua would round, or does not need, are stored as text.
 local step, given, relay = ARGV[1], cjson.decode(ARGV[2]), ARGV[3]
 local SESSION, OPEN, ENDED, BY_KEY, USES, BIRTHS, LINE, RELAYS = unpack(KEYS)
 local WAITS, HELD, RUNS = 'accepted', 'delivered', 'started'
 
--- what this step has changed, by seq, for everybody on the line
+-- commands that this step has changed, by seq, for the subscribers of the channel
 local changed, added = {}, nil
 
 local function list(rows)
@@ -71,7 +78,7 @@ end
 
 local function epoch() return tonumber(redis.call('HGET', SESSION, 'epoch') or -1) end
 
--- Whether another relay that lives has the page.
+-- Whether a running relay other than this one is connected to the page.
 local function isHeld()
   local page = redis.call('HGET', SESSION, 'page')
   local holder = page and cjson.decode(page).relay
@@ -83,7 +90,7 @@ end
 
 local function keyOf(row) return row.driver .. ':' .. row.key end
 
--- Ends what was accepted before a command that overtakes.
+-- Ends the accepted commands before a stop or a replacing command.
 local function overtake(seq, isStop)
   local rows = open(function(row) return waits(row) and row.seq < seq end)
   local state, verb = 'superseded', 'replaced'
@@ -93,7 +100,8 @@ local function overtake(seq, isStop)
   return rows
 end
 
--- What waits ends; for what the robot has the wish is kept. Returns whether it has ended by this.
+-- Cancels an accepted command, or marks one that the robot has as recalled. Returns whether the
+-- command has ended.
 local function recall(row, reason)
   if waits(row) then return change(row, 'cancelled', reason) and true end
   row.recalled = row.recalled or reason
@@ -101,7 +109,7 @@ local function recall(row, reason)
   return false
 end
 
--- delivered or started: its ending. Returns nil when it was neither.
+-- delivered or started -> its ending. Returns nil if it was in neither state.
 local function finish(ending)
   local row = find(ending.seq)
   if not row or (row.state ~= HELD and row.state ~= RUNS) then return nil, row end
@@ -113,7 +121,7 @@ local function forget(id)
   local base = 'corridor:{' .. id .. '}'
   redis.call('ZREM', USES, id)
   redis.call('ZREM', BIRTHS, id)
-  -- Its pairing code, by the names that pairings.lua has given.
+  -- The robot's pairing code, with the key names of pairings.lua.
   for _, hash in ipairs(redis.call('HMGET', base .. ':pairing', 'code', 'key')) do
     if hash then redis.call('DEL', 'corridor:pairing:' .. hash) end
   end
@@ -122,7 +130,7 @@ local function forget(id)
   return redis.call('DEL', base, base .. ':open', base .. ':ended', base .. ':keys', base .. ':pairing') > 0
 end
 
--- Which scripts stay away. Returns them.
+-- Removes scripts from the blocked ones. Returns those that remain.
 local function keepAway(stays)
   local before, kept = cjson.decode(redis.call('HGET', SESSION, 'away') or '[]'), {}
   for _, script in ipairs(before) do
@@ -225,7 +233,7 @@ function steps.keyTimes()
   local texts = {}
   for i, key in ipairs(cjson.decode(redis.call('HGET', SESSION, 'keys') or '[]')) do
     local made, used = unpack(redis.call('HMGET', SESSION, 'made:' .. key.hash, 'used:' .. key.hash))
-    -- One from before there were times is as old as its robot, for all that is known.
+    -- The creation time of older keys is unknown. They get that of their robot.
     made = made or redis.call('HGET', SESSION, 'createdAt')
     texts[i] = cjson.encode({ hash = key.hash, createdAt = tonumber(made), lastUsedAt = used and tonumber(used) or cjson.null })
   end
@@ -319,7 +327,7 @@ function steps.deliver()
   return list(due)
 end
 
--- As expiredReason of the protocol.
+-- Same text as expiredReason of the protocol.
 local function expiredReason(ttl)
   return string.format(
     "Not started within %g s: check that the robot's page is open, connected under Remote and not paused.",
@@ -381,7 +389,7 @@ function steps.takeOver()
   redis.call('HSET', SESSION, 'page', '{"relay":"' .. relay .. '",' .. holder)
   redis.call('HSET', SESSION, 'name', given.page)
   redis.call('PUBLISH', LINE, '{"kind":"page","from":"' .. relay .. '",' .. holder)
-  -- A page that knows of later commands than this Redis saw one that lost its newest.
+  -- A page with later commands than this Redis saw one that lost its newest commands.
   if given.lastApplied > tonumber(redis.call('HGET', SESSION, 'seq')) then
     redis.call('HSET', SESSION, 'seq', given.lastApplied)
   end
@@ -390,7 +398,7 @@ function steps.takeOver()
     local row, known = finish(ending)
     if not row and known and known.state ~= ending.state then refused[#refused + 1] = known end
   end
-  -- The robot that came has driven nothing of what it ends.
+  -- The new page's robot has not moved for these commands.
   local function cancel(row, reason)
     row.pose = given.pose
     row.distance = given.pose ~= cjson.null and '0' or cjson.null
@@ -407,7 +415,8 @@ function steps.takeOver()
       cancel(row, given.left.started)
     end
   end
-  -- What was delivered when something overtook it may wait again now; it was overtaken all the same.
+  -- A delivered command may be accepted again now, although a stop or a replacement arrived after
+  -- it.
   local later = ended('(' .. given.lastApplied, '+inf')
   for _, row in ipairs(open(function(row) return row.seq > given.lastApplied end)) do
     later[#later + 1] = row

@@ -1,4 +1,4 @@
-/** What every store must do: commands, from being stored to being delivered. */
+/** Requirements for every store: commands from storage to delivery. */
 import { describe, expect, it } from "vitest";
 import { completed } from "../../testing/messages.ts";
 import {

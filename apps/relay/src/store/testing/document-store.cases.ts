@@ -1,4 +1,4 @@
-/** What every store of documents must do, whichever database is behind it. */
+/** Requirements for every document store, for any database. */
 import { describe, expect, it } from "vitest";
 import type { DocumentStore, NewDocument } from "../document-store.ts";
 
@@ -15,11 +15,11 @@ export interface OpenDocumentStore {
   store: DocumentStore;
   /** The same data, opened again as after a restart. */
   reopen: () => Promise<DocumentStore>;
-  /** Whether the text can still be found in what is on disk. */
+  /** Whether the text is still in the files on disk. */
   holds: (text: string) => Promise<boolean>;
 }
 
-/** @param open makes an empty store that goes with the test */
+/** @param open creates an empty store, which exists until the test ends */
 export function documentStoreCases(name: string, open: () => Promise<OpenDocumentStore>): void {
   describe(`${name}: documents behind short links`, () => {
     const read = (store: DocumentStore, id = "BCDF") => store.read(id, 2_000, DAY_MS);
@@ -50,7 +50,7 @@ export function documentStoreCases(name: string, open: () => Promise<OpenDocumen
       expect([await first?.(), await second?.()]).toEqual(["BCDF", "GHJKL"]);
       await expect(third?.()).rejects.toThrow("all candidate ids are in use");
       expect([await read(store), await read(store, "GHJKL")]).toEqual(['"a"', '"b"']);
-      // Stored at once, none takes the id of another.
+      // Concurrent calls never receive the same id.
       const ids = ["LLLL", "MMMM", "NNNN", "PPPP", "QQQQ"];
       const added = await Promise.all(
         ids.map((hash) => store.add({ ...document, ids, hash, text: `"${hash}"` })),

@@ -1,4 +1,4 @@
-/** What every store must do: the keys of a robot. */
+/** Requirements for every store: the keys of a robot. */
 import { describe, expect, it } from "vitest";
 import { ID, LEFT, sent, keyChange, type OpenStore, robotIn } from "./robot-in-store.ts";
 

@@ -1,4 +1,4 @@
-/** What every store must do: the maze that a robot is in. */
+/** Requirements for every store: the maze of a robot. */
 import { describe, expect, it } from "vitest";
 import { ID, type OpenStore, robotIn } from "./robot-in-store.ts";
 

@@ -1,4 +1,4 @@
-/** What every store must do: what a page does that takes the robot. */
+/** Requirements for every store: a page that acquires a robot. */
 import { describe, expect, it } from "vitest";
 import { completed } from "../../testing/messages.ts";
 import { reloadReasons, replacedReasons } from "../session-store.ts";

@@ -1,4 +1,4 @@
-/** What every store of pairing codes must do, whichever database is behind it. */
+/** Requirements for every pairing store, for any database. */
 import { describe, expect, it } from "vitest";
 import type { PairingStore } from "../pairing-store.ts";
 import type { SessionStore } from "../session-store.ts";
@@ -14,11 +14,11 @@ export interface OpenPairingStore {
   sessions: SessionStore;
   /** The same data, opened again as after a restart. */
   reopen: () => Promise<PairingStore>;
-  /** Whether the text can still be found in what is on disk. */
+  /** Whether the text is still in the files on disk. */
   holds: (text: string) => Promise<boolean>;
 }
 
-/** @param open makes an empty store that goes with the test */
+/** @param open creates an empty store, which exists until the test ends */
 export function pairingStoreCases(name: string, open: () => Promise<OpenPairingStore>): void {
   const withRobots = async () => {
     const opened = await open();

@@ -1,4 +1,4 @@
-/** A robot in an empty store, and the words by which the cases of stores drive it. */
+/** A robot in an empty store, and helpers for the test cases of stores. */
 import type { Command } from "@corridor/protocol";
 import {
   reloadReasons,
@@ -12,7 +12,7 @@ export const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 export const LEFT: Command = { action: "left 90" };
 export const STOP: Command = { action: "stop" };
 export const NOW = 5_000;
-/** of the page that every robot here begins with */
+/** epoch of the first page of each robot */
 export const EPOCH = 1;
 export const sent: NewCommand = {
   driver: "driver-hash-of-this-robot",
@@ -36,7 +36,10 @@ export const keyChange = (change: Partial<KeyChange>): KeyChange => ({
   reason: "revoked",
   ...change,
 });
-/** What a page says that comes; the one before has told all that it had begun, whichever that was. */
+/**
+ * The report of a new page. The previous page has reported everything that it started, whatever its
+ * epoch.
+ */
 export const pageState = (state: Partial<PageState> = {}): PageState => ({
   lastApplied: 0,
   fresh: false,
@@ -50,13 +53,13 @@ export const nothingDone = pageState();
 
 export interface OpenStore {
   store: SessionStore;
-  /** The same data, opened again as after a restart: the store before is closed. */
+  /** The same data in a new store, as after a restart. Closes the previous store. */
   reopen: () => Promise<SessionStore>;
-  /** Whether the text can still be found in what is on disk. */
+  /** Whether the text is still in the files on disk. */
   holds: (text: string) => Promise<boolean>;
 }
 
-/** A robot that a page has taken, in a store of its own. */
+/** A robot with an owning page, in a store of its own. */
 export async function robotIn(open: () => Promise<OpenStore>) {
   const opened = await open();
   const { store } = opened;
@@ -72,7 +75,7 @@ export async function robotIn(open: () => Promise<OpenStore>) {
   return { ...opened, add, deliver, states };
 }
 
-/** Several robots in an empty store, each with a page and these drivers. */
+/** Robots in an empty store, each with a page and these drivers. */
 export const ROBOTS = ["A".repeat(22), "B".repeat(22), "C".repeat(22)];
 export const DRIVERS = ["d", "e"];
 

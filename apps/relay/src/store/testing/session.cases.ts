@@ -1,4 +1,4 @@
-/** What every store must do: sessions as a whole. */
+/** Requirements for every store: sessions. */
 import { describe, expect, it } from "vitest";
 import { ID, LEFT, STOP, keyChange, type OpenStore, robotIn } from "./robot-in-store.ts";
 

@@ -1,4 +1,7 @@
-/** A group commit whose journal writes when the test says so, and steps that keep their names in memory and there. */
+/**
+ * A group commit whose journal writes on request of the test. Its steps store their names in memory
+ * and in the journal.
+ */
 import { join } from "node:path";
 import type { DatabaseSync } from "node:sqlite";
 import { onTestFinished } from "vitest";
@@ -11,7 +14,7 @@ import { openDatabase } from "../sqlite-schema.ts";
 export const LOST = new Error("lost");
 export const NOTHING: Tidying = { bringing: [], deleted: 0, kept: [] };
 
-/** A journal that writes when the test says so. */
+/** A journal that writes on request of the test. */
 class SlowJournal implements Journal {
   readonly #writer: JournalWriter;
   writing: { entries: readonly Entry[]; tidying: Tidying | null; told: Told } | null = null;
@@ -27,7 +30,7 @@ class SlowJournal implements Journal {
     this.writing = { entries, tidying, told };
   }
 
-  /** What it has been given is on disk, or lost. */
+  /** Ends the current write: the entries are on disk, or lost. */
   tell(lost: Error | null = null, untidied: Error | null = null): void {
     if (this.writing === null) throw new Error("It was given nothing.");
     const { entries, told } = this.writing;
@@ -46,7 +49,7 @@ class SlowJournal implements Journal {
   }
 }
 
-/** What is kept, in memory beside the journal: the names of all steps that added an entry. */
+/** State in memory: the names of all steps that added an entry. */
 function namesInMemory(db: DatabaseSync) {
   const sql = "SELECT entry FROM journal ORDER BY id";
   const onDisk = () =>
@@ -68,7 +71,7 @@ function namesInMemory(db: DatabaseSync) {
   return { memory, parts, tidied, onDisk, names: () => (names ??= onDisk()) };
 }
 
-/** Steps by their names: each adds its own to what all of them have left, and sees that. */
+/** Runs steps by name. Each step appends its name and returns all names. */
 export function withJournal() {
   const db = openDatabase(join(testFolder(), "corridor.sqlite"));
   onTestFinished(() => db.close());

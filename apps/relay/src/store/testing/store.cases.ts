@@ -1,4 +1,4 @@
-/** What every store must do, whichever database is behind it. */
+/** Requirements for every store, for any database. */
 import { commandCases } from "./command.cases.ts";
 import { keyCases } from "./key.cases.ts";
 import { mazeCases } from "./maze.cases.ts";
@@ -8,7 +8,7 @@ import { takingBackCases } from "./taking-back.cases.ts";
 import { timeCases } from "./time.cases.ts";
 import type { OpenStore } from "./robot-in-store.ts";
 
-/** @param open makes an empty store that goes with the test */
+/** @param open creates an empty store, which exists until the test ends */
 export function storeCases(name: string, open: () => Promise<OpenStore>): void {
   keyCases(name, open);
   sessionCases(name, open);

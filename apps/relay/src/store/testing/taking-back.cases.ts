@@ -1,4 +1,4 @@
-/** What every store must do: commands that replace others or are taken back. */
+/** Requirements for every store: commands that replace others or are cancelled. */
 import { describe, expect, it } from "vitest";
 import { completed } from "../../testing/messages.ts";
 import {

@@ -1,4 +1,4 @@
-/** What every store must do: deadlines. */
+/** Requirements for every store: deadlines. */
 import { expiredReason } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { completed } from "../../testing/messages.ts";
