@@ -1,8 +1,8 @@
 /**
  * Message bus over Redis: a channel for each robot that this relay holds. The store's Lua scripts
- * publish steps there, numbered, in the same transaction. A missing number or a broken connection
- * causes `missed`. A relay without a heartbeat for three seconds counts as dead, and its pages as
- * disconnected. If it was only stalled, it lets its pages reconnect.
+ * publish numbered steps there, in the same transaction. A missing number or a broken connection
+ * makes the bus call `missed`. A relay without a heartbeat for three seconds counts as dead, and
+ * its pages as disconnected. If it was only stalled, it lets its pages reconnect.
  */
 import {
   aliveDriverSchema,
@@ -238,7 +238,7 @@ export class RedisSwitchboard implements Switchboard {
     if (!subscriber.isReady) this.#requestKeyChecks();
     else if (this.#isAnswered) this.#pingSubscriber();
     else {
-      // The connection is dead, or Redis is stalled. In that case no key can be revoked.
+      // The connection is dead, or Redis is stalled. A stalled Redis cannot revoke a key.
       redis.ping().then(
         () => this.#isAnswered || this.#requestKeyChecks(),
         () => undefined,
@@ -250,7 +250,7 @@ export class RedisSwitchboard implements Switchboard {
   #pingSubscriber(): void {
     this.#isAnswered = false;
     const onAnswer = (): void => void (this.#isAnswered = true);
-    // An error counts as an answer, or the connection is known to be broken.
+    // An error counts as an answer, because `isReady` reports a broken connection.
     this.#options.subscriber.ping().then(onAnswer, onAnswer);
   }
 

@@ -1,6 +1,6 @@
 /**
- * Everyone who follows one robot at this moment: the feeds of scripts that are connected, and requests
- * that wait for something to happen (long polls). They hear every change in the order in which it came.
+ * Subscribers of one robot: the feeds of connected readers, and requests that wait for an event
+ * (long polls). They receive all changes in order.
  */
 import type { CommandRecord, StateEvent } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
@@ -13,31 +13,32 @@ import { limits } from "./limits.ts";
 import type { Caller } from "./script.ts";
 import { scriptIsAway } from "./script-gate.ts";
 
-/** Whoever follows the robot: a reader's feed, or a request that waits. */
+/** A subscriber: a reader's feed or a waiting request. */
 interface Listener {
   snapshot(snapshot: CarriedSnapshot): void;
   state(event: StateEvent): void;
-  /** the robot is in another maze */
+  /** the robot's maze has changed */
   maze(version: string): void;
-  /** states may have been lost on the way here */
+  /** states may have been missed */
   missed(): void;
   over(reason: AwayReason): void;
 }
 
 /**
- * Why somebody is sent away. revoked: the key was, by which they read; busy: nobody knows whether it was;
- * blocked: the owner wants them to go
+ * Why the relay ends a subscription. over: the robot was deleted or its session expired; restart:
+ * the relay stops; revoked: the key was revoked; busy: the relay cannot read which keys are valid;
+ * blocked: the owner blocked the script
  */
 export type AwayReason = "over" | "restart" | "revoked" | "busy" | "blocked";
 
-/** The ways in which a robot is followed. */
+/** Kinds of subscriptions. `line` is a long-poll connection, `long-poll` a single request. */
 export type ReaderDoor = "websocket" | "line" | "events" | "long-poll";
 
-/** How long somebody waits, and what makes them stop earlier. */
+/** How long a request waits, and what ends the wait early. */
 export interface Patience {
   milliseconds: number;
   signal: AbortSignal;
-  /** by which key they read; who waits is sent away when it is revoked */
+  /** the caller; the wait fails once the caller may no longer read */
   key?: Caller;
 }
 
@@ -46,7 +47,7 @@ export class Audience {
   readonly #events: EventLog;
   readonly #entries = new Set<{ listener: Listener; key: Caller | null; door: ReaderDoor }>();
 
-  /** @param events numbers what is told, and keeps it for those who come back */
+  /** @param events numbers the states, and stores them for readers that reconnect */
   constructor(clock: Clock, events: EventLog) {
     this.#clock = clock;
     this.#events = events;
@@ -63,15 +64,15 @@ export class Audience {
   }
 
   /**
-   * Adds the feed of a connected script or watcher.
-   * @returns a function that lets it go; false from it: it was gone already
-   * @throws Refusal when too many read already, with this key or at this robot
+   * Adds the feed of a connected script or viewer.
+   * @returns a function that removes the feed; it returns false if the feed is already removed
+   * @throws Refusal too-many-readers, for this key or this robot
    */
   join(listener: Listener, key: Caller, door: ReaderDoor): () => boolean {
     const ofKey = [...this.#entries].filter(
       (entry) => entry.door !== "long-poll" && entry.key?.hash === key.hash,
     ).length;
-    // One watch key is for many: a class looks on.
+    // Many viewers, such as a class, share one watch key.
     if (key.kind !== "watch" && ofKey >= limits.readersPerKey) {
       throw new Refusal(
         "too-many-readers",
@@ -83,9 +84,11 @@ export class Audience {
   }
 
   /**
-   * Waits until `done` is called, until patience ends or until the session does.
-   * @param listen what to listen for; calls `done` when it came
-   * @throws Refusal when too many read already, or when they are sent away meanwhile
+   * Waits until the listener calls `done`, the wait times out or is aborted, states may have been
+   * missed, or the session ends.
+   * @param listen returns the callbacks, which call `done` to end the wait
+   * @throws Refusal too-many-readers, or the reason for which the relay ends the subscription;
+   * StoreAway if the valid keys are unknown
    */
   async until(
     { milliseconds, signal, key }: Patience,
@@ -127,13 +130,13 @@ export class Audience {
     }
   }
 
-  /** States may have been lost on the way here: everyone is told of the gap, or looks again. */
+  /** States may have been missed: discards the stored events and notifies all subscribers. */
   tellMissed(): void {
     this.#events.lose();
     for (const { listener } of this.#entries) listener.missed();
   }
 
-  /** Sends those away whom it means. */
+  /** Ends the subscriptions of the matching callers. */
   dismiss(isMeant: (caller: Caller) => boolean, reason: AwayReason): void {
     for (const entry of this.#entries) {
       if (entry.key === null || !isMeant(entry.key)) continue;
@@ -142,14 +145,14 @@ export class Audience {
     }
   }
 
-  /** Sends everyone away. */
+  /** Ends all subscriptions. */
   close(reason: "over" | "restart"): void {
     for (const { listener } of this.#entries) listener.over(reason);
     this.#entries.clear();
   }
 
   #add(listener: Listener, key: Caller | null, door: ReaderDoor): () => boolean {
-    // Watchers are counted by themselves, so that they never keep a script out.
+    // Viewers have a separate limit, so that they never exclude a script.
     const isWatcher = key?.kind === "watch";
     const alike = [...this.#entries].filter((entry) => (entry.key?.kind === "watch") === isWatcher);
     if (alike.length >= limits.readersPerRobot) {

@@ -1,11 +1,12 @@
 /**
- * A snapshot on its way through the relay: checked, and still the bytes that its page wrote. Most are passed on
- * as they came, and nobody here ever asks for more than their numbers; who does gets the object.
+ * A validated snapshot that the relay forwards as bytes. Where possible, the relay copies the
+ * page's bytes unchanged and reads only `seq`, `tick` and `state`. Only access to `value` parses
+ * the object.
  */
 import { findSnapshotMessage, type Snapshot, type SnapshotSpan } from "@corridor/protocol";
 import { emptyFrame, messageIn } from "../text-frame.ts";
 
-/** What a reader's message says before the snapshot, and behind it. */
+/** Bytes of a reader's message before and after the snapshot. */
 const BEFORE = Buffer.from('{"type":"snapshot","snapshot":');
 const AFTER = "}".charCodeAt(0);
 
@@ -13,7 +14,7 @@ export class CarriedSnapshot {
   readonly seq: number;
   readonly tick: number;
   readonly state: Snapshot["state"];
-  /** the message to a reader as a WebSocket carries it, the same bytes for all of them */
+  /** the complete WebSocket frame, which all readers share */
   readonly frame: Buffer;
   #value: Snapshot | null = null;
 
@@ -24,7 +25,7 @@ export class CarriedSnapshot {
     this.frame = frame;
   }
 
-  /** One that was made or read as an object. Its memory is its own: it may be kept for hours. */
+  /** Creates a snapshot from an object. Its buffer is not pooled, so it may be stored for hours. */
   static of(value: Snapshot): CarriedSnapshot {
     const json = Buffer.from(JSON.stringify(value));
     const carried = new CarriedSnapshot(value, framed(json, 0, json.length, { isRetained: true }));
@@ -32,17 +33,17 @@ export class CarriedSnapshot {
     return carried;
   }
 
-  /** One that was found among bytes, copied into memory that it shares with others of the same moment. */
+  /** Creates a snapshot from a span of bytes. The copy may share a pooled buffer. */
   static found(bytes: Buffer, place: SnapshotSpan): CarriedSnapshot {
     return new CarriedSnapshot(place, framed(bytes, place.start, place.end, { isRetained: false }));
   }
 
-  /** The message by itself. */
+  /** The message without its frame header. */
   get message(): Buffer {
     return messageIn(this.frame);
   }
 
-  /** The snapshot by itself, as JSON. */
+  /** The snapshot as JSON, without the message around it. */
   get json(): Buffer {
     return this.message.subarray(BEFORE.length, -1);
   }
@@ -52,7 +53,9 @@ export class CarriedSnapshot {
     return this.#value;
   }
 
-  /** The same with another number, with which nearly all of them begin. */
+  /**
+   * Copies the snapshot with another seq. If the JSON starts with `seq`, only bytes are replaced.
+   */
   numbered(seq: number): CarriedSnapshot {
     const { tick, state, json } = this;
     const before = `{"seq":${this.seq},`;
@@ -62,17 +65,17 @@ export class CarriedSnapshot {
     return CarriedSnapshot.found(bytes, place);
   }
 
-  /** The same with another number or state. */
+  /** Copies the snapshot with another seq or state. */
   with(change: Partial<Pick<Snapshot, "seq" | "state">>): CarriedSnapshot {
     return CarriedSnapshot.of({ ...this.value, ...change });
   }
 }
 
-/** A page's snapshot message; null for all else, which need not be wrong. */
+/** Fast path for a page's snapshot message. Returns null for all other input, valid or invalid. */
 export function readSnapshotMessage(
   bytes: Buffer,
 ): { epoch: number; snapshot: CarriedSnapshot } | null {
-  // As latin1 a byte is a character, and what is no ASCII is found to be none.
+  // In latin1 each byte is one character. `findSnapshotMessage` rejects non-ASCII characters.
   const place = findSnapshotMessage(bytes.toString("latin1"));
   return place && { epoch: place.epoch, snapshot: CarriedSnapshot.found(bytes, place) };
 }

@@ -1,6 +1,6 @@
 /**
- * Brings commands to the robot's page: what it may have next, in order, marked as delivered before it is
- * sent. What it cannot have yet it is shown.
+ * Delivers commands to the robot's page in order. Commands are marked as delivered before they are
+ * sent. The page is shown the commands that it may not have yet.
  */
 import { closeReasons, type CommandRecord } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
@@ -12,11 +12,11 @@ import type { PageHandover } from "./page-handover.ts";
 import type { PageLink } from "./page-link.ts";
 import type { PageSeat } from "./page-seat.ts";
 
-/** What was marked as delivered, to be sent now. */
+/** Commands that are marked as delivered and are to be sent now. */
 export interface Due {
   link: PageLink;
   commands: TermedRecord[];
-  /** when it was marked */
+  /** when they were marked */
   now: number;
 }
 
@@ -27,7 +27,7 @@ export interface CommandDeliveryParts {
   seat: PageSeat;
   handover: PageHandover;
   display: PageDisplay;
-  /** is told what was sent */
+  /** called with the delivered records */
   sent(records: readonly CommandRecord[]): void;
 }
 
@@ -38,15 +38,17 @@ export class CommandDelivery {
     this.#parts = parts;
   }
 
-  /** Sends all that the page may have now. */
+  /** Delivers all commands that the page may have now. */
   async run(): Promise<void> {
     this.send(await this.take());
   }
 
   /**
-   * Marks what the page may have now as delivered. Asked for in the same turn as the step before it, both
-   * are one commit, and the page has a command as soon as its sender has the answer.
-   * @returns what is to be sent, whatever became of that step; null: nothing, or there is no page for it
+   * Marks the commands that the page may have now as delivered. If the preceding store step starts
+   * in the same turn, one commit stores both. The page then has a command as soon as its sender has
+   * the response.
+   * @returns what to send, whether or not the preceding step succeeds; null: there is nothing to
+   * deliver, or no page to deliver to
    */
   async take(): Promise<Due | null> {
     const { robot, store, clock, seat, handover } = this.#parts;
@@ -54,7 +56,8 @@ export class CommandDelivery {
     const { link, epoch } = seat.page;
     const now = clock.now();
     try {
-      // With each command that comes it is asked what the page may have now: mostly nothing more.
+      // After most commands there is nothing more to deliver. `hasAll` detects that without a
+      // query.
       if (store.hasAll(robot, limits.deliveredWindow)) return null;
       return {
         link,
@@ -62,7 +65,7 @@ export class CommandDelivery {
         now,
       };
     } catch {
-      // What is stored stays stored; the page comes back in a moment and gets it then.
+      // The commands stay stored. The page reconnects after this close code and receives them then.
       link.close(closeReasons.busy);
       return null;
     }
@@ -71,14 +74,14 @@ export class CommandDelivery {
   send(due: Due | null): void {
     if (due === null) return;
     if (due.commands.length > 0) {
-      // It may have been shown one of these, as waiting.
+      // The display may hold one of these commands as waiting, so that is shown first.
       this.#parts.display.flush();
       due.link.send(...due.commands.map((each) => commandFrame(each, due.now)));
     }
     this.#parts.sent(due.commands.map(({ record }) => record));
   }
 
-  /** Sends what is due, and shows the page a new command that is not among it. */
+  /** Sends what is due. Shows the page a new command that is not part of it. */
   sendOrShow(added: TermedRecord, due: Due | null): void {
     this.send(due);
     const isSent = due?.commands.some(({ record }) => record.seq === added.record.seq) === true;

@@ -1,9 +1,10 @@
 /**
- * The life of one robot's commands, between the scripts that send them and the page that does them.
+ * Lifecycle of one robot's commands, between the scripts that send them and the page that executes
+ * them.
  *
- * Whatever changes commands goes through one queue, so the order in the store is the order on the
- * line. A command that waits expires here. It is marked delivered before it is sent; from then on only
- * the robot ends it, or the relay once the page is away for good.
+ * All changes of commands go through one serial queue, so the order in the store is the order on
+ * the connection. Waiting commands expire here. A command is marked as delivered before it is sent.
+ * From then on only the robot ends it, or the relay once the page is gone for good.
  */
 import {
   closeReasons,
@@ -59,22 +60,22 @@ export class CommandLife {
   readonly #delivery: CommandDelivery;
   readonly #allowance = new DriverAllowance();
   readonly #work = new OrderedWork();
-  /** pages that come, one after the other */
+  /** serializes pages that connect */
   readonly #arrivals = new OrderedWork();
-  /** how a page that has the robot gives it up to the next */
+  /** transfers the robot from one page to the next */
   readonly handover: PageHandover;
-  /** what the page is shown and does not have */
+  /** shows the page commands that it does not have */
   readonly display: PageDisplay;
-  /** the same commands, as they are read */
+  /** queries for the same commands */
   readonly log: CommandLog;
-  /** the same commands, as their senders take them back */
+  /** cancels the same commands for their senders and the owner */
   readonly recall: CommandRecall;
   readonly #deadlines: DeadlineTimer;
-  /** seq of the newest command while that is a stop */
+  /** seq of the newest command if that is a stop; otherwise null */
   #newestStop: number | null = null;
-  /** a step of this relay is being told, in the turn in which it was done */
+  /** whether this relay is publishing a step of its own in this turn */
   #isTelling = false;
-  /** a command may wait that nobody was told of */
+  /** whether the store may hold a waiting command that it did not confirm */
   #isInDoubt = false;
   #end: "over" | "restart" | null = null;
 
@@ -104,20 +105,21 @@ export class CommandLife {
       },
     });
     this.#deadlines = new DeadlineTimer(clock, () => void this.#expire().catch(() => undefined));
-    // What was stored before this relay began may be late by now.
+    // Commands from before the start of this relay may have expired.
     this.#deadlines.wake(clock.now());
   }
 
   // --- the page ---
 
   /**
-   * A page takes the robot once the page before it has given it up, and that one is sent away.
-   * @param seated is called then, before anything is delivered to it
+   * Connects a page to the robot once the previous page has released it. The previous page is
+   * disconnected.
+   * @param seated called when the page owns the robot, before commands are delivered to it
    */
   async takePage(link: PageLink, resume: Resume, seated: () => void): Promise<void> {
     await this.#arrivals.run(async () => {
       const settled = await this.handover.settle(resume);
-      // It went while the page before gave up the robot, which that one may have back.
+      // The page disconnected while the previous page released the robot. That one may reconnect.
       if (!link.isOpen) return;
       await this.#seatPage(link, resume, { ...settled, seated });
     });
@@ -132,7 +134,7 @@ export class CommandLife {
     await this.#work.run(async () => {
       const taken = await this.#store.takeOver(this.#robot, {
         lastApplied,
-        // What a page had started that is another one can never end.
+        // A page can never end a command that another page started.
         fresh: fresh || (this.#seat.name !== "" && !this.handover.isSame(resume)),
         endings,
         pose: snapshot?.pose ?? null,
@@ -142,7 +144,7 @@ export class CommandLife {
       });
       if (taken === null || this.#end !== null)
         return link.close(closeReasons[this.#end ?? "over"]);
-      // Another relay's page may have come after, and its news before our answer.
+      // Another relay's page may be newer, and its message may arrive before this response.
       if (this.#seat.isElsewhere && this.#seat.epoch > taken.epoch)
         return link.close(closeReasons.replaced);
       this.#seat.page?.link.close(closeReasons.replaced);
@@ -160,18 +162,20 @@ export class CommandLife {
     });
   }
 
-  /** The page says what became of a command. */
+  /** Handles a page's report that a command started or ended, or that it released the robot. */
   async hearPage(
     link: PageLink,
     message: Extract<PageToRelay, { type: "started" | "ended" | "yielded" }>,
   ): Promise<void> {
     await this.#work.run(async () => {
-      // Its line may be closed since: what it said before counts as long as no other page has come.
+      // The connection may be closed by now. Its reports count until another page acquires the
+      // robot.
       if (message.epoch !== this.#seat.epoch) return;
       try {
         await this.#heed(link, message);
       } catch (error) {
-        // Before anything else of it counts: it tells all of this again with its next greeting.
+        // No later report may count after this failure. The page repeats all of them when it
+        // reconnects.
         link.close(closeReasons.busy);
         throw error;
       }
@@ -187,13 +191,13 @@ export class CommandLife {
         return this.#ended(link, epoch, ending);
       }
       case "yielded":
-        // All that it had told before is stored by now.
+        // All earlier reports of the page are stored by now.
         if (link.isOpen) this.handover.yielded(message.epoch, true);
         return;
     }
   }
 
-  /** Ends what a page has left behind, unless one is there again. */
+  /** Ends the commands of a page that is gone, unless a page is connected again. */
   async pageIsGone(): Promise<void> {
     await this.#work.run(async () => {
       if (this.#seat.page !== null || this.#seat.isElsewhere) return;
@@ -203,7 +207,7 @@ export class CommandLife {
         epoch,
         "The robot disconnected. Check that its page is open and connected under Remote, then send a new command.",
       );
-      // Another relay has it after all, which is heard in a moment.
+      // Another relay has the page after all, and its message arrives soon.
       if (ended === null) return;
       this.#seat.settleAway();
       this.#tellStates(ended);
@@ -225,9 +229,11 @@ export class CommandLife {
     const ended = this.#store.end(this.#robot, epoch, ending);
     const due = this.#delivery.take();
     const { outcome, record } = await ended;
-    // What waits was meant for the same state of things as what the page has cancelled: it hears of both together.
+    // The held commands were sent for the same situation as the cancelled one. The page receives
+    // both together.
     if (ending.state === "cancelled") this.display.flush();
-    // Not this page's to end at the moment: it keeps the ending, and tells it with its next greeting.
+    // The page may not end this command now. It retains the ending and sends it again when it
+    // reconnects.
     const isKept = outcome === "over" && record !== null && !hasEnded(record.state);
     if (!isKept) {
       const isRepeated = record?.state === ending.state;
@@ -237,7 +243,10 @@ export class CommandLife {
     this.#delivery.send(await due);
   }
 
-  /** Either way the page need not tell the ending again. @param other how it had ended before */
+  /**
+   * Confirms an ending. In both cases the page need not send it again.
+   * @param other the record with its earlier, different ending; null: there is none
+   */
   #answerEnding(link: PageLink, seq: number, other: CommandRecord | null): void {
     link.send(other === null ? { type: "stored", seq } : { type: "refused", record: other });
   }
@@ -264,13 +273,13 @@ export class CommandLife {
     }
   }
 
-  /** A command may have been stored though the store gave no answer: it is looked for in a moment. */
+  /** The store failed to respond, but may have stored a command. Looks for it after a delay. */
   #doubt(): void {
     this.#isInDoubt = true;
     this.#deadlines.wake(this.#clock.now() + limits.storeRetryMs);
   }
 
-  /** The relay itself has ended these: readers and page hear of it. */
+  /** Publishes commands that the relay has ended, and shows them to the page. */
   #endedHere(ended: readonly TermedRecord[]): void {
     const changed = ended.map(({ record }) => record);
     this.#stepped({ changed, ended: [...ended] });
@@ -279,7 +288,7 @@ export class CommandLife {
 
   // --- other relays ---
 
-  /** What a step has changed: of this relay, heard again in its turn, or of another one. */
+  /** Handles the changes of a step. The message bus also delivers the steps of this relay. */
   heardStep(step: Step, isOwn: boolean): void {
     if (this.#isTelling) return this.#audience.tellStates(step.changed);
     const heard = this.#work.run(async () => {
@@ -289,14 +298,14 @@ export class CommandLife {
       const { added } = step;
       if (added === null) return;
       this.#newestStop = isStop(added) ? added.record.seq : null;
-      // The relay that has stored it may be gone by then.
+      // The relay that stored the command may fail before the deadline.
       this.#deadlines.wake(added.deadline);
       if (this.#seat.page !== null) this.#delivery.sendOrShow(added, await this.#delivery.take());
     });
     heard.catch(() => undefined);
   }
 
-  /** Steps may not have been heard: readers are told of the gap, and the page gets what waits. */
+  /** Steps may have been missed: notifies readers of the gap and delivers waiting commands. */
   missedSteps(): void {
     const made = this.#work.run(async () => {
       this.#audience.tellMissed();
@@ -310,11 +319,12 @@ export class CommandLife {
   // --- scripts ---
 
   /**
-   * Stores a command and sends it on when its turn comes. A stop overtakes everything. One that
-   * comes too fast, without a key, is not lost while the stop before it is open: that one answers.
-   * @param acknowledge gets the record once it is stored, before anything else is said about it;
-   *   `duplicate` when the key and the command were stored before
-   * @throws Refusal when it comes too fast, too many wait, or the key had another command
+   * Stores a command and delivers it in its turn. A stop overtakes all other commands. If a stop
+   * exceeds the rate limit, the relay responds with the stop that is still open, if there is one.
+   * This requires a request without an idempotency key, or with the key of that stop.
+   * @param acknowledge called with the stored record, before anything else is published about it;
+   * `duplicate` is true if the record was stored before
+   * @throws Refusal too-fast, restarting, no-robot or a reason of `notStored`
    */
   async submit(
     grant: Caller,
@@ -329,7 +339,7 @@ export class CommandLife {
       if (this.#end !== null) throw this.#end === "restart" ? restarting() : noRobot();
       if (tooFast !== null) {
         const stop = await this.#openStop();
-        // Whoever sends another key counts on a record of its own, and will try again for it.
+        // A sender with another key expects a record of its own, and retries.
         const mayShare = request.key === null || request.key === stop?.key;
         if (stop === null || !mayShare) throw tooFast;
         return acknowledge({ ...stop, duplicate: true });
@@ -356,7 +366,7 @@ export class CommandLife {
       });
       if (result.outcome === "duplicate") {
         acknowledge({ ...result.record, duplicate: true });
-        // The first answer may have been lost before anything else was done.
+        // The first attempt may have failed before it did anything else.
         if (result.record.state === "accepted") this.#deadlines.wake(cameAt);
         return this.#delivery.send(await due);
       }
@@ -387,14 +397,14 @@ export class CommandLife {
     this.#delivery.sendOrShow(added, due);
   }
 
-  /** The stop that has not ended and after which nothing came: another would change nothing. */
+  /** The newest command, if it is a stop that has not ended. Another stop would change nothing. */
   async #openStop(): Promise<CommandRecord | null> {
     if (this.#newestStop === null) return null;
     const record = await this.#store.command(this.#robot, this.#newestStop);
     return record === null || hasEnded(record.state) ? null : record;
   }
 
-  /** Takes and delivers nothing any more. */
+  /** Stops accepting and delivering commands. */
   close(reason: "over" | "restart"): void {
     this.#end = reason;
     this.display.flush();
@@ -405,7 +415,7 @@ export class CommandLife {
     this.#stepped({ changed: [...records] });
   }
 
-  /** A step of this relay is done: everyone on the line is told, its own readers too. */
+  /** Publishes a step of this relay to all subscribers, including its own readers. */
   #stepped(step: Partial<Step> & Pick<Step, "changed">): void {
     for (const { state } of step.changed) if (hasEnded(state)) this.#witness.ended(state);
     this.#isTelling = true;

@@ -1,4 +1,4 @@
-/** The commands of one robot as they are read: one of them, the list, the open ones, or the end of one. */
+/** Queries for the commands of one robot: one command, a list, the open ones, or the end of one. */
 import { hasEnded, type CommandRecord, type EventGap } from "@corridor/protocol";
 import type { SessionStore } from "../store/session-store.ts";
 import type { Audience, Patience } from "./audience.ts";
@@ -12,7 +12,7 @@ export class CommandLog {
   readonly #audience: Audience;
   readonly #work: OrderedWork;
 
-  /** @param work what changes commands: some reads come between two changes */
+  /** @param work queue of all changes to commands; some reads run between two changes */
   constructor(robot: string, store: SessionStore, audience: Audience, work: OrderedWork) {
     this.#robot = robot;
     this.#store = store;
@@ -20,7 +20,7 @@ export class CommandLog {
     this.#work = work;
   }
 
-  /** @throws Refusal when there is no command with this number */
+  /** @throws Refusal no-command */
   async command(seq: number): Promise<CommandRecord> {
     const record = await this.#store.command(this.#robot, seq);
     if (record === null) throw noCommand(seq);
@@ -31,7 +31,7 @@ export class CommandLog {
     return this.#store.commandsAfter(this.#robot, seq, limits.logPage);
   }
 
-  /** Tells the commands that have not ended, between two changes. */
+  /** Reports the commands that have not ended, between two changes. */
   async tellOpen(tell: (open: EventGap["open"]) => void): Promise<void> {
     await this.#work.run(async () => {
       const open = await this.#store.openCommands(this.#robot);
@@ -39,9 +39,9 @@ export class CommandLog {
     });
   }
 
-  /** Waits for the command to end. @returns its record then, whether it has ended or not */
+  /** Waits for the command to end. @returns its record after the wait, ended or not */
   async endOf(seq: number, patience: Patience): Promise<CommandRecord> {
-    // Begun between two changes, so that no ending falls between asking and listening.
+    // Starts between two changes, so that no ending falls between the read and the subscription.
     const { record, end } = await this.#work.run(async () => {
       const now = await this.command(seq);
       return { record: now, end: hasEnded(now.state) ? null : this.#nextEnd(seq, patience) };

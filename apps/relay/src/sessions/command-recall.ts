@@ -1,6 +1,7 @@
 /**
- * Taking commands back: what waits ends at the relay; for what the robot has, the robot is asked. The
- * store keeps the wish, so that a page that was away is asked when it is back.
+ * Recalls commands for their senders or the owner. A waiting command ends at the relay. For a
+ * delivered command the relay asks the robot. The store retains the request, so that a disconnected
+ * page is asked when it reconnects.
  */
 import {
   BLOCKED_REASON,
@@ -26,13 +27,13 @@ export interface CommandRecallParts {
   robot: string;
   store: SessionStore;
   work: OrderedWork;
-  /** commands have ended at the relay */
+  /** called with commands that have ended at the relay */
   ended(commands: readonly TermedRecord[]): void;
-  /** asks the page, wherever it is, to end a command */
+  /** asks the page, here or at another relay, to end a command */
   ask(seq: number, cause: RecallCause): void;
 }
 
-/** As the record of a command says it. */
+/** Reasons in the records of recalled commands. */
 const reasons = {
   sender: "The script cancelled this command before it started. To run it, send a new command.",
   revoked: REVOKED_REASON,
@@ -48,9 +49,9 @@ export class CommandRecall {
   }
 
   /**
-   * Takes one command back for the key that sent it.
-   * @returns the record, which has not ended yet where the robot was asked
-   * @throws Refusal when there is no such command, or another key sent it
+   * Recalls one command for the key that sent it.
+   * @returns the record; it has not ended yet if the robot is asked to end it
+   * @throws Refusal no-command, or forbidden if another key sent it
    */
   async one({ hash }: StoredKey, seq: number): Promise<CommandRecord> {
     const { robot, store, work } = this.#parts;
@@ -74,7 +75,7 @@ export class CommandRecall {
     });
   }
 
-  /** Changes the robot's keys, and takes back what those that go have sent. */
+  /** Changes the robot's keys, and recalls the commands of removed keys. */
   async changeKeys(change: Omit<KeyChange, "reason">): Promise<KeysResult> {
     const { robot, store, work } = this.#parts;
     return work.run(async () => {
@@ -84,7 +85,7 @@ export class CommandRecall {
     });
   }
 
-  /** Changes which scripts are away, and takes back what one that goes has sent. */
+  /** Changes which scripts are blocked, and recalls the commands of a newly blocked script. */
   async changeAway(change: Omit<ScriptChange, "reason">): Promise<AwayResult> {
     const { robot, store, work } = this.#parts;
     return work.run(async () => {
@@ -94,7 +95,10 @@ export class CommandRecall {
     });
   }
 
-  /** Pauses remote driving and takes back what scripts have sent, or lets them drive again. */
+  /**
+   * Pauses remote driving and recalls the commands of scripts, or resumes it.
+   * @returns false if there is no such session
+   */
   async pause(isPaused: boolean): Promise<boolean> {
     const { robot, store, work } = this.#parts;
     return work.run(async () => {
@@ -104,12 +108,12 @@ export class CommandRecall {
     });
   }
 
-  /** Asks the page for all that was taken back and may not have been heard. */
+  /** Asks the page to end all recalled commands, because earlier requests may have been lost. */
   async askAgain(): Promise<void> {
     await this.#parts.work.run(async () => this.askAgainInTurn());
   }
 
-  /** The same, for whoever has the turn. */
+  /** Same as `askAgain`, for callers that already run in the serial queue. */
   async askAgainInTurn(): Promise<void> {
     const { robot, store } = this.#parts;
     for (const { seq, reason } of await store.recalled(robot)) {

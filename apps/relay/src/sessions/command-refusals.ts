@@ -1,4 +1,4 @@
-/** Why a command is not stored, in words that its sender can act on. */
+/** Error responses for commands that the relay does not store. */
 import { PAUSED_REASON, type CommandTerms } from "@corridor/protocol";
 import { noRobot, Refusal, retryAfter } from "../problems.ts";
 import type { AddResult } from "../store/session-store.ts";
@@ -6,7 +6,7 @@ import { keyRevoked } from "./key-ring.ts";
 import { limits } from "./limits.ts";
 import { scriptIsAway } from "./script-gate.ts";
 
-/** What the store may answer instead of storing a command or finding it stored. */
+/** Results of the store for a command that is neither stored nor a duplicate. */
 type NotStored = Exclude<AddResult, { outcome: "stored" | "duplicate" }>;
 
 export function notStored(result: NotStored, { ttl, age }: CommandTerms): Refusal {

@@ -1,4 +1,4 @@
-/** Wakes when the first of many deadlines is there. */
+/** Timer for the earliest of many deadlines. */
 import type { Clock } from "../clock.ts";
 
 export class DeadlineTimer {
@@ -7,13 +7,13 @@ export class DeadlineTimer {
   #at = Number.POSITIVE_INFINITY;
   #cancel: () => void = () => undefined;
 
-  /** @param due is called at the deadline; who still waits for a later one says so by `wake` */
+  /** @param due called at the deadline; callers with a later deadline call `wake` again */
   constructor(clock: Clock, due: () => void) {
     this.#clock = clock;
     this.#due = due;
   }
 
-  /** Wakes at this time, or earlier where something else is due earlier. */
+  /** Sets the timer to this time, unless it is set to an earlier one. */
   wake(at: number): void {
     if (at >= this.#at) return;
     this.#at = at;

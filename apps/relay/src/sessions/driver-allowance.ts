@@ -1,4 +1,4 @@
-/** How fast each driver key may send: a bucket for commands, and one for stops, which never wait behind them. */
+/** Rate limiter by driver key. Stops have a separate bucket, so they never wait behind commands. */
 import { Refusal, retryAfter } from "../problems.ts";
 import { limits } from "./limits.ts";
 import { TokenBucket } from "./token-bucket.ts";
@@ -7,10 +7,10 @@ export class DriverAllowance {
   readonly #buckets = new Map<string, { commands: TokenBucket; stops: TokenBucket }>();
 
   /**
-   * Takes one command's worth.
+   * Takes one token.
    * @param driver hash of the key
-   * @param now when it came
-   * @returns the refusal when the key sends too fast
+   * @param now time of arrival, in ms
+   * @returns the error response if the key exceeds its rate; otherwise null
    */
   take(driver: string, isStop: boolean, now: number): Refusal | null {
     let buckets = this.#buckets.get(driver);

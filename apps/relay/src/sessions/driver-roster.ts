@@ -1,7 +1,8 @@
 /**
- * Which scripts use a robot, as its page shows them; told at most once a second. The robot goes on with
- * a motion without an end only while the script that wished it is heard: by each message and request,
- * and for as long as a request waits for its answer.
+ * Scripts that use a robot, as its page shows them. Changes are reported at most once a second,
+ * except new connections and changed permissions, which are reported immediately. The robot
+ * continues a motion without an end only while the script that requested it is active. Each message
+ * and request proves activity, and so does a request that waits for its response.
  */
 import type { AliveDriver, CommandRecord, Drivers, ScriptView } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
@@ -10,24 +11,24 @@ import type { StoredScript } from "../store/session-store.ts";
 import { limits } from "./limits.ts";
 import { ScriptList } from "./script-list.ts";
 
-/** Whoever was silent for longer holds no motion any more. */
+/** A script that is silent for longer than this holds no motion. */
 const FORGET_MS = 10_000;
-/** Beyond these nobody is told of: their motions end, that is all. */
+/** Maximum number of active scripts in a report. Motions of all others end. */
 export const MOST_TOLD = 16;
 
-/** What the page is told of its scripts. */
+/** Scripts of a robot, as its page receives them. */
 export interface Scripts extends Drivers {
-  /** those that may hold a motion */
+  /** scripts that may hold a motion */
   alive: AliveDriver[];
-  /** by name */
+  /** scripts by name */
   scripts: ScriptView[];
 }
 
 interface Life {
   heardAt: number;
-  /** requests that wait for their answer */
+  /** requests that wait for their response */
   waiting: number;
-  /** when its newest line was opened */
+  /** when its newest connection was opened; null: it has opened none */
   lineAt: number | null;
 }
 
@@ -37,7 +38,7 @@ export class DriverRoster {
   /** the same scripts by name */
   readonly #list: ScriptList;
   readonly #away: () => readonly StoredScript[];
-  /** by the hash of its key */
+  /** by the hash of the script's key */
   readonly #lives = new Map<string, Life>();
   #connected = 0;
   #client: string | null = null;
@@ -46,8 +47,8 @@ export class DriverRoster {
   #isNews = false;
 
   /**
-   * @param tell is called when there is something new to be told
-   * @param away the scripts that the owner has sent away
+   * @param tell called when there is a change to report
+   * @param away returns the scripts that the owner has blocked
    */
   constructor(clock: Clock, tell: () => void, away: () => readonly StoredScript[]) {
     this.#clock = clock;
@@ -56,7 +57,7 @@ export class DriverRoster {
     this.#away = away;
   }
 
-  /** A script was heard, and waits for nothing. */
+  /** Records a message of a script that waits for no response. */
   spoke(script: StoredScript): void {
     const now = this.#clock.now();
     this.#lifeOf(script.driver, now);
@@ -66,7 +67,7 @@ export class DriverRoster {
     this.#changed();
   }
 
-  /** A script was heard. @returns to be called once its request is answered */
+  /** Records a request of a script. @returns function to call once the request is answered */
   heard(script: StoredScript): () => void {
     const life = this.#lifeOf(script.driver);
     const listed = this.#list.heard(script);
@@ -85,12 +86,12 @@ export class DriverRoster {
     };
   }
 
-  /** A script's socket or stream was opened. @returns to be called when it is closed */
+  /** Records an opened socket or stream of a script. @returns function to call when it closes */
   connected(script: StoredScript): () => void {
     this.#connected += 1;
     const listed = this.#list.connected(script);
     this.#lifeOf(script.driver).lineAt = this.#clock.now();
-    // At once: what a script kept while it had no line may come right behind.
+    // Immediately, because commands that the script held while disconnected may follow.
     this.#flush();
     return () => {
       this.#connected -= 1;
@@ -99,13 +100,13 @@ export class DriverRoster {
     };
   }
 
-  /** A script's command was taken. */
+  /** Records an accepted command of a script. */
   sent(script: StoredScript, record: CommandRecord): void {
     this.#list.sent(script, record);
     this.#changed();
   }
 
-  /** Who may drive has changed: told at once, for somebody has pressed a button and looks. */
+  /** Reports changed permissions immediately, because the owner has just pressed a button. */
   awayChanged(): void {
     this.#flush();
   }
@@ -119,7 +120,7 @@ export class DriverRoster {
     return { connected: this.#connected, client: this.#client, silentMs };
   }
 
-  /** The scripts that may hold a motion. */
+  /** Scripts that may hold a motion. */
   alive(): AliveDriver[] {
     const now = this.#clock.now();
     return [...this.#lives]

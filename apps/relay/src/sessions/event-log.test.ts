@@ -4,7 +4,7 @@ import { expect, it } from "vitest";
 import type { Clock } from "../clock.ts";
 import { EventLog } from "./event-log.ts";
 
-/** Every field says something else, and something else each time. */
+/** Every field has a different value, and most differ for each seq. */
 const record = (seq: number): CommandRecord => ({
   seq,
   key: seq % 2 === 0 ? null : `key-of-${seq}`,

@@ -1,7 +1,7 @@
 /**
- * The newest states of a robot's commands, numbered, for readers that come back. Kept in memory: after
- * a restart the numbers begin again in another stream, so that who asks for the old ones is told of the
- * gap and never takes silence for "nothing happened".
+ * Newest states of a robot's commands, numbered, for readers that reconnect. The log is held in
+ * memory. After a restart the numbers start again in another stream, so readers of the old stream
+ * receive a gap.
  */
 import {
   EVENT_RETENTION_MS,
@@ -18,8 +18,9 @@ export class EventLog {
   readonly stream = mintStream();
   readonly #clock: Clock;
   /**
-   * Oldest first, without holes, and when each came. Few are ever read again, and a thousand of each of thousands of
-   * robots would be most of the objects that the relay has.
+   * Records from oldest to newest, without gaps, and their times. The records are packed, because
+   * few are ever read again. As objects, a thousand for each of thousands of robots would fill most
+   * of the heap.
    */
   readonly #kept = new PackedTexts();
   #times: number[] = [];
@@ -34,7 +35,7 @@ export class EventLog {
     return this.#n;
   }
 
-  /** What a reader that knows everything up to here comes back with. */
+  /** Resume position of a reader that has received all events. */
   get since(): string {
     return sinceOf(this.stream, this.#n);
   }
@@ -50,13 +51,13 @@ export class EventLog {
     return { n: this.#n, record };
   }
 
-  /** States may have come that nobody here heard of: whoever reads is told of a gap. */
+  /** States may have been missed, so all readers of earlier positions must receive a gap. */
   lose(): void {
     this.#n += 1;
     this.#forget(this.#kept.length);
   }
 
-  /** Lets go of what is too old. */
+  /** Deletes events that exceed the retention time. */
   forgetOld(): void {
     const oldest = this.#clock.now() - EVENT_RETENTION_MS;
     if ((this.#times[0] ?? oldest) >= oldest) return;
@@ -64,21 +65,21 @@ export class EventLog {
     this.#forget(first < 0 ? this.#kept.length : first);
   }
 
-  /** Whether all events after `n` are kept. */
+  /** Whether all events after `n` are stored. */
   hasAfter(n: number): boolean {
     const missed = this.#n - n;
     return missed >= 0 && missed <= this.#kept.length;
   }
 
   /**
-   * The events after `n` that there are now, in order, each read when it is its turn: those that are not kept any more by
-   * then are left out. Null when some of them are not kept now.
+   * Current events after `n`, in order; null if some of them are no longer stored. The iterator
+   * reads each event when it reaches it, and skips those that are deleted by then.
    */
   after(n: number): Iterable<StateEvent> | null {
     return this.hasAfter(n) ? this.#from(n + 1, this.#n) : null;
   }
 
-  /** The number in a `since`; null when it belongs to another stream. */
+  /** The number in a `since` value; null if it belongs to another stream. */
   numberOf(since: string): number | null {
     const dash = since.lastIndexOf("-");
     return since.slice(0, dash) === this.stream ? Number(since.slice(dash + 1)) : null;
@@ -97,7 +98,7 @@ export class EventLog {
   }
 }
 
-/** What a record says, without the names of its fields, which would be half of it. */
+/** A record without its field names, which would be half of the text. */
 type Packed = [
   seq: CommandRecord["seq"],
   key: CommandRecord["key"],

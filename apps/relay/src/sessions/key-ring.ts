@@ -1,4 +1,4 @@
-/** The keys of one robot: whose a key is, new ones, and the end of old ones for everybody who uses them. */
+/** The keys of one robot: validates, creates and revokes them. */
 import { MAX_KEYS, type KeyList, type KeyRequest, type CreatedKey } from "@corridor/protocol";
 import { hashKey, keyId, matchKey, mintKey } from "../keys.ts";
 import { noRobot, notAuthorised, Refusal } from "../problems.ts";
@@ -21,27 +21,27 @@ export interface KeyRingParts {
   keys: readonly StoredKey[];
   store: Pick<SessionStore, "find" | "keyTimes">;
   clock: Clock;
-  /** changes the stored keys, with all that follows for commands */
+  /** changes the stored keys and recalls the affected commands */
   change: (change: Omit<KeyChange, "reason">) => Promise<KeysResult>;
-  /** is told when this relay has changed the keys */
+  /** called after this relay has changed the keys */
   changed: () => void;
-  /** is told what else the store says of the robot, once it was looked up again */
+  /** called with the stored session after it was read again */
   found: (stored: StoredSession) => void;
-  /** is told of a key that counts no more */
+  /** called with a key that is no longer valid */
   revoked: (key: StoredKey) => void;
-  /** is told when nobody knows any more which keys count: the store does not answer */
+  /** called when the valid keys are unknown, because the store does not respond */
   doubted: () => void;
 }
 
 export class KeyRing {
   readonly #parts: KeyRingParts;
   #keys: readonly StoredKey[];
-  /** how often it was said that the keys may have changed */
+  /** number of notifications that the keys may have changed */
   #news = 0;
-  /** when each was in use last, and of which time that was noted */
+  /** last use of each key, and the last use that is stored */
   readonly #uses = new Map<string, { at: number; notedAt: number | null }>();
   #isLooking = false;
-  /** false: they may have changed some time ago, and the store did not say how */
+  /** false: the keys may have changed, and the store did not respond in time */
   #isSure = true;
   #cancelTimers: (() => void)[] = [];
 
@@ -51,8 +51,8 @@ export class KeyRing {
   }
 
   /**
-   * The stored key that belongs to a bearer key; null when it is none of this robot's.
-   * @throws StoreAway when nobody knows whether it counts
+   * The stored key that matches a bearer key; null if no key of this robot matches.
+   * @throws StoreAway if it is unknown whether the key is still valid
    */
   match(key: string): StoredKey | null {
     const held = matchKey(key, this.#keys);
@@ -64,8 +64,8 @@ export class KeyRing {
   }
 
   /**
-   * Asked at every message.
-   * @throws Refusal when the key was revoked, or does not allow it; StoreAway as `match`
+   * Checks that a key is valid and permits an operation.
+   * @throws Refusal if the key is revoked or lacks the permission; StoreAway as for `match`
    */
   check({ hash }: StoredKey, verb: Verb): void {
     const held = this.#keys.find((key) => key.hash === hash);
@@ -75,7 +75,7 @@ export class KeyRing {
     this.#used(held);
   }
 
-  /** All that count, with their times as the store and this relay know them. */
+  /** All valid keys, with their times from the store and from this relay. */
   async list(): Promise<KeyList["keys"]> {
     const stored = await this.#parts.store.keyTimes(this.#parts.robot);
     const times = new Map(stored.map((each) => [each.hash, each]));
@@ -91,14 +91,14 @@ export class KeyRing {
     });
   }
 
-  /** What is to be written down of their use: the first at once, further ones once a minute. */
+  /** Uses that are due to be stored: the first of a key immediately, later ones once a minute. */
   dueUses(): KeyUse[] {
     return [...this.#uses].flatMap(([hash, { at, notedAt }]) =>
       notedAt === null || at - notedAt >= limits.touchMs ? [{ hash, at }] : [],
     );
   }
 
-  /** It was written down. */
+  /** Marks these uses as stored. */
   usesNoted(uses: readonly KeyUse[]): void {
     for (const { hash, at } of uses) {
       const use = this.#uses.get(hash);
@@ -107,9 +107,9 @@ export class KeyRing {
   }
 
   /**
-   * Makes a key.
-   * @returns the key itself, which nobody can ask for again
-   * @throws Refusal when there are too many, or none such to replace
+   * Creates a key.
+   * @returns the key in plain text, which cannot be requested again
+   * @throws Refusal too-many-keys, nothing-to-replace or no-robot
    */
   async make({ kind, replace = false }: KeyRequest): Promise<Omit<CreatedKey, "address">> {
     const remove = typeof replace === "string" ? [await this.#hashToReplace(replace, kind)] : [];
@@ -121,14 +121,17 @@ export class KeyRing {
   }
 
   /**
-   * Lets a key count that a script holds already: it was made when the script asked.
-   * @throws Refusal when there are too many
+   * Activates a key that a script has held since it requested access.
+   * @throws Refusal too-many-keys or no-robot
    */
   async admit(hash: string): Promise<void> {
     await this.#change({ add: [{ kind: "drive", hash }], remove: [], removeKind: null });
   }
 
-  /** Ends a key at once, wherever it is in use. @throws Refusal when it cannot be revoked */
+  /**
+   * Revokes a key immediately, for all of its users.
+   * @throws Refusal no-key, forbidden or no-robot
+   */
   async revoke(id: string): Promise<void> {
     const key = await this.#storedKey(id);
     if (key === null) {
@@ -147,8 +150,8 @@ export class KeyRing {
   }
 
   /**
-   * Looks again which keys count: another relay has changed them, or may have. What the store does not
-   * say in time counts for nobody until it does.
+   * Reads the keys again, because another relay may have changed them. If the store does not
+   * respond in time, only the owner key is valid until it does.
    */
   refresh(): void {
     this.#news += 1;
@@ -191,7 +194,7 @@ export class KeyRing {
     this.#isLooking = false;
   }
 
-  /** The owner's key ends only with the robot itself. */
+  /** The owner key is exempt, because it ends only with the robot itself. */
   #requireSure({ kind }: StoredKey): void {
     if (!this.#isSure && kind !== "own") throw new StoreAway("the valid keys are unknown");
   }
@@ -213,7 +216,7 @@ export class KeyRing {
     else use.at = at;
   }
 
-  /** Another relay may have made it a moment ago. */
+  /** Reads the key from the store, because another relay may have just created it. */
   async #storedKey(id: string): Promise<StoredKey | null> {
     const stored = await this.#parts.store.find(this.#parts.robot);
     return stored?.keys.find(({ hash }) => keyId(hash) === id) ?? null;
@@ -243,7 +246,7 @@ export class KeyRing {
     this.#parts.changed();
   }
 
-  /** A key whose id no other key of this robot has. */
+  /** Creates a key whose id differs from those of the robot's other keys. */
   #mint(kind: KeyRequest["kind"]): string {
     for (;;) {
       const key = mintKey(kind);
@@ -253,7 +256,7 @@ export class KeyRing {
   }
 }
 
-/** The answer to whoever used a key when it was revoked. */
+/** Error response for a revoked key. */
 export function keyRevoked(): Refusal {
   return notAuthorised("This key was revoked. Copy the robot's new address from its page.");
 }

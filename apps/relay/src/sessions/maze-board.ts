@@ -1,6 +1,6 @@
 /**
- * The maze that a robot is in, as its page gives it: kept with the session, since snapshots say where the robot
- * is but not among which walls. Whoever may look on can read it, and is told when there is another one.
+ * The robot's maze, as its page publishes it. The session stores it, because snapshots contain the
+ * pose but not the blocks. Readers can request it and are notified of changes.
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { Clock } from "../clock.ts";
@@ -10,13 +10,13 @@ import type { SessionStore } from "../store/session-store.ts";
 import { limits } from "./limits.ts";
 import { TokenBucket } from "./token-bucket.ts";
 
-/** Characters of its hash by which a maze is told from the one before it. */
+/** Length of a version, which is the start of the maze's hash. */
 const VERSION_LENGTH = 22;
 
 export interface KeptMaze {
   /** the document as JSON */
   text: string;
-  /** the same for the same maze, at every relay */
+  /** equal for equal mazes, at every relay */
   version: string;
 }
 
@@ -24,16 +24,16 @@ export interface MazeBoardParts {
   robot: string;
   store: Pick<SessionStore, "keepMaze" | "maze">;
   clock: Clock;
-  /** tells the readers here that there is another maze */
+  /** notifies the readers at this relay of a new maze */
   tell: (version: string) => void;
-  /** is told when this relay has kept one */
+  /** called after this relay has stored a maze */
   changed: (version: string) => void;
 }
 
 export class MazeBoard {
   readonly #parts: MazeBoardParts;
   readonly #bucket: TokenBucket;
-  /** the newest that this relay knows of */
+  /** newest version that this relay has seen */
   #known: string | null = null;
 
   constructor(parts: MazeBoardParts) {
@@ -41,7 +41,7 @@ export class MazeBoard {
     this.#bucket = new TokenBucket(limits.mazeRate, parts.clock.now());
   }
 
-  /** The maze; null while the page has given none. */
+  /** The maze; null until the page has published one. */
   async read(): Promise<KeptMaze | null> {
     const text = await this.#parts.store.maze(this.#parts.robot);
     if (text === null) return null;
@@ -51,7 +51,7 @@ export class MazeBoard {
   }
 
   /**
-   * Keeps the maze in the place of the one before; the same one again is no news.
+   * Stores the maze in place of the previous one. An unchanged maze is not published.
    * @returns its version
    * @throws Refusal too-fast or no-robot
    */
@@ -66,7 +66,7 @@ export class MazeBoard {
         },
       );
     }
-    // Read by a schema, its fields stand in one order: the same maze has the same text.
+    // The schema orders the fields, so equal mazes have equal text.
     const text = JSON.stringify(maze);
     const version = versionOf(text);
     if ((await this.read())?.version === version) return version;
@@ -76,13 +76,13 @@ export class MazeBoard {
     return version;
   }
 
-  /** There is another maze, here or at another relay. */
+  /** Handles a new maze, stored here or at another relay. */
   heard(version: string): void {
     this.#known = version;
     this.#parts.tell(version);
   }
 
-  /** Another relay may have kept one, unheard. */
+  /** Reads the maze again, because a message of another relay may have been missed. */
   async lookAgain(): Promise<void> {
     const before = this.#known;
     const kept = await this.read();

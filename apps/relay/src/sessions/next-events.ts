@@ -1,18 +1,19 @@
-/** Events for a request that waits: what a feed tells a reader that stays, in one answer. */
+/** Events for a long poll: what a feed sends to a connected reader, in one response. */
 import type { EventGap, EventPage } from "@corridor/protocol";
 import type { Audience, Patience } from "./audience.ts";
 import type { ReaderSource } from "./reader-feed.ts";
 
 export interface WantedEvents {
-  /** the last state that is known; undefined: how things stand now */
+  /** resume position; undefined: responds immediately with the current state */
   since?: string | undefined;
-  /** seq of the newest snapshot that is known; undefined: no snapshot is waited for */
+  /** seq of the newest known snapshot; undefined: does not wait for snapshots */
   after?: number | undefined;
 }
 
 /**
- * Waits until there is a state after `since` or a snapshot newer than `after`, or the robot goes.
- * @returns what there is then; at once when states were missed, or when it is the first request
+ * Waits for a state after `since`, or for a snapshot that is newer than `after` or has another
+ * state.
+ * @returns the events after the wait; immediately for a first request or after missed states
  */
 export async function nextEvents(
   source: ReaderSource & { audience: Audience },
@@ -41,7 +42,7 @@ export async function nextEvents(
       }),
     }));
   }
-  // A burst while this waited may have been more than is kept.
+  // A burst during the wait may have exceeded the event log.
   return events.hasAfter(told) ? page(told, null) : afterGap(source, page);
 }
 

@@ -1,8 +1,8 @@
-/** One change after the other: what was begun first is over before the next begins. */
+/** Serial queue: each task starts after the previous one has finished. */
 export class OrderedWork {
   #newest: Promise<unknown> = Promise.resolve();
 
-  /** Runs a change in its turn; one that fails does not stop the next. */
+  /** Runs a task in its turn. A failed task does not stop the next one. */
   run<T>(change: () => Promise<T>): Promise<T> {
     const result = this.#newest.then(change);
     this.#newest = result.catch(() => undefined);

@@ -1,4 +1,4 @@
-/** What a robot's session makes of the news that other relays tell on the robot's line. */
+/** Handles the messages of other relays for one robot's session. */
 import { closeReasons } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import type { News } from "../cluster/switchboard.ts";
@@ -22,13 +22,13 @@ export interface OtherRelaysParts {
   keys: KeyRing;
   mazes: MazeBoard;
   roster: DriverRoster;
-  /** the page that is here is away, as far as others believe */
+  /** other relays consider the page at this relay disconnected */
   lapsed(link: PageLink): void;
-  /** there is another snapshot to be told */
+  /** readers must receive a new snapshot */
   tellReaders(): void;
-  /** there is something new of the scripts to be told */
+  /** the page must receive the changed scripts */
   tellScripts(): void;
-  /** the robot was forgotten there */
+  /** another relay has deleted the robot */
   over(): void;
 }
 
@@ -41,7 +41,9 @@ export class OtherRelays {
     this.#parts = parts;
   }
 
-  /** Where the page is at another relay, waits for that one's answer: the newest snapshot, if there is one. */
+  /**
+   * If another relay has the page, waits for its response: the newest snapshot, if there is one.
+   */
   async meet(): Promise<void> {
     const { seat, line, roster, clock } = this.#parts;
     if (!seat.isElsewhere) return;
@@ -53,12 +55,15 @@ export class OtherRelays {
     cancelTimer();
   }
 
-  /** What others said may not have come: readers are told so, and the page gets what waits. */
+  /**
+   * Messages may have been missed: notifies readers, delivers waiting commands, reads keys and
+   * maze.
+   */
   missed(): void {
     const { life, keys, mazes } = this.#parts;
     life.missedSteps();
     keys.refresh();
-    // Where the store is away, the next maze is told all the same.
+    // If the store is unavailable, readers still receive the next change of the maze.
     mazes.lookAgain().catch(() => undefined);
   }
 

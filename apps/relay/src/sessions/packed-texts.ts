@@ -1,20 +1,23 @@
 /**
- * Texts in order, as bytes: new ones come at one end, old ones go at the other. However many there are, they are no
- * objects that V8 goes through when it looks for garbage. Half a surrogate pair does not come back as it was; JSON
- * has none.
+ * Queue of texts in one buffer. New texts go to the end, and the oldest are removed first. V8's
+ * garbage collector does not traverse them, however many there are. Lone surrogates are not
+ * preserved, but the output of JSON.stringify contains none.
  */
 
 const FIRST_BYTES = 1_024;
-/** Bytes are moved to others, half again what is needed, where these are too few or too many times that. */
+/**
+ * Buffer size in multiples of the needed bytes. Outside of `least` to `most`, a buffer of `made`
+ * times that size replaces it.
+ */
 const ROOM = { least: 1.25, made: 1.5, most: 2 };
 
 const nothing = Buffer.alloc(0);
 
 export class PackedTexts {
   #bytes = nothing;
-  /** where the oldest begins */
+  /** offset of the oldest text */
   #start = 0;
-  /** where each ends */
+  /** end offset of each text */
   #ends: number[] = [];
 
   get length(): number {
@@ -29,17 +32,17 @@ export class PackedTexts {
     this.#ends.push(at + size);
   }
 
-  /** @param at 0: the oldest */
+  /** @param at index; 0: the oldest */
   at(at: number): string {
     return this.#bytes.toString("utf8", this.#ends[at - 1] ?? this.#start, this.#ends[at]);
   }
 
-  /** What they take, with what is free for more. */
+  /** Size of the buffer in bytes, including free space. */
   get bytes(): number {
     return this.#bytes.length;
   }
 
-  /** Lets go of the oldest ones. */
+  /** Removes the oldest texts. */
   shift(count: number): void {
     this.#start = this.#ends[count - 1] ?? this.#start;
     if (count === 1) this.#ends.shift();
@@ -49,7 +52,9 @@ export class PackedTexts {
     this.#start = 0;
   }
 
-  /** Moves what is kept to the front, so that so many bytes more have room. @returns where it ends */
+  /**
+   * Moves the texts to the front and makes room for `size` more bytes. @returns their end offset
+   */
   #makeRoom(size: number): number {
     const kept = this.#bytes.subarray(this.#start, this.#ends.at(-1) ?? this.#start);
     const needed = Math.max(kept.length + size, FIRST_BYTES / ROOM.made);

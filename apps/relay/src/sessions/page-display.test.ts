@@ -1,4 +1,3 @@
-/** What the page is shown of commands that it does not have, and when. */
 import type { RelayToPage } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { CoalescedTimers } from "../coalesced-timers.ts";
@@ -11,7 +10,7 @@ import { PageSeat } from "./page-seat.ts";
 import { LEFT, page, withRobot, type Host } from "./testing/robot-at-relay.ts";
 
 const { shownIntervalMs } = limits;
-/** A timer that is shared comes so much later at most. */
+/** Maximum delay of a coalesced timer. */
 const SHARED_MS = 5;
 
 function command(seq: number, state: "accepted" | "expired" = "accepted"): TermedRecord {
@@ -38,13 +37,13 @@ function command(seq: number, state: "accepted" | "expired" = "accepted"): Terme
   return { record, ...terms };
 }
 
-/** One message in words; a command's with its seq. */
+/** Summary of a message, with the seq of a command. */
 function inWords(message: RelayToPage): string {
   if (message.type === "state") return `${message.record.seq} ${message.record.state}`;
   return "seq" in message ? `${message.type} ${message.seq}` : message.type;
 }
 
-/** A seat at a relay, and pages that may take it, with the writes that each got. */
+/** A robot's ownership, and pages that acquire it, with the writes that each page received. */
 function withSeat() {
   const clock = new FakeClock();
   const seat = new PageSeat(clock.now(), { epoch: 0, page: "" });
@@ -101,7 +100,7 @@ describe("what waits for the page", () => {
       if (seq === 10) display.flush();
     }
     await clock.pass(shownIntervalMs + SHARED_MS);
-    // At 0 ms, at 500 ms by the flush, then each second.
+    // At 0 ms, at 500 ms by the flush, then every second.
     expect(writes).toHaveLength(4);
     expect(writes.flat()).toEqual(Array.from({ length: 50 }, (_, n) => `${n + 1} accepted`));
   });

@@ -1,6 +1,6 @@
 /**
- * Shows the page commands that it does not have: those that wait, and those that have ended without it. That is for
- * people to see, so it is told at once where little happens, and once a second, all in one, where much does.
+ * Shows the page commands that it does not have: those that wait, and those that ended without it.
+ * The display is for people. It is immediate at low rates, and batched once a second at high rates.
  */
 import type { RelayToPage } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
@@ -14,11 +14,11 @@ export class PageDisplay implements Waiter {
   readonly #seat: PageSeat;
   readonly #clock: Clock;
   readonly #timers: CoalescedTimers;
-  /** epoch of the page that is shown this */
+  /** epoch of the page that the held commands are for */
   #epoch = 0;
   #shownAt = -Infinity;
   #held: TermedRecord[] = [];
-  /** it will be woken */
+  /** whether a timer is pending */
   #isArmed = false;
 
   constructor({ seat, clock, timers }: { seat: PageSeat; clock: Clock; timers: CoalescedTimers }) {
@@ -34,13 +34,13 @@ export class PageDisplay implements Waiter {
     this.#showWhenDue(page.link);
   }
 
-  /** Says this to the page, with what is held. */
+  /** Sends a message to the page, after the held commands. */
   sayWith(message: RelayToPage): void {
     const page = this.#page();
     if (page !== null) this.#send(page.link, message);
   }
 
-  /** Shows what is held: before the page is given one of these. */
+  /** Shows the held commands. Callers flush before the page receives one of them. */
   flush(): void {
     const page = this.#page();
     if (page !== null && this.#held.length > 0) this.#send(page.link);
@@ -51,7 +51,7 @@ export class PageDisplay implements Waiter {
     this.show([]);
   }
 
-  /** The page that is here; what was held for the one before it is not for this one. */
+  /** The connected page. Discards commands that were held for a previous page. */
   #page(): SeatedPage | null {
     const { page } = this.#seat;
     const epoch = page?.epoch ?? 0;

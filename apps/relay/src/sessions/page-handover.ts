@@ -1,7 +1,7 @@
 /**
- * From one page to the next. The page that has the robot may have begun what its relay has not heard of yet,
- * so before another one gets the robot it is asked to begin nothing any more and to say so after all that it
- * has to tell. Where it does not in time, nobody knows what it has begun.
+ * Transfers a robot from one page to the next. The owning page may have started commands that its
+ * relay does not know of yet. So the relay asks it to start nothing more, and to confirm after its
+ * last report. Without a confirmation in time, it is unknown which commands it has started.
  */
 import { closeReasons, type Resume } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
@@ -17,24 +17,24 @@ export interface PageHandoverParts {
   line: RobotLine;
 }
 
-/** What is known of the page that had the robot. */
+/** What is known about the page that owned the robot. */
 export interface Settled {
-  /** its epoch, where it is known what it has not begun; null: it is not known */
+  /** its epoch, if it is known which commands it has not started; null: unknown */
   epoch: number | null;
-  /** why commands end that it was given */
+  /** reasons with which its commands end */
   left: LeftReasons;
 }
 
-/** How a page answers that is asked to give the robot up. */
+/** How the owning page responds to the request to release the robot. */
 type Answer = "told all" | "gone" | "silent";
 
 export class PageHandover {
   readonly #clock: Clock;
   readonly #seat: PageSeat;
   readonly #line: RobotLine;
-  /** the page here that was asked last */
+  /** the page at this relay that was asked last */
   #asked: PageLink | null = null;
-  /** tells who waits how the page with this epoch has answered */
+  /** reports how the page with this epoch responded */
   #answer: (epoch: number, answer: Answer) => void = () => undefined;
 
   constructor({ clock, seat, line }: PageHandoverParts) {
@@ -43,22 +43,22 @@ export class PageHandover {
     this.#line = line;
   }
 
-  /** Whether the page that is here gives the robot up, and is not to get anything to begin. */
+  /** Whether the page at this relay is releasing the robot and must not receive commands. */
   get isUnderWay(): boolean {
     return this.#asked !== null && this.#asked === this.#seat.page?.link;
   }
 
   /**
-   * Whether it is the page that had the robot last, on a new line. An earlier Corridor says no name: then
-   * only one that is loaded anew is known to be another.
+   * Whether this is the page that owned the robot last, on a new connection. Earlier versions of
+   * Corridor send no name. Then only a newly loaded page counts as another page.
    */
   isSame({ page: name, fresh }: Pick<Resume, "page" | "fresh">): boolean {
     return name === undefined ? !fresh : name === this.#seat.name;
   }
 
   /**
-   * Has the page that has the robot, here or at another relay, give it up.
-   * @param resume of the page that comes; where it is the same one on a new line it says itself what it has begun
+   * Makes the owning page, here or at another relay, release the robot.
+   * @param resume of the new page; the same page on a new connection reports what it has started
    */
   async settle(resume: Resume): Promise<Settled> {
     const { epoch, isTaken, isInDoubt } = this.#seat;
@@ -66,7 +66,8 @@ export class PageHandover {
     const absent: Answer = isInDoubt ? "gone" : "told all";
     const answer = isTaken ? await this.#givenUp(epoch) : absent;
     if (answer === "told all") return { epoch, left: reloadReasons };
-    // A reloaded tab closes its connection, or it breaks; one that goes on beside this page is silent.
+    // A reloaded tab closes its connection, or the connection breaks. A page that stays open beside
+    // the new one is silent.
     const isReload = answer === "gone" && resume.fresh;
     return { epoch: null, left: isReload ? reloadReasons : replacedReasons };
   }
@@ -83,27 +84,32 @@ export class PageHandover {
     return answer;
   }
 
-  /** Asks the page with this epoch to give the robot up. @returns false where it is not here */
+  /**
+   * Asks the page with this epoch to release the robot. @returns false if it is not at this relay
+   */
   ask(epoch: number): boolean {
     const { page } = this.#seat;
     if (page?.epoch !== epoch) return false;
     const { link } = page;
     this.#asked = link;
     link.send({ type: "yield" });
-    // Nobody came for the robot after all: this page may have it again, on a new line.
+    // No other page acquired the robot. This page may reconnect and own it again.
     this.#clock.after(2 * limits.yieldMs, () => {
       if (this.#seat.isHeldBy(link)) link.close(closeReasons.busy);
     });
     return true;
   }
 
-  /** The page that is here has told all that it has begun; or the one at another relay has. */
+  /**
+   * The page with this epoch has reported all that it started.
+   * @param isHere whether that page is at this relay
+   */
   yielded(epoch: number, isHere: boolean): void {
     if (isHere) this.#line.yielded(epoch);
     this.#answer(epoch, "told all");
   }
 
-  /** The page with this epoch is gone: there will be no other answer. */
+  /** The page with this epoch disconnected, so no other response follows. */
   left(epoch: number, saidGoodbye: boolean): void {
     this.#answer(epoch, saidGoodbye ? "told all" : "gone");
   }

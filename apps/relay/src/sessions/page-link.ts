@@ -1,10 +1,10 @@
-/** The page of a robot as its session sees it: somebody who can be told things and sent away. */
+/** The connection of a robot's page, as its session uses it. */
 import type { CloseReason, RelayToPage } from "@corridor/protocol";
 
 export interface PageLink {
-  /** false once the page is gone or was sent away */
+  /** false once the page disconnected or was closed */
   readonly isOpen: boolean;
-  /** Several go together, in order. */
+  /** Sends the messages together, in order. */
   send(...messages: RelayToPage[]): void;
   close(reason: CloseReason): void;
 }

@@ -1,29 +1,35 @@
-/** Who the robot is at the moment: the page that took it last, here or at another relay, or nobody, and since when. */
+/**
+ * Ownership of the robot: the page that acquired it last, here or at another relay, or the time
+ * since which no page owns it.
+ */
 import type { PageLink } from "./page-link.ts";
 
 export interface SeatedPage {
   link: PageLink;
   epoch: number;
-  /** by which it is known on each of its lines; empty where it says none */
+  /** identifies the page across its connections; empty if the page sends none */
   name: string;
 }
 
 export class PageSeat {
   #page: SeatedPage | null = null;
-  /** epoch of the page that another relay has; null: none has */
+  /** epoch of the page at another relay; null: none */
   #elsewhere: number | null = null;
-  /** the highest that is known */
+  /** highest known epoch */
   #epoch: number;
-  /** of the page with that epoch; empty where it is not known */
+  /** name of the page with that epoch; empty if unknown */
   #name: string;
-  /** the page that left last has not told all that it had begun, as far as anybody knows */
+  /** whether the last page may have started more than it reported */
   #isInDoubt: boolean;
-  /** null also once what a page left behind has been seen to */
+  /**
+   * time since which no page owns the robot; also null once the last page's commands have been
+   * ended
+   */
   #awaySince: number | null;
 
   /**
-   * @param now a robot that nobody has taken yet counts as away from here on
-   * @param last the page that took it last; epoch 0: none has
+   * @param now a robot without a page counts as disconnected from this time on
+   * @param last the page that owned the robot last; epoch 0: none
    */
   constructor(now: number, last: { epoch: number; page: string }) {
     this.#awaySince = now;
@@ -36,12 +42,12 @@ export class PageSeat {
     return this.#page;
   }
 
-  /** Of the page that took the robot last, as far as is known. */
+  /** Epoch of the page that acquired the robot last, as far as known. */
   get epoch(): number {
     return this.#epoch;
   }
 
-  /** Of the same page; empty where it is not known. */
+  /** Name of the same page; empty if unknown. */
   get name(): string {
     return this.#name;
   }
@@ -50,17 +56,17 @@ export class PageSeat {
     return this.#elsewhere !== null;
   }
 
-  /** Whether a page has the robot, here or at another relay. */
+  /** Whether a page owns the robot, here or at another relay. */
   get isTaken(): boolean {
     return this.#page !== null || this.isElsewhere;
   }
 
-  /** Whether something is due once the page has been away for long enough. */
+  /** Whether work is due once the page has been disconnected for long enough. */
   get isAwayOpen(): boolean {
     return this.#awaySince !== null;
   }
 
-  /** Whether nobody has the robot, and the page that had it last may have begun more than it told. */
+  /** Whether no page owns the robot, and the last one may have started more than it reported. */
   get isInDoubt(): boolean {
     return this.#isInDoubt;
   }
@@ -83,8 +89,8 @@ export class PageSeat {
   }
 
   /**
-   * A page has taken the robot at another relay.
-   * @returns the page that was here until then
+   * A page has acquired the robot at another relay.
+   * @returns the page that owned the robot at this relay until then, if any
    */
   takeElsewhere(epoch: number, name: string): SeatedPage | null {
     if (epoch < this.#epoch) return null;
@@ -98,7 +104,7 @@ export class PageSeat {
     return before;
   }
 
-  /** The page at another relay is away. @returns false when it was not the newest */
+  /** The page at another relay disconnected. @returns false if it was not the newest */
   leaveElsewhere(epoch: number, now: number, saidGoodbye: boolean): boolean {
     if (this.#elsewhere !== epoch) return false;
     this.#isInDoubt = !saidGoodbye;
@@ -113,12 +119,12 @@ export class PageSeat {
     this.#awaySince = now;
   }
 
-  /** What the page left behind has been seen to. */
+  /** The commands of the disconnected page have been ended. */
   settleAway(): void {
     this.#awaySince = null;
   }
 
-  /** Nobody is the robot any more, and nothing is due. */
+  /** Removes the page. No work is due any more. */
   clear(): void {
     this.#page = null;
     this.#awaySince = null;

@@ -25,14 +25,14 @@ function recordOf(seq: number): CommandRecord {
 
 const STATE_BYTES = 300;
 
-/** A robot with a log, and readers whose lines take what they are told to take. */
+/** A robot with an event log, and readers whose progress the test controls. */
 function robotWithReaders() {
   const clock = new FakeClock();
   const timers = new CoalescedTimers(clock);
   const events = new EventLog(clock);
   let newest: CarriedSnapshot | null = null;
   const feeds: ReaderFeed[] = [];
-  /** @param heard is called after each state, as a line that breaks while it is written to may do */
+  /** @param heard called after each state, as a connection may break during a write */
   const join = (since: string | null = null, heard?: (feed: ReaderFeed) => void) => {
     const said: string[] = [];
     const flow = { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined };

@@ -1,10 +1,10 @@
 /**
- * What one reader of a robot gets: every state of a command, in order, and snapshots at most 20 times a
- * second, the newest each time.
+ * Feed of one reader: every state of a command in order, and the newest snapshot at most 20 times a
+ * second.
  *
- * What left this process may still lie in buffers on the way, megabytes of it, for a reader that
- * sleeps. So no more is sent than the reader is known to take: two snapshots, and some states. The other
- * states wait in the event log; who sleeps for longer than that lasts is told of the gap.
+ * Buffers on the network path can hold megabytes for a reader that sleeps. So the feed limits what
+ * the reader has not yet taken: two snapshots and some states. Other states wait in the event log.
+ * A reader that sleeps for longer than the log lasts receives a gap.
  */
 import { hasEnded, type EventGap, type StateEvent } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
@@ -14,51 +14,51 @@ import type { CarriedSnapshot } from "./carried-snapshot.ts";
 import type { EventLog } from "./event-log.ts";
 import { limits } from "./limits.ts";
 
-/** How far a reader has come, by the bytes of its line. */
+/** Progress of a reader, in bytes of its connection. */
 export interface ReaderFlow {
   readonly sentBytes: number;
-  /** how many of these it has taken, as far as is known */
+  /** bytes that the reader has taken, as far as known */
   readonly takenBytes: number;
-  /** Asks the line how far it is; the answer changes `takenBytes`, or never comes. */
+  /** Requests the reader's position. The response changes `takenBytes`, or never arrives. */
   ask(): void;
-  /** whether `takenBytes` is what the reader has taken, not only what has left this process */
+  /** whether the reader confirms `takenBytes`; otherwise they have only left this process */
   readonly isProof: boolean;
 }
 
-/** Where a reader begins. */
+/** Start position of a reader. */
 export interface ReaderStart {
   stream: string;
-  /** states after this one follow; null when a gap follows */
+  /** states after this one follow; null: a gap follows */
   n: number | null;
   snapshot: CarriedSnapshot | null;
 }
 
-/** Where the reader is, in whichever dialect it speaks. */
+/** The reader's end of a feed, independent of the transport. */
 export interface ReaderSink {
   readonly door: Exclude<ReaderDoor, "long-poll">;
   readonly flow: ReaderFlow;
-  /** The first that it gets. */
+  /** Sends the first message. */
   began(start: ReaderStart): void;
   snapshot(snapshot: CarriedSnapshot): void;
   state(event: StateEvent): void;
   gap(gap: EventGap): void;
-  /** the robot is in another maze */
+  /** the robot's maze has changed */
   maze(version: string): void;
-  /** it may not read any more, the relay stops, or it cannot be served */
+  /** the reader may no longer read, the relay stops, or the reader cannot be served */
   over(reason: OverReason): void;
 }
 
 export type OverReason = AwayReason | "tooSlow";
 
-/** What is read. */
+/** The data that readers read. */
 export interface ReaderSource {
   readonly events: EventLog;
   newest(): CarriedSnapshot | null;
-  /** Tells the commands that have not ended, between two changes. @throws when the store fails */
+  /** Reports the commands that have not ended, between two changes. @throws if the store fails */
   tellOpen(tell: (open: EventGap["open"]) => void): Promise<void>;
 }
 
-/** A snapshot on its way, and where it ends on the line. */
+/** A snapshot in transit, and its end position on the connection. */
 interface OnTheWay {
   seq: number;
   end: number;
@@ -69,20 +69,22 @@ export class ReaderFeed implements Waiter {
   readonly #source: ReaderSource;
   readonly #clock: Clock;
   readonly #timers: CoalescedTimers;
-  /** the newest state that was told */
+  /** number of the newest state that was sent */
   #n = 0;
-  /** states wait in the log: the reader has not begun, takes nothing, or is to be told of a gap */
+  /**
+   * states wait in the log: the reader has not started, takes nothing, or must receive a gap first
+   */
   #isHeld = true;
   #isMissing = false;
   #isClosed = false;
   #pending: CarriedSnapshot | null = null;
-  /** no snapshot is due before this time, but for one that belongs before an ending */
+  /** no snapshot is due before this time, except one that precedes a state */
   #notBefore = -Infinity;
   #onTheWay: OnTheWay[] = [];
-  /** the reader says itself what it has seen; until then its line answers for it */
+  /** whether the reader itself reports what it has read; until then its connection does */
   #saysSeen = false;
   #seenBytes = 0;
-  /** it will be woken */
+  /** whether a timer is pending */
   #isArmed = false;
 
   constructor(
@@ -96,7 +98,10 @@ export class ReaderFeed implements Waiter {
     this.#timers = timers;
   }
 
-  /** Welcomes the reader. @param since the last state that it was told; null for a new one */
+  /**
+   * Sends the start position, and missed states or a gap.
+   * @param since resume position; null for a new reader
+   */
   begin(since: string | null): void {
     const { events } = this.#source;
     const told = since === null ? events.n : events.numberOf(since);
@@ -109,13 +114,13 @@ export class ReaderFeed implements Waiter {
     else this.#catchUp();
   }
 
-  /** Offers a snapshot; it is sent now, later, or never when a newer one comes first. */
+  /** Offers a snapshot. It is sent now, later, or never if a newer one replaces it. */
   snapshot(snapshot: CarriedSnapshot): void {
     this.#pending = snapshot;
     if (!this.#isArmed) this.#flush();
   }
 
-  /** Sends a command's new state; an ending after the snapshot that was taken before it. */
+  /** Sends a command's new state. An ending follows the snapshot that was taken before it. */
   state(event: StateEvent): void {
     const { isProof } = this.#sink.flow;
     if (!isProof && this.#unread > limits.stuckReaderBytes) return this.over("tooSlow");
@@ -124,24 +129,24 @@ export class ReaderFeed implements Waiter {
     else this.#tell(event);
   }
 
-  /** States were lost: the reader is told of the gap. */
+  /** States were missed: the reader receives a gap. */
   missed(): void {
     if (!this.#isMissing) this.#missed();
   }
 
-  /** Tells at once that the robot is in another maze: that is rare, and short. */
+  /** Reports a changed maze immediately, because such messages are rare and short. */
   maze(version: string): void {
     this.#sink.maze(version);
   }
 
-  /** The reader has read all that came up to this snapshot. */
+  /** The reader has read everything up to this snapshot. */
   seen(seq: number): void {
     this.#saysSeen = true;
     for (const { seq: each, end } of this.#onTheWay) {
       if (each <= seq) this.#seenBytes = Math.max(this.#seenBytes, end);
     }
     this.#onTheWay = this.#onTheWay.filter((each) => each.seq > seq);
-    // It may be what the newest one waited for.
+    // The pending snapshot may have waited for this.
     if (this.#pending !== null && this.#clock.now() >= this.#notBefore) this.#flush();
   }
 
@@ -150,7 +155,7 @@ export class ReaderFeed implements Waiter {
     this.#sink.over(reason);
   }
 
-  /** Sends nothing any more. */
+  /** Stops sending. */
   close(): void {
     this.#isClosed = true;
     this.#pending = null;
@@ -181,12 +186,12 @@ export class ReaderFeed implements Waiter {
     if (this.#waits) this.#arm();
   }
 
-  /** Something waits for its time, or for the reader to take what came before. */
+  /** Whether a snapshot or states wait, for their time or for the reader. */
   get #waits(): boolean {
     return this.#pending !== null || (this.#isHeld && !this.#isMissing);
   }
 
-  /** Looks again in a moment. */
+  /** Sets the timer, unless one is pending. */
   #arm(ms: number = this.#pauseMs): void {
     if (this.#isArmed) return;
     this.#isArmed = true;
@@ -208,7 +213,7 @@ export class ReaderFeed implements Waiter {
     if (events === null) return this.#missed();
     this.#isHeld = false;
     for (const event of events) {
-      // What was told before may have ended it.
+      // The previous state may have closed the feed.
       if (this.#isClosed) return;
       if (this.#isFull) {
         this.#isHeld = true;
@@ -250,7 +255,7 @@ export class ReaderFeed implements Waiter {
 
   #left({ seq }: CarriedSnapshot): void {
     const { flow } = this.#sink;
-    // A number that falls: nobody will say that of the ones above it any more.
+    // The seq has fallen, so the reader can no longer confirm the higher ones.
     if (this.#onTheWay.some((each) => each.seq >= seq)) this.#onTheWay = [];
     this.#onTheWay.push({ seq, end: flow.sentBytes });
     if (!this.#saysSeen) flow.ask();

@@ -1,4 +1,4 @@
-/** The ways in which one robot is read: followed on a line, or asked for what is next. */
+/** Ways to read one robot: subscribe on a connection, or request the next events. */
 import type { EventPage, Snapshot } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import type { CoalescedTimers } from "../coalesced-timers.ts";
@@ -8,9 +8,9 @@ import { nextEvents, type WantedEvents } from "./next-events.ts";
 import { ReaderFeed, type ReaderSink, type ReaderSource } from "./reader-feed.ts";
 import type { Caller } from "./script.ts";
 
-/** A reader's hold on the session. */
+/** A reader's subscription. */
 export interface JoinedReader {
-  /** It has read all that came up to this snapshot. */
+  /** The reader has read everything up to this snapshot. */
   seen(seq: number): void;
   leave(): void;
 }
@@ -19,7 +19,7 @@ export interface ReadersParts {
   clock: Clock;
   timers: CoalescedTimers;
   audience: Audience;
-  /** what is read: one for all readers */
+  /** shared by all readers */
   source: ReaderSource;
   roster: DriverRoster;
 }
@@ -31,15 +31,15 @@ export class Readers {
     this.#parts = parts;
   }
 
-  /** How many there are, by the way in which they follow. */
+  /** Number of readers by kind of subscription. */
   get count(): Record<ReaderDoor, number> {
     return this.#parts.audience.count();
   }
 
   /**
-   * Joins a reader of snapshots and states, and welcomes it.
-   * @param since the last state that it was told before; null for a new reader
-   * @throws Refusal when too many read already
+   * Subscribes a reader to snapshots and states, and sends its start position.
+   * @param since resume position; null for a new reader
+   * @throws Refusal too-many-readers
    */
   join(caller: Caller, sink: ReaderSink, since: string | null): JoinedReader {
     const { clock, timers, audience, source, roster } = this.#parts;
@@ -63,7 +63,9 @@ export class Readers {
     return nextEvents({ ...source, audience }, wanted, patience);
   }
 
-  /** Waits for a snapshot newer than `after`, or for the robot to go. @returns the newest then */
+  /**
+   * Waits for a snapshot that is newer than `after` or has another state. @returns the newest one
+   */
   async nextSnapshot(after: number, patience: Patience): Promise<Snapshot | null> {
     const { audience, source } = this.#parts;
     const before = source.newest();

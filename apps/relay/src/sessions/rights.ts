@@ -1,32 +1,32 @@
-/** Who may do what with a robot: every call and every message asks for one of these verbs. */
+/** Permissions for a robot: each request and message requires one of these verbs. */
 import type { Hello } from "@corridor/protocol";
 import { Refusal } from "../problems.ts";
 import type { KeyKind } from "../store/session-store.ts";
 
 export const rights = {
-  /** be the robot: take commands, report what became of them */
+  /** own the robot: receive commands and report their results */
   host: ["own"],
-  /** see what is held of the robot */
+  /** read the stored data of the robot */
   inspect: ["own"],
-  /** make, list and revoke keys */
+  /** create, list and revoke keys */
   grant: ["own"],
-  /** see the scripts by name, send one away and let it back, pause all */
+  /** list scripts, block and unblock them, pause all */
   moderate: ["own"],
-  /** delete the robot with all that is held of it */
+  /** delete the robot with all its data */
   remove: ["own"],
-  /** send commands, take back its own, stop the robot */
+  /** send commands, cancel own commands, stop the robot */
   command: ["drive"],
-  /** see the maze that the robot is in */
+  /** read the robot's maze */
   look: ["own", "drive", "watch"],
-  /** snapshots, and states of commands */
+  /** read snapshots and states of commands */
   read: ["drive", "watch"],
-  /** the commands that are held, and what became of them */
+  /** read the stored commands and their results */
   log: ["own", "drive", "watch"],
 } as const satisfies Record<string, readonly KeyKind[]>;
 
 export type Verb = keyof typeof rights;
 
-/** What a key must allow for somebody to say hello in a role. */
+/** The verb that a role in a `hello` message requires. */
 export const verbOfRole = {
   own: "host",
   drive: "command",
@@ -42,8 +42,9 @@ const remedies: Record<KeyKind, string> = {
 };
 
 /**
- * Of one robot: rises whenever somebody's rights may have changed, and once a second. What was found by a check
- * counts for as long as it stays the same; so those who ask many times a second are looked up once in it.
+ * Version of one robot's permissions. It rises when permissions may have changed, and once a
+ * second. The result of a check stays valid while the version is unchanged, so frequent callers
+ * check rarely.
  */
 export class RightsVersion {
   value = 0;
@@ -53,7 +54,7 @@ export class RightsVersion {
   }
 }
 
-/** @throws Refusal when keys of this kind do not allow it */
+/** @throws Refusal forbidden if keys of this kind lack the permission */
 export function checkRight(kind: KeyKind, verb: Verb): void {
   const kinds: readonly KeyKind[] = rights[verb];
   if (!kinds.includes(kind)) throw new Refusal("forbidden", remedies[kind]);

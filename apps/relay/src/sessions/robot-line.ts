@@ -1,6 +1,6 @@
 /**
- * A robot's line to the other relays that hold it: what this one tells there, how often, and who is
- * there. With nobody else on the line it costs next to nothing.
+ * A robot's channel to the other relays that hold it: messages, their rate, and the list of these
+ * relays. Without other relays it costs next to nothing.
  */
 import type { AliveDriver, RecallCause } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
@@ -15,13 +15,13 @@ export class RobotLine implements Waiter {
   readonly #clock: Clock;
   readonly #timers: CoalescedTimers;
   #line: Line | null = null;
-  /** other relays by their names, when they were heard, and the scripts that they have */
+  /** other relays by name, with the time of their last announcement and their scripts */
   readonly #others = new Map<string, { heardAt: number; scripts: Scripts }>();
   #saidHereAt = -Infinity;
   #pending: CarriedSnapshot | null = null;
-  /** no snapshot is told before this time, but for one that belongs before an ending */
+  /** no snapshot is published before this time, except one that precedes an ending */
   #notBefore = -Infinity;
-  /** it will be woken */
+  /** whether a timer is pending */
   #isArmed = false;
 
   constructor(clock: Clock, timers: CoalescedTimers) {
@@ -33,12 +33,12 @@ export class RobotLine implements Waiter {
     this.#line = await switchboard.join(robot, ears);
   }
 
-  /** What a step of this relay has changed, for everybody's readers and for the page. */
+  /** Publishes the changes of a step of this relay, for all readers and for the page. */
   stepped(step: Partial<Step>): void {
     this.#line?.stepped({ added: null, changed: [], ended: [], ...step });
   }
 
-  /** @param name by which the page is known */
+  /** @param name identifies the page across its connections */
   pageCame(epoch: number, name: string): void {
     this.#line?.tell({ kind: "page", epoch, name });
   }
@@ -47,27 +47,26 @@ export class RobotLine implements Waiter {
     this.#line?.tell({ kind: "page-left", epoch, saidGoodbye });
   }
 
-  /** Asks the page with this epoch, wherever it is, to give the robot up. */
+  /** Asks the page with this epoch, at another relay, to release the robot. */
   yield(epoch: number): void {
     this.#line?.tell({ kind: "yield", epoch });
   }
 
-  /** The page here with this epoch has given the robot up. */
+  /** Reports that the page with this epoch at this relay has released the robot. */
   yielded(epoch: number): void {
     this.#line?.tell({ kind: "yielded", epoch });
   }
 
-  /** Asks the page, wherever it is, to end a command. */
+  /** Asks the page, at another relay, to end a command. */
   cancel(seq: number, cause: RecallCause): void {
     this.#line?.tell({ kind: "cancel", seq, cause });
   }
 
-  /** The owner has changed which keys count, or which scripts are away. */
+  /** Reports that the owner has changed keys or the permissions of scripts. */
   rightsChanged(): void {
     this.#line?.tell({ kind: "keys" });
   }
 
-  /** The robot is in another maze. */
   mazeChanged(version: string): void {
     this.#line?.tell({ kind: "maze", version });
   }
@@ -76,14 +75,19 @@ export class RobotLine implements Waiter {
     this.#line?.tell({ kind: "over" });
   }
 
-  /** Offers a snapshot to the other relays; it is told now, later, or never when a newer one comes first. */
+  /**
+   * Offers a snapshot to the other relays. It is published now, later, or never if a newer one
+   * replaces it.
+   */
   snapshot(snapshot: CarriedSnapshot): void {
     if (!this.#hasOthers) return;
     this.#pending = snapshot;
     if (!this.#isArmed) this.#flush();
   }
 
-  /** A command is about to end: no reader at another relay is told so before it gets the newest snapshot. */
+  /**
+   * Publishes the pending snapshot, so that readers at other relays receive it before an ending.
+   */
   hurry(): void {
     if (this.#pending !== null) this.#line?.tell({ kind: "snapshot", snapshot: this.#pending });
     this.#pending = null;
@@ -91,15 +95,15 @@ export class RobotLine implements Waiter {
   }
 
   /**
-   * Tells the page's relay that this one is on the line, so that it gets snapshots.
-   * @param asks for the newest at once
+   * Announces to the page's relay that this relay holds the robot, so that it receives snapshots.
+   * @param asks whether to request the newest snapshot immediately
    */
   sayHere(scripts: Scripts, asks = false): void {
     this.#saidHereAt = this.#clock.now();
     this.#line?.tell({ kind: "here", from: "", scripts, asks });
   }
 
-  /** Says so again, once in a while. */
+  /** Repeats the announcement at intervals of `limits.relayHereMs`. */
   stayHere(scripts: Scripts): void {
     if (this.#clock.now() - this.#saidHereAt >= limits.relayHereMs) this.sayHere(scripts);
   }
@@ -108,7 +112,7 @@ export class RobotLine implements Waiter {
     this.#others.set(from, { heardAt: this.#clock.now(), scripts });
   }
 
-  /** The scripts of all relays as one; what others said has grown older meanwhile. */
+  /** Scripts of all relays. The age of each announcement is added to its times. */
   withOthers(own: Scripts): Scripts {
     this.#forgetSilent();
     const all = [...this.#others.values()].map(({ heardAt, scripts }) =>

@@ -1,26 +1,26 @@
 /**
- * The clocks of the scripts that send single requests. Several scripts may share a key and run on different
- * computers, so each names its clock by an id of its own.
+ * Clocks of scripts that send single requests. Scripts that share a key may run on different
+ * computers, so each one names its clock with an id.
  */
 import { limits } from "./limits.ts";
 import { TransitEstimate } from "./transit-estimate.ts";
 
-/** A moment by a script's own monotonic clock, as the header `Script-Clock` gives it. */
+/** A time of a script's own monotonic clock, from the header `Script-Clock`. */
 export interface ScriptTime {
-  /** of the clock: random text, the same for all requests that are timed by it */
+  /** id of the clock: random text, the same for all requests with that clock */
   clock: string;
   /** ms by that clock */
   sentAt: number;
 }
 
 export class ScriptClocks {
-  /** by the hash of the key, and then by the id of the clock; the one that was heard last is the last */
+  /** by the hash of the key, then by the id of the clock, least recently used first */
   readonly #clocks = new Map<string, Map<string, TransitEstimate>>();
 
   /**
-   * A request came.
+   * Records a request.
    * @param driver hash of its key
-   * @returns ms that it was on its way longer than the quickest one by the same clock; 0 where it tells no time
+   * @returns ms of transit beyond the fastest request with the same clock; 0 without a time
    */
   came(driver: string, time: ScriptTime | null, cameAt: number): number {
     if (time === null) return 0;
@@ -36,7 +36,7 @@ export class ScriptClocks {
     return estimate.came(time.sentAt, cameAt);
   }
 
-  /** A key counts no more. */
+  /** Deletes the clocks of a revoked key. */
   revoked(driver: string): void {
     this.#clocks.delete(driver);
   }

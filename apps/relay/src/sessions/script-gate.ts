@@ -1,6 +1,7 @@
 /**
- * Which scripts the owner of a robot has sent away, and whether any may drive. Sending away is no lock: whoever has the key can come back under
- * another name. It says to one of several scripts that it is not its turn; a new key ends them all.
+ * Scripts that the owner of a robot has blocked, and whether remote driving is paused. Blocking is
+ * no access control, because a script with the key can return under another name. It excludes one
+ * of several scripts until the owner unblocks it. Only a new key ends the access of all.
  */
 import { MAX_BLOCKED_SCRIPTS, type ScriptRef } from "@corridor/protocol";
 import { keyId } from "../keys.ts";
@@ -20,19 +21,19 @@ export interface ScriptGateParts {
   rights: RightsVersion;
   stored: Standing;
   store: Pick<SessionStore, "find">;
-  /** changes who is away in the store, with all that follows for commands */
+  /** changes the blocked scripts in the store and recalls the affected commands */
   change: (change: Omit<ScriptChange, "reason">) => Promise<AwayResult>;
-  /** pauses in the store, with all that follows for commands @returns false: there is no such robot */
+  /** pauses in the store and recalls the affected commands; false if there is no such robot */
   pause: (isPaused: boolean) => Promise<boolean>;
-  /** is told when this relay has changed something */
+  /** called after this relay has changed something */
   changed: () => void;
-  /** is told of a script that was sent away */
+  /** called with a newly blocked script */
   blocked: (script: StoredScript) => void;
-  /** is told when remote driving was paused */
+  /** called when remote driving was paused */
   paused: () => void;
 }
 
-/** What the owner lets scripts do. */
+/** Permissions of scripts, as the owner has set them. */
 type Standing = Pick<StoredSession, "away" | "isPaused">;
 
 export class ScriptGate {
@@ -54,14 +55,14 @@ export class ScriptGate {
     return this.#away;
   }
 
-  /** Asked at every message. @throws Refusal when the script was sent away */
+  /** @throws Refusal blocked */
   check({ script }: Caller): void {
     if (this.#away.some(({ id }) => id === script?.id)) throw scriptIsAway();
   }
 
   /**
-   * Sends a script away; one that is away already stays so.
-   * @throws Refusal when there is no such key, or too many scripts are away
+   * Blocks a script. A script that is already blocked stays blocked.
+   * @throws Refusal unknown-driver, too-many-blocked or no-robot
    */
   async sendAway({ driver, name, client }: ScriptRef): Promise<StoredScript> {
     const stored = await this.#stored();
@@ -77,7 +78,7 @@ export class ScriptGate {
     return script;
   }
 
-  /** @throws Refusal when no script with this id is away */
+  /** @throws Refusal no-script if no script with this id is blocked */
   async letBack(id: string): Promise<void> {
     const stored = await this.#stored();
     if (stored?.away.some((script) => script.id === id) !== true) {
@@ -89,14 +90,14 @@ export class ScriptGate {
     await this.#change({ add: null, remove: id });
   }
 
-  /** Pauses remote driving, or lets scripts drive again; each as often as it is asked for. */
+  /** Pauses remote driving, or resumes it. Repeated calls have no further effect. */
   async pause(isPaused: boolean): Promise<void> {
     if (!(await this.#parts.pause(isPaused))) throw noRobot();
     this.learn({ away: this.#away, isPaused });
     this.#parts.changed();
   }
 
-  /** Takes in what the store holds: another relay may have changed it. */
+  /** Applies the stored permissions, which another relay may have changed. */
   learn({ away, isPaused }: { away: readonly StoredScript[]; isPaused?: boolean }): void {
     const before = this.#away;
     const wasPaused = this.#isPaused;
@@ -109,7 +110,7 @@ export class ScriptGate {
     }
   }
 
-  /** Another relay may have changed it a moment ago. */
+  /** Reads the store, because another relay may have just changed it. */
   async #stored(): Promise<StoredSession | null> {
     return this.#parts.store.find(this.#parts.robot);
   }
@@ -128,7 +129,7 @@ export class ScriptGate {
   }
 }
 
-/** The answer to a script that was sent away. */
+/** Error response for a blocked script. */
 export function scriptIsAway(): Refusal {
   return new Refusal(
     "blocked",

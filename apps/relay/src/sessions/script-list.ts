@@ -1,41 +1,41 @@
 /**
- * The scripts of one robot by name, with what each did last: those that were heard not long ago, those
- * with an open line, and those that are away. How many are kept is bounded, whatever names they give.
+ * Scripts of one robot by name, with their last command: recently active, connected and blocked
+ * ones. The number of scripts is bounded, whatever names they send.
  */
 import { MAX_SCRIPTS, type CommandRecord, type ScriptView } from "@corridor/protocol";
 import type { Clock } from "../clock.ts";
 import { keyId } from "../keys.ts";
 import type { StoredScript } from "../store/session-store.ts";
 
-/** A script without a line is not shown any more once it was silent for so long. */
+/** A disconnected script is no longer listed after this much silence. */
 const SHOWN_MS = 120_000;
 
 interface Trace {
   script: StoredScript;
   connections: number;
   heardAt: number;
-  /** requests that wait for their answer */
+  /** requests that wait for their response */
   waiting: number;
   last: ScriptView["last"];
 }
 
 export class ScriptList {
   readonly #clock: Clock;
-  /** by id, the one that was heard last at the end */
+  /** by id, least recently active first */
   readonly #traces = new Map<string, Trace>();
-  /** the one at the end: most are heard many times in a row */
+  /** the most recently active one; most scripts send many messages in a row */
   #newest: Trace | null = null;
 
   constructor(clock: Clock) {
     this.#clock = clock;
   }
 
-  /** A script was heard, and waits for nothing. */
+  /** Records a message of a script that waits for no response. */
   spoke(script: StoredScript, now: number): void {
     this.#traceOf(script, now);
   }
 
-  /** A script was heard. @returns to be called once its request is answered */
+  /** Records a request of a script. @returns function to call once the request is answered */
   heard(script: StoredScript): () => void {
     const trace = this.#traceOf(script);
     trace.waiting += 1;
@@ -45,7 +45,7 @@ export class ScriptList {
     };
   }
 
-  /** A line of a script was opened. @returns to be called when it is closed */
+  /** Records an opened connection of a script. @returns function to call when it closes */
   connected(script: StoredScript): () => void {
     const trace = this.#traceOf(script);
     trace.connections += 1;
@@ -54,12 +54,12 @@ export class ScriptList {
     };
   }
 
-  /** A script's command was taken. */
+  /** Records an accepted command of a script. */
   sent(script: StoredScript, { seq, action }: CommandRecord): void {
     this.#traceOf(script).last = { seq, action };
   }
 
-  /** @param away those that the owner has sent away; told first, however long ago that was */
+  /** @param away blocked scripts; listed first, whenever they were active */
   told(away: readonly StoredScript[]): ScriptView[] {
     const now = this.#clock.now();
     const isBlocked = (id: string): boolean => away.some((script) => script.id === id);
@@ -98,7 +98,7 @@ export class ScriptList {
     return trace;
   }
 
-  /** Scripts that give ever new names must not fill the memory. */
+  /** Bounds the memory for scripts that send ever new names. */
   #forgetOldest(): void {
     if (this.#traces.size <= 2 * MAX_SCRIPTS) return;
     for (const [id, { connections, waiting }] of this.#traces) {
@@ -113,7 +113,7 @@ function view({ id, driver, name, client }: StoredScript) {
   return { id, driver: keyId(driver), name, client };
 }
 
-/** The scripts of several relays as one list: the same one may have connections at each. */
+/** Merges the scripts of several relays. A script may have connections at each of them. */
 export function mergedScripts(lists: readonly ScriptView[][]): ScriptView[] {
   const byId = new Map<string, ScriptView>();
   for (const script of lists.flat()) {

@@ -1,27 +1,27 @@
 /**
- * Who asks, as far as a robot's owner tells scripts apart: by key and name, and where no name is given, by
- * key and language. Several scripts of one key that say nothing of themselves are one.
+ * Identity of callers. The relay distinguishes scripts by key and name, or without a name by key
+ * and language. Scripts of one key that send neither count as one.
  */
 import { createHash } from "node:crypto";
 import type { StoredKey, StoredScript } from "../store/session-store.ts";
 
-/** A key that is in use, and by which script. */
+/** A key in use, and the script that uses it. */
 export interface Caller extends StoredKey {
-  /** null for those who are no scripts: the owner, and whoever looks on */
+  /** null for callers that are not scripts: the owner and viewers */
   script: StoredScript | null;
 }
 
-/** What a script says of itself. */
+/** What a script sends about itself. */
 export interface Introduction {
   /** its language, such as "Python" */
   client: string;
-  /** what it calls itself; null: nothing */
+  /** its name; null: none */
   name: string | null;
 }
 
 export const unknownScript: Introduction = { client: "Script", name: null };
 
-/** @returns the caller behind a key */
+/** @returns the caller that uses a key */
 export function callerOf(key: StoredKey, introduction: Introduction): Caller {
   return { ...key, script: key.kind === "drive" ? scriptOf(key.hash, introduction) : null };
 }

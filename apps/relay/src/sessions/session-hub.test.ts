@@ -1,4 +1,6 @@
-/** The sweep over all sessions: what one of them, or the store, holds up holds up nobody else. */
+/**
+ * The periodic pass over all sessions: a slow or failing session or store does not delay others.
+ */
 import { join } from "node:path";
 import { termsOf, type Registration, type Resume } from "@corridor/protocol";
 import { pino } from "pino";
@@ -28,7 +30,7 @@ async function withRobots(count: number) {
   const enter = (): Promise<Grant[]> =>
     Promise.all(robots.map(({ id, driverKey }) => hub.authorise(id, driverKey, "command")));
   const sessions = await enter();
-  /** A robot whose page begins a command and goes. */
+  /** Delivers a command to the robot's page, then disconnects the page. */
   const leftAlone = async ({ session, key }: Grant): Promise<void> => {
     const link: PageLink = { isOpen: true, send: () => undefined, close: () => undefined };
     const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
@@ -101,7 +103,7 @@ it("forgets nobody who is in use though it cannot be written down for another", 
 
 it("looks no more at a robot that is deleted before its turn comes", async () => {
   const { clock, hub, instead, sessions } = await withRobots(15);
-  // A sweep has begun: the first ten have had their turn, and the next have it in a moment.
+  // A pass has started: it has visited the first ten sessions and visits the others soon.
   await clock.pass(limits.touchMs);
   const last = sessions[14];
   if (last === undefined) throw new Error("there are 15");

@@ -1,6 +1,6 @@
 /**
- * All robot sessions of this relay: makes them, finds them, forgets them when their time is over.
- * A session is held in memory while somebody uses it; the store has the rest.
+ * All robot sessions of this relay: creates, finds and deletes them. A session is held in memory
+ * while it is in use. The store holds the rest.
  */
 import type { Registration } from "@corridor/protocol";
 import type { Logger } from "pino";
@@ -23,24 +23,24 @@ import { noWitness, type Witness } from "./witness.ts";
 const LIFE_CHECK_MS = 1_000;
 const EXPIRY_CHECK_MS = 60_000;
 /**
- * Of all robots so many a second at most are written down to be in use, and some in any case: where a class begins to
- * use all of its robots at once, their commands are not to wait for that.
+ * Share of the robots whose uses are stored in one second, and a lower bound for their number. If a
+ * class starts to use all its robots at once, their commands must not wait for that.
  */
 const NOTED_SHARE = 1 / 30;
 const NOTED_AT_LEAST = 10;
 
-/** Who is there at this moment. */
+/** Current numbers of pages and readers, for gauges. */
 export interface Census {
-  /** robots that have a page */
+  /** robots with a page at this relay */
   pages: number;
   readers: Record<ReaderDoor, number>;
 }
 
-/** What a hub can do without. */
+/** Optional parts of a hub. */
 export interface HubOptions {
-  /** counts what happens to commands; default: nobody */
+  /** metrics observer of commands; default: none */
   witness?: Witness;
-  /** the lines to other relays; default: there are none */
+  /** message bus to other relays; default: a local one */
   switchboard?: Switchboard;
 }
 
@@ -57,12 +57,12 @@ export class SessionHub {
   readonly #witness: Witness;
   readonly #switchboard: Switchboard;
   readonly #sessions = new Map<string, Promise<Session | null>>();
-  /** by address; kept in memory only */
+  /** by address; in memory only */
   readonly #registrations = new Map<string, TokenBucket>();
   readonly #lives: StaggeredInterval<[id: string, found: Promise<Session | null>]>;
   #cancelExpiry: () => void;
   #isClosing = false;
-  /** how many more may be written down to be in use before the next look */
+  /** number of sessions whose use may still be stored before the next pass */
   #notesLeft = 0;
 
   constructor(store: SessionStore, clock: Clock, log: Logger, options: HubOptions = {}) {
@@ -90,8 +90,9 @@ export class SessionHub {
 
   /**
    * Registers a new robot.
-   * @param from address of who asks, for the limit only
-   * @param origin of the service as its users see it, such as https://host
+   * @param from address of the client, for the rate limit only
+   * @param origin public origin of the service, such as https://host
+   * @throws Refusal too-fast or restarting
    */
   async register(from: string, origin: string): Promise<Registration> {
     if (this.#isClosing) throw restarting();
@@ -118,8 +119,8 @@ export class SessionHub {
   }
 
   /**
-   * Finds the session and checks that the key allows what is asked of it.
-   * @param introduction what a script says of itself
+   * Finds the session and checks the permissions of the key.
+   * @param introduction what a script sends about itself
    * @throws Refusal no-robot, not-authorised, forbidden, blocked or restarting
    */
   async authorise(
@@ -128,9 +129,9 @@ export class SessionHub {
     verb: Verb,
     introduction: Introduction = unknownScript,
   ): Promise<Grant> {
-    // A key that is not known any more would be given up for good; a restart is not the key's fault.
+    // A client discards a rejected key for good, so a restart must not reject it.
     if (this.#isClosing) throw restarting();
-    // Without a key nobody is told which robots there are.
+    // Without a key, the response must not reveal which robots exist.
     if (!canBeKey(key)) throw wrongKey(key);
     const session = await this.#find(id);
     if (this.#isClosing) throw restarting();
@@ -161,14 +162,14 @@ export class SessionHub {
     return census;
   }
 
-  /** Deletes a session with all that is stored of it, and sends everyone away. */
+  /** Deletes a session with all its stored data, and disconnects all clients. */
   async remove(session: Session): Promise<void> {
     session.close("over");
     this.#sessions.delete(session.id);
     await this.#store.remove(session.id);
   }
 
-  /** Sends everyone away because the relay stops; what is stored stays. */
+  /** Disconnects all clients because the relay stops. Stored data remains. */
   async close(): Promise<void> {
     this.#isClosing = true;
     this.#lives.close();
@@ -183,7 +184,7 @@ export class SessionHub {
     if (found === undefined) {
       found = this.#load(id);
       this.#sessions.set(id, found);
-      // Ids that nobody has, and failed reads, are not remembered.
+      // Unknown ids and failed reads are not cached.
       const forget = (): void => void this.#sessions.delete(id);
       void found.then((session) => session === null && forget(), forget);
     }
@@ -203,14 +204,14 @@ export class SessionHub {
     });
   }
 
-  /** A store may take long to take out of its files what it forgets: the next time is counted from there. */
+  /** Schedules the next run after the end of this one, because a deletion may take long. */
   async #expire(): Promise<void> {
     await this.#tried(this.#checkExpiry());
     if (this.#isClosing) return;
     this.#cancelExpiry = this.#clock.after(EXPIRY_CHECK_MS, () => void this.#expire());
   }
 
-  /** What fails for one session is tried again with the next sweep, and holds nobody else up. */
+  /** Logs a failure. It does not affect other sessions, and the next pass retries the work. */
   async #tried(work: Promise<void>): Promise<void> {
     try {
       await work;
@@ -255,7 +256,7 @@ export class SessionHub {
     if (ids.length > 0) this.#log.info({ count: ids.length }, "deleted expired sessions");
   }
 
-  /** Nobody who came back just now is forgotten. */
+  /** Stores uses before the deletion, so that no session in use expires. */
   async #noteUrgent(): Promise<void> {
     const urgent: Promise<void>[] = [];
     for (const found of this.#sessions.values()) {
@@ -266,7 +267,10 @@ export class SessionHub {
   }
 }
 
-/** @param key as it was sent; null: none was. A script with a library sends one, but knows no header. */
+/**
+ * @param key as sent; null: none. Client libraries always send a key, so only the text for a
+ * missing key names the header.
+ */
 function wrongKey(key: string | null): Refusal {
   return notAuthorised(
     key === null

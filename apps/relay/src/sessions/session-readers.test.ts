@@ -173,7 +173,7 @@ describe("a robot session: what scripts see", () => {
     expect((await end(1, 100)).reason).toMatch(advice);
     robot.session.leavePage(host.link, true);
     for (const seq of [1, 2]) expect((await end(seq)).reason).toMatch(advice);
-    // Nothing of it is stored.
+    // The advice is not stored.
     expect(await robot.session.endOf(1, patience(0))).toMatchObject({ reason: null });
   });
 

@@ -12,7 +12,7 @@ const DOUBT = replacedReasons.delivered;
 const FIRST = "page-one";
 const SECOND = "page-two";
 
-/** A robot whose page was given three commands and has told that it began with the first. */
+/** A page that received three commands and reported the start of the first. */
 async function withBusyPage(robot: Robot, isSilent = false) {
   const host = await page(robot, { page: FIRST }, isSilent);
   for (let n = 0; n < 3; n++) await robot.submit(LEFT);
@@ -20,7 +20,7 @@ async function withBusyPage(robot: Robot, isSilent = false) {
   return host;
 }
 
-/** Another page comes, loaded anew. */
+/** Connects another, newly loaded page. */
 const anotherPage = (robot: Robot) => page(robot, { page: SECOND, fresh: true });
 
 describe("a robot session: a second page", () => {
@@ -30,7 +30,7 @@ describe("a robot session: a second page", () => {
     const coming = anotherPage(robot);
     await settled();
     expect(first.told.at(-1)).toEqual({ type: "yield" });
-    // These were on their way when the first page was asked.
+    // These reports were in transit when the relay asked the first page.
     await first.started(2);
     await first.ended(completed(1));
     await first.yielded();
@@ -80,7 +80,7 @@ describe("a robot session: a second page", () => {
     robot.session.leavePage(first.link, false);
     await anotherPage(robot);
     expect(await reasons(robot)).toEqual(ended);
-    // The connection breaks only once the reloaded page is there.
+    // The connection breaks only after the reloaded page has arrived.
     const slow = await withRobot();
     const before = await withBusyPage(slow, true);
     const coming = anotherPage(slow);
@@ -140,7 +140,7 @@ describe("a robot session: a second page", () => {
     await robot.clock.pass(2 * limits.yieldMs);
     await coming;
     expect(told).toEqual([]);
-    // It comes back on a new line, and goes on.
+    // The first page reconnects and continues.
     expect(first.closed).toEqual([1013]);
     robot.session.leavePage(first.link, false);
     const again = await page(robot, { page: FIRST, lastApplied: 1 });

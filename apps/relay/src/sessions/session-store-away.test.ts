@@ -34,7 +34,8 @@ describe("a robot session: while its store does not answer", () => {
     robot.cut.losesAnswers = true;
     await expect(robot.submit(LEFT, "key-0001")).rejects.toBeInstanceOf(StoreAway);
     robot.cut.losesAnswers = false;
-    // It may have been marked as delivered, and nothing was sent: only a greeting of the page clears that up.
+    // The command may be marked as delivered but was not sent. Only a new connection of the page
+    // resolves that.
     expect([host.seqs("command"), host.closed]).toEqual([[], [closeReasons.busy.code]]);
     robot.session.leavePage(host.link, true);
     expect(await robot.submit(LEFT, "key-0001")).toMatchObject({ seq: 1, duplicate: true });

@@ -1,4 +1,4 @@
-/** When a session and its keys were in use last, in memory at once and in the store once a minute. */
+/** Last use of a session and its keys: immediate in memory, once a minute in the store. */
 import type { Clock } from "../clock.ts";
 import type { SessionStore, StoredSession } from "../store/session-store.ts";
 import type { KeyRing } from "./key-ring.ts";
@@ -14,7 +14,7 @@ export class SessionUse {
   readonly #robot: string;
   readonly #parts: SessionUseParts;
   #lastAt: number;
-  /** as the store has it */
+  /** last use that is stored */
   #notedAt: number;
 
   constructor({ id, lastUsedAt }: StoredSession, parts: SessionUseParts) {
@@ -28,24 +28,24 @@ export class SessionUse {
     return this.#lastAt;
   }
 
-  /** It is in use now. */
+  /** Records a use. */
   used(): void {
     this.#lastAt = Math.max(this.#lastAt, this.#parts.clock.now());
   }
 
-  /** Whether what has changed is to be written down: once a minute. */
+  /** Whether a use is due to be stored. */
   get isDue(): boolean {
     const isLong = this.#lastAt - this.#notedAt >= limits.touchMs;
     return isLong || this.#parts.keys.dueUses().length > 0;
   }
 
-  /** Whether the store takes for unused what is in use, or soon would. */
+  /** Whether the store may soon treat the session as expired although it is in use. */
   isUrgent(now: number): boolean {
     const isOld = now - this.#notedAt >= limits.sessionIdleMs - 2 * limits.touchMs;
     return isOld && this.#lastAt > this.#notedAt;
   }
 
-  /** Writes down what has changed. */
+  /** Stores the latest uses. */
   async note(): Promise<void> {
     const { store, keys } = this.#parts;
     const uses = keys.dueUses();

@@ -1,6 +1,6 @@
 /**
- * One robot session: who may do what, what the robot reports, and when all of it ends. The life of
- * its commands is in `command-life.ts`. Knows neither WebSocket nor HTTP.
+ * One robot session: permissions, reports of the robot, and expiry. `command-life.ts` implements
+ * the lifecycle of its commands. Independent of WebSocket and HTTP.
  */
 import {
   closeReasons,
@@ -46,11 +46,11 @@ import type { Witness } from "./witness.ts";
 export interface SessionParts {
   store: SessionStore;
   clock: Clock;
-  /** of all sessions together */
+  /** shared by all sessions */
   timers: CoalescedTimers;
   witness: Witness;
   switchboard: Switchboard;
-  /** is called when the robot was forgotten at another relay */
+  /** called when another relay has deleted the robot */
   forgotten: () => void;
 }
 
@@ -60,11 +60,11 @@ export class Session {
   readonly roster: DriverRoster;
   readonly keys: KeyRing;
   readonly gate: ScriptGate;
-  /** for how long a check counts */
+  /** version for which the result of a check stays valid */
   readonly rights = new RightsVersion();
   readonly mazes: MazeBoard;
   readonly readers: Readers;
-  /** of the scripts that send single requests */
+  /** clocks of the scripts that send single requests */
   readonly scriptClocks = new ScriptClocks();
   readonly #clock: Clock;
   readonly #view = new RobotView();
@@ -159,7 +159,7 @@ export class Session {
     });
   }
 
-  /** Takes a session into memory, and onto the line of the relays that hold it. */
+  /** Loads a session into memory and subscribes it to the channel of its robot. */
   static async open(stored: StoredSession, parts: SessionParts): Promise<Session> {
     const session = new Session(stored, parts);
     await session.#line.open(parts.switchboard, stored.id, {
@@ -171,7 +171,7 @@ export class Session {
     return session;
   }
 
-  /** The stored key that belongs to a bearer key; null when it is none of this robot's. */
+  /** The stored key that matches a bearer key; null if none matches, or the session has ended. */
   grantOf(key: string): StoredKey | null {
     if (this.isOver) return null;
     const grant = this.keys.match(key);
@@ -187,7 +187,7 @@ export class Session {
     return this.#use.lastAt;
   }
 
-  /** Milliseconds until it is forgotten, as long as it is in use. */
+  /** Milliseconds until the session reaches its maximum lifetime. */
   get leftMs(): number {
     return Math.max(0, this.createdAt + limits.sessionLifeMs - this.#clock.now());
   }
@@ -196,7 +196,9 @@ export class Session {
     return this.#seat.page !== null;
   }
 
-  /** The scripts by name: those that are here or were lately, at any relay that this one knows of. */
+  /**
+   * Scripts by name, at all relays that this one knows of: connected, recently active or blocked.
+   */
   get scripts(): ScriptView[] {
     return this.#line.withOthers(this.roster.told()).scripts;
   }
@@ -206,8 +208,8 @@ export class Session {
   }
 
   /**
-   * Whether nobody has used it for a while and nothing is due, so that it need not stay in memory.
-   * One whose robot has reported here stays until it expires: nothing else holds the newest snapshot.
+   * Whether the session is unused, has no pending work and can leave memory. If its robot reported
+   * here, it stays until it expires, because nothing else holds the newest snapshot.
    */
   get isQuiet(): boolean {
     const isUnused = this.#clock.now() - this.lastUsedAt > limits.touchMs;
@@ -218,23 +220,23 @@ export class Session {
 
   // --- the page ---
 
-  /** A page takes the robot; the page before it is sent away. */
+  /** A page acquires the robot. The previous page is disconnected. */
   async takePage(link: PageLink, resume: Resume): Promise<void> {
     await this.#life.takePage(link, resume, () => {
       this.#use.used();
       const now = this.#clock.now();
       this.#view.pageCame(now, this.#seat.epoch > 1 ? now - this.createdAt : 0);
-      // Before the endings that came with it: who hears of one reads nothing older.
+      // Before the endings in the same message, so that readers of an ending see no older snapshot.
       if (resume.snapshot !== undefined) this.#show(CarriedSnapshot.of(resume.snapshot));
       this.#tellScripts();
-      // It went before it was seated, when there was nothing to leave yet.
+      // The page disconnected before it owned the robot, when `leavePage` had no effect yet.
       if (!link.isOpen) this.leavePage(link, false);
     });
   }
 
   /**
-   * The page's connection is gone. Does nothing when another page has taken over.
-   * @param saidGoodbye the page has closed it, after all that it had to tell
+   * The page's connection is closed. No effect if another page owns the robot.
+   * @param saidGoodbye whether the page closed it, after all of its reports
    */
   leavePage(link: PageLink, saidGoodbye: boolean): void {
     if (!this.#seat.isHeldBy(link)) return;
@@ -245,12 +247,17 @@ export class Session {
     this.#line.pageLeft(this.#seat.epoch, saidGoodbye);
   }
 
-  /** The page reports, as most of its messages do; that it is in use was noted with its right to. */
+  /**
+   * Handles a snapshot of the page. The check of the page's permission already recorded the use.
+   */
   hearSnapshot(link: PageLink, epoch: number, snapshot: CarriedSnapshot): void {
     if (this.#isNews(link, epoch)) this.#show(snapshot);
   }
 
-  /** A message of the page. Frames of a page that was replaced or of an older epoch are refused. */
+  /**
+   * Handles a message of the page. Ignores messages of a replaced page. Disconnects a page that
+   * sends another epoch.
+   */
   hearPage(link: PageLink, message: PageToRelay): Promise<void> | undefined {
     if (!this.#isNews(link, message.epoch)) return undefined;
     this.#use.used();
@@ -270,7 +277,9 @@ export class Session {
     }
   }
 
-  /** Whether what comes with this epoch counts: the page has the robot. */
+  /**
+   * Whether the page owns the robot with this epoch. Disconnects a page that sends another epoch.
+   */
   #isNews(link: PageLink, epoch: number): boolean {
     if (!this.#seat.isHeldBy(link)) return false;
     if (epoch !== this.#seat.page?.epoch) {
@@ -282,14 +291,18 @@ export class Session {
 
   // --- scripts ---
 
-  /** Asked at every message that the last answer does not count for: see `rights`. @throws Refusal when the key was revoked or does not allow it, or the script is away */
+  /**
+   * Checks the permissions of a caller. Callers may reuse the result while `rights` is unchanged.
+   * @throws Refusal if the key is revoked or lacks the permission, or the script is blocked;
+   * StoreAway if it is unknown whether the key is still valid
+   */
   check(caller: Caller, verb: Verb): void {
     this.keys.check(caller, verb);
     this.gate.check(caller);
     this.#use.used();
   }
 
-  /** Stores a command and sends it on when its turn comes: see `CommandLife.submit`. */
+  /** Stores a command and delivers it in its turn: see `CommandLife.submit`. */
   async submit(
     caller: Caller,
     request: { key: string | null } & CommandTerms,
@@ -301,7 +314,7 @@ export class Session {
     });
   }
 
-  /** Takes one command back: see `CommandRecall.one`. */
+  /** Recalls one command: see `CommandRecall.one`. */
   async cancel(grant: StoredKey, seq: number): Promise<CommandRecord> {
     return this.#life.recall.one(grant, seq);
   }
@@ -311,8 +324,9 @@ export class Session {
   }
 
   /**
-   * Waits for the command to end. @returns its record then; where it has not ended, and the robot is gone or
-   * paused, `reason` names what to check
+   * Waits for the command to end.
+   * @returns its record after the wait. If it has not ended and the robot is gone or paused,
+   * `reason` names what to check.
    */
   async endOf(seq: number, patience: Patience): Promise<CommandRecord> {
     const record = await this.#life.log.endOf(seq, patience);
@@ -321,13 +335,13 @@ export class Session {
     return { ...record, reason: SILENT_ROBOT_REASON };
   }
 
-  /** A script was heard on its line. */
+  /** Records a message of a script on its connection. */
   spoke({ script }: Caller): void {
     this.#use.used();
     if (script !== null) this.roster.spoke(script);
   }
 
-  /** A script was heard by HTTP or socket. @returns to be called once its request is answered */
+  /** Records a request of a script. @returns function to call once the request is answered */
   heard({ script }: Caller): () => void {
     this.#use.used();
     return script === null ? () => undefined : this.roster.heard(script);
@@ -335,7 +349,7 @@ export class Session {
 
   // --- time and end ---
 
-  /** Called about once a second: finds pages that sleep or that are away for good. */
+  /** Called about once a second. Detects pages that are asleep or gone for good. */
   async checkLife(): Promise<void> {
     const now = this.#clock.now();
     this.rights.changed();
@@ -345,22 +359,22 @@ export class Session {
     if (this.#seat.awayMs(now) >= limits.pageAwayMs) await this.#life.pageIsGone();
   }
 
-  /** Whether it is to be written down that the session or its keys are in use. */
+  /** Whether a use of the session or its keys is due to be stored. */
   get isUseDue(): boolean {
     return this.#use.isDue;
   }
 
-  /** Whether the store may soon take it for unused, and it is in use. */
+  /** Whether the store may soon treat the session as expired although it is in use. */
   get isUseUrgent(): boolean {
     return this.#use.isUrgent(this.#clock.now());
   }
 
-  /** Writes down that the session and its keys are in use. */
+  /** Stores the latest uses of the session and its keys. */
   async noteUse(): Promise<void> {
     await this.#use.note();
   }
 
-  /** Ends the session for everyone who is connected. */
+  /** Ends the session for all connected clients. */
   close(reason: "over" | "restart"): void {
     this.#isOver = true;
     if (this.hasPage) this.#line.pageLeft(this.#seat.epoch, false);
@@ -373,7 +387,7 @@ export class Session {
     this.leave();
   }
 
-  /** Goes out of memory; other relays may hold it still. */
+  /** Releases the session from memory. Other relays may still hold it. */
   leave(): void {
     this.keys.close();
     this.#line.leave();
@@ -381,12 +395,12 @@ export class Session {
 
   // --- other relays ---
 
-  /** What other relays said may not have come. */
+  /** Messages of other relays may have been missed. */
   missedNews(): void {
     this.#others.missed();
   }
 
-  /** Tells the page, here or at another relay, of its scripts. */
+  /** Sends the current scripts to the page, here or at another relay. */
   #tellScripts(): void {
     const scripts = this.roster.told();
     if (this.#seat.isElsewhere) return this.#line.sayHere(scripts);
@@ -398,28 +412,28 @@ export class Session {
     });
   }
 
-  /** Whoever used the key is sent away, and what it asked for ends. */
+  /** Disconnects the users of a revoked key and ends their commands. */
   #revoked({ hash }: StoredKey): void {
     this.scriptClocks.revoked(hash);
     this.#audience.dismiss((caller) => caller.hash === hash, "revoked");
     this.#askToEnd();
-    // A script that was away is gone with its key.
+    // A blocked script is removed with its key.
     this.gate.learn({ away: this.gate.away.filter(({ driver }) => driver !== hash) });
   }
 
-  /** The script loses its lines, and what it asked for ends. */
+  /** Disconnects a blocked script and ends its commands. */
   #blocked({ id }: StoredScript): void {
     this.#audience.dismiss(({ script }) => script?.id === id, "blocked");
     this.#askToEnd();
   }
 
-  /** Asks the page, where it is here, for what was taken back. */
+  /** Asks a page at this relay to end recalled commands. */
   #askToEnd(): void {
-    // Where that fails, the page is asked with its next greeting.
+    // If that fails, the page is asked when it reconnects.
     if (this.hasPage) this.#life.recall.askAgain().catch(() => undefined);
   }
 
-  /** What the page reports: kept, and told to everybody. */
+  /** Stores a snapshot of the page and publishes it. */
   #show(snapshot: CarriedSnapshot): void {
     this.#view.report(snapshot, this.#clock.now());
     this.#tellSnapshot();

@@ -1,8 +1,8 @@
 /**
- * Token bucket: so many a second on average, so many at once.
+ * Token bucket: limits the average rate and the size of bursts.
  *
- * Written here, not taken from a library, because the one at hand counts in fixed windows (which
- * cannot say "20 a second, 40 at once") and reads the machine's clock itself.
+ * The available library counts in fixed windows, which cannot express "20 a second, 40 at once". It
+ * also reads the system clock itself.
  */
 export class TokenBucket {
   readonly #perSecond: number;
@@ -10,7 +10,7 @@ export class TokenBucket {
   #tokens: number;
   #at: number;
 
-  /** @param now ms by any clock that the calls of `take` use too */
+  /** @param now ms of the same clock as in `take` */
   constructor(limit: { perSecond: number; burst: number }, now: number) {
     this.#perSecond = limit.perSecond;
     this.#burst = limit.burst;
@@ -18,7 +18,7 @@ export class TokenBucket {
     this.#at = now;
   }
 
-  /** Takes one token. @returns 0, or the ms after which one will be there */
+  /** Takes one token. @returns 0, or the ms until one is available */
   take(now: number): number {
     this.#refill(now);
     if (this.#tokens >= 1) {
@@ -28,14 +28,14 @@ export class TokenBucket {
     return ((1 - this.#tokens) / this.#perSecond) * 1000;
   }
 
-  /** Whether nothing was taken for so long that a new bucket would be the same. */
+  /** Whether the bucket has refilled completely, so that a new one would be equal. */
   isFull(now: number): boolean {
     this.#refill(now);
     return this.#tokens >= this.#burst;
   }
 
   #refill(now: number): void {
-    // A clock that was set back must neither give nor take tokens.
+    // A clock that was set back must neither add nor remove tokens.
     const elapsed = Math.max(0, now - this.#at);
     this.#at = now;
     this.#tokens = Math.min(this.#burst, this.#tokens + (elapsed / 1000) * this.#perSecond);

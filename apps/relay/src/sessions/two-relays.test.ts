@@ -1,4 +1,7 @@
-/** Sessions of one robot at two relays that share a store and a line, in one process and by a fake clock. */
+/**
+ * Sessions of one robot at two relays that share a store and a message bus, in one process with a
+ * fake clock.
+ */
 import { join } from "node:path";
 import {
   closeReasons,
@@ -27,7 +30,7 @@ import { SessionHub } from "./session-hub.ts";
 const LEFT: Order = { action: "left 90" };
 const patience = (milliseconds: number) => ({ milliseconds, signal: new AbortController().signal });
 
-/** A robot whose page is at the first relay and whose scripts are at the second. */
+/** A robot with its page at the first relay and its scripts at the second. */
 async function withRelays() {
   const clock = new FakeClock();
   const store = new SqliteStore(join(testFolder(), "corridor.sqlite"));
@@ -84,7 +87,7 @@ async function withRelays() {
     await settled();
     return records[0];
   };
-  /** What a reader at the second relay hears. */
+  /** Records what a reader at the second relay receives. */
   const read = (): string[] => {
     const said: string[] = [];
     atScripts.readers.join(
@@ -106,9 +109,9 @@ async function withRelays() {
   return {
     clock,
     cut,
-    /** One that no other can tell anything. */
+    /** A relay that shares the store, but not the message bus. */
     newRelay: () => new SessionHub(store, clock, log),
-    /** Tells the first relay something that its line would. */
+    /** Delivers a message to the first relay, as its channel would. */
     tellPages: (news: News) => ears.at(-1)?.heard(news),
     switchboard,
     pages,
@@ -185,7 +188,7 @@ describe("page and script at different relays", () => {
   it("knows the newest snapshot at once where a script comes to a relay that never saw the robot", async () => {
     const { host, scripts, atScripts, robot, clock } = await withRelays();
     await report(host, { seq: 7 });
-    // Nobody used it there for a while: it went out of memory.
+    // Nobody used the session there for a while, so it left memory.
     await clock.pass(limits.touchMs + 2_000);
     const again = await scripts.authorise(robot.id, robot.driverKey, "command");
     expect(again.session).not.toBe(atScripts);
@@ -266,7 +269,7 @@ describe("page and script at different relays", () => {
     expect(first.told.at(-1)).toEqual({ type: "yield" });
     expect(first.closed).toEqual([closeReasons.replaced.code]);
     expect(seqs(second)).toEqual([2]);
-    // The same page on a new line, at yet another relay, is not asked.
+    // The same page on a new connection, at another relay, is not asked.
     const again = await page(atPages, { page: "page-two", lastApplied: 2 });
     expect(second.told.at(-1)).not.toEqual({ type: "yield" });
     expect(await atPages.commandsAfter(1)).toMatchObject([{ seq: 2, state: "started" }]);

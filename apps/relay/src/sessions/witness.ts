@@ -1,10 +1,10 @@
-/** Whoever counts what happens to commands. It is told kinds and times, never whose they are. */
+/** Metrics observer of commands. It receives kinds and times, never identities. */
 import type { CommandRecord } from "@corridor/protocol";
 
 export interface Witness {
-  /** A command was stored so long after it came. */
+  /** A command was stored this long after its arrival. */
   stored(seconds: number): void;
-  /** A robot has started a command so long after it came. */
+  /** A robot started a command this long after its arrival. */
   started(seconds: number): void;
   /** A command has ended. */
   ended(state: CommandRecord["state"]): void;

@@ -1,4 +1,6 @@
-/** One robot, its page and its script, at one relay by a fake clock, for the tests of sessions. */
+/**
+ * Fixture for session tests: one robot, its page and its script, at one relay with a fake clock.
+ */
 import { snapshotOf } from "@corridor/protocol/testing";
 import { join } from "node:path";
 import {
@@ -19,7 +21,7 @@ import { testFolder } from "../../testing/test-relay.ts";
 import type { PageLink } from "../page-link.ts";
 import { SessionHub } from "../session-hub.ts";
 
-/** What a reader in a test does not listen to. */
+/** No-op parts of a reader. */
 export const deafReader = {
   door: "websocket",
   flow: { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined },
@@ -35,7 +37,7 @@ export const patience = (milliseconds: number) => ({
   signal: new AbortController().signal,
 });
 
-/** A robot that was registered at a relay of its own, and a script that drives it. */
+/** Registers a robot at a relay of its own, with a script that drives it. */
 export async function withRobot() {
   const clock = new FakeClock();
   const store = new SqliteStore(join(testFolder(), "corridor.sqlite"));
@@ -55,7 +57,7 @@ export async function withRobot() {
   };
   const states = async () =>
     (await session.commandsAfter(0)).map(({ seq, state }) => `${seq} ${state}`);
-  /** The same robot at a relay that has just been started. */
+  /** The same robot at a relay that has just started. */
   const restarted = async () => {
     const anew = new SessionHub(cut.store, clock, pino({ level: "silent" }));
     const { session: again } = await anew.authorise(robot.id, robot.ownerKey, "host");
@@ -67,8 +69,8 @@ export async function withRobot() {
 export type Robot = Awaited<ReturnType<typeof withRobot>>;
 
 /**
- * A page that takes the robot, and all that it is told.
- * @param isSilent it does not answer when it is asked to give the robot up
+ * Connects a page to the robot and records all that it receives.
+ * @param isSilent whether the page ignores the request to release the robot
  */
 export async function page({ session }: Robot, resume: Partial<Resume> = {}, isSilent = false) {
   const told: RelayToPage[] = [];
