@@ -186,7 +186,7 @@ test("drives on while the script waits, and stops when the script falls silent",
     timeout: 10_000,
   });
   const record = await (await api(address, "/commands/1")).json();
-  expect(record.reason).toContain("silent");
+  expect(record.reason).toContain("stopped sending");
 });
 
 test("lists a command that the robot cannot start in time as expired", async ({ page }) => {
@@ -251,7 +251,7 @@ test("opens the documentation while the robot stays connected", async ({ page })
   await page.getByRole("link", { name: "How to write a script" }).click();
   const docs = await opened;
   await expect(docs.getByRole("heading", { level: 1 })).toHaveText(
-    "Drive a robot from your own script",
+    "Control a robot from a script",
   );
   expect((await (await api(address, "/sensors?wait=25")).json()).state).toBe("running");
 });

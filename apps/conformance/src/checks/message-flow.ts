@@ -44,14 +44,20 @@ export const messageFlow: readonly Check[] = [
     run: async (host) => {
       await withOne(host, openByWebSocket, async (connection) => {
         const { snapshot } = await connection.message("welcome");
-        await connection.send({ type: "seen", seq: snapshot?.seq ?? 0 });
-        const { seq } = await host.send(BUSY);
-        await host.begun(seq);
+        const first = snapshot?.seq ?? 0;
+        await connection.send({ type: "seen", seq: first });
+        const key = host.newKey();
+        await connection.send({ type: "command", key, command: BUSY });
+        const { record } = await connection.message("ack", (ack) => ack.record.key === key);
+        // Until the acknowledgement was processed, snapshots are not limited by it.
+        const read = snapshotsOf(connection).at(-1)?.seq ?? first;
+        await connection.send({ type: "seen", seq: read });
+        await host.begun(record.seq);
         await pause(UNSEEN_MS);
         await connection.wait();
-        const unseen = snapshotsOf(connection);
+        const unseen = snapshotsOf(connection).filter(({ seq }) => seq > read);
         must(unseen.length <= CREDIT, `at most ${CREDIT} snapshots`, unseen.length);
-        const newest = unseen.at(-1)?.seq ?? snapshot?.seq ?? 0;
+        const newest = unseen.at(-1)?.seq ?? read;
         await connection.send({ type: "seen", seq: newest });
         await connection.message("snapshot", (message) => message.snapshot.seq > newest);
       });
