@@ -15,7 +15,10 @@ export type ChallengeResult =
    * checked
    */
   | { state: "here"; ticks: number; bumps: number; lines: number }
-  /** `driver`: who reached it; `lines` of the program, 0 for a hand-driven robot */
+  /**
+   * `driver`: who reached it; `ticks` and `bumps` of the run on the screen that met it, otherwise of
+   * the check; `lines` of the program, 0 for a hand-driven robot
+   */
   | { state: "met"; driver: DriverName; ticks: number; bumps: number; lines: number }
   /** until the robot is reset; "late" and "edited" come from the run alone */
   | { state: "failed"; code: FailureCode | "late" | "edited"; tick: number };

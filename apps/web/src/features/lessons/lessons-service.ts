@@ -34,6 +34,8 @@ import { ProjectWatch } from "./project-watch.ts";
 /** Everything that an address can name. */
 const tasks = [...missions, ...projects];
 
+type Met = Extract<Judgement, { kind: "met" }>;
+
 /** State without a known failure of the current program. */
 const nothingSaid = { verdict: null, diagnoses: [], failedRun: null } as const;
 
@@ -196,8 +198,12 @@ export class LessonsService {
     tellUndoable({ screen, workspace }, words, words.t("missions:card.begun"));
   }
 
-  /** Runs the program in all mazes of the challenge, in a worker. */
-  async check(): Promise<void> {
+  /**
+   * Runs the program in all mazes of the challenge, in a worker.
+   * @param run the run on the screen that met the challenge. Its figures are displayed beside its
+   *   clock; those of the check differ if the program was edited on the way, and are stored
+   */
+  async check(run: Met | null = null): Promise<void> {
     const { challenge: store, screen, words } = this.#ports;
     store.setState({ isChecking: true });
     let answer: CheckAnswer | null;
@@ -216,7 +222,8 @@ export class LessonsService {
       const ticks = Math.max(...verdict.mazes.map((each) => each.ticks));
       const bumps = Math.max(...verdict.mazes.map((each) => each.bumps));
       const lines = this.#ports.workspace.getState().program.rules.length;
-      store.setState({ result: { state: "met", driver: "program", ticks, bumps, lines } });
+      const shown = run === null ? { ticks, bumps } : { ticks: run.tick, bumps: run.bumps };
+      store.setState({ result: { state: "met", driver: "program", ...shown, lines } });
       this.#setDone({ lines, ticks });
     } else {
       const isMet = this.#judged.kind === "met" && verdict.mazes.length === 1;
@@ -394,7 +401,7 @@ export class LessonsService {
   /**
    * A drive by hand counts as it is. A program must also pass a check from the start in every maze.
    */
-  #meet(challenge: ChallengeDocument, met: Extract<Judgement, { kind: "met" }>): void {
+  #meet(challenge: ChallengeDocument, met: Met): void {
     const { challenge: store, workspace } = this.#ports;
     const { driver, tick: ticks, bumps } = met;
     const lines = driver === "program" ? workspace.getState().program.rules.length : 0;
@@ -404,7 +411,7 @@ export class LessonsService {
       return;
     }
     store.setState({ result: { state: "here", ticks, bumps, lines } });
-    if (challenge.mazes.length === 1) void this.check();
+    if (challenge.mazes.length === 1) void this.check(met);
   }
 
   #setDone(done: Done): void {
