@@ -53,6 +53,8 @@ export class Run {
   #commandEnding: MotionEnding | null = null;
   /** line of the last decision */
   #line: LineRef | null = null;
+  /** line that drove the last tick */
+  #drivenBy: LineRef | null = null;
   #cause: BumpCause | null = null;
 
   /** Creates a run with the robot at its start, driven by the program. */
@@ -92,6 +94,14 @@ export class Run {
    */
   get line(): LineRef | null {
     return this.#driver === "program" ? this.#decisions.line : null;
+  }
+
+  /**
+   * The line that drove the last tick. Null if another driver did, at the start, and after an input
+   * at this tick.
+   */
+  get drivenBy(): LineRef | null {
+    return this.#drivenBy;
   }
 
   /** Driver of the next tick, or its program line. */
@@ -215,6 +225,7 @@ export class Run {
         this.#decisions.reconsider();
         break;
     }
+    this.#drivenBy = null;
     this.#decide();
     return true;
   }
@@ -223,6 +234,7 @@ export class Run {
   step(): void {
     const simulation = this.#simulation;
     const { bumps } = simulation;
+    this.#drivenBy = this.line;
     if (this.#driver === "program") this.#decisions.step();
     else simulation.step();
     this.#cause = simulation.bumps === bumps ? null : this.#approach.cause(simulation);
@@ -261,6 +273,7 @@ export class Run {
     this.#approach.restore(state.approach);
     this.#digest = state.digest.clone();
     this.#line = state.line;
+    this.#drivenBy = null;
     this.#cause = null;
   }
 

@@ -123,9 +123,9 @@ export function createServices(browser: Browser): Services {
   simulator.listen((message) => {
     switch (message.type) {
       case "frame": {
-        const { snapshot, progress, view, nowTick, waited, nowDriver } = message.frame;
+        const { snapshot, hasEnded, progress, view, nowTick, waited, nowDriver } = message.frame;
         runTrace.add(message.frame);
-        run.setState({ snapshot, progress, view, nowTick, waited, nowDriver });
+        run.setState({ snapshot, hasEnded, progress, view, nowTick, waited, nowDriver });
         simulator.send({ type: "stage-numbers", snapshot });
         const delta = message.timeline;
         if (delta !== null) deferredRun.with(() => timeline.add(delta));

@@ -11,6 +11,8 @@ import type { RunEvent, RunView, Speed } from "../worker/worker-messages.ts";
 export interface RunState {
   /** at the displayed tick; null before the worker's first frame */
   snapshot: Snapshot | null;
+  /** whether the run ended at the displayed tick, so that no line decides on the readings there */
+  hasEnded: boolean;
   /** progress of the running manoeuvre at the displayed tick; null if none runs */
   progress: Progress | null;
   /** whether the newest or an earlier tick is displayed */
@@ -36,6 +38,7 @@ export interface RunState {
 export function createRunStore() {
   return createStore<RunState>()(() => ({
     snapshot: null,
+    hasEnded: false,
     progress: null,
     view: "now",
     nowTick: 0,

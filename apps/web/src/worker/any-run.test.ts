@@ -135,9 +135,11 @@ describe("whatever is done with a run", () => {
         for (const number of asked) {
           const tick = ticks[number % ticks.length] ?? 0;
           bench.loop.seek(tick);
-          const shown = momentOf(bench.frame().snapshot);
-          // The line of the past is the one that the newest program would choose there.
-          const line = wasEdited ? shown.line : moments.get(tick)?.line;
+          const { snapshot, hasEnded } = bench.frame();
+          const shown = momentOf(snapshot);
+          // The line of the past is the one that the newest program would choose there. At the end
+          // of a run, it is the one that drove last.
+          const line = wasEdited || hasEnded ? shown.line : moments.get(tick)?.line;
           // A script's command begins with the next tick: seen again, it is there at the end of
           // this one.
           const begun =

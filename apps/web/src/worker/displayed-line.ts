@@ -1,6 +1,7 @@
 /**
  * The line that is lit at a tick of the run. If the program was a different one then, it is the
- * line that the newest program would choose: what would happen here.
+ * line that the newest program would choose: what would happen here. Where the run has ended, it is
+ * the line that drove last, because no line decides there.
  */
 import type { CompiledProgram, ProgramDocument } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
@@ -21,6 +22,17 @@ export function displayedLine(run: Run, newest: NewestProgram): LineRef | null {
   if (!isDecidedAnew(run, newest)) return null;
   const rule = newest.compiled.decide(run.readings);
   return rule < 0 ? "default" : rule;
+}
+
+/**
+ * The line that drove to the end of the run: into a wall, to the goal, or until the time of the
+ * challenge was over. The run must rest at its newest tick.
+ * @param isLate whether the time of the challenge ended with this tick
+ * @returns null if the run can go on: this tick ended nothing, or an input has changed the run since
+ */
+export function lastLine(run: Run, isLate: boolean): LineRef | null {
+  const hasEnded = run.cause !== null || run.goalTick === run.tick || isLate;
+  return hasEnded ? run.drivenBy : null;
 }
 
 /** Whether another program than the newest decided, so that the newest decides again. */

@@ -3,7 +3,7 @@ import type { MazeDocument } from "@corridor/maze";
 import type { Snapshot } from "@corridor/protocol";
 import type { Run } from "@corridor/recording";
 import type { LiveRun } from "./live-run.ts";
-import { isDecidedAnew, displayedLine } from "./displayed-line.ts";
+import { displayedLine, isDecidedAnew, lastLine } from "./displayed-line.ts";
 import { PastPlayback } from "./past-playback.ts";
 import { TrailFeed } from "./trail-feed.ts";
 import type { Frame, RunView } from "./worker-messages.ts";
@@ -80,13 +80,23 @@ export class DisplayedTick {
     this.#trail.begin();
   }
 
-  /** @param isRunning whether the live run continues */
-  frame(isRunning: boolean): Frame {
+  /**
+   * @param isRunning whether the live run continues
+   * @param isLate whether the time of the challenge ended with the newest tick
+   */
+  frame(isRunning: boolean, isLate: boolean): Frame {
     const { recording, program, driver, revision } = this.#live;
     const run = this.#run;
+    const snapshot = this.#snapshotOf(run, this.#past === null ? isRunning : this.isPlaying);
+    const endLine = this.#past === null && !isRunning ? lastLine(run, isLate) : null;
+    const hasEnded = endLine !== null;
+    if (hasEnded) snapshot.line = endLine;
+    // A manoeuvre that was chosen at the end of the run has not begun.
+    const isChosenAnew = isDecidedAnew(run, program) || (hasEnded && run.decidedAt === run.tick);
     return {
-      snapshot: this.#snapshotOf(run, this.#past === null ? isRunning : this.isPlaying),
-      progress: isDecidedAnew(run, program) ? null : run.progress,
+      snapshot,
+      hasEnded,
+      progress: isChosenAnew ? null : run.progress,
       view: this.#view,
       nowTick: recording.run.tick,
       waited: recording.timeline.commands.waitedUpTo(run.tick),

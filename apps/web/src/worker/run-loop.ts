@@ -264,7 +264,8 @@ export class RunLoop {
   takeUpdate(): { frame: Frame; events: RunEvent[]; truncatedAfter: number | null } | null {
     if (!this.#isDirty) return null;
     this.#isDirty = false;
-    const frame = this.#screen.frame(this.#isRunning);
+    const isLate = this.#observer.isLate(this.#live.run);
+    const frame = this.#screen.frame(this.#isRunning, isLate);
     if (this.#ghosts !== null) frame.ghosts = this.#ghosts.posesAt(frame.snapshot.tick);
     const truncatedAfter = this.#observer.takeTruncatedAfter();
     return { frame, events: this.#observer.takeEvents(), truncatedAfter };
@@ -296,6 +297,7 @@ export class RunLoop {
   /** Judges the run by a challenge from its first tick on; null: by none. */
   judgeBy(judge: RunJudge | null): void {
     this.#observer.judgeBy(judge, this.recording);
+    this.#isDirty = true;
   }
 
   /** The judgement of the challenge if it changed since the last call; otherwise null. */

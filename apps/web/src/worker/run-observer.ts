@@ -82,6 +82,11 @@ export class RunObserver {
     return isExplained || driver !== "remote";
   }
 
+  /** Whether the time of the challenge ended with the newest tick. */
+  isLate(run: Run): boolean {
+    return this.#judge?.isLate(run) === true;
+  }
+
   takeEvents(): RunEvent[] {
     return this.#events.take();
   }
@@ -144,7 +149,7 @@ export class RunObserver {
   #detectNoGoal(recording: Recording, line: LineRef): boolean {
     const { run } = recording;
     const notice = this.#coach.observe(run, line, this.#isWaiting);
-    const isLate = this.#judge?.isLate(run) === true;
+    const isLate = this.isLate(run);
     const failure = isLate ? "late" : notice;
     if (failure !== null) this.#diagnoseNoGoal(recording, { failure, tick: run.tick });
     return isLate;

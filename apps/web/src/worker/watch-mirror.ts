@@ -71,6 +71,7 @@ export class WatchMirror {
     this.#isReset = false;
     return {
       snapshot,
+      hasEnded: false,
       progress: null,
       view: "now",
       nowTick: snapshot.tick,

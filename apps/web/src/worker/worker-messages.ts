@@ -147,6 +147,11 @@ export type RunView = "now" | "past" | "playing";
  */
 export interface Frame {
   snapshot: Snapshot;
+  /**
+   * whether the run ended at the displayed tick: by a bump, at the goal, or with the time of the
+   * challenge. The snapshot then names the line that drove last, and no line decides on its readings
+   */
+  hasEnded: boolean;
   /** progress of the running manoeuvre at the displayed tick; null if none runs */
   progress: Progress | null;
   view: RunView;

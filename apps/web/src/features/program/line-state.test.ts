@@ -1,6 +1,13 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import { decidingLine, isPassedOver, shownBump, shownProgress, shownTruth } from "./line-state.ts";
+import {
+  decidingLine,
+  isPassedOver,
+  lineStanding,
+  shownBump,
+  shownProgress,
+  shownTruth,
+} from "./line-state.ts";
 
 const snapshot = snapshotOf({
   driver: "program",
@@ -32,6 +39,21 @@ describe("isPassedOver", () => {
   it("is so for no line when otherwise decides, or nobody", () => {
     expect(isPassedOver(2, "default")).toBe(false);
     expect(isPassedOver(2, null)).toBe(false);
+  });
+});
+
+describe("lineStanding", () => {
+  const standings = (hasEnded: boolean) =>
+    [0, 1, 2].map((index) =>
+      lineStanding(index, { snapshot: { ...snapshot, line: 1 }, event: null, hasEnded }),
+    );
+
+  it("is not read below the line that decides", () => {
+    expect(standings(false)).toEqual(["resting", "running", "notRead"]);
+  });
+
+  it("is not read for no line where the run has ended, because no line decides there", () => {
+    expect(standings(true)).toEqual(["resting", "running", "resting"]);
   });
 });
 

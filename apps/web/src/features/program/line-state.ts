@@ -6,7 +6,10 @@ import type { RunState } from "../../stores/run-store.ts";
 import type { RunEvent } from "../../worker/worker-messages.ts";
 import { truthText } from "./truth-text.ts";
 
-/** The line that drives the robot; null while the program does not drive. */
+/**
+ * The line that drives the robot, or that drove last where the run has ended; null while the program
+ * does not drive. Everything on the page that names the line of the displayed tick asks here.
+ */
 export function decidingLine(snapshot: Snapshot | null): LineRef | null {
   return snapshot?.driver === "program" ? snapshot.line : null;
 }
@@ -58,12 +61,13 @@ export type LineStanding = "resting" | "running" | "bumped" | "notRead";
 
 export function lineStanding(
   index: number,
-  state: Pick<RunState, "snapshot"> & { event: BumpMoment | null },
+  state: Pick<RunState, "snapshot" | "hasEnded"> & { event: BumpMoment | null },
 ): LineStanding {
   if (shownBump(index, state) !== null) return "bumped";
   const deciding = decidingLine(state.snapshot);
   if (deciding === index) return "running";
-  return isPassedOver(index, deciding) ? "notRead" : "resting";
+  // Where the run has ended, no line decided on these readings, so none was passed over.
+  return !state.hasEnded && isPassedOver(index, deciding) ? "notRead" : "resting";
 }
 
 /** The progress of the line's manoeuvre, in whole units for display. Flat like `ShownTruth`. */

@@ -1,6 +1,6 @@
 /**
  * Marks the line that drives the robot with `aria-current`, which controls its look. Shows below it
- * that the others were not read, and keeps the line in sight. Writes directly to the DOM: React
+ * that the others were not read, unless the run has ended, and keeps the line in sight. Writes directly to the DOM: React
  * would render two lines again at every turn of the robot.
  */
 import type { LineRef } from "@corridor/protocol";
@@ -30,14 +30,18 @@ export function useRunningLine(
         : document.getElementById(lineElementId(lineIds[deciding ?? -1] ?? -1));
 
     let marked: HTMLElement | null = null;
-    const mark = (line: HTMLElement | null): void => {
-      if (line === marked) return;
-      marked?.removeAttribute("aria-current");
-      line?.setAttribute("aria-current", "step");
+    let markedAs = "";
+    const mark = (line: HTMLElement | null, as: "step" | "true"): void => {
+      if (line === marked && as === markedAs) return;
+      if (line !== marked) marked?.removeAttribute("aria-current");
+      line?.setAttribute("aria-current", as);
       marked = line;
+      markedAs = as;
     };
-    const lookAtOnce = ({ snapshot }: RunState): void => mark(elementOf(decidingLine(snapshot)));
+    const lookAtOnce = ({ snapshot, hasEnded }: RunState): void =>
+      mark(elementOf(decidingLine(snapshot)), hasEnded ? "true" : "step");
 
+    let followed: HTMLElement | null = null;
     let told: HTMLElement | null = null;
     const tell = (line: HTMLElement | null): void => {
       if (line === told) return;
@@ -45,16 +49,17 @@ export function useRunningLine(
       sayBelow(line, true);
       told = line;
     };
-    const look = ({ snapshot }: RunState): void => {
+    const look = ({ snapshot, hasEnded }: RunState): void => {
       const deciding = decidingLine(snapshot);
       const line = elementOf(deciding);
-      const isTold = line === told;
-      tell(line);
+      const isFollowed = line === followed;
+      followed = line;
+      tell(hasEnded ? null : line);
       const isRunning = snapshot?.state === "running" && snapshot.tick > 0;
       const begins = isRunning && !wasRunning.current;
       wasRunning.current = isRunning;
       if (begins) follower.current ??= load(list);
-      if (isTold && !begins) return;
+      if (isFollowed && !begins) return;
       follower.current?.then(
         (it) => {
           it.show(deciding === "default" ? null : line);
@@ -69,7 +74,7 @@ export function useRunningLine(
     const ends = [run.subscribe(lookAtOnce), deferred.subscribe(look)];
     return () => {
       for (const end of ends) end();
-      mark(null);
+      mark(null, "step");
       tell(null);
     };
   }, [run, deferred, lineIds, list, otherwise]);

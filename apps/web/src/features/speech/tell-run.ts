@@ -90,7 +90,7 @@ export function tellRun(
   function shownMoment(): string[] {
     const { snapshot } = run.getState();
     if (snapshot === null || document.activeElement?.matches("[type=range]") === true) return [];
-    const moment = momentAt(timelineOf(timeline), snapshot.tick);
+    const moment = momentAt(timelineOf(timeline), snapshot.tick, snapshot);
     const { t, language } = words();
     const line = decision();
     if (line === "") return [asSentence(t, sayMoment(t, moment, language))];

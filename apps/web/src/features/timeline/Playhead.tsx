@@ -3,6 +3,7 @@
  * or in red the line that caused a bump. The playhead moves between two renders of the timeline.
  */
 import { causeLine } from "@corridor/coach";
+import type { LineRef } from "@corridor/protocol";
 import { CornerDownRight, Flag, RadioTower, User } from "lucide-react";
 import { useLayoutEffect, useRef } from "react";
 import { useStore } from "zustand";
@@ -10,7 +11,7 @@ import { useServices } from "../../app/services.ts";
 import { Badge } from "../../ui/Badge.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import { followText } from "../../ui/follow-text.ts";
-import { shownDiagnosis } from "../program/line-state.ts";
+import { decidingLine, shownDiagnosis } from "../program/line-state.ts";
 import { BurstIcon } from "./BurstIcon.tsx";
 import { xOf, type TimeScale } from "./time-scale.ts";
 import styles from "./run-timeline.module.css";
@@ -76,6 +77,12 @@ function DriverMark() {
   return line === "default" ? <CornerDownRight size={14} aria-hidden="true" /> : line + 1;
 }
 
+/** The number of a line; empty for "otherwise", which has an arrow, and a dash for no line. */
+function markOf(line: LineRef | null): string {
+  if (line === null) return "–";
+  return line === "default" ? "" : String(line + 1);
+}
+
 /**
  * Number and arrow share a place, and one has the colour of the background: see
  * line-notes.module.css.
@@ -89,7 +96,7 @@ function LineMark() {
     number.current?.replaceChildren(node);
     return followText(
       run,
-      ({ snapshot }) => (typeof snapshot?.line === "number" ? String(snapshot.line + 1) : ""),
+      ({ snapshot }) => markOf(decidingLine(snapshot)),
       (text) => {
         element.current?.toggleAttribute("data-otherwise", text === "");
         if (text !== "") node.data = text;

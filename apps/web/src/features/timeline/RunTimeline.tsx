@@ -79,7 +79,7 @@ export function RunTimeline() {
     if (isHeld) show(tick);
     setPointed({
       x: xOf(picture.scale, tick),
-      text: `${sayMoment(t, momentAt(timelineOf(timeline), tick), i18n.language)}${moreAt(picture, tick)}`,
+      text: `${sayMoment(t, momentAt(timelineOf(timeline), tick, run.getState().snapshot), i18n.language)}${moreAt(picture, tick)}`,
     });
   }
 

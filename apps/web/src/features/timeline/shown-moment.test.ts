@@ -1,3 +1,5 @@
+import type { Snapshot } from "@corridor/protocol";
+import { snapshotOf } from "@corridor/protocol/testing";
 import { Timeline } from "@corridor/recording";
 import { describe, expect, it } from "vitest";
 import { en } from "../../text/en/index.ts";
@@ -42,6 +44,16 @@ describe("the words for a moment", () => {
     expect(words(3600)).toBe("1 min 0.0 s");
     expect(words(749_763)).toBe("208 min 16.0 s");
     expect(words(749_763, "de")).toBe("208 min 16,0 s");
+  });
+
+  it("name the line that every part of the page names at the displayed tick", () => {
+    const displayed = snapshotOf({ tick: 600, driver: "program", line: 0 });
+    const words = (tick: number, change: Partial<Snapshot> = {}) =>
+      sayMoment(t, momentAt(timeline, tick, { ...displayed, ...change }));
+    expect(words(600)).toBe("10.0 s, line 1 drives, goal reached");
+    expect(words(240)).toBe("4.0 s, line 2 drives");
+    expect(words(600, { driver: "me", line: null })).toBe("10.0 s, you drive, goal reached");
+    expect(words(600, { line: null })).toBe("10.0 s, goal reached");
   });
 
   it("before a run are its time alone", () => {

@@ -6,10 +6,12 @@ import type {
   TimelineEvent,
   TimelineDriver,
 } from "@corridor/recording";
+import type { Snapshot } from "@corridor/protocol";
 import type { TFunction } from "i18next";
 import { commandText } from "../../text/command-text.ts";
 import { joinList } from "../../text/joined.ts";
 import { formatSeconds } from "../../text/numbers.ts";
+import { decidingLine } from "../program/line-state.ts";
 
 /** Ticks before and after an event during which it is displayed. */
 const BEFORE = 1;
@@ -28,12 +30,17 @@ export interface ShownMoment {
   event: TimelineEvent | null;
 }
 
-/** The moment at the end of a tick. */
+/**
+ * The moment at the end of a tick.
+ * @param displayed the displayed tick, whose driver and line every part of the page names; null for
+ *   another tick, whose driver only the timeline knows
+ */
 export function momentAt(
   timeline: Pick<Timeline, "segmentAt" | "driverOf" | "eventsUpTo" | "eventAt"> & {
     commands: Pick<CommandLog, "countUpTo" | "at" | "waitedUpTo">;
   },
   tick: number,
+  displayed: Snapshot | null = null,
 ): ShownMoment {
   const stretch = timeline.segmentAt(tick);
   const newest = timeline.eventsUpTo(tick + BEFORE) - 1;
@@ -41,10 +48,20 @@ export function momentAt(
   return {
     tick,
     waited: timeline.commands.waitedUpTo(tick),
-    who: stretch < 0 ? null : timeline.driverOf(stretch),
+    who:
+      stretch < 0
+        ? null
+        : displayed?.tick === tick
+          ? driverOf(displayed)
+          : timeline.driverOf(stretch),
     command: commandAt(timeline.commands, tick),
     event: event !== null && tick - event.tick <= AFTER ? event : null,
   };
+}
+
+/** The driver of the displayed tick, or its line; null while no line of the program drives. */
+function driverOf(displayed: Snapshot): TimelineDriver | null {
+  return displayed.driver === "program" ? decidingLine(displayed) : displayed.driver;
 }
 
 /** The command that runs at the end of a tick, or that ends there. */

@@ -21,7 +21,7 @@ export function useShownMoment(): StoreApi<ShownMoment> {
       const tick = snapshot?.tick ?? 0;
       const isRunning = snapshot?.state === "running";
       if (shown !== null && isRunning && isSameSecond(tick, shown.tick)) return;
-      const next = momentAt(timelineOf(timeline), tick);
+      const next = momentAt(timelineOf(timeline), tick, snapshot);
       if (shown !== null && isSame(shown, next)) return;
       shown = next;
       store.setState(next, true);

@@ -6,6 +6,7 @@ export function frameOf(changes: Partial<Frame> = {}): Frame {
   const snapshot = changes.snapshot ?? snapshotOf();
   return {
     snapshot,
+    hasEnded: false,
     progress: null,
     view: "now",
     nowTick: snapshot.tick,
