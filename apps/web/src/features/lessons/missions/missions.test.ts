@@ -108,6 +108,15 @@ describe("what a mission leaves to the student", () => {
       expect(allowed.drivers[0]).toBe(allowed.lines === 0 ? "me" : "program");
     },
   );
+
+  it("names no line by its number where only the order changes, because the numbers change", () => {
+    const ordering = missionIds.filter((id) => asked[id].join() === "order");
+    expect(ordering).toEqual(["first-true-line", "order-of-lines"]);
+    for (const id of ordering) {
+      const { task, short, hints } = words.missions[id];
+      expect([task, short, ...Object.values(hints)].join(" ")).not.toMatch(/lines? \d/i);
+    }
+  });
 });
 
 describe("the mistakes of the study of 2013", () => {
