@@ -61,6 +61,43 @@ describe("contactOf", () => {
     expect(simulation.readings[0]).toBeGreaterThan(300);
   });
 
+  it.each([
+    { name: "meets the touched block, although its corner is touched", x: 300.5, isCorner: false },
+    { name: "runs along the side of the touched block", x: 300, isCorner: false },
+    { name: "passes beside the touched block", x: 299, isCorner: true },
+  ])("returns a corner only where the sensor ray misses it: the ray $name", ({ x, isCorner }) => {
+    const maze = room("#####", "##.##", "##.##", "#...#", "#####");
+    const corner = { x: 300, y: 300 };
+    const y = corner.y + Math.sqrt(ROBOT_RADIUS ** 2 - Math.max(0, corner.x - x) ** 2);
+    const contact = contactOf(maze, { x, y, heading: 0 }, "front");
+    expect(contact).toMatchObject({ y: 300, cell: { column: 3, row: 2 }, isCorner });
+  });
+
+  it("returns no corner where the sensor ray meets the touched block aslant", () => {
+    const maze = room("#######", "#.....#", "#.....#", "#..#..#", "#.....#", "#######");
+    const pose = { x: 300 - 15, y: 300 - 20, heading: 135 };
+    expect(contactOf(maze, pose, "front")).toMatchObject({ x: 300, y: 300, isCorner: false });
+    expect(contactOf(maze, { ...pose, heading: 90 }, "front").isCorner).toBe(true);
+    expect(contactOf(maze, { ...pose, heading: 270 }, "back").isCorner).toBe(true);
+  });
+
+  it("returns a corner only where the sensor reads clearly more than the robot's radius", () => {
+    const maze = room("#######", "#.....#", "#.#.#.#", "#..#..#", "#.....#", "#######");
+    fc.assert(
+      fc.property(
+        fc.integer({ min: 0, max: 359 }),
+        fc.constantFrom("forward" as const, "reverse" as const),
+        (degrees, action) => {
+          const { pose, readings } = bumped(maze, degrees, action);
+          const reading = readings[action === "forward" ? 0 : 2] ?? 0;
+          const { isCorner } = contactOf(maze, pose, action === "forward" ? "front" : "back");
+          expect(!isCorner || reading > ROBOT_RADIUS + 1).toBe(true);
+        },
+      ),
+      { numRuns: 200 },
+    );
+  });
+
   it("returns a point one radius from the centre, for any heading", () => {
     const maze = room("#######", "#.....#", "#.#.#.#", "#..#..#", "#.....#", "#######");
     fc.assert(

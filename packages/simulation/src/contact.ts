@@ -5,6 +5,7 @@
 import { CELL, isBlock, type Cell, type MazeDocument } from "@corridor/maze";
 import type { Pose } from "@corridor/protocol";
 import { writeUnitVector } from "@corridor/geometry";
+import { ROBOT_RADIUS } from "./settings.ts";
 
 export interface Contact {
   /** the touched point, in units */
@@ -12,7 +13,10 @@ export interface Contact {
   y: number;
   /** the touched block; outside the grid if the robot touched the edge of the maze */
   cell: Cell;
-  /** whether the point is a corner of that block where no adjacent block continues its side */
+  /**
+   * whether the point is a corner of that block where no adjacent block continues its side, and the
+   * sensor ray in the driving direction passes beside the block
+   */
   isCorner: boolean;
 }
 
@@ -21,6 +25,9 @@ export interface Contact {
  * units.
  */
 const STRAIGHT_TOLERANCE = 1;
+
+/** A ray that is longer than the robot's radius by more than this measures no touched block. */
+const RAY_TOLERANCE = 2;
 
 /**
  * Returns the nearest point of a block or of the maze's edge in the driving direction.
@@ -37,9 +44,13 @@ export function contactOf(maze: MazeDocument, pose: Pose, side: "front" | "back"
   const own = { column: Math.floor(x / CELL), row: Math.floor(y / CELL) };
   let best: Contact | null = null;
   let least = Infinity;
+  let rayToBest = Infinity;
+  let ray = Infinity;
   for (let row = own.row - 1; row <= own.row + 1; row++) {
     for (let column = own.column - 1; column <= own.column + 1; column++) {
       if (!isBlock(maze, column, row)) continue;
+      const rayToBlock = rayLength(column, row, x, y, directionX, directionY);
+      ray = Math.min(ray, rayToBlock);
       const pointX = Math.max(column * CELL, Math.min(x, (column + 1) * CELL));
       const pointY = Math.max(row * CELL, Math.min(y, (row + 1) * CELL));
       const dx = pointX - x;
@@ -48,6 +59,7 @@ export function contactOf(maze: MazeDocument, pose: Pose, side: "front" | "back"
       // A block beside or behind the robot cannot stop it.
       if (dx * directionX + dy * directionY <= 0 || distance >= least) continue;
       least = distance;
+      rayToBest = rayToBlock;
       best = {
         x: pointX,
         y: pointY,
@@ -56,7 +68,35 @@ export function contactOf(maze: MazeDocument, pose: Pose, side: "front" | "back"
       };
     }
   }
-  return best ?? { x, y, cell: own, isCorner: false };
+  if (best === null) return { x, y, cell: own, isCorner: false };
+  const isBesideRay = rayToBest === Infinity && ray > ROBOT_RADIUS + RAY_TOLERANCE;
+  return { ...best, isCorner: best.isCorner && isBesideRay };
+}
+
+/** Length of the ray from (x, y) to a cell; infinite if the ray misses it. */
+function rayLength(
+  column: number,
+  row: number,
+  x: number,
+  y: number,
+  dx: number,
+  dy: number,
+): number {
+  let near = 0;
+  let far = Infinity;
+  for (const [low, speed] of [
+    [column * CELL - x, dx],
+    [row * CELL - y, dy],
+  ] as const) {
+    if (speed === 0) {
+      // A ray along a border belongs to the cell after it, as for the sensors.
+      if (low > 0 || low + CELL <= 0) return Infinity;
+      continue;
+    }
+    near = Math.max(near, Math.min(low / speed, (low + CELL) / speed));
+    far = Math.min(far, Math.max(low / speed, (low + CELL) / speed));
+  }
+  return near <= far ? near : Infinity;
 }
 
 /**

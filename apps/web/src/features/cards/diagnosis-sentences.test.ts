@@ -139,6 +139,22 @@ describe("a number that is wrong", () => {
   });
 });
 
+describe("a corner", () => {
+  it.each([
+    { than: 490, isBesideBeam: true },
+    { than: 500, isBesideBeam: false },
+  ])(
+    "is named only where the beam passes it: $isBesideBeam after $than cm",
+    ({ than, isBesideBeam }) => {
+      const answer = changed("centimetres", 0, number("back", ">", than));
+      const { verdict, diagnoses } = checkProgram(answer);
+      if (verdict.failure === null) throw new Error("no failure");
+      const text = failureText(words, answer.challenge, verdict.failure, diagnoses[0] ?? null);
+      expect(text.includes("It touched the corner of a block.")).toBe(isBesideBeam);
+    },
+  );
+});
+
 describe("a comparison of left with right", () => {
   it("is read on both sides where its sign is wrong", () => {
     const answer = changed("farthest-distance", 1, {

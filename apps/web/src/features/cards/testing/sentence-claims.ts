@@ -60,7 +60,7 @@ const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
   ],
   [
     "It touched the corner of a block\\. The robot is 50 cm wide, and its beam is thin\\.",
-    ({ maze, moments, end }) => touchesCorner(maze, moments[end]),
+    ({ maze, moments, end }) => touchesCorner(maze, moments[end]) && beamPasses(moments, end),
   ],
   [
     "The goal was not reached in (?<whole>\\d+) s\\.",
@@ -461,6 +461,13 @@ function touchesCorner({ blocks }: MazeDocument, robot: PlainMoment | undefined)
       );
     }),
   );
+}
+
+/** Whether the beam in the driving direction reads more than what the robot touches. */
+function beamPasses(moments: readonly PlainMoment[], end: number): boolean {
+  const driven = moments.slice(0, end).findLast(({ action }) => action !== null);
+  const side = driven?.action === "reverse" ? "back" : "front";
+  return (moments[end]?.sensors[side] ?? 0) > RADIUS + 1;
 }
 
 /**
