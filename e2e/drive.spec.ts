@@ -211,7 +211,7 @@ test("reports a bump when the driver drives into a wall", async ({ corridor, pag
   await page.keyboard.down("w");
   // It touches the wall after 615 ticks of 5/3 cm, and pushes in the next tick.
   await expect(corridor.runNote).toHaveText(
-    /^Bump: you drove into a block at 10\.2 s \(tick 616\), in row 7, column 11\.$/,
+    /^Bump: you drove into a block at 10\.2 s \(tick 616\)\. The robot was in row 7, column 11\.$/,
   );
   await expect(corridor.bumps).toHaveText("1 bump");
   await expect(corridor.sensor("front")).toHaveText("25");
@@ -227,7 +227,7 @@ test("reports which line caused a bump of the program", async ({ corridor }) => 
   await corridor.program.number(1).fill("10");
   await corridor.run.click();
   await expect(corridor.runNote).toHaveText(
-    /^Bump: the program drove into a block at 2\.2 s \(tick 13\d\), in row 7, column 3\.$/,
+    /^Bump: the program drove into a block at 2\.2 s \(tick 13\d\)\. The robot was in row 7, column 3\.$/,
   );
   // “otherwise” drove because line 1 became true too late.
   await expect(corridor.bumpCard(1)).toBeVisible();
