@@ -5,7 +5,7 @@ import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { Button } from "../../ui/Button.tsx";
 import { useRights } from "../lessons/use-rights.ts";
-import { isProgramRefused, runButton } from "./run-button.ts";
+import { isProgramRefused, runButton, startHint } from "./run-button.ts";
 import styles from "./transport.module.css";
 
 export function RunButton() {
@@ -14,10 +14,12 @@ export function RunButton() {
   const does = useStore(run, runButton);
   const isFault = useStore(run, ({ fault }) => fault !== null);
   // The playback of a recorded run can be paused in any case.
-  const isRefused = isProgramRefused(useRights()) && does !== "pause";
+  const rights = useRights();
+  const isRefused = isProgramRefused(rights) && does !== "pause";
   const isMe = useStore(run, ({ snapshot }) => snapshot?.driver === "me");
-  const note =
-    does === "run-here"
+  const note = isRefused
+    ? t(`shell.story.${startHint(rights)}`)
+    : does === "run-here"
       ? t("timeline.runFromHereNote")
       : isMe && does === "run"
         ? t("shell.run.runProgram")

@@ -1,13 +1,15 @@
 /**
  * The newest bump or goal as text for screen readers. When it happens, features/speech announces
  * it, and the timeline, the stage and the lines display it. Before a run, a visible hint how to
- * start one.
+ * start one, or who drives in a challenge that excludes the program.
  */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { useWaited } from "../../app/use-waited.ts";
 import { classNames } from "../../ui/class-names.ts";
+import { useRights } from "../lessons/use-rights.ts";
+import { startHint } from "./run-button.ts";
 import { storyOf, storyText, type Story } from "./story.ts";
 import styles from "./transport.module.css";
 
@@ -17,11 +19,12 @@ export function RunStory() {
   const event = useStore(run, (state) => state.event);
   const waited = useWaited(event?.tick ?? 0);
   const isFresh = useStore(run, ({ nowTick }) => nowTick === 0);
+  const hint = startHint(useRights());
   const story = event === null ? null : storyOf(event, waited);
   return (
     <p role="note" className={classNames(styles["story"], !isFresh && "visually-hidden")}>
       {story !== null && <Told story={story} />}
-      {story === null && isFresh && t("shell.story.hint")}
+      {story === null && isFresh && t(`shell.story.${hint}`)}
     </p>
   );
 }

@@ -12,7 +12,7 @@ import { WriteOwnButton } from "../program/WriteOwnButton.tsx";
 import { TimelineBar } from "../timeline/TimelineBar.tsx";
 import { Clock } from "./Clock.tsx";
 import { useLongPress } from "../../ui/use-long-press.ts";
-import { isProgramRefused, stepBack, stepOn } from "./run-button.ts";
+import { isProgramRefused, startHint, stepBack, stepOn } from "./run-button.ts";
 import { RunButton } from "./RunButton.tsx";
 import { RunStory } from "./RunStory.tsx";
 import styles from "./transport.module.css";
@@ -78,7 +78,11 @@ function Step() {
   const { t } = useTranslation();
   const { simulator, run } = useServices();
   const isNow = useStore(run, ({ view }) => view === "now");
-  const isRefused = isProgramRefused(useRights()) && isNow;
+  const rights = useRights();
+  const isRefused = isProgramRefused(rights) && isNow;
+  const note = isRefused
+    ? t(`shell.story.${startHint(rights)}`)
+    : t(isNow ? "shell.run.stepNote" : "timeline.stepOnNote");
   const press = useLongPress((isLong) =>
     simulator.send(stepOn(run.getState(), isLong ? "tick" : "decision")),
   );
@@ -89,7 +93,7 @@ function Step() {
       className={styles["step"]}
       icon={<SkipForward aria-hidden="true" fill="currentColor" />}
       disabled={isRefused}
-      title={t(isNow ? "shell.run.stepNote" : "timeline.stepOnNote")}
+      title={note}
       aria-keyshortcuts="Control+Shift+Enter"
     >
       {t("shell.run.step")}

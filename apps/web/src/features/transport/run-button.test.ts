@@ -1,6 +1,6 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import { isProgramRefused, runOrPause, stepBack, stepOn } from "./run-button.ts";
+import { isProgramRefused, runOrPause, startHint, stepBack, stepOn } from "./run-button.ts";
 
 describe("runOrPause", () => {
   it.each([
@@ -66,5 +66,18 @@ describe("Step", () => {
       type: "seek",
       tick: 0,
     });
+  });
+});
+
+describe("the hint before a run", () => {
+  it.each([
+    { drivers: null, hint: "hint" },
+    { drivers: ["program"] as const, hint: "hint" },
+    { drivers: ["me", "program"] as const, hint: "hint" },
+    { drivers: ["me"] as const, hint: "byHand" },
+    { drivers: ["me", "remote"] as const, hint: "byHand" },
+    { drivers: ["remote"] as const, hint: "byScript" },
+  ])("is $hint where $drivers may drive", ({ drivers, hint }) => {
+    expect(startHint(drivers && { drivers })).toBe(hint);
   });
 });

@@ -27,6 +27,12 @@ export function isProgramRefused(rights: Pick<Rights, "drivers"> | null): boolea
   return rights !== null && !rights.drivers.includes("program");
 }
 
+/** The hint before a run: how to start one, or who drives where Run and Step are disabled. */
+export function startHint(rights: Pick<Rights, "drivers"> | null): "hint" | "byHand" | "byScript" {
+  if (rights === null || rights.drivers.includes("program")) return "hint";
+  return rights.drivers.includes("me") ? "byHand" : "byScript";
+}
+
 /** The request of the run button. */
 export function runOrPause(now: RunNow): ToWorker {
   return { type: runButton(now) };
