@@ -42,7 +42,7 @@ test("solves the mission when the key is released at the required reading", asyn
   await lessons.openMission(2);
   await page.keyboard.press("w", { delay: 400 });
   await expect(lessons.outcome).toHaveText(
-    /^The robot stopped where the sensor reads 6\d\d cm\. The nearest right place is where it reads 170 cm\.$/,
+    /^The sensor reads 6\d\d cm\. Drive forward until it reads 130 to 170 cm\.$/,
   );
   await page.keyboard.down("w");
   await expect

@@ -4,6 +4,7 @@ export { FixedTimestep } from "./fixed-timestep.ts";
 export type { Progress } from "./motion/progress.ts";
 export type { MotionEnding } from "./motion/motion-controller.ts";
 export { ProgramRun, type Decider, type ProgramRunState } from "./program-run.ts";
+export { readingsAt } from "./sensors/readings-at.ts";
 export { replayDigest, type Inputs } from "./replay.ts";
 export {
   DELAY_DISTANCE,

@@ -3,20 +3,22 @@
  * change.
  */
 import type { ChallengeDocument, Verdict } from "@corridor/challenge";
-import { useEffect } from "react";
+import { useEffect, useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
+import { useShallow } from "zustand/react/shallow";
 import { useServices } from "../../app/services.ts";
 import { useSay } from "../speech/use-say.ts";
 import { failureText, handText, liveFailureText, metText, runFailureText } from "./failure-text.ts";
-import { standingReading } from "./standing-reading.ts";
+import { standingAdvice } from "./standing-advice.ts";
+import { standingRobot } from "./standing-robot.ts";
 import type { MissionWords } from "./mission-words.ts";
 import styles from "./lessons.module.css";
 
 export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) {
   const { t, i18n } = useTranslation(["missions", "words", "diagnosis"], { useSuspense: false });
   const words: MissionWords = { t: t as unknown as MissionWords["t"], i18n };
-  const { challenge: store, run, timeline, speech } = useServices();
+  const { challenge: store, run, timeline, speech, workspace } = useServices();
   // The run of a check contains no waiting ticks.
   const ofRun: MissionWords = { ...words, waited: (tick) => timeline.waitedUpTo(tick) };
   const result = useStore(store, (state) => state.result);
@@ -24,7 +26,15 @@ export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) 
   const diagnoses = useStore(store, (state) => state.diagnoses);
   const failedRun = useStore(store, (state) => state.failedRun);
   const shown = useStore(store, (state) => state.maze);
-  const standing = useStore(run, (state) => standingReading(challenge, state));
+  const standing = useStore(
+    run,
+    useShallow((state) => standingRobot(challenge, state)),
+  );
+  const maze = useStore(workspace, (state) => state.maze);
+  const advice = useMemo(
+    () => standing && standingAdvice(challenge.goal, maze, standing),
+    [challenge, maze, standing],
+  );
   const isMet = result.state === "met";
   const failure = verdict === null ? null : failureOf(verdict, shown);
   // In a drive by hand the student may continue, so nothing has failed while the result is open.
@@ -35,8 +45,8 @@ export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) 
       ? failureText(words, challenge, failure, diagnoses[failure.maze ?? -1] ?? null)
       : failedRun !== null
         ? runFailureText(ofRun, failedRun)
-        : isOpen && standing !== null
-          ? handText(words, challenge, standing)
+        : isOpen && standing !== null && advice !== null
+          ? handText(words, challenge, standing.reading, advice)
           : liveFailureText(ofRun, challenge, result);
   useSay(text, "mission");
   useEffect(

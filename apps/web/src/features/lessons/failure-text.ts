@@ -6,6 +6,7 @@ import { roundedSides } from "../../text/compared.ts";
 import { formatSeconds, localNumber } from "../../text/numbers.ts";
 import { diagnosisText, diagnosisWords } from "../cards/diagnosis-text.ts";
 import type { MissionWords } from "./mission-words.ts";
+import type { StandingAdvice } from "./standing-advice.ts";
 
 /**
  * The result of a failed check.
@@ -117,17 +118,23 @@ export function liveFailureText(
 }
 
 /**
- * What is missing where a robot stopped by hand.
- * @param reading of the sensor that counts, in cm
+ * What to do where a robot stopped by hand.
+ * @param reading of the goal's sensor, in cm; null if the goal is a place
  */
 export function handText(
   words: MissionWords,
-  { goal }: ChallengeDocument,
-  reading: number,
+  { goal }: Pick<ChallengeDocument, "goal">,
+  reading: number | null,
+  advice: StandingAdvice,
 ): string {
-  if (goal.kind !== "stop") return words.t("missions:failure.handStopped");
-  const needed = reading < goal.from ? goal.from : goal.to;
-  return words.t("missions:failure.not-stopped", missedText(words, reading, needed));
+  const { t, i18n } = words;
+  if (goal.kind !== "stop" || reading === null) return t(`missions:failure.atGoal.${advice}`);
+  const { from, to } = goal;
+  return t(`missions:failure.atReading.${advice}`, {
+    found: missedText(words, reading, reading < from ? from : to).found,
+    from: localNumber(String(from), i18n.language),
+    to: localNumber(String(to), i18n.language),
+  });
 }
 
 /** Rounds two different numbers so that the smaller one still reads as smaller. */

@@ -1,0 +1,56 @@
+import { snapshotOf } from "@corridor/protocol/testing";
+import { describe, expect, it } from "vitest";
+import { missions } from "./missions/missions.ts";
+import { standingRobot } from "./standing-robot.ts";
+
+const challenges = missions.map(({ challenge }) => challenge);
+const stopMission = challenges.find(({ goal }) => goal.kind === "stop");
+const reachMission = challenges.find(({ allowed }) => allowed.drivers[0] === "me");
+if (stopMission === undefined || reachMission === undefined) throw new Error("no such mission");
+
+const standing = (front: number) =>
+  snapshotOf({
+    tick: 60,
+    driver: "me",
+    motion: "stop",
+    sensors: { front, right: 50, back: 100, left: 50 },
+  });
+
+it.each([
+  { front: 129, reading: 129 },
+  { front: 130, reading: null },
+  { front: 150, reading: null },
+  { front: 170, reading: null },
+  { front: 171, reading: 171 },
+])("calls a stop at $front cm wrong only outside of 130 to 170 cm", ({ front, reading }) => {
+  const robot = standingRobot(stopMission, { snapshot: standing(front), view: "now" });
+  expect(robot?.reading ?? null).toBe(reading);
+});
+
+describe("a robot on its way to a place", () => {
+  const at = (goal: (typeof reachMission)["goal"], changes: Parameters<typeof snapshotOf>[0]) =>
+    standingRobot(
+      { ...reachMission, goal },
+      {
+        snapshot: { ...standing(300), ...snapshotOf({ ...standing(300), ...changes }) },
+        view: "now",
+      },
+    );
+
+  it("stands before it once it has stopped", () => {
+    expect(at({ kind: "reach" }, {})).toEqual({ ...standing(300).pose, reading: null });
+  });
+
+  it.each([
+    { why: "drives", changes: { motion: "forward" as const } },
+    { why: "has not moved", changes: { tick: 0 } },
+    { why: "has arrived", changes: { goalReached: true } },
+  ])("does not while it $why", ({ changes }) => {
+    expect(at({ kind: "reach" }, changes)).toBeNull();
+  });
+
+  it("stands nowhere where no place is the goal", () => {
+    expect(at({ kind: "visit" }, {})).toBeNull();
+    expect(at({ kind: "drive", distance: 500 }, {})).toBeNull();
+  });
+});

@@ -1,0 +1,29 @@
+import type { ChallengeDocument } from "@corridor/challenge";
+import type { RunState } from "../../stores/run-store.ts";
+
+/** A robot that stands still before its goal. A flat object, so that it can be compared cheaply. */
+export interface StandingRobot {
+  x: number;
+  y: number;
+  heading: number;
+  /** reading of the goal's sensor, in cm; null if the goal is a place */
+  reading: number | null;
+}
+
+/**
+ * The robot that was stopped by hand, for missions that are driven by hand.
+ * @returns null while the robot drives, before its first tick, when the goal check reports success,
+ *   and for a goal that is not met at a place
+ */
+export function standingRobot(
+  { goal, allowed }: Pick<ChallengeDocument, "goal" | "allowed">,
+  { snapshot, view }: Pick<RunState, "snapshot" | "view">,
+): StandingRobot | null {
+  if (snapshot === null || view === "playing" || allowed.drivers[0] !== "me") return null;
+  const { driver, tick, motion, goalReached, sensors, pose } = snapshot;
+  if (driver !== "me" || tick === 0 || motion !== "stop" || goalReached) return null;
+  if (goal.kind === "reach") return { ...pose, reading: null };
+  if (goal.kind !== "stop") return null;
+  const reading = sensors[goal.sensor];
+  return reading >= goal.from && reading <= goal.to ? null : { ...pose, reading };
+}
