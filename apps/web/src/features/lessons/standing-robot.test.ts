@@ -32,7 +32,7 @@ describe("a robot on its way to a place", () => {
     standingRobot(
       { ...reachMission, goal },
       {
-        snapshot: { ...standing(300), ...snapshotOf({ ...standing(300), ...changes }) },
+        snapshot: snapshotOf({ ...standing(300), ...changes }),
         view: "now",
       },
     );
