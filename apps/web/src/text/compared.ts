@@ -3,7 +3,13 @@
  * 250.46 > 60 is "250 > 60", but 50.4 > 50 is "50.4 > 50", because "50 > 50" reads as false. Numbers that are
  * nearer than any ruler shows are told apart by the last digit: 49.9999999 < 50 is "49.99 < 50".
  */
-import type { Comparator, EvaluatedCondition } from "@corridor/program";
+import {
+  evaluateCondition,
+  type Comparator,
+  type Condition,
+  type EvaluatedCondition,
+} from "@corridor/program";
+import type { SensorReadings } from "@corridor/protocol";
 
 /** Digits after the point that the row of a line has room for. */
 const MOST_DECIMALS = 2;
@@ -21,6 +27,32 @@ export function roundedSides(
   const shownRight = round(right, MOST_DECIMALS);
   const apart = (is === ">" ? 1 : -1) / 10 ** MOST_DECIMALS;
   return { left: round(shownRight + apart, MOST_DECIMALS), right: shownRight };
+}
+
+/**
+ * The readings of one moment, in whole cm. A reading has decimals if the whole number would
+ * contradict one of the conditions.
+ * @param conditions all comparisons that stand beside these readings, on any surface
+ */
+export function roundedReadings(
+  readings: SensorReadings,
+  conditions: readonly (Condition | null)[],
+): SensorReadings {
+  const shown = {
+    front: Math.round(readings.front),
+    right: Math.round(readings.right),
+    back: Math.round(readings.back),
+    left: Math.round(readings.left),
+  };
+  for (const condition of conditions) {
+    const truth = evaluateCondition(condition, readings);
+    if (condition === null || truth === null) continue;
+    if (evaluateCondition(condition, shown)?.isTrue === truth.isTrue) continue;
+    const sides = roundedSides(truth, 1);
+    shown[condition.sensor] = sides.left;
+    if (condition.than === "right") shown.right = sides.right - condition.plus;
+  }
+  return shown;
 }
 
 function round(value: number, decimals: number): number {

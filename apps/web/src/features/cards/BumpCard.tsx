@@ -14,7 +14,7 @@ import { takeMend } from "../program/take-mend.ts";
 import type { StageViewStore } from "../stage/stage-view.ts";
 import { BurstIcon } from "../timeline/BurstIcon.tsx";
 import styles from "./cards.module.css";
-import { diagnosisText, diagnosisTitle, diagnosisWords } from "./diagnosis-text.ts";
+import { diagnosisText, diagnosisTitle, diagnosisWords, roomText } from "./diagnosis-text.ts";
 import { FloatingCard } from "./FloatingCard.tsx";
 import { fixText } from "./fix-text.ts";
 import { RoomBars } from "./RoomBars.tsx";
@@ -93,6 +93,7 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
           freeLabel={t("diagnosis:had")}
           needs={event.needs}
           free={event.reading}
+          text={roomText(words, event, cause)}
         />
       )}
       <div className={styles["actions"]}>

@@ -1,9 +1,10 @@
 import type { Diagnosis } from "@corridor/coach";
+import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import reasons from "../../text/en/diagnosis.json" with { type: "json" };
 import { en } from "../../text/en/index.ts";
 import { createI18n } from "../../text/i18n.ts";
-import { diagnosisText, diagnosisTitle, diagnosisWords } from "./diagnosis-text.ts";
+import { diagnosisText, diagnosisTitle, diagnosisWords, roomText } from "./diagnosis-text.ts";
 
 const readings = { front: 49.6, right: 50, back: 250, left: 250 };
 const when = { sensor: "front" as const, is: "<" as const, than: 60 };
@@ -82,6 +83,41 @@ describe("the words of a diagnosis", () => {
     };
     expect(diagnosisText(words, { event, cause: null, fixes: [] })).toBe(
       "Bump at 2.1 s. The robot drove forward from 1.6 s on. The wall was 250 cm ahead then. It touched the corner of a block. The robot is 50 cm wide, and its beam is thin.",
+    );
+  });
+});
+
+describe("one reading", () => {
+  /** A delayed turn whose line was true just below its number. */
+  function justBelow(front: number, than: number, needs: number): Diagnosis {
+    const nearly = { ...moment, when: { ...when, than }, readings: { ...readings, front } };
+    return {
+      event: { ...bump, reading: front, needs },
+      cause: { kind: "delayed", moment: nearly, side: "left", needs },
+      fixes: [],
+    };
+  }
+
+  it("is the same number in the sentence and above the bars", () => {
+    const words = wordsFor(["diagnosis", "words"]);
+    const { event, cause } = justBelow(49.999_999, 50, 75);
+    if (event.kind !== "bump") throw new Error("no bump");
+    expect(diagnosisText(words, { event, cause, fixes: [] })).toContain("with 49.99 cm in front.");
+    expect(roomText(words, event, cause)).toEqual({ reading: "49.99", needs: "75" });
+    expect(roomText(words, event, null)).toEqual({ reading: "50", needs: "75" });
+  });
+
+  it("is the same number for every reading and every number of the line", () => {
+    const words = wordsFor(["diagnosis", "words"]);
+    const cm = fc.double({ min: 25, max: 74.999, noNaN: true });
+    fc.assert(
+      fc.property(cm, fc.double({ min: 1e-9, max: 2, noNaN: true }), (front, more) => {
+        const { event, cause } = justBelow(front, front + more, 75);
+        if (event.kind !== "bump") throw new Error("no bump");
+        const [, inText] =
+          /with ([\d.]+) cm/.exec(diagnosisText(words, { event, cause, fixes: [] })) ?? [];
+        expect(roomText(words, event, cause).reading).toBe(inText);
+      }),
     );
   });
 });

@@ -3,17 +3,16 @@ import {
   causeLine,
   type BumpEvent,
   type Cause,
-  type Decision,
   type Diagnosis,
   type FailureEvent,
   type WrongNumber,
 } from "@corridor/coach";
-import { evaluateCondition, type Condition } from "@corridor/program";
-import type { LineRef, SensorName } from "@corridor/protocol";
+import type { Condition } from "@corridor/program";
+import type { LineRef, SensorName, SensorReadings } from "@corridor/protocol";
 import { ROBOT_RADIUS } from "@corridor/simulation";
 import type { TFunction } from "i18next";
 import { commandText } from "../../text/command-text.ts";
-import { roundedSides } from "../../text/compared.ts";
+import { roundedReadings, roundedSides } from "../../text/compared.ts";
 import { joinSentences } from "../../text/joined.ts";
 import { formatSeconds, localNumber } from "../../text/numbers.ts";
 
@@ -52,11 +51,12 @@ export function diagnosisTitle({ t }: DiagnosisWords, diagnosis: Diagnosis): str
  */
 export function diagnosisText(
   words: DiagnosisWords,
-  { event, cause }: Diagnosis,
-  happened: string = eventText(words, event, cause !== null),
+  diagnosis: Diagnosis,
+  happened: string = eventText(words, diagnosis),
 ): string {
+  const { event, cause } = diagnosis;
   const corner = event.kind === "bump" && event.contact.isCorner ? [cornerText(words)] : [];
-  const reason = cause === null ? [] : [causeText(words, cause)];
+  const reason = cause === null ? [] : [causeText(words, event, cause)];
   return joinSentences(commonWords(words), [happened, ...corner, ...reason]);
 }
 
@@ -74,18 +74,18 @@ function cornerText({ t }: DiagnosisWords): string {
   return t("diagnosis:event.corner");
 }
 
-/** @param isShort whether a cause follows, which has its own numbers */
-function eventText(words: DiagnosisWords, event: FailureEvent, isShort: boolean): string {
+function eventText(words: DiagnosisWords, { event, cause }: Diagnosis): string {
   const { t } = words;
   const seconds = secondsAt(words, event.tick);
   if (event.kind === "late")
     return t("diagnosis:event.late", { seconds: Math.floor(event.tick / 60) });
   if (event.kind !== "bump") return t(`diagnosis:event.${event.kind}`, { times: event.times });
-  if (isShort) return t("diagnosis:event.bump", { seconds });
+  // The cause, which follows, has its own numbers.
+  if (cause !== null) return t("diagnosis:event.bump", { seconds });
   const known = {
     seconds,
     from: secondsAt(words, event.startedAt),
-    ...roomText(words, event.reading, event.needs),
+    ...roomText(words, event, cause),
     action: actionText(words, event.action),
   };
   const isFront = event.side === "front";
@@ -106,13 +106,13 @@ function eventText(words: DiagnosisWords, event: FailureEvent, isShort: boolean)
   }
 }
 
-function causeText(words: DiagnosisWords, cause: Cause): string {
+function causeText(words: DiagnosisWords, event: FailureEvent, cause: Cause): string {
   const { t } = words;
   const { moment } = cause;
-  const { tick, line, action, readings } = moment;
+  const { tick, line, action } = moment;
   const seconds = secondsAt(words, tick);
   const known = { who: who(words, line), action: t(`words:program.action.${action}`), seconds };
-  const shown = shownReadings(words, moment, "when" in cause ? cause.when : null);
+  const shown = shownReadings(words, event, cause);
   const { front, left, right } = shown;
   const sensor = (name: SensorName) => ({
     sensor: t(`words:program.sensor.${name}`),
@@ -127,19 +127,14 @@ function causeText(words: DiagnosisWords, cause: Cause): string {
     side: t(`words:program.sensor.${name}`),
     reading: shown[name],
   });
-  const noRoom = (needs: number) =>
-    t("diagnosis:cause.noRoom", {
-      ...known,
-      front: shownReadings(words, moment, { sensor: "front", is: "<", than: needs }).front,
-      needs,
-    });
+  const noRoom = (needs: number) => t("diagnosis:cause.noRoom", { ...known, front, needs });
   switch (cause.kind) {
     case "not-delayed":
       return cause.isAtEdge
         ? t("diagnosis:cause.atEdge", { ...known, ...side(cause.side), drivesOn: cause.drivesOn })
         : t("diagnosis:cause.notDelayed", { ...known, drivesOn: cause.drivesOn });
     case "delayed":
-      return readings.front < cause.needs
+      return moment.readings.front < cause.needs
         ? noRoom(cause.needs)
         : t("diagnosis:cause.delayed", known);
     case "order":
@@ -153,7 +148,7 @@ function causeText(words: DiagnosisWords, cause: Cause): string {
     case "too-long":
     case "too-late":
     case "too-short":
-      return numberText(words, cause, seconds);
+      return numberText(words, cause, seconds, shown);
     case "comparison": {
       const decided = line === cause.line;
       return t(decided ? "diagnosis:cause.comparisonTrue" : "diagnosis:cause.comparisonFalse", {
@@ -203,10 +198,14 @@ function causeText(words: DiagnosisWords, cause: Cause): string {
   }
 }
 
-function numberText(words: DiagnosisWords, cause: WrongNumber, seconds: string): string {
+function numberText(
+  words: DiagnosisWords,
+  cause: WrongNumber,
+  seconds: string,
+  shown: Record<SensorName, string>,
+): string {
   const { t } = words;
   const { when, moment, better, number } = cause;
-  const shown = shownReadings(words, moment, when);
   const reading = moment.readings[when.sensor];
   // `by` is the distance from the reading at the moment to another reading. There the condition
   // should change (too early, too short) or does change (too late, too long).
@@ -247,44 +246,65 @@ const numberKeys = {
   "too-short": "diagnosis:cause.tooShort",
 } as const;
 
-/**
- * Returns the readings in whole cm. A reading has decimals if the whole number would contradict the
- * condition that decided, or the condition `asked`.
- */
+/** The readings at the moment of the cause. */
 function shownReadings(
   { language }: DiagnosisWords,
-  { readings, when }: Decision,
-  asked: Condition | null,
+  event: FailureEvent,
+  cause: Cause,
 ): Record<SensorName, string> {
-  const { front, right, back, left } = readings;
-  const shown = {
-    front: Math.round(front),
-    right: Math.round(right),
-    back: Math.round(back),
-    left: Math.round(left),
-  };
-  for (const condition of [when, asked]) {
-    const truth = evaluateCondition(condition, readings);
-    if (condition === null || truth === null) continue;
-    if (evaluateCondition(condition, shown)?.isTrue === truth.isTrue) continue;
-    const sides = roundedSides(truth, 1);
-    shown[condition.sensor] = sides.left;
-    if (condition.than === "right") shown.right = sides.right - condition.plus;
-  }
+  const shown = roundedReadings(cause.moment.readings, comparisonsAt(event, cause));
   const text = (name: SensorName) => localNumber(String(shown[name]), language);
   return { front: text("front"), right: text("right"), back: text("back"), left: text("left") };
 }
 
-/** Rounds the room that a motion needed, and its reading, without changing which one is smaller. */
-function roomText(
-  { language }: DiagnosisWords,
-  reading: number,
-  needs: number | null,
-): { reading: string; needs: number } {
-  const right = needs ?? 0;
-  const sides = roundedSides({ left: reading, is: "<", right, isTrue: reading < right }, 0);
-  return { reading: localNumber(String(sides.left), language), needs: sides.right };
+/** All comparisons that the diagnosis makes with the readings at the moment of the cause. */
+function comparisonsAt(event: FailureEvent, cause: Cause): (Condition | null)[] {
+  const { moment } = cause;
+  const needs = delayedNeeds(cause);
+  return [
+    moment.when,
+    "when" in cause ? cause.when : null,
+    needs === null ? null : { sensor: "front", is: "<", than: needs },
+    event.kind === "bump" && event.startedAt === moment.tick ? roomCondition(event) : null,
+  ];
 }
+
+/** The front reading that the cause says a delayed turn needs. */
+function delayedNeeds(cause: Cause): number | null {
+  if (cause.kind === "delayed") return cause.needs;
+  if (cause.kind !== "action" || cause.detail?.kind !== "no-room") return null;
+  return cause.detail.needs;
+}
+
+/** "The reading is less than the motion needs", with the needed number as it is displayed. */
+function roomCondition({ side, reading, needs }: BumpEvent): Condition | null {
+  return needs === null ? null : { sensor: side, is: "<", than: shownNeeds(reading, needs) };
+}
+
+function shownNeeds(reading: number, needs: number): number {
+  const isTrue = reading < needs;
+  return roundedSides({ left: reading, is: "<", right: needs, isTrue }, 0).right;
+}
+
+/**
+ * The room that a motion needed, and its reading. The reading is the same number as in the sentence
+ * about the cause.
+ */
+export function roomText(
+  { language }: DiagnosisWords,
+  event: BumpEvent,
+  cause: Cause | null,
+): { reading: string; needs: string } {
+  const { side, reading, needs, startedAt } = event;
+  const isMoment = cause !== null && cause.moment.tick === startedAt;
+  const shown: SensorReadings = isMoment
+    ? roundedReadings(cause.moment.readings, comparisonsAt(event, cause))
+    : roundedReadings({ ...noReadings, [side]: reading }, [roomCondition(event)]);
+  const text = (number: number) => localNumber(String(number), language);
+  return { reading: text(shown[side]), needs: text(shownNeeds(reading, needs ?? 0)) };
+}
+
+const noReadings: SensorReadings = { front: 0, right: 0, back: 0, left: 0 };
 
 /** The name of an action in the menus, or in the API for actions that only scripts can request. */
 function actionText({ t }: DiagnosisWords, action: BumpEvent["action"]): string {
