@@ -72,6 +72,7 @@ function* forBump(trace: RunTrace, event: BumpEvent): Generator<Fix> {
   yield* comparisons(program, lines);
   yield* comparisons(program, allLines(program));
   if (typeof line === "number") yield* actions(program, line, [...plainTurns, ...delayedTurns]);
+  if (event.action === "reverse" && line !== null) yield* actions(program, line, ["forward"]);
   for (const turn of turns) yield* actions(program, turn, [...plainTurns, ...delayedTurns]);
   for (const other of numbered(lines)) {
     yield* actions(program, other, [...plainTurns, ...delayedTurns, "forward"]);

@@ -201,7 +201,7 @@ function explain(
     if (isIdleHere && task.solvesAll?.(program) !== true) continue;
     found.push({ fix, from: trial.from, program, outcome: trial.outcome });
   }
-  const best = ranked(trace, found, task);
+  const best = ranked(trace, found, task, event);
   const named = best.flatMap((each): { cause: Cause; fix: Fix }[] => {
     const cause = causeOf(trace, each.fix, momentToName(trace, each, trialTask, isBump));
     return cause === null ? [] : [{ cause, fix: each.fix }];
@@ -238,23 +238,68 @@ function isEnough(found: readonly Found[], { solvesAll, newSolvedCheck }: Diagno
 }
 
 /**
- * Changes that solve every maze of the task come first, then those that solve this one, then those
- * without another failure. A missing delay at the edge of an opening ranks like a solution, because
- * two mistakes need two changes. If another order of the lines solves every maze, it ranks first.
+ * Sorts the changes, the most plausible first, and leaves out those that only happen to help.
+ *
+ * 1. Another order of the lines that solves every maze of the task.
+ * 2. A missing delay at the edge of an opening, because two mistakes need two changes; any change
+ *    that solves every maze.
+ * 3. What the run itself shows: the line drove into the wall, or its readings contradict its action.
+ * 4. A missing line.
+ *
+ * An action of another line about which the run shows nothing wrong comes after these even if it
+ * solves every maze: it only avoids the place of the bump. A sign, a sensor or a number that does
+ * not solve every maze is left out.
  */
-function ranked(trace: RunTrace, found: readonly Found[], { solvesAll }: DiagnosisTask): Found[] {
-  const rank = ({ fix, from, outcome, program }: Found): number => {
-    if (outcome === "further") return 4;
-    const isSolved = outcome === "solved";
-    if (isSolved && fix.kind === "move" && solvesAll?.(program) === true) return 0;
-    if (isMissingDelay(trace, fix, from)) return 1;
-    if (isSolved) return solvesAll?.(program) === false ? 2 : 1;
-    return outcome === "lasts" ? 3 : 4;
+function ranked(
+  trace: RunTrace,
+  found: readonly Found[],
+  { solvesAll }: DiagnosisTask,
+  event: FailureEvent,
+): Found[] {
+  const rank = (each: Found): number | null => {
+    const { fix, from, outcome, program } = each;
+    if (isMissingDelay(trace, fix, from)) return outcome === "further" ? 7 : 1;
+    if (outcome === "further") return 7;
+    const isSolution = outcome === "solved" && solvesAll?.(program) !== false;
+    const droveIntoWall = isStraight(event) && "line" in fix && fix.line === event.line;
+    const isShown = (droveIntoWall && fix.kind === "action") || isShownByRun(trace, fix, from);
+    if (isSolution && fix.kind === "move" && solvesAll !== null) return 0;
+    if (isSolution) return fix.kind === "action" && !isShown && isStraight(event) ? 4 : 1;
+    if (solvesAll === null) return outcome === "past" ? 6 : 5;
+    if (isShown) return outcome === "past" ? 3 : 2;
+    return fix.kind === "insert" || fix.kind === "delete" || fix.kind === "move" ? 5 : null;
   };
   return found
-    .map((each) => ({ each, rank: rank(each) }))
+    .flatMap((each) => {
+      const at = rank(each);
+      return at === null ? [] : [{ each, rank: at }];
+    })
     .toSorted((a, b) => a.rank - b.rank)
     .map(({ each }) => each);
+}
+
+/**
+ * Whether a line chose to drive straight into the wall. "otherwise: forward" did not choose it: a
+ * line for that place may be missing.
+ */
+function isStraight(event: FailureEvent): event is BumpEvent {
+  if (event.kind !== "bump" || event.phase !== "steady") return false;
+  return typeof event.line === "number" || event.action === "reverse";
+}
+
+/** Whether the readings of the run show the mistake, whatever another change would do. */
+function isShownByRun(trace: RunTrace, fix: Fix, from: number): boolean {
+  const cause = causeOf(trace, fix, from);
+  switch (cause?.kind) {
+    case "action":
+      return cause.detail !== null;
+    case "delayed":
+      return cause.moment.readings.front < cause.needs;
+    case "not-delayed":
+      return cause.isAtEdge;
+    default:
+      return cause !== null && "extreme" in cause && cause.extreme === "always";
+  }
 }
 
 /**

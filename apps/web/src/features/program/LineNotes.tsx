@@ -111,11 +111,9 @@ function LineBump({ bump }: { bump: ShownBump }) {
   return (
     <p className={styles["bump"]}>
       <BurstIcon size={16} />
-      {driven === null
+      {driven === null || needed === null
         ? t("program.bumped.now")
-        : needed === null
-          ? t("program.bumped.after", { driven })
-          : t("program.bumped.afterOf", { driven, needed })}
+        : t("program.bumped.afterOf", { driven, needed })}
     </p>
   );
 }

@@ -164,6 +164,14 @@ describe("shownBump", () => {
     expect(shownBump("default", { snapshot: touching, event: other })).toBeNull();
   });
 
+  it("has no distance for a motion that other lines may have chosen before", () => {
+    const cause = { ...event.cause, action: "forward" as const, driven: 425, needed: null };
+    expect(shownBump(0, { snapshot: touching, event: { ...event, cause } })).toEqual({
+      driven: null,
+      needed: null,
+    });
+  });
+
   it("stays with that line when another one decides beside the wall", () => {
     const next = { ...touching, line: 1 };
     expect(shownBump(0, { snapshot: next, event })).not.toBeNull();

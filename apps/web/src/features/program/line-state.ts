@@ -99,11 +99,12 @@ export function shownProgress(
 /** Allows for rounding errors in a distance. */
 const CRUMB = 1e-6;
 
-/** A bump as its line displays it: the distance driven, and the distance needed, in whole cm. */
+/**
+ * A bump as its line displays it: the distance driven, and the distance needed, in whole cm. Both
+ * are null for a motion without a distance: several lines may have chosen it in turn.
+ */
 export interface ShownBump {
-  /** null if unknown, for example for an earlier bump */
   driven: number | null;
-  /** null for a motion that lasts until another action is chosen */
   needed: number | null;
 }
 
@@ -136,6 +137,7 @@ export function shownBump(
   if (event === null || diagnosis === null || causeLine(diagnosis) !== line) return null;
   const { cause } = event;
   // Another line may have driven into the wall.
-  if (cause === null || event.line !== line) return { driven: null, needed: null };
+  const isOwn = cause !== null && event.line === line;
+  if (!isOwn || cause.needed === null) return { driven: null, needed: null };
   return { driven: Math.round(cause.driven), needed: cause.needed };
 }

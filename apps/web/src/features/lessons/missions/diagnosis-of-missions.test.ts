@@ -117,6 +117,44 @@ describe("wrong answers with one change", () => {
   });
 });
 
+describe("a bump", () => {
+  const named = (id: string, program: ProgramDocument) => {
+    const mission = solved.find((each) => each.id === id);
+    if (mission === undefined) throw new Error("no such mission");
+    return told({ name: "", line: 0, challenge: mission.challenge, program }).diagnosis;
+  };
+
+  it.each(["reverse", "turn 180", "left 90", "forward"] as const)(
+    "is blamed on the line that drove into the wall, whatever a line chooses that never decided (%s)",
+    (unread) => {
+      const program = lines(
+        "forward",
+        { when: { sensor: "right", is: ">", than: 60 }, do: "delayed right 90" },
+        { when: { sensor: "left", is: ">", than: 60 }, do: "forward" },
+        { when: { sensor: "front", is: "<", than: 50 }, do: unread },
+      );
+      const { event, cause } = named("faulty-line", program);
+      expect(event).toMatchObject({ kind: "bump", line: 1 });
+      expect(cause).toMatchObject({ kind: "action", moment: { line: 1, action: "forward" } });
+    },
+  );
+
+  it("of a robot that drives back at once is blamed on the line that drives back", () => {
+    const program = lines("reverse", {
+      when: { sensor: "front", is: "<", than: 50 },
+      do: "right 90",
+    });
+    const { cause } = named("right-wall", program);
+    expect(cause).toMatchObject({ kind: "action", moment: { line: "default", action: "reverse" } });
+  });
+
+  it("is not blamed on a sensor, sign or number whose change solves only one of the mazes", () => {
+    const when = { sensor: "front", is: ">", than: 50 } as const;
+    const { cause } = named("every-maze", lines("forward", { when, do: "delayed left 90" }));
+    expect(cause).toMatchObject({ kind: "action", detail: { kind: "into-wall", side: "left" } });
+  });
+});
+
 describe("an order of the lines that solves every maze", () => {
   it("comes before a delay that gets through one of them", () => {
     const mission = solved.find(({ id }) => id === "farthest-distance");
