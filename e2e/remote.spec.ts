@@ -250,9 +250,7 @@ test("opens the documentation while the robot stays connected", async ({ page })
   const opened = page.context().waitForEvent("page");
   await page.getByRole("link", { name: "How to write a script" }).click();
   const docs = await opened;
-  await expect(docs.getByRole("heading", { level: 1 })).toHaveText(
-    "Control a robot from a script",
-  );
+  await expect(docs.getByRole("heading", { level: 1 })).toHaveText("Control a robot from a script");
   expect((await (await api(address, "/sensors?wait=25")).json()).state).toBe("running");
 });
 

@@ -1,5 +1,5 @@
 /**
- * `npm test`: types, lint, format, unused code, audit, unit tests, Python tests, build, end-to-end
+ * `npm test`: types, lint, format, spelling, unused code, audit, unit tests, Python tests, build, end-to-end
  * tests. Every stage runs even if an earlier stage failed. The last line prints the totals.
  */
 import { spawnSync } from "node:child_process";
@@ -11,16 +11,18 @@ import { requireChromium } from "./chromium.ts";
 import { tryInstallJava } from "./java.ts";
 import { pythonTests, requirePython, requirePythonTools } from "./python.ts";
 import { requireRedis } from "./redis-server.ts";
+import {
+  parseJunitReport,
+  parsePlaywrightReport,
+  parseVitestReport,
+  type TestReport,
+} from "./test-reports.ts";
 
-interface Counts {
-  passed: number;
-  failed: number;
-  skipped: number;
-  /** The number of passed tests that passed only on a retry. */
-  flaky?: number;
-}
-
+/** Repeated at the end, because the output is long. */
+const failures: string[] = [];
 const folder = mkdtempSync(join(tmpdir(), "corridor-test-"));
+type Counts = Omit<TestReport, "failures"> & Partial<TestReport>;
+
 const total = { passed: 0, failed: 0, skipped: 0, flaky: 0 };
 
 const hasRequirements = [check("Python", requirePython), check("browser", requireChromium)].every(
@@ -32,6 +34,7 @@ tryInstallJava();
 stage("types", ["tsc", "-b"]);
 stage("lint", ["oxlint", "--max-warnings", "0"]);
 stage("format", ["oxfmt", "--check"]);
+stage("spelling", ["cspell", "--no-progress", "--no-summary"]);
 stage("unused code", ["knip"]);
 auditStage();
 testStage("unit", ["vitest", "run", "--reporter=default", "--reporter=json"], parseVitestReport);
@@ -57,6 +60,7 @@ if (total.skipped > 0) {
 if (total.flaky > 0) {
   process.stdout.write(`\n${total.flaky} passed only on a retry: see "flaky" above\n`);
 }
+if (failures.length > 0) process.stdout.write(`\nFailed:\n${failures.join("\n")}\n`);
 process.stdout.write(`\n${total.passed} passed, ${total.failed} failed\n`);
 process.exitCode = total.failed > 0 ? 1 : 0;
 
@@ -72,25 +76,29 @@ function auditStage(): void {
   process.stdout.write("\n== audit: npm audit\n");
   const { verdict, message } = audit();
   process.stdout.write(`${message}\n`);
-  const counts = { passed: 0, failed: 0, skipped: 0 };
+  const counts: Counts = { passed: 0, failed: 0, skipped: 0 };
   if (verdict === "unknown") counts.skipped = 1;
   else counts[verdict] = 1;
   add("audit", counts);
 }
 
 /** Runs a test runner that writes a report to a file, and counts the tests in the report. */
-function testStage(name: string, args: string[], parseReport: (report: string) => Counts): void {
+function testStage(
+  name: string,
+  args: string[],
+  parseReport: (report: string) => TestReport,
+): void {
   const file = join(folder, `${name.replaceAll(" ", "-")}.report`);
   const code = run(name, args, {
     VITEST_JSON_REPORT: file,
     PLAYWRIGHT_JSON_OUTPUT_NAME: file,
     PYTEST_ADDOPTS: `--junitxml=${file}`,
   });
-  let counts: Counts;
+  let counts: TestReport;
   try {
     counts = parseReport(readFileSync(file, "utf8"));
   } catch {
-    counts = { passed: 0, failed: 1, skipped: 0 };
+    counts = { passed: 0, failed: 1, skipped: 0, failures: ["no report"] };
   }
   // A runner can fail outside any test: a file does not load, or a server does not start.
   if (code !== 0 && counts.failed === 0) counts.failed = 1;
@@ -119,51 +127,12 @@ function check(name: string, requirement: () => unknown): boolean {
 }
 
 function add(name: string, counts: Counts): void {
+  if (counts.failed > 0) {
+    failures.push(...(counts.failures ?? ["see above"]).map((each) => `${name}: ${each}`));
+  }
   total.passed += counts.passed;
   total.failed += counts.failed;
   total.skipped += counts.skipped;
   total.flaky += counts.flaky ?? 0;
   process.stdout.write(`-- ${name}: ${counts.passed} passed, ${counts.failed} failed\n`);
-}
-
-function parseVitestReport(text: string): Counts {
-  const report: unknown = JSON.parse(text);
-  // Failed suites are not counted: a suite fails with each failed test in it. A file that does not
-  // load fails without a test; `testStage` detects that by the exit code.
-  return {
-    passed: numberAt(report, "numPassedTests"),
-    failed: numberAt(report, "numFailedTests"),
-    skipped: numberAt(report, "numPendingTests"),
-  };
-}
-
-function parsePlaywrightReport(text: string): Counts {
-  const report: unknown = JSON.parse(text);
-  const stats = typeof report === "object" && report !== null && "stats" in report && report.stats;
-  const flaky = numberAt(stats, "flaky");
-  return {
-    passed: numberAt(stats, "expected") + flaky,
-    failed: numberAt(stats, "unexpected"),
-    skipped: numberAt(stats, "skipped"),
-    flaky,
-  };
-}
-
-/** Reads the totals from the first element of a JUnit report. */
-function parseJunitReport(text: string): Counts {
-  const sum = (name: string): number => Number(new RegExp(` ${name}="(\\d+)"`).exec(text)?.[1]);
-  const failed = sum("failures") + sum("errors");
-  const skipped = sum("skipped");
-  const passed = sum("tests") - failed - skipped;
-  if (Number.isNaN(passed)) throw new Error("The JUnit report has no totals.");
-  return { passed, failed, skipped };
-}
-
-function numberAt(from: unknown, key: string): number {
-  const value =
-    typeof from === "object" && from !== null
-      ? Object.getOwnPropertyDescriptor(from, key)?.value
-      : undefined;
-  if (typeof value !== "number") throw new Error(`The test report has no number "${key}".`);
-  return value;
 }
