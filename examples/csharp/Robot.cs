@@ -133,7 +133,7 @@ class Robot
             catch (Exception error) when (
                 error is HttpRequestException || error is IOException || error is TaskCanceledException)
             {
-                message = $"The service does not answer: {error.Message}";
+                message = $"The service does not respond: {error.Message}";
             }
             // A random delay, so that the programs of a whole class do not retry at the same moment.
             var limit = Math.Min(MaxDelayMs, FirstDelayMs * Math.Pow(2, attempt));

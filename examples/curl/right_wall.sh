@@ -73,7 +73,7 @@ request() {
       *) fail "$(error_message "$answer" | grep . || echo "The service answered with status $status.")" ;;
     esac
     tries=$((tries + 1))
-    [ $((SECONDS - started)) -lt $TIMEOUT ] || fail "The service does not answer: $answer"
+    [ $((SECONDS - started)) -lt $TIMEOUT ] || fail "The service does not respond: $answer"
     # A random delay, so that the programs of a whole class do not retry at the same moment.
     sleep "$(awk -v n=$tries -v seed=$RANDOM 'BEGIN { srand(seed); p = 0.125 * 2 ^ n; print rand() * (p < 10 ? p : 10) }')"
   done

@@ -161,12 +161,12 @@ func (robot *Robot) send(method, path string, fields command, key string, age ti
 	}
 	response, err := robot.http.Do(request)
 	if err != nil {
-		return true, fmt.Errorf("The service does not answer: %w", err)
+		return true, fmt.Errorf("The service does not respond: %w", err)
 	}
 	defer response.Body.Close()
 	text, err := io.ReadAll(io.LimitReader(response.Body, 1<<20))
 	if err != nil {
-		return true, fmt.Errorf("The service does not answer: %w", err)
+		return true, fmt.Errorf("The service does not respond: %w", err)
 	}
 	if response.StatusCode/100 == 2 {
 		if json.Unmarshal(text, result) != nil {

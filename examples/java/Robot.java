@@ -135,7 +135,7 @@ public class Robot {
         message = errorMessage(status, response.body());
         if (status != TOO_MANY_REQUESTS && status < 500) throw new RobotException(message);
       } catch (IOException error) {
-        message = "The service does not answer: " + error;
+        message = "The service does not respond: " + error;
       } catch (InterruptedException error) {
         throw new RobotException("Stopped.");
       }

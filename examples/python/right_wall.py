@@ -103,7 +103,7 @@ class Robot:
                 if error.code != 429 and error.code < 500:
                     raise RobotError(reason) from None
             except (OSError, http.client.HTTPException, ValueError) as error:
-                reason = f"The service does not answer: {error}"
+                reason = f"The service does not respond: {error}"
             # A random delay, so that the programs of a whole class do not retry at the same moment.
             delay = random.uniform(0, min(10, 0.25 * 2**attempt))
             if time.monotonic() + delay > started + TIMEOUT:
