@@ -13,10 +13,10 @@ const NEEDED = ["get", "post", "authorization"];
 const results = new Map();
 
 function element(name, className, text = "") {
-  const made = document.createElement(name);
-  made.className = className;
-  made.textContent = text;
-  return made;
+  const created = document.createElement(name);
+  created.className = className;
+  created.textContent = text;
+  return created;
 }
 
 const rows = new Map(

@@ -13,21 +13,21 @@ globalThis.trustedTypes?.createPolicy("default", {
 const BODY = JSON.stringify({ text: '<script> {"move": 100} äé漢🤖 '.repeat(40) });
 
 async function request(path, options = {}, ms = QUICK_MS) {
-  const answer = await fetch(`/check/${path}`, {
+  const response = await fetch(`/check/${path}`, {
     cache: "no-store",
     ...options,
     signal: AbortSignal.timeout(ms),
   });
-  if (!answer.ok) throw new Error(String(answer.status));
-  return answer;
+  if (!response.ok) throw new Error(String(response.status));
+  return response;
 }
 
-const KEY = "Bearer a-key-of-nobody";
+const KEY = "Bearer not-a-key";
 
 async function echoOf(method, body) {
   const headers = { Authorization: KEY, "Content-Type": "application/json" };
-  const answer = await request("echo", { method, headers, ...(body && { body }) });
-  return answer.json();
+  const response = await request("echo", { method, headers, ...(body && { body }) });
+  return response.json();
 }
 
 /** Opens the socket that echoes each message. */
@@ -36,7 +36,7 @@ function openSocket() {
   return new Promise((resolve, reject) => {
     socket.addEventListener("open", () => resolve(socket));
     socket.addEventListener("close", () => reject(new Error("closed")));
-    setTimeout(() => reject(new Error("silence")), QUICK_MS);
+    setTimeout(() => reject(new Error("timeout")), QUICK_MS);
   });
 }
 
@@ -69,8 +69,8 @@ export const probes = {
     return times.length === 5 && times.at(-1) - times[0] > 800;
   },
   wait: async () => {
-    const answer = await request(`wait?seconds=${WAIT_S}`, {}, WAIT_S * 1_000 + QUICK_MS);
-    return (await answer.json()).waited === WAIT_S;
+    const response = await request(`wait?seconds=${WAIT_S}`, {}, WAIT_S * 1_000 + QUICK_MS);
+    return (await response.json()).waited === WAIT_S;
   },
   socket: async () => {
     const socket = await openSocket();
