@@ -16,7 +16,7 @@ const shellStyles: Readonly<Record<string, string>> = {
   bar: source("app/top-bar"),
   brand: source("app/brand"),
   failure: source("app/failure"),
-  house: source("app/loading-page"),
+  loading: source("app/loading-page"),
   panel: source("app/side-panel"),
   sheet: source("app/phone-sheet"),
   transport: source("features/transport/transport"),
@@ -36,7 +36,7 @@ let numbers: ReadonlyMap<string, number> | null = null;
  * The same numbers in each build, independent of the order of files. The classes of the first
  * screen get the smallest numbers.
  */
-function numbered(): ReadonlyMap<string, number> {
+function classNumbers(): ReadonlyMap<string, number> {
   const files = globSync(source("**/*")).toSorted();
   const keys = [...new Set([...Object.values(shellStyles), ...files])].flatMap((path) =>
     [...readFileSync(path, "utf8").matchAll(NAME)].map(([, name]) => `${path} ${name}`),
@@ -45,14 +45,14 @@ function numbered(): ReadonlyMap<string, number> {
 }
 
 export function scopedName(name: string, path: string): string {
-  numbers ??= numbered();
+  numbers ??= classNumbers();
   const at = numbers.get(`${path} ${name}`);
   if (at === undefined) throw new Error(`${path} has no class ${name}`);
   return `c${at.toString(36)}`;
 }
 
 /** @param word of a class attribute: `app.page` is the class `page` of app.module.css */
-function shownName(word: string): string {
+function shortName(word: string): string {
   const [file = "", name] = word.split(".");
   if (name === undefined) return word;
   const path = shellStyles[file];
@@ -70,7 +70,7 @@ export function shellClasses(): Plugin {
       handler: (html) =>
         html.replaceAll(
           /\bclass="([^"]*)"/g,
-          (_, words: string) => `class="${words.split(" ").map(shownName).join(" ")}"`,
+          (_, words: string) => `class="${words.split(" ").map(shortName).join(" ")}"`,
         ),
     },
   };

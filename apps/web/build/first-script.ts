@@ -29,18 +29,18 @@ export function firstWords(tag: string) {
   return { controls, run, own, pause, step, max, invitation, begin, maze, program };
 }
 
-function told(html: string, attribute: string, value: string): string {
+function withAttribute(html: string, attribute: string, value: string): string {
   return replaced(html, attribute, `${attribute}="${value}"`);
 }
 
 function replaced(html: string, text: string, by: string): string {
-  const written = html.replace(text, () => by);
-  if (written === html) throw new Error(`index.html has no ${text}`);
-  return written;
+  const result = html.replace(text, () => by);
+  if (result === html) throw new Error(`index.html has no ${text}`);
+  return result;
 }
 
 /** `public/first.js`, minified. */
-async function smallScript(): Promise<string> {
+async function minifiedScript(): Promise<string> {
   const built = await build({
     configFile: false,
     publicDir: false,
@@ -64,21 +64,25 @@ export function firstScript(): Plugin {
   return {
     name: "corridor-first-script",
     async generateBundle() {
-      this.emitFile({ type: "asset", fileName: "first.js", source: await smallScript() });
+      this.emitFile({ type: "asset", fileName: "first.js", source: await minifiedScript() });
     },
     transformIndexHtml: {
       order: "post",
       handler(html, { bundle }) {
         const words = Object.fromEntries(languages.map(({ tag }) => [tag, firstWords(tag)]));
-        const worded = told(html, "data-words", JSON.stringify(words).replaceAll('"', "&quot;"));
+        const withTexts = withAttribute(
+          html,
+          "data-words",
+          JSON.stringify(words).replaceAll('"', "&quot;"),
+        );
         // In development the page starts the worker.
-        if (bundle === undefined) return worded;
+        if (bundle === undefined) return withTexts;
         const worker = Object.keys(bundle).find((file) => WORKER.test(file));
         if (worker === undefined) throw new Error("the build has no simulator worker");
-        const [tag, page] = SCRIPT.exec(worded) ?? [];
+        const [tag, page] = SCRIPT.exec(withTexts) ?? [];
         if (tag === undefined || page === undefined) throw new Error("index.html has no script");
         const parts = [`<link rel="modulepreload" crossorigin href="${page}">`];
-        const bare = worded.replace(tag, "").replaceAll(PART, (part) => {
+        const withoutScripts = withTexts.replace(tag, "").replaceAll(PART, (part) => {
           parts.push(part.trim());
           return "";
         });
@@ -86,8 +90,12 @@ export function firstScript(): Plugin {
         // styles of the static page and the worker have a higher priority.
         const links = parts.join("").replaceAll(" crossorigin", ' fetchpriority="low" crossorigin');
         const template = `<template id="parts">${links}</template>`;
-        const filled = replaced(bare, FIRST, `${template}\n    ${FIRST}`);
-        return told(told(filled, "data-simulator", `/${worker}`), "data-page", page);
+        const withTemplate = replaced(withoutScripts, FIRST, `${template}\n    ${FIRST}`);
+        return withAttribute(
+          withAttribute(withTemplate, "data-simulator", `/${worker}`),
+          "data-page",
+          page,
+        );
       },
     },
   };

@@ -9,7 +9,7 @@ import type { Plugin } from "vite";
 
 const textFiles = new Set([".css", ".html", ".js", ".json", ".svg", ".txt", ".webmanifest"]);
 /** Minimum size in bytes: for smaller files, compression saves less than its headers cost. */
-const LEAST_BYTES = 512;
+const MIN_BYTES = 512;
 
 export function precompress(): Plugin {
   let folder = "";
@@ -35,7 +35,7 @@ function compressAll(folder: string): void {
     if (!textFiles.has(extname(name))) continue;
     const path = join(folder, name);
     const content = readFileSync(path);
-    if (content.length < LEAST_BYTES) continue;
+    if (content.length < MIN_BYTES) continue;
     writeFileSync(`${path}.br`, smallestBrotli(content));
     writeFileSync(`${path}.gz`, gzipSync(content, { level: 9 }));
   }

@@ -22,7 +22,7 @@ function withFolder() {
   };
 }
 
-it("replaces the page and keeps the parts of the build before, for pages that are open", () => {
+it("replaces the page and retains the parts of the previous build for open pages", () => {
   const { publish, read } = withFolder();
   publish({ "index.html": "1", "assets/page-1.js": "1", "assets/same-0.js": "0", "old.txt": "" });
   publish({ "index.html": "2", "assets/page-2.js": "2", "assets/same-0.js": "0" });
