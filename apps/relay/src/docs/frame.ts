@@ -12,12 +12,12 @@ export interface Page {
 }
 
 /** Renders a complete page. */
-export function framed({ path, title, html, head = "" }: Page): string {
-  const here = sections.find(({ pages }) => pages.some((each) => isPart(path, each.path)));
-  const links = sections.map(({ words, pages: [{ path: to }] }) =>
-    link({ path: to, words }, to === path ? "page" : words === here?.words ? "true" : null),
+export function renderPage({ path, title, html, head = "" }: Page): string {
+  const current = sections.find(({ pages }) => pages.some((each) => isPart(path, each.path)));
+  const links = sections.map(({ label, pages: [{ path: to }] }) =>
+    link({ path: to, label }, to === path ? "page" : label === current?.label ? "true" : null),
   );
-  const neighbours = here === undefined || here.pages.length === 1 ? [] : here.pages;
+  const neighbours = current === undefined || current.pages.length === 1 ? [] : current.pages;
   const inSection = neighbours.map((each) => link(each, each.path === path ? "page" : null));
   return `<!doctype html>
 <html lang="en">
@@ -54,8 +54,8 @@ function isPart(path: string, of: string): boolean {
 }
 
 function link(
-  { path, words }: Pick<Entry, "path" | "words">,
+  { path, label }: Pick<Entry, "path" | "label">,
   current: "page" | "true" | null,
 ): string {
-  return `<a href="${path}"${current === null ? "" : ` aria-current="${current}"`}>${words}</a>`;
+  return `<a href="${path}"${current === null ? "" : ` aria-current="${current}"`}>${label}</a>`;
 }

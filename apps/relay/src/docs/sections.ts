@@ -3,7 +3,7 @@
 export interface Entry {
   path: string;
   /** label in the navigation */
-  words: string;
+  label: string;
   /** title of the page, if the label needs its section to be understood */
   title?: string;
   /** path in the repository; null if the text is generated */
@@ -11,7 +11,7 @@ export interface Entry {
 }
 
 interface Section {
-  words: string;
+  label: string;
   /** the first page is the target of the section's link */
   pages: readonly [Entry, ...Entry[]];
 }
@@ -23,100 +23,100 @@ export const CONSOLE_PATH = "/docs/try";
 /** In the order in which script authors need them. docs/protocol.md lists the same pages. */
 export const sections: readonly Section[] = [
   {
-    words: "Quickstart",
-    pages: [{ path: "/docs", words: "Quickstart", file: `${PAGES}/quickstart.md` }],
+    label: "Quickstart",
+    pages: [{ path: "/docs", label: "Quickstart", file: `${PAGES}/quickstart.md` }],
   },
   {
-    words: "Recipes",
-    pages: [{ path: "/docs/recipes", words: "Recipes", file: `${PAGES}/recipes.md` }],
+    label: "Recipes",
+    pages: [{ path: "/docs/recipes", label: "Recipes", file: `${PAGES}/recipes.md` }],
   },
   {
-    words: "Python",
+    label: "Python",
     pages: [
       {
         path: "/docs/python",
-        words: "The Python library",
+        label: "The Python library",
         file: "packages/client-python/README.md",
       },
       {
         path: "/docs/python-reference",
-        words: "Reference",
+        label: "Reference",
         title: "Reference of the Python library",
         file: "packages/client-python/REFERENCE.md",
       },
     ],
   },
   {
-    words: "JavaScript",
+    label: "JavaScript",
     pages: [
       {
         path: "/docs/javascript",
-        words: "The TypeScript library",
+        label: "The TypeScript library",
         file: "packages/client/README.md",
       },
       {
         path: "/docs/javascript-reference",
-        words: "Reference",
+        label: "Reference",
         title: "Reference of the TypeScript library",
         file: "packages/client/REFERENCE.md",
       },
     ],
   },
   {
-    words: "Commands",
-    pages: [{ path: "/docs/commands", words: "Commands", file: `${PAGES}/commands.md` }],
+    label: "Commands",
+    pages: [{ path: "/docs/commands", label: "Commands", file: `${PAGES}/commands.md` }],
   },
   {
-    words: "Reading",
-    pages: [{ path: "/docs/reading", words: "Reading and streaming", file: `${PAGES}/reading.md` }],
+    label: "Reading",
+    pages: [{ path: "/docs/reading", label: "Reading and streaming", file: `${PAGES}/reading.md` }],
   },
   {
-    words: "Transports",
+    label: "Transports",
     pages: [
       {
         path: "/docs/transports",
-        words: "Transports and reconnecting",
+        label: "Transports and reconnecting",
         file: `${PAGES}/transports.md`,
       },
     ],
   },
   {
-    words: "Keys",
-    pages: [{ path: "/docs/keys", words: "Keys and pairing", file: `${PAGES}/keys.md` }],
+    label: "Keys",
+    pages: [{ path: "/docs/keys", label: "Keys and pairing", file: `${PAGES}/keys.md` }],
   },
   {
-    words: "Limits and errors",
-    pages: [{ path: "/docs/limits", words: "Limits and errors", file: `${PAGES}/limits.md` }],
+    label: "Limits and errors",
+    pages: [{ path: "/docs/limits", label: "Limits and errors", file: `${PAGES}/limits.md` }],
   },
   {
-    words: "Problems",
-    pages: [{ path: "/problems", words: "All problems", file: null }],
+    label: "Problems",
+    pages: [{ path: "/problems", label: "All problems", file: null }],
   },
   {
-    words: "API console",
-    pages: [{ path: CONSOLE_PATH, words: "API console", file: `${PAGES}/try.md` }],
+    label: "API console",
+    pages: [{ path: CONSOLE_PATH, label: "API console", file: `${PAGES}/try.md` }],
   },
   {
-    words: "Robot hosts",
+    label: "Robot hosts",
     pages: [
-      { path: "/docs/hosts", words: "Build a robot host", file: `${PAGES}/hosts.md` },
-      { path: "/docs/promises", words: "Host promises", file: `${PAGES}/promises.md` },
+      { path: "/docs/hosts", label: "Build a robot host", file: `${PAGES}/hosts.md` },
+      { path: "/docs/promises", label: "Host promises", file: `${PAGES}/promises.md` },
       {
         path: "/docs/host-connection",
-        words: "Connect a host to a relay",
+        label: "Connect a host to a relay",
         file: `${PAGES}/host-connection.md`,
       },
-      { path: "/docs/conformance", words: "Conformance kit", file: "docs/conformance.md" },
+      { path: "/docs/conformance", label: "Conformance kit", file: "docs/conformance.md" },
     ],
   },
   {
-    words: "File formats",
+    label: "File formats",
     pages: [
-      { path: "/docs/maze-format", words: "Mazes", file: "docs/maze-format.md" },
-      { path: "/docs/program-language", words: "Programs", file: "docs/program-language.md" },
-      { path: "/docs/run-format", words: "Runs", file: "docs/run-format.md" },
-      { path: "/docs/challenge-format", words: "Challenges", file: "docs/challenge-format.md" },
-      { path: "/docs/short-links", words: "Short links", file: `${PAGES}/short-links.md` },
+      { path: "/docs/maze-format", label: "Mazes", file: "docs/maze-format.md" },
+      { path: "/docs/program-language", label: "Programs", file: "docs/program-language.md" },
+      { path: "/docs/run-format", label: "Runs", file: "docs/run-format.md" },
+      { path: "/docs/challenge-format", label: "Challenges", file: "docs/challenge-format.md" },
+      { path: "/docs/short-links", label: "Short links", file: `${PAGES}/short-links.md` },
     ],
   },
 ];

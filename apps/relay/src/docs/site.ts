@@ -43,7 +43,7 @@ function withContents(html: string): string {
 
 /** Reads and renders all pages. Called once, at startup. */
 export function pagesOfSite(): Page[] {
-  const pages = entries.flatMap(({ path, words, title = words, file }): Page[] => {
+  const pages = entries.flatMap(({ path, label, title = label, file }): Page[] => {
     if (file === null) return [];
     const html = htmlWithTabs(readFileSync(join(ROOT, file), "utf8"), addressIn(file));
     const page = { path, title, html: withContents(html) };

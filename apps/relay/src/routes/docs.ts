@@ -5,7 +5,7 @@
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { Router } from "express";
-import { framed } from "../docs/frame.ts";
+import { renderPage } from "../docs/frame.ts";
 import { pagesOfSite } from "../docs/site.ts";
 import { methodNotAllowed } from "./fallbacks.ts";
 import { listedFiles } from "./listed-files.ts";
@@ -28,7 +28,7 @@ export function docsRoutes(): Router {
   // Before the routes, because a nested router at the end delays every other request by a turn.
   const router = Router().use(listedFiles(FILES));
   for (const page of pagesOfSite()) {
-    const html = framed(page);
+    const html = renderPage(page);
     router
       .route(page.path)
       .get((_request, response) => {
