@@ -35,7 +35,7 @@ describe("the conformance kit", () => {
     expect(checks.toSorted()).toEqual(promises().toSorted());
   });
 
-  it("refuses what is no address", async () => {
+  it("rejects an invalid address", async () => {
     await expect(runChecks("http://localhost/r/abc")).rejects.toThrow("not a robot's address");
   });
 
@@ -62,7 +62,7 @@ describe("the conformance kit", () => {
     },
     { outcomes: [passed, notTestable], word: "INCOMPLETE, 1 passed, 0 failed, 0 not offered, 1" },
     { outcomes: [failed, notTestable], word: "FAILED, 0 passed, 1 failed, 0 not offered, 1 not" },
-  ])("ends with one line to publish: $word", ({ outcomes, word }) => {
+  ])("ends with a line to publish: $word", ({ outcomes, word }) => {
     const results = resultsOf(...outcomes);
     expect(verdict(results, "2026-11-25")).toContain(
       `Corridor conformance, protocol 1, 2026-11-25: ${word}`,

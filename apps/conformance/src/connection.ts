@@ -6,16 +6,16 @@ import {
   takenMessagesSchema,
   type RelayToDriver,
 } from "@corridor/protocol";
-import type { HelloTerms, Host } from "./host.ts";
-import { must, shaped } from "./mismatch.ts";
+import type { HelloOptions, Host } from "./host.ts";
+import { must, validate } from "./mismatch.ts";
 
-const GIVE_UP_MS = 15_000;
+const TIMEOUT_MS = 15_000;
 /** wait of a long poll in seconds */
 const WAIT = 1;
 /** maximum size of a message or a request */
 export const MAX_BYTES = 16 * 1024;
-/** a message of a script; the first one is its hello */
-type Sent = Readonly<Record<string, unknown>> & { type: string };
+/** a message from a script; the first one is its hello */
+type ScriptMessage = Readonly<Record<string, unknown>> & { type: string };
 
 export abstract class Connection {
   /** all received messages, in order */
@@ -25,27 +25,31 @@ export abstract class Connection {
    * Sends messages at once.
    * @param size minimum size of each message, or of its request, in bytes
    */
-  abstract sendAll(messages: readonly Sent[], size?: number): Promise<void>;
+  abstract sendAll(messages: readonly ScriptMessage[], size?: number): Promise<void>;
   abstract close(): Promise<void>;
   /** Waits at most one second for a message. @throws Mismatch if the connection was closed */
   abstract wait(): Promise<void>;
 
-  async send(message: Sent, size?: number): Promise<void> {
+  async send(message: ScriptMessage, size?: number): Promise<void> {
     await this.sendAll([message], size);
   }
 
-  protected took(message: unknown): void {
-    this.received.push(shaped(relayToDriverSchema, message, "a message to a script"));
+  protected receive(message: unknown): void {
+    this.received.push(validate(relayToDriverSchema, message, "a message to a script"));
   }
 
   /** Waits for a condition. @throws Mismatch after the timeout, or if the connection was closed */
-  async until<T>(find: () => T | undefined, what: string, ms = GIVE_UP_MS): Promise<T> {
-    const giveUp = performance.now() + ms;
+  async until<T>(find: () => T | undefined, what: string, ms = TIMEOUT_MS): Promise<T> {
+    const deadline = performance.now() + ms;
     for (;;) {
       const found = find();
       if (found !== undefined) return found;
       const types = [...new Set(this.received.map(({ type }) => type))].join(", ");
-      must(performance.now() < giveUp, what, `nothing of it within ${ms / 1_000} s, but ${types}`);
+      must(
+        performance.now() < deadline,
+        what,
+        `nothing of it within ${ms / 1_000} s, but ${types}`,
+      );
       await this.wait();
     }
   }
@@ -62,7 +66,7 @@ export abstract class Connection {
   }
 }
 
-export type OpenConnection = (host: Host, terms?: HelloTerms) => Promise<Connection>;
+export type OpenConnection = (host: Host, terms?: HelloOptions) => Promise<Connection>;
 
 class LongPollConnection extends Connection {
   readonly #host: Host;
@@ -75,33 +79,37 @@ class LongPollConnection extends Connection {
     this.#key = key;
   }
 
-  async sendAll(messages: readonly Sent[], size?: number): Promise<void> {
+  async sendAll(messages: readonly ScriptMessage[], size?: number): Promise<void> {
     const first = this.#sent + 1;
     this.#sent += messages.length;
     const body = textOf({ first, messages }, size);
-    const answer = await this.ask("/messages", "POST", body);
-    must(answer.status === 200, "200 for posted messages", `${answer.status} ${answer.text}`);
-    const { taken } = shaped(takenMessagesSchema, answer.json, "how many were taken");
-    must(taken === this.#sent, `message ${this.#sent} taken`, taken);
+    const response = await this.request("/messages", "POST", body);
+    must(response.status === 200, "200 for posted messages", `${response.status} ${response.text}`);
+    const { taken } = validate(
+      takenMessagesSchema,
+      response.json,
+      "the number of accepted messages",
+    );
+    must(taken === this.#sent, `message ${this.#sent} accepted`, taken);
   }
 
   async close(): Promise<void> {
-    await this.ask("", "DELETE");
+    await this.request("", "DELETE");
   }
 
   async wait(): Promise<void> {
-    const answer = await this.ask(`/messages?after=${this.received.length}&wait=${WAIT}`);
-    must(answer.status === 200, "200 for messages", `${answer.status} ${answer.text}`);
-    const fetched = shaped(fetchedMessagesSchema, answer.json, "fetched messages");
-    must(fetched.closed === null, "a connection that goes on", fetched.closed);
+    const response = await this.request(`/messages?after=${this.received.length}&wait=${WAIT}`);
+    must(response.status === 200, "200 for messages", `${response.status} ${response.text}`);
+    const fetched = validate(fetchedMessagesSchema, response.json, "fetched messages");
+    must(fetched.closed === null, "an open connection", fetched.closed);
     const next = this.received.length + 1;
     must(fetched.first === next, `message ${next} as the first`, fetched.first);
-    for (const message of fetched.messages) this.took(message);
+    for (const message of fetched.messages) this.receive(message);
   }
 
-  private async ask(path: string, method = "GET", body?: string) {
+  private async request(path: string, method = "GET", body?: string) {
     const options = { method, key: this.#key, ...(body !== undefined && { body }) };
-    return this.#host.ask(`/long-poll${path}`, options);
+    return this.#host.request(`/long-poll${path}`, options);
   }
 }
 
@@ -126,7 +134,7 @@ class WebSocketConnection extends Connection {
     });
   }
 
-  async sendAll(messages: readonly Sent[], size?: number): Promise<void> {
+  async sendAll(messages: readonly ScriptMessage[], size?: number): Promise<void> {
     for (const message of messages) this.#socket.send(textOf(message, size));
   }
 
@@ -137,7 +145,7 @@ class WebSocketConnection extends Connection {
 
   async wait(): Promise<void> {
     if (this.#texts.length === 0) {
-      must(this.#code === null, "a connection that goes on", `close code ${this.#code}`);
+      must(this.#code === null, "an open connection", `close code ${this.#code}`);
       await new Promise<void>((resolve) => {
         const timer = setTimeout(resolve, WAIT * 1_000);
         this.#wake = () => {
@@ -146,18 +154,18 @@ class WebSocketConnection extends Connection {
         };
       });
     }
-    for (const text of this.#texts.splice(0)) this.took(JSON.parse(text) as unknown);
+    for (const text of this.#texts.splice(0)) this.receive(JSON.parse(text) as unknown);
   }
 }
 
 export const openByLongPoll: OpenConnection = async (host, terms) => {
-  const answer = await host.ask("/long-poll", {
+  const response = await host.request("/long-poll", {
     method: "POST",
     key: null,
     body: host.hello(terms),
   });
-  must(answer.status === 201, "201 for a hello", `${answer.status} ${answer.text}`);
-  const { key } = shaped(openedConnectionSchema, answer.json, "an opened connection");
+  must(response.status === 201, "201 for a hello", `${response.status} ${response.text}`);
+  const { key } = validate(openedConnectionSchema, response.json, "an opened connection");
   return new LongPollConnection(host, key);
 };
 
@@ -175,8 +183,8 @@ export const openByWebSocket: OpenConnection = async (host, terms) => {
 export async function closeCodeAfter(host: Host, ...texts: string[]): Promise<number | null> {
   const { socket, closed } = await openSocket(host);
   for (const text of texts) socket.send(text);
-  const giveUp = new Promise<null>((resolve) => setTimeout(resolve, GIVE_UP_MS, null));
-  const code = await Promise.race([closed, giveUp]);
+  const deadline = new Promise<null>((resolve) => setTimeout(resolve, TIMEOUT_MS, null));
+  const code = await Promise.race([closed, deadline]);
   socket.close();
   return code;
 }

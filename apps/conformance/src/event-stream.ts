@@ -9,16 +9,16 @@ import {
   type Snapshot,
 } from "@corridor/protocol";
 import type { Host } from "./host.ts";
-import { must, Mismatch, shaped } from "./mismatch.ts";
+import { must, Mismatch, validate } from "./mismatch.ts";
 
-interface SeenState {
+interface ReceivedState {
   record: CommandRecord;
   /** ms by the clock of the conformance kit */
   at: number;
 }
 
 export class EventStream {
-  readonly states: SeenState[] = [];
+  readonly states: ReceivedState[] = [];
   readonly snapshots: { snapshot: Snapshot; at: number }[] = [];
   readonly gaps: EventGap[] = [];
   /** `STREAM-n` of the last state */
@@ -50,20 +50,20 @@ export class EventStream {
 
   /** Waits for a condition. @throws Mismatch after the timeout, or if the stream ends */
   async until<T>(find: () => T | undefined, ms: number, what: string): Promise<T> {
-    const giveUp = performance.now() + ms;
+    const deadline = performance.now() + ms;
     for (;;) {
       const found = find();
       if (found !== undefined) return found;
       if (this.#error instanceof Mismatch) throw this.#error;
       must(this.#error === null, what, `the end of the event stream: ${String(this.#error)}`);
-      const rest = giveUp - performance.now();
+      const rest = deadline - performance.now();
       must(rest > 0, what, `nothing of it within ${ms / 1000} s: ${this.#show()}`);
-      await this.#news(rest);
+      await this.#nextEvent(rest);
     }
   }
 
   /** Waits until a command starts. */
-  async started(seq: number, ms = 10_000): Promise<SeenState> {
+  async started(seq: number, ms = 10_000): Promise<ReceivedState> {
     return this.until(
       () => this.states.find(({ record }) => record.seq === seq && record.state === "started"),
       ms,
@@ -72,7 +72,7 @@ export class EventStream {
   }
 
   /** Waits for the first final state of a command. */
-  async ended(seq: number, ms: number): Promise<SeenState> {
+  async ended(seq: number, ms: number): Promise<ReceivedState> {
     return this.until(
       () => this.states.find(({ record }) => record.seq === seq && hasEnded(record.state)),
       ms,
@@ -84,7 +84,7 @@ export class EventStream {
     return this.states.map(({ record }) => `${record.seq} ${record.state}`).join(", ");
   }
 
-  async #news(ms: number): Promise<void> {
+  async #nextEvent(ms: number): Promise<void> {
     await new Promise<void>((resolve) => {
       const done = (): void => {
         clearTimeout(timer);
@@ -105,7 +105,7 @@ export class EventStream {
       for (const block of blocks) this.#take(block);
       for (const listener of this.#listeners) listener();
     }
-    throw new Mismatch("an event stream that goes on", "its end");
+    throw new Mismatch("an open event stream", "its end");
   }
 
   #take(block: string): void {
@@ -117,11 +117,11 @@ export class EventStream {
     const value: unknown = JSON.parse(data);
     const at = performance.now();
     if (event === "snapshot") {
-      this.snapshots.push({ snapshot: shaped(snapshotSchema, value, "a snapshot"), at });
+      this.snapshots.push({ snapshot: validate(snapshotSchema, value, "a snapshot"), at });
     } else if (event === "state") {
-      this.states.push({ record: shaped(commandRecordSchema, value, "a command record"), at });
+      this.states.push({ record: validate(commandRecordSchema, value, "a command record"), at });
     } else if (event === "gap") {
-      this.gaps.push(shaped(eventGapSchema, value, "a gap"));
+      this.gaps.push(validate(eventGapSchema, value, "a gap"));
     }
   }
 }

@@ -10,16 +10,16 @@ import {
   type Order,
   type Snapshot,
 } from "@corridor/protocol";
-import { must, shaped } from "./mismatch.ts";
+import { must, validate } from "./mismatch.ts";
 
 const ADDRESS = /^(https?:\/\/[^/?#\s@]+)\/r\/([A-Za-z0-9_-]{1,64})#([A-Za-z0-9_-]{8,64})$/;
-const ANSWER_MS = 40_000;
+const RESPONSE_MS = 40_000;
 /** Timeout in ms for any command of the checks. */
 const FINISH_MS = 60_000;
 const START_MS = 10_000;
-const MOST_PAUSES = 10;
+const MAX_RETRIES = 10;
 
-export interface Answer {
+export interface HttpResponse {
   status: number;
   header(name: string): string;
   text: string;
@@ -27,7 +27,7 @@ export interface Answer {
   json: unknown;
 }
 
-export interface AskOptions {
+export interface RequestOptions {
   method?: string;
   /** null: no key is sent */
   key?: string | null;
@@ -37,7 +37,7 @@ export interface AskOptions {
 }
 
 /** Optional fields of `hello`. */
-export interface HelloTerms {
+export interface HelloOptions {
   /** `STREAM-n` of the last state of an earlier connection */
   since?: string;
   /** ms by the clock of the script */
@@ -71,7 +71,7 @@ export class Host {
   }
 
   /** The first message of a connection. */
-  hello(terms: HelloTerms = {}) {
+  hello(terms: HelloOptions = {}) {
     const hello = { type: "hello", version: PROTOCOL_VERSION, role: "drive", key: this.#key };
     return { ...hello, ...terms };
   }
@@ -89,28 +89,28 @@ export class Host {
   }
 
   /** Sends a request to the robot's API. Retries a response of 429 after `Retry-After`. */
-  async ask(path: string, options: AskOptions = {}): Promise<Answer> {
-    for (let pauses = 0; ; pauses++) {
-      const answer = await this.askOnce(path, options);
-      if (answer.status !== 429 || pauses === MOST_PAUSES) return answer;
-      await pauseForRetryAfter(answer);
+  async request(path: string, options: RequestOptions = {}): Promise<HttpResponse> {
+    for (let retryCount = 0; ; retryCount++) {
+      const response = await this.requestOnce(path, options);
+      if (response.status !== 429 || retryCount === MAX_RETRIES) return response;
+      await waitForRetryAfter(response);
     }
   }
 
   /** Sends one request, without retries. */
-  async askOnce(path: string, options: AskOptions = {}): Promise<Answer> {
+  async requestOnce(path: string, options: RequestOptions = {}): Promise<HttpResponse> {
     const response = await fetch(this.api + path, {
-      ...this.#request(options),
-      signal: AbortSignal.timeout(ANSWER_MS),
+      ...this.#initOf(options),
+      signal: AbortSignal.timeout(RESPONSE_MS),
     });
     const text = await response.text();
     const header = (name: string): string => response.headers.get(name) ?? "";
     return { status: response.status, header, text, json: parse(text) };
   }
 
-  /** Opens a stream that lasts until `signal` is aborted. */
+  /** Opens a stream that durationOf until `signal` is aborted. */
   async open(path: string, signal: AbortSignal, headers: Record<string, string> = {}) {
-    return fetch(this.api + path, { ...this.#request({ headers }), signal });
+    return fetch(this.api + path, { ...this.#initOf({ headers }), signal });
   }
 
   /**
@@ -118,68 +118,80 @@ export class Host {
    * all.
    */
   async features(): Promise<FeatureList> {
-    const answer = await this.ask("/features");
-    if (answer.status === 404) return { notOffered: [] };
-    must(answer.status === 200, "200 or 404 for GET /features", `${answer.status} ${answer.text}`);
-    return shaped(featureListSchema, answer.json, "a list of features");
+    const response = await this.request("/features");
+    if (response.status === 404) return { notOffered: [] };
+    must(
+      response.status === 200,
+      "200 or 404 for GET /features",
+      `${response.status} ${response.text}`,
+    );
+    return validate(featureListSchema, response.json, "a list of features");
   }
 
   /** Sends a command, which the host must accept. */
   async send(order: Order, key?: string): Promise<CommandRecord> {
     const headers = key === undefined ? {} : { "Idempotency-Key": key };
-    const answer = await this.ask("/commands", { method: "POST", body: order, headers });
-    must(answer.status === 202, `202 for ${order.action}`, `${answer.status} ${answer.text}`);
-    return shaped(commandRecordSchema, answer.json, "a command record");
+    const response = await this.request("/commands", { method: "POST", body: order, headers });
+    must(response.status === 202, `202 for ${order.action}`, `${response.status} ${response.text}`);
+    return validate(commandRecordSchema, response.json, "a command record");
   }
 
   async record(seq: number, wait = 0): Promise<CommandRecord> {
-    const answer = await this.ask(`/commands/${seq}?wait=${wait}`);
-    must(answer.status === 200, `200 for the record ${seq}`, `${answer.status} ${answer.text}`);
-    return shaped(commandRecordSchema, answer.json, "a command record");
+    const response = await this.request(`/commands/${seq}?wait=${wait}`);
+    must(
+      response.status === 200,
+      `200 for the record ${seq}`,
+      `${response.status} ${response.text}`,
+    );
+    return validate(commandRecordSchema, response.json, "a command record");
   }
 
   /** Waits until a command starts, so that later commands are queued. */
-  async begun(seq: number): Promise<void> {
-    const giveUp = performance.now() + START_MS;
+  async waitForStart(seq: number): Promise<void> {
+    const deadline = performance.now() + START_MS;
     for (;;) {
       const { state } = await this.record(seq);
       if (state !== "accepted" && state !== "delivered") return;
-      must(performance.now() < giveUp, `command ${seq} to start`, state);
+      must(performance.now() < deadline, `command ${seq} to start`, state);
       await pause(50);
     }
   }
 
-  async ended(seq: number): Promise<CommandRecord> {
-    const giveUp = performance.now() + FINISH_MS;
+  async waitForEnd(seq: number): Promise<CommandRecord> {
+    const deadline = performance.now() + FINISH_MS;
     for (;;) {
       const record = await this.record(seq, 10);
       if (hasEnded(record.state)) return record;
       must(
-        performance.now() < giveUp,
+        performance.now() < deadline,
         `command ${seq} (${record.action}) to end within ${FINISH_MS / 1000} s`,
         `${record.state}: is the robot's page open, connected and not paused?`,
       );
     }
   }
 
-  async done(order: Order): Promise<CommandRecord> {
-    return this.ended((await this.send(order)).seq);
+  async sendAndWait(order: Order): Promise<CommandRecord> {
+    return this.waitForEnd((await this.send(order)).seq);
   }
 
   async snapshot(query = "?wait=10"): Promise<Snapshot> {
-    const answer = await this.ask(`/sensors${query}`);
-    must(answer.status === 200, `200 for /sensors${query}`, `${answer.status} ${answer.text}`);
-    return shaped(snapshotSchema, answer.json, "a snapshot");
+    const response = await this.request(`/sensors${query}`);
+    must(
+      response.status === 200,
+      `200 for /sensors${query}`,
+      `${response.status} ${response.text}`,
+    );
+    return validate(snapshotSchema, response.json, "a snapshot");
   }
 
   /** The log entries after a number, page by page. */
   async log(after: number): Promise<unknown> {
-    const answer = await this.ask(`/commands?after=${after}`);
-    must(answer.status === 200, "200 for the log", `${answer.status} ${answer.text}`);
-    return answer.json;
+    const response = await this.request(`/commands?after=${after}`);
+    must(response.status === 200, "200 for the log", `${response.status} ${response.text}`);
+    return response.json;
   }
 
-  #request({ method = "GET", key = this.#key, body, headers }: AskOptions) {
+  #initOf({ method = "GET", key = this.#key, body, headers }: RequestOptions) {
     return {
       method,
       redirect: "manual" as const,
@@ -198,8 +210,8 @@ export async function pause(milliseconds: number): Promise<void> {
 }
 
 /** Waits for the seconds of `Retry-After`. */
-export async function pauseForRetryAfter(answer: Answer): Promise<void> {
-  const seconds = Number(answer.header("retry-after") || 1);
+export async function waitForRetryAfter(response: HttpResponse): Promise<void> {
+  const seconds = Number(response.header("retry-after") || 1);
   await pause(Math.min(10, Number.isFinite(seconds) ? seconds : 1) * 1000);
 }
 

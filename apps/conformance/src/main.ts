@@ -32,7 +32,7 @@ function print(result: Result): void {
   process.stdout.write(`${linesOf(result).join("\n")}\n`);
 }
 
-function fail(sentence: string, code: number): never {
-  process.stderr.write(`${sentence}\n`);
+function fail(message: string, code: number): never {
+  process.stderr.write(`${message}\n`);
   process.exit(code);
 }

@@ -30,7 +30,7 @@ export function must(condition: boolean, expected: string, found: unknown): asse
 }
 
 /** Validates a value. @throws Mismatch */
-export function shaped<T>(
+export function validate<T>(
   schema: Parameters<typeof readValue<T>>[0],
   value: unknown,
   what: string,

@@ -27,7 +27,7 @@ function has([program = "", ...words]: string[]): boolean {
 }
 
 describe("the physical robot", () => {
-  it("is driven by the Python library, motions without an end too", async () => {
+  it("is driven by the Python library, including motions without an end", async () => {
     const script = `
 import sys, time
 from corridor import Robot
@@ -59,30 +59,30 @@ with Robot(sys.argv[1]) as robot:
     });
   });
 
-  it("refuses a command that was held up on its way over the long-poll connection", async () => {
+  it("rejects a command that was delayed on the long-poll connection", async () => {
     const { origin, pathname, hash } = new URL(await startHost(TREE));
     const api = `${origin}/api/v1/robots/${pathname.slice(3)}`;
     const post = async (path: string, body: object, key = hash.slice(1)) => {
       const headers = { Authorization: `Bearer ${key}`, "Content-Type": "application/json" };
-      const answer = await fetch(api + path, {
+      const response = await fetch(api + path, {
         method: "POST",
         body: JSON.stringify(body),
         headers,
       });
-      return (await answer.json()) as { key: string };
+      return (await response.json()) as { key: string };
     };
     const hello = { type: "hello", version: 1, role: "drive", key: hash.slice(1), sentAt: 1_500 };
     const { key } = await post("/long-poll", hello);
     // By the script's clock, the command was sent 1.5 s before the hello.
-    const held = { action: "left 90", ttl: 1_000 };
-    const messages = [{ type: "command", key: "held-up-1", command: held, sentAt: 0 }];
+    const delayed = { action: "left 90", ttl: 1_000 };
+    const messages = [{ type: "command", key: "delayed-1", command: delayed, sentAt: 0 }];
     await post("/long-poll/messages", { first: 1, messages }, key);
     const fetched = await fetch(`${api}/long-poll/messages?after=0&wait=5`, {
       headers: { Authorization: `Bearer ${key}` },
     });
     expect(await fetched.json()).toMatchObject({
       messages: expect.arrayContaining([
-        { type: "problem", key: "held-up-1", problem: expect.objectContaining({ status: 422 }) },
+        { type: "problem", key: "delayed-1", problem: expect.objectContaining({ status: 422 }) },
       ]),
     });
   });

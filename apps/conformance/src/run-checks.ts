@@ -1,12 +1,12 @@
 /** Runs every check in order. Each check starts with a robot that stands. */
 import type { HostFeature } from "@corridor/protocol";
 import { access } from "./checks/access.ts";
-import { badInput } from "./checks/bad-input.ts";
+import { invalidInput } from "./checks/invalid-input.ts";
 import { connections } from "./checks/connections.ts";
 import { directions } from "./checks/directions.ts";
 import { events } from "./checks/events.ts";
 import { leases } from "./checks/leases.ts";
-import { life } from "./checks/life.ts";
+import { life } from "./checks/life-cycle.ts";
 import { limits } from "./checks/limits.ts";
 import { pose } from "./checks/pose.ts";
 import { reading } from "./checks/reading.ts";
@@ -26,7 +26,7 @@ export const groups: readonly CheckGroup[] = [
   events,
   life,
   reading,
-  badInput,
+  invalidInput,
   leases,
   limits,
   connections,
@@ -74,7 +74,7 @@ export async function runChecks(address: string, options: RunOptions = {}): Prom
       if (outcome.kind !== "failed") continue;
       if (options.stopsAtFailure === true) return results;
       // Commands of a failed check must not affect the next one.
-      await host.done({ action: "stop" }).catch(() => undefined);
+      await host.sendAndWait({ action: "stop" }).catch(() => undefined);
     }
   }
   return results;
@@ -112,11 +112,11 @@ async function outcomeOf(
     if (error instanceof Mismatch) {
       return { kind: "failed", expected: error.expected, found: error.found };
     }
-    return { kind: "failed", expected: "an answer", found: said(error) };
+    return { kind: "failed", expected: "a response", found: describeError(error) };
   }
 }
 
-function said(error: unknown): string {
+function describeError(error: unknown): string {
   if (!(error instanceof Error)) return String(error);
   const cause = error.cause instanceof Error ? ` (${error.cause.message})` : "";
   return `${error.message}${cause}`;

@@ -3,35 +3,39 @@ import type { CheckGroup } from "../check.ts";
 import { must } from "../mismatch.ts";
 
 export const access: CheckGroup = {
-  title: "The key",
+  title: "Keys",
   checks: [
     {
       promise: "key-address",
-      name: "the address and its key reach the robot",
+      name: "the key of the address reads and drives the robot",
       run: async (host) => {
-        const answer = await host.ask("/commands?after=0");
-        must(answer.status === 200, "200 for GET /commands with the key", answer.status);
+        const response = await host.request("/commands?after=0");
+        must(response.status === 200, "200 for GET /commands with the key", response.status);
       },
     },
     {
       promise: "key-required",
-      name: "without a key there is no answer but 401, which asks for a bearer key",
+      name: "without a key the response is 401 with WWW-Authenticate: Bearer",
       run: async (host) => {
         for (const path of ["/sensors", "/commands?after=0", "/events?wait=0"]) {
-          const answer = await host.ask(path, { key: null });
-          must(answer.status === 401, `401 for ${path} without a key`, answer.status);
-          const asks = answer.header("www-authenticate");
-          must(/^bearer/i.test(asks), "the header WWW-Authenticate: Bearer", asks || "none");
+          const response = await host.request(path, { key: null });
+          must(response.status === 401, `401 for ${path} without a key`, response.status);
+          const challenge = response.header("www-authenticate");
+          must(
+            /^bearer/i.test(challenge),
+            "the header WWW-Authenticate: Bearer",
+            challenge || "none",
+          );
         }
       },
     },
     {
       promise: "key-wrong",
-      name: "a wrong key commands nothing",
+      name: "a command with a wrong key is rejected with 401 or 403",
       run: async (host) => {
         const options = { method: "POST", body: { action: "stop" }, key: host.wrongKey };
-        const answer = await host.ask("/commands", options);
-        must([401, 403].includes(answer.status), "401 or 403 for a wrong key", answer.status);
+        const response = await host.request("/commands", options);
+        must([401, 403].includes(response.status), "401 or 403 for a wrong key", response.status);
       },
     },
     {
@@ -39,23 +43,23 @@ export const access: CheckGroup = {
       name: "with a wrong key, sensors, events and the command log are rejected with 401 or 403",
       run: async (host) => {
         for (const path of ["/sensors", "/commands?after=0", "/events?wait=0", "/events"]) {
-          const answer = await host.ask(path, { key: host.wrongKey });
-          const isRefused = [401, 403].includes(answer.status);
-          must(isRefused, `401 or 403 for ${path} with a wrong key`, answer.status);
+          const response = await host.request(path, { key: host.wrongKey });
+          const isRejected = [401, 403].includes(response.status);
+          must(isRejected, `401 or 403 for ${path} with a wrong key`, response.status);
         }
       },
     },
     {
       promise: "key-secret",
-      name: "no answer repeats the key that was sent",
+      name: "no response contains the key that was sent",
       run: async (host) => {
-        const answer = await host.ask("/commands", { key: host.wrongKey });
-        must(!answer.text.includes(host.wrongKey), "a problem without the key", answer.text);
+        const response = await host.request("/commands", { key: host.wrongKey });
+        must(!response.text.includes(host.wrongKey), "a problem without the key", response.text);
       },
     },
     {
       promise: "features",
-      name: "the host lists what it does not offer, and only what a host may do without",
+      name: "the host lists the features that it does not offer, and only optional ones",
       run: async (host) => {
         const { notOffered } = await host.features();
         const names = notOffered.map(({ feature }) => feature);

@@ -3,12 +3,12 @@ import { eventPageSchema, hasEnded, type CommandState, type StateEvent } from "@
 import type { CheckGroup } from "../check.ts";
 import { EventStream, withEvents } from "../event-stream.ts";
 import { pause, type Host } from "../host.ts";
-import { must, shaped } from "../mismatch.ts";
+import { must, validate } from "../mismatch.ts";
 
 const EVENTS_MS = 15_000;
 const STREAM_MS = 2_000;
 /** Maximum number of snapshots in that time; the protocol allows 20 a second. */
-const MOST_SNAPSHOTS = 60;
+const MAX_SNAPSHOTS = 60;
 const MANY = 6;
 
 export const events: CheckGroup = {
@@ -16,7 +16,7 @@ export const events: CheckGroup = {
   checks: [
     {
       promise: "stream",
-      name: "server-sent events bring snapshots and what becomes of commands",
+      name: "server-sent events contain snapshots and the states of commands",
       run: async (host) => {
         await withEvents(host, async (stream) => {
           await stream.until(() => stream.snapshots[0], EVENTS_MS, "a snapshot");
@@ -24,12 +24,12 @@ export const events: CheckGroup = {
           const { record } = await stream.ended(seq, EVENTS_MS);
           must(record.state === "completed", "completed", record);
         });
-        await host.done({ action: "right 90" });
+        await host.sendAndWait({ action: "right 90" });
       },
     },
     {
       promise: "stream-pace",
-      name: "at most 20 snapshots a second are sent to a reader",
+      name: "a reader receives at most 20 snapshots a second",
       run: async (host) => {
         await withEvents(host, async (stream) => {
           await host.send({ action: "drive", left: 0, right: 0, milliseconds: STREAM_MS + 500 });
@@ -37,26 +37,26 @@ export const events: CheckGroup = {
           const before = stream.snapshots.length;
           await pause(STREAM_MS);
           const count = stream.snapshots.length - before;
-          must(count <= MOST_SNAPSHOTS, "about 40 snapshots in 2 s", count);
+          must(count <= MAX_SNAPSHOTS, "about 40 snapshots in 2 s", count);
         });
-        await host.done({ action: "stop" });
+        await host.sendAndWait({ action: "stop" });
       },
     },
     {
       promise: "stream-resume",
-      name: "a stream that is opened again with Last-Event-ID brings all that was missed, once",
+      name: "Last-Event-ID resumes a stream: each missed event arrives once",
       run: async (host) => {
         const first = await EventStream.open(host);
         const turn = await host.send({ action: "left 90" });
         await first.ended(turn.seq, EVENTS_MS);
         const since = first.lastId;
         first.close();
-        const { seq } = await host.done({ action: "right 90" });
+        const { seq } = await host.sendAndWait({ action: "right 90" });
         const second = await EventStream.open(host, since);
         try {
           await second.ended(seq, EVENTS_MS);
           const seqs = new Set(second.states.map(({ record }) => record.seq));
-          must(!seqs.has(turn.seq), "nothing from before", [...seqs]);
+          must(!seqs.has(turn.seq), "no earlier states", [...seqs]);
           const { record } = second.states[0] ?? {};
           must(record?.state !== "completed", "every state of the missed command", record);
         } finally {
@@ -66,66 +66,66 @@ export const events: CheckGroup = {
     },
     {
       promise: "poll",
-      name: "events by long poll go on from where the last answer ended",
+      name: "events by long poll resume where the previous response ended",
       run: async (host) => {
         const first = await page(host, "?wait=0");
         must(first.states.length === 0, "no states without since", first.states.length);
-        const { seq } = await host.done({ action: "left 90" });
+        const { seq } = await host.sendAndWait({ action: "left 90" });
         const next = await page(host, `?wait=5&since=${first.since}`);
         must(next.gap === null, "no gap", next.gap);
         const states = next.states.filter(({ record }) => record.seq === seq);
-        must(states.at(-1)?.record.state === "completed", "the states up to completed", states);
-        await host.done({ action: "right 90" });
+        must(states.at(-1)?.record.state === "completed", "all states until completed", states);
+        await host.sendAndWait({ action: "right 90" });
       },
     },
     {
       promise: "poll-once",
-      name: "no event is sent twice, and a poll without news waits",
+      name: "no event is sent twice, and a poll waits for a new event",
       run: async (host) => {
         const { since } = await page(host, "?wait=0");
-        await host.done({ action: "left 90" });
+        await host.sendAndWait({ action: "left 90" });
         const next = await page(host, `?wait=5&since=${since}`);
-        const began = performance.now();
+        const startedAt = performance.now();
         const last = await page(host, `?wait=0.5&since=${next.since}`);
-        must(last.states.length === 0, "no states a second time", last.states);
-        const waited = performance.now() - began;
-        must(waited > 400, "an answer after 0.5 s", `${Math.round(waited)} ms`);
-        await host.done({ action: "right 90" });
+        must(last.states.length === 0, "no states twice", last.states);
+        const waited = performance.now() - startedAt;
+        must(waited > 400, "a response after 0.5 s", `${Math.round(waited)} ms`);
+        await host.sendAndWait({ action: "right 90" });
       },
     },
     {
       promise: "poll-snapshot",
-      name: "a poll with after answers when there is a newer snapshot, and brings it",
+      name: "with `after`, a poll responds when there is a newer snapshot, and contains it",
       run: async (host) => {
         const { since } = await page(host, "?wait=0");
         const { seq } = await host.snapshot();
-        const began = performance.now();
+        const startedAt = performance.now();
         const { snapshot } = await page(host, `?wait=20&since=${since}&after=${seq}`);
-        const waited = performance.now() - began;
+        const waited = performance.now() - startedAt;
         must(snapshot !== null && snapshot.seq > seq, `a snapshot above ${seq}`, snapshot?.seq);
-        must(waited < EVENTS_MS, "an answer with the next snapshot", `${Math.round(waited)} ms`);
+        must(waited < EVENTS_MS, "a response with the next snapshot", `${Math.round(waited)} ms`);
       },
     },
     {
       promise: "resume",
-      name: "a reader that was away resumes: every event in its order, each with its one ending",
+      name: "a disconnected reader resumes: events in order, with one final state per command",
       run: async (host) => {
         const { since } = await page(host, "?wait=0");
         const seqs: number[] = [];
         for (let n = 0; n < MANY; n++) {
-          seqs.push((await host.done({ action: n % 2 === 0 ? "left 90" : "right 90" })).seq);
+          seqs.push((await host.sendAndWait({ action: n % 2 === 0 ? "left 90" : "right 90" })).seq);
         }
         const { gap, states } = await page(host, `?wait=5&since=${since}`);
         must(gap === null, "no gap", gap);
         const first = states[0]?.n ?? 0;
         const isWhole = states.every(({ n }, index) => n === first + index);
-        must(isWhole, "numbers that rise by one", states.map(({ n }) => n).join());
-        for (const seq of seqs) mustLive(states, seq);
+        must(isWhole, "numbers that increase by one", states.map(({ n }) => n).join());
+        for (const seq of seqs) mustFollowLifeCycle(states, seq);
       },
     },
     {
       promise: "gap",
-      name: "a reader from another stream or from the future gets a gap with the open commands",
+      name: "a reader of another stream, or with a future number, receives a gap with the open commands",
       run: async (host) => {
         const { seq } = await host.send({
           action: "drive",
@@ -138,16 +138,16 @@ export const events: CheckGroup = {
         for (const lost of ["zzzzzzzz-1", `${stream}-900000000`]) {
           const { gap, states } = await page(host, `?wait=0&since=${lost}`);
           must(gap !== null, `a gap after ${lost}`, gap);
-          must(states.length === 0, "a gap in place of states", states);
+          must(states.length === 0, "no states with a gap", states);
           const open = gap.open.map((each) => each.seq);
           must(open.includes(seq), `command ${seq} among the open ones`, open);
         }
-        await host.done({ action: "stop" });
+        await host.sendAndWait({ action: "stop" });
       },
     },
     {
       promise: "gap-stream",
-      name: "a stream that cannot be resumed begins with a gap",
+      name: "a stream that cannot resume starts with a gap",
       run: async (host) => {
         const stream = await EventStream.open(host, "zzzzzzzz-1");
         try {
@@ -161,7 +161,7 @@ export const events: CheckGroup = {
 };
 
 /** The states of one command follow the protocol's order, with exactly one final state. */
-export function mustLive(states: readonly StateEvent[], seq: number): void {
+export function mustFollowLifeCycle(states: readonly StateEvent[], seq: number): void {
   const life = states.filter(({ record }) => record.seq === seq).map(({ record }) => record.state);
   const endings = life.filter((state) => hasEnded(state));
   must(endings.length === 1, `one ending of command ${seq}`, life);
@@ -173,7 +173,7 @@ export function mustLive(states: readonly StateEvent[], seq: number): void {
 }
 
 async function page(host: Host, query: string) {
-  const answer = await host.ask(`/events${query}`);
-  must(answer.status === 200, `200 for /events${query}`, `${answer.status} ${answer.text}`);
-  return shaped(eventPageSchema, answer.json, "an answer of events");
+  const response = await host.request(`/events${query}`);
+  must(response.status === 200, `200 for /events${query}`, `${response.status} ${response.text}`);
+  return validate(eventPageSchema, response.json, "a response of events");
 }

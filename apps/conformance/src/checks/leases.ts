@@ -1,11 +1,11 @@
-/** Leases: an endless motion stops when its script goes silent. */
+/** Leases: an endless motion stops when its script sends no requests. */
 import { hasEnded, type CommandRecord, type CommandState, type Order } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
 import { openByLongPoll } from "../connection.ts";
 import { withEvents, type EventStream } from "../event-stream.ts";
 import { pause, type Host } from "../host.ts";
 import { must } from "../mismatch.ts";
-import { atHome, mustStand } from "../setting.ts";
+import { moveToStart, mustStand } from "../pen.ts";
 
 /**
  * ms from sending a command to its final state: the lease, with a tolerance that is larger for
@@ -17,16 +17,16 @@ const LONG_DRIVE_MS = { least: 1_900, most: 4_500 };
 /** distance in cm at which the robot does not touch the far wall */
 const FAR_WALL = 50;
 /** ms, longer than any lease */
-const GIVE_UP_MS = 8_000;
+const TIMEOUT_MS = 8_000;
 /** Number of drives in one burst, and how many of them may start. Three drives are no burst yet. */
 const BURST = 12;
 const BURST_STARTS = 4;
 
 /**
- * States of a command that silence has not ended. The robot may reach the wall earlier than
+ * States of a command whose lease has not ended. The robot may reach the wall earlier than
  * expected.
  */
-const HELD: readonly CommandState[] = ["started", "collided"];
+const RENEWED: readonly CommandState[] = ["started", "collided"];
 
 /** Slowly forward, and back again. */
 const AHEAD = { action: "drive", left: 0.05, right: 0.05 } as const;
@@ -38,12 +38,12 @@ export const leases: CheckGroup = {
   checks: [
     {
       promise: "silence",
-      name: "forward ends 3 s after its script fell silent, and the robot stands",
+      name: "forward ends 3 s after the last request of its script, and the robot stands",
       run: async (host) => {
-        await atHome(host);
+        await moveToStart(host);
         await withEvents(host, async (events) => {
-          // The open event stream does not count as activity: this script is silent.
-          mustTake(await lasts(host, events, { action: "forward" }), FORWARD_MS);
+          // The open event stream does not count as activity: this script sends no requests.
+          mustLast(await durationOf(host, events, { action: "forward" }), FORWARD_MS);
         });
         await mustStand(host);
       },
@@ -54,52 +54,52 @@ export const leases: CheckGroup = {
       run: async (host) => {
         await toTheFarWall(host);
         await withEvents(host, async (events) => {
-          mustTake(await lasts(host, events, { action: "reverse" }), FORWARD_MS);
+          mustLast(await durationOf(host, events, { action: "reverse" }), FORWARD_MS);
         });
         await mustStand(host);
       },
     },
     {
       promise: "renewed-by-reading",
-      name: "forward goes on for as long as its script reads the sensors",
+      name: "forward continues while its script reads the sensors",
       run: async (host) => {
-        await atHome(host);
+        await moveToStart(host);
         const { seq } = await host.send({ action: "forward" });
         for (let n = 0; n < 7; n++) {
           await pause(500);
           await host.snapshot("");
         }
         const { state } = await host.record(seq);
-        must(HELD.includes(state), "started after 3.5 s of reading", state);
-        await host.done({ action: "stop" });
+        must(RENEWED.includes(state), "started after 3.5 s of reading", state);
+        await host.sendAndWait({ action: "stop" });
       },
     },
     {
       promise: "renewed-by-waiting",
-      name: "reverse goes on for as long as a request of its script waits for its answer",
+      name: "reverse continues while a request of its script waits for its response",
       run: async (host) => {
         await toTheFarWall(host);
         const { seq } = await host.send({ action: "reverse" });
         const { state } = await host.record(seq, 3.5);
-        must(HELD.includes(state), "started after a request that waited 3.5 s", state);
-        await host.done({ action: "stop" });
-        await atHome(host);
+        must(RENEWED.includes(state), "started after a request that waited 3.5 s", state);
+        await host.sendAndWait({ action: "stop" });
+        await moveToStart(host);
       },
     },
     {
       promise: "drive-lease",
-      name: "drive ends 0.5 s after it began, and the robot stands",
+      name: "drive ends 0.5 s after its start, and the robot stands",
       run: async (host) => {
-        await bothLast(host, [AHEAD, BACK], DRIVE_MS);
+        await bothMustLast(host, [AHEAD, BACK], DRIVE_MS);
         await mustStand(host);
       },
     },
     {
       promise: "drive-lease-asked",
-      name: "drive ends after the lease that it asks for",
+      name: "drive ends after the lease in its command",
       run: async (host) => {
         await withEvents(host, async (events) => {
-          mustTake(await lasts(host, events, { ...STILL, lease: 2_000 }), LONG_DRIVE_MS);
+          mustLast(await durationOf(host, events, { ...STILL, lease: 2_000 }), LONG_DRIVE_MS);
         });
       },
     },
@@ -115,40 +115,40 @@ export const leases: CheckGroup = {
               await pause(200);
             }
           };
-          const end = lasts(host, events, { ...STILL, lease: 2_000 }).finally(() => {
+          const end = durationOf(host, events, { ...STILL, lease: 2_000 }).finally(() => {
             isOver = true;
           });
           const [ms] = await Promise.all([end, read()]);
-          mustTake(ms, LONG_DRIVE_MS);
+          mustLast(ms, LONG_DRIVE_MS);
         });
       },
     },
     {
       promise: "drive-renewed",
-      name: "the next drive renews it",
+      name: "the next drive renews a drive",
       run: async (host) => {
         await withEvents(host, async (events) => {
           const lease = 2_000;
           const first = await host.send({ ...AHEAD, lease });
           await events.started(first.seq);
           await pause(700);
-          const ms = await lasts(host, events, { ...BACK, lease });
-          const { record } = await events.ended(first.seq, GIVE_UP_MS);
+          const ms = await durationOf(host, events, { ...BACK, lease });
+          const { record } = await events.ended(first.seq, TIMEOUT_MS);
           const isTaken = ["completed", "superseded"].includes(record.state);
-          must(isTaken, "the first to end as the second began", record);
-          mustTake(ms, LONG_DRIVE_MS);
+          must(isTaken, "the first to end when the second starts", record);
+          mustLast(ms, LONG_DRIVE_MS);
         });
       },
     },
     {
       promise: "drive-newest",
-      name: "of several drives that wait the newest counts",
+      name: "of several waiting drives the newest runs",
       run: async (host) => {
         await host.send({ ...STILL, milliseconds: 2_000 });
         const waits = [];
         for (let n = 0; n < 3; n++) waits.push(await host.send(STILL));
         const states = [];
-        for (const { seq } of waits) states.push((await host.ended(seq)).state);
+        for (const { seq } of waits) states.push((await host.waitForEnd(seq)).state);
         const wanted = ["superseded", "superseded", "cancelled"];
         must(states.join() === wanted.join(), wanted.join(), states.join());
       },
@@ -161,7 +161,7 @@ export const leases: CheckGroup = {
         await withEvents(host, async (events) => {
           // One request delivers all commands at once, however slow the network is.
           const connection = await openByLongPoll(host);
-          const { seq } = await host.done({ action: "stop" });
+          const { seq } = await host.sendAndWait({ action: "stop" });
           const command = { ...STILL, lease: 1_000 };
           const message = () => ({ type: "command", key: host.newKey(), command });
           await connection.sendAll(Array.from({ length: BURST }, message));
@@ -169,7 +169,7 @@ export const leases: CheckGroup = {
           const isLast = (each: { record: CommandRecord }) => of(each) === BURST - 1;
           const { record } = await events.until(
             () => events.states.find((each) => isLast(each) && hasEnded(each.record.state)),
-            GIVE_UP_MS,
+            TIMEOUT_MS,
             "the last drive of the burst to end",
           );
           must(record.state === "cancelled", "the last one to end with its lease", record);
@@ -184,7 +184,7 @@ export const leases: CheckGroup = {
     },
     {
       promise: "runs-to-end",
-      name: "a drive with milliseconds runs to its end, also when its script is silent",
+      name: "a drive with milliseconds runs to its end, even if its script sends nothing",
       run: async (host) => {
         await withEvents(host, async (events) => {
           const { seq } = await host.send({ ...STILL, milliseconds: 4_000 });
@@ -195,19 +195,19 @@ export const leases: CheckGroup = {
     },
     {
       promise: "gives-way",
-      name: "a motion without an end gives way to the next command",
+      name: "the next command ends a motion without an end",
       run: async (host) => {
         const still = await host.send({ ...STILL, lease: 2_000 });
-        const next = await host.done({ ...STILL, milliseconds: 50 });
+        const next = await host.sendAndWait({ ...STILL, milliseconds: 50 });
         must(next.state === "completed", "completed", next);
         const { state } = await host.record(still.seq);
         must(["completed", "superseded"].includes(state), "completed or superseded", state);
         const forward = await host.send({ action: "forward" });
-        await host.done({ action: "left 90" });
+        await host.sendAndWait({ action: "left 90" });
         const after = await host.record(forward.seq);
         const isOver = ["completed", "superseded"].includes(after.state);
         must(isOver, "completed or superseded", after.state);
-        await host.done({ action: "right 90" });
+        await host.sendAndWait({ action: "right 90" });
       },
     },
   ],
@@ -216,32 +216,32 @@ export const leases: CheckGroup = {
 /** Moves the robot so that it can `reverse` for the whole lease without touching a wall. */
 async function toTheFarWall(host: Host): Promise<void> {
   const { sensors } = await host.snapshot();
-  await host.done({ action: "move", distance: sensors.front - FAR_WALL });
+  await host.sendAndWait({ action: "move", distance: sensors.front - FAR_WALL });
 }
 
 /** Sends an endless motion. @returns ms until the host cancelled it */
-async function lasts(host: Host, events: EventStream, order: Order): Promise<number> {
+async function durationOf(host: Host, events: EventStream, order: Order): Promise<number> {
   const sentAt = performance.now();
   const { seq } = await host.send(order);
-  const end = await events.ended(seq, GIVE_UP_MS);
+  const end = await events.ended(seq, TIMEOUT_MS);
   must(end.record.state === "cancelled", `${order.action} to end as cancelled`, end.record);
   return end.at - sentAt;
 }
 
 /** Runs two motions: a network delay can lengthen one of them, but hardly both. */
-async function bothLast(
+async function bothMustLast(
   host: Host,
   orders: readonly [Order, Order],
   range: typeof DRIVE_MS,
 ): Promise<void> {
   await withEvents(host, async (events) => {
-    const took: number[] = [];
-    for (const order of orders) took.push(await lasts(host, events, order));
-    mustTake(Math.min(...took), range);
+    const durations: number[] = [];
+    for (const order of orders) durations.push(await durationOf(host, events, order));
+    mustLast(Math.min(...durations), range);
   });
 }
 
-export function mustTake(ms: number, { least, most }: { least: number; most: number }): void {
+export function mustLast(ms: number, { least, most }: { least: number; most: number }): void {
   const range = `an ending after ${least / 1_000} to ${most / 1_000} s`;
   must(ms >= least && ms <= most, range, `${(ms / 1_000).toFixed(1)} s`);
 }

@@ -19,11 +19,11 @@ const HEARTBEAT_MS = { least: 15_000, most: 25_000 };
 /** Maximum number of unacknowledged snapshots. */
 const CREDIT = 2;
 /** A moving robot reports about 20 times in this time. */
-const UNSEEN_MS = 1_000;
+const UNACKNOWLEDGED_MS = 1_000;
 const PACE_MS = 3_000;
 /** Maximum number of snapshots a second, and a tolerance for snapshots that belong to a state. */
 const PACE = 10;
-const PACE_SLACK = 5;
+const PACE_TOLERANCE = 5;
 
 export const messageFlow: readonly Check[] = [
   {
@@ -42,7 +42,7 @@ export const messageFlow: readonly Check[] = [
     name: "over a WebSocket, at most 2 snapshots are sent without an acknowledgement",
     needs: ["websocket"],
     run: async (host) => {
-      await withOne(host, openByWebSocket, async (connection) => {
+      await withConnection(host, openByWebSocket, async (connection) => {
         const { snapshot } = await connection.message("welcome");
         const first = snapshot?.seq ?? 0;
         await connection.send({ type: "seen", seq: first });
@@ -52,16 +52,16 @@ export const messageFlow: readonly Check[] = [
         // Until the acknowledgement was processed, snapshots are not limited by it.
         const read = snapshotsOf(connection).at(-1)?.seq ?? first;
         await connection.send({ type: "seen", seq: read });
-        await host.begun(record.seq);
-        await pause(UNSEEN_MS);
+        await host.waitForStart(record.seq);
+        await pause(UNACKNOWLEDGED_MS);
         await connection.wait();
-        const unseen = snapshotsOf(connection).filter(({ seq }) => seq > read);
-        must(unseen.length <= CREDIT, `at most ${CREDIT} snapshots`, unseen.length);
-        const newest = unseen.at(-1)?.seq ?? read;
+        const unacknowledged = snapshotsOf(connection).filter(({ seq }) => seq > read);
+        must(unacknowledged.length <= CREDIT, `at most ${CREDIT} snapshots`, unacknowledged.length);
+        const newest = unacknowledged.at(-1)?.seq ?? read;
         await connection.send({ type: "seen", seq: newest });
         await connection.message("snapshot", (message) => message.snapshot.seq > newest);
       });
-      await host.done({ action: "stop" });
+      await host.sendAndWait({ action: "stop" });
     },
   },
   {
@@ -71,7 +71,7 @@ export const messageFlow: readonly Check[] = [
     run: async (host) => {
       await mustAcceptLargest(host, openByLongPoll);
       const body = textOf(host.hello(), MAX_BYTES + 1);
-      const { status } = await host.ask("/long-poll", { method: "POST", key: null, body });
+      const { status } = await host.request("/long-poll", { method: "POST", key: null, body });
       must(status === 413, "413 for a larger request", status);
     },
   },
@@ -80,12 +80,12 @@ export const messageFlow: readonly Check[] = [
     name: "over the long-poll connection, another key neither reads nor sends messages",
     needs: ["long-poll"],
     run: async (host) => {
-      await withOne(host, openByLongPoll, async () => {
+      await withConnection(host, openByLongPoll, async () => {
         const key = `con_${"A".repeat(22)}`;
         const path = "/long-poll/messages";
         const body = { first: 1, messages: [{ type: "command", command: { action: "stop" } }] };
         for (const options of [{ key }, { key, method: "POST", body }]) {
-          const { status } = await host.ask(path, options);
+          const { status } = await host.request(path, options);
           must([401, 403, 404].includes(status), "401, 403 or 404 for another key", status);
         }
       });
@@ -96,18 +96,18 @@ export const messageFlow: readonly Check[] = [
     name: "over the long-poll connection, at most 10 snapshots a second are sent",
     needs: ["long-poll"],
     run: async (host) => {
-      await withOne(host, openByLongPoll, async (connection) => {
+      await withConnection(host, openByLongPoll, async (connection) => {
         const { seq } = await host.send(BUSY);
-        await host.begun(seq);
+        await host.waitForStart(seq);
         await connection.wait();
         const before = snapshotsOf(connection).length;
-        const began = performance.now();
-        while (performance.now() - began < PACE_MS) await connection.wait();
-        const most = (PACE * (performance.now() - began)) / 1_000 + PACE_SLACK;
+        const startedAt = performance.now();
+        while (performance.now() - startedAt < PACE_MS) await connection.wait();
+        const most = (PACE * (performance.now() - startedAt)) / 1_000 + PACE_TOLERANCE;
         const count = snapshotsOf(connection).length - before;
         must(count > 0 && count <= most, `1 to ${Math.round(most)} snapshots`, count);
       });
-      await host.done({ action: "stop" });
+      await host.sendAndWait({ action: "stop" });
     },
   },
   {
@@ -117,7 +117,7 @@ export const messageFlow: readonly Check[] = [
     needs: ["websocket"],
     onlyListens: true,
     run: async (host) => {
-      await withOne(host, openByWebSocket, async (connection) => {
+      await withConnection(host, openByWebSocket, async (connection) => {
         const opened = performance.now();
         await connection.message("heartbeat", () => true, HEARTBEAT_MS.most);
         const ms = performance.now() - opened;
@@ -128,7 +128,7 @@ export const messageFlow: readonly Check[] = [
 ];
 
 /** Opens a connection, waits for the welcome, and closes it afterwards. */
-async function withOne(
+async function withConnection(
   host: Host,
   open: OpenConnection,
   run: (connection: Connection) => Promise<void>,
@@ -143,7 +143,7 @@ async function withOne(
 }
 
 async function mustAcceptLargest(host: Host, open: OpenConnection): Promise<void> {
-  await withOne(host, open, async (connection) => {
+  await withConnection(host, open, async (connection) => {
     const key = host.newKey();
     await connection.send({ type: "command", key, command: { action: "stop" } }, MAX_BYTES);
     await connection.message("ack", ({ record }) => record.key === key);

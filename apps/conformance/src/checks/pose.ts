@@ -2,41 +2,41 @@
 import type { Pose } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
 import { must } from "../mismatch.ts";
-import { atHome } from "../setting.ts";
+import { moveToStart } from "../pen.ts";
 
-const SLACK_DEGREES = 4;
-const SLACK_CM = 6;
+const TOLERANCE_DEGREES = 4;
+const TOLERANCE_CM = 6;
 
 export const pose: CheckGroup = {
   title: "Pose",
   checks: [
     {
       promise: "pose-heading",
-      name: "headings are degrees clockwise, from 0 up to 360",
+      name: "`heading` is in degrees clockwise, from 0 up to 360",
       needs: ["pose"],
       run: async (host) => {
-        const before = (await atHome(host)).pose.heading;
+        const before = (await moveToStart(host)).pose.heading;
         for (const [degrees, action] of [
           [90, "right 90"],
           [0, "left 90"],
           [-90, "left 90"],
           [0, "right 90"],
         ] as const) {
-          await host.done({ action });
+          await host.sendAndWait({ action });
           const { heading } = (await host.snapshot()).pose;
           const wanted = (before + degrees + 360) % 360;
-          must(apart(heading, wanted) < SLACK_DEGREES, `a heading of ${wanted}`, heading);
+          must(apart(heading, wanted) < TOLERANCE_DEGREES, `a heading of ${wanted}`, heading);
         }
       },
     },
     {
       promise: "pose-axes",
-      name: "x grows to the right and y downward, by the cm that the robot drove",
+      name: "`x` grows to the right and `y` downward, in cm",
       needs: ["pose"],
       run: async (host) => {
-        let from = (await atHome(host)).pose;
+        let from = (await moveToStart(host)).pose;
         for (const distance of [60, -60]) {
-          await host.done({ action: "move", distance });
+          await host.sendAndWait({ action: "move", distance });
           const now = (await host.snapshot()).pose;
           mustBe(now, ahead(from, distance), `after move ${distance}`);
           from = now;
@@ -45,12 +45,12 @@ export const pose: CheckGroup = {
     },
     {
       promise: "pose-ending",
-      name: "an ending tells the pose at which the robot then stands",
+      name: "`pose` in a record is the pose of the robot when the command ended",
       needs: ["pose"],
       run: async (host) => {
-        await atHome(host);
+        await moveToStart(host);
         for (const distance of [50, -50]) {
-          const { pose: ended } = await host.done({ action: "move", distance });
+          const { pose: ended } = await host.sendAndWait({ action: "move", distance });
           must(ended !== null, "a pose in the record", ended);
           mustBe((await host.snapshot()).pose, ended, "in the snapshot after an ending");
         }
@@ -71,7 +71,7 @@ function apart(a: number, b: number): number {
 
 function mustBe(found: Pose, wanted: Pose, when: string): void {
   const isThere =
-    Math.hypot(found.x - wanted.x, found.y - wanted.y) < SLACK_CM &&
-    apart(found.heading, wanted.heading) < SLACK_DEGREES;
+    Math.hypot(found.x - wanted.x, found.y - wanted.y) < TOLERANCE_CM &&
+    apart(found.heading, wanted.heading) < TOLERANCE_DEGREES;
   must(isThere, `the pose ${JSON.stringify(wanted)} ${when}`, found);
 }

@@ -1,7 +1,7 @@
 /** Reading: sensors, the maze, the log. */
 import { commandRecordSchema, snapshotSchema } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
-import { must, NeverTestable, shaped } from "../mismatch.ts";
+import { must, NeverTestable, validate } from "../mismatch.ts";
 
 /** Robots report at least once a second, also while they stand. */
 const REPORT_MS = 5_000;
@@ -11,18 +11,18 @@ export const reading: CheckGroup = {
   checks: [
     {
       promise: "snapshot",
-      name: "a reading is a whole snapshot",
+      name: "a reading is a complete snapshot",
       run: async (host) => {
-        const answer = await host.ask("/sensors?wait=10");
-        must(answer.status === 200, "200", `${answer.status} ${answer.text}`);
-        const { state, driver } = shaped(snapshotSchema, answer.json, "a snapshot");
+        const response = await host.request("/sensors?wait=10");
+        must(response.status === 200, "200", `${response.status} ${response.text}`);
+        const { state, driver } = validate(snapshotSchema, response.json, "a snapshot");
         must(state === "running", 'the state "running"', state);
         must(driver === "remote", 'the driver "remote"', driver);
       },
     },
     {
       promise: "snapshot-command",
-      name: "a snapshot names the command that runs and its action, and neither while it stands",
+      name: "a snapshot identifies the running command and its action, and neither while the robot stands",
       run: async (host) => {
         const { seq } = await host.send({
           action: "drive",
@@ -31,25 +31,25 @@ export const reading: CheckGroup = {
           milliseconds: 3_000,
         });
         let snapshot = await host.snapshot();
-        const giveUp = performance.now() + REPORT_MS;
-        while (snapshot.command !== seq && performance.now() < giveUp) {
+        const deadline = performance.now() + REPORT_MS;
+        while (snapshot.command !== seq && performance.now() < deadline) {
           snapshot = await host.snapshot(`?after=${snapshot.seq}&wait=2`);
         }
         must(snapshot.command === seq, `command ${seq}`, snapshot.command);
         must(snapshot.motion === "drive", "the motion drive", snapshot.motion);
-        await host.done({ action: "stop" });
+        await host.sendAndWait({ action: "stop" });
         const { command, motion } = await host.snapshot();
         must(command === null && motion === "stop", "command null, motion stop", [command, motion]);
       },
     },
     {
       promise: "reading-wait",
-      name: "a reading that has nothing newer answers when its time is over",
+      name: "without a newer snapshot, a reading responds after `wait`",
       run: async (host) => {
-        const began = performance.now();
+        const startedAt = performance.now();
         await host.snapshot("?after=900000000000000&wait=0.3");
-        const waited = performance.now() - began;
-        must(waited < 5_000, "an answer after 0.3 s", `${Math.round(waited)} ms`);
+        const waited = performance.now() - startedAt;
+        must(waited < 5_000, "a response after 0.3 s", `${Math.round(waited)} ms`);
       },
     },
     {
@@ -61,30 +61,30 @@ export const reading: CheckGroup = {
     },
     {
       promise: "maze",
-      name: "the maze has a version, and is not sent again to a reader that has it",
+      name: "the maze has an ETag, and If-None-Match returns 304",
       needs: ["maze"],
       run: async (host) => {
-        const answer = await host.ask("/maze");
-        must(answer.status === 200, "200 for the maze", `${answer.status} ${answer.text}`);
-        const format = (answer.json as { format?: unknown } | null)?.format;
+        const response = await host.request("/maze");
+        must(response.status === 200, "200 for the maze", `${response.status} ${response.text}`);
+        const format = (response.json as { format?: unknown } | null)?.format;
         must(format === "corridor/maze", 'the format "corridor/maze"', format);
-        const tag = answer.header("etag");
+        const tag = response.header("etag");
         must(tag !== "", "an ETag", "none");
-        const again = await host.ask("/maze", { headers: { "If-None-Match": tag } });
-        must(again.status === 304, "304 for a maze that is known", again.status);
+        const again = await host.request("/maze", { headers: { "If-None-Match": tag } });
+        must(again.status === 304, "304 for If-None-Match with this ETag", again.status);
       },
     },
     {
       promise: "log",
-      name: "the log gives whole records in order, from where it is asked",
+      name: "the log returns complete records in order, after a given number",
       run: async (host) => {
-        const { seq } = await host.done({ action: "left 90" });
-        await host.done({ action: "right 90" });
+        const { seq } = await host.sendAndWait({ action: "left 90" });
+        await host.sendAndWait({ action: "right 90" });
         const records = recordsIn(await host.log(seq - 1));
         const numbers = records.map((record) => record.seq);
         must(numbers.join() === [seq, seq + 1].join(), `${seq},${seq + 1}`, numbers);
         const last = records.at(-1);
-        must(last?.state === "completed", "a record as it is now", last);
+        must(last?.state === "completed", "the current record", last);
         const none = recordsIn(await host.log(seq + 1));
         must(none.length === 0, "nothing after the last one", none.length);
       },
@@ -95,5 +95,5 @@ export const reading: CheckGroup = {
 function recordsIn(log: unknown) {
   const list = typeof log === "object" && log !== null && "commands" in log ? log.commands : null;
   must(Array.isArray(list) && list.length <= 200, '{"commands": [...]}, at most 200', log);
-  return list.map((record) => shaped(commandRecordSchema, record, "a command record"));
+  return list.map((record) => validate(commandRecordSchema, record, "a command record"));
 }

@@ -1,26 +1,17 @@
-/** The example of a physical robot in its own process, unchanged or with an injected fault. */
-import { spawn } from "node:child_process";
-import { once } from "node:events";
-import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+/** The example of a physical robot in its own process, unchanged or with injected faults. */
+import { cpSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { createInterface } from "node:readline";
+import { startHost } from "./robot-server.ts";
+import { editedFiles, EXAMPLE, type Edit } from "./source-edits.ts";
 
-const ROBOT = join(import.meta.dirname, "../../../../examples/physical-robot");
 /** The pen of docs/conformance.md: 2 m wide and 5 m long, with the goal in the far right corner. */
 export const PEN = "####,#.G#,#..#,#..#,#..#,#.S#,####";
 
-/** A replacement in a Python file. The text must occur exactly once. */
-export interface Edit {
-  file: string;
-  before: string;
-  after: string;
-}
-
-export interface RobotOptions {
+interface RobotOptions {
   room: string;
   /** speed factor of the motors; leases and ttls are unchanged */
-  haste?: number;
+  speedup?: number;
   /** whether the robot measures its pose */
   isTracked?: boolean;
   edits?: readonly Edit[];
@@ -32,46 +23,33 @@ export interface RunningRobot {
 }
 
 export async function startPhysicalRobot(options: RobotOptions): Promise<RunningRobot> {
-  const { room, haste = 4, isTracked = false, edits = [] } = options;
+  const { room, speedup = 4, isTracked = false, edits = [] } = options;
   const folder = edits.length > 0 ? copyWith(edits) : null;
-  const words = ["--port", "0", "--speedup", String(haste), "--room", room];
-  if (isTracked) words.push("--tracked");
-  const child = spawn("python3", [join(folder ?? ROBOT, "robot_host.py"), ...words], {
-    stdio: ["ignore", "pipe", "pipe"],
-    env: { ...process.env, PYTHONDONTWRITEBYTECODE: "1" },
-  });
-  let errors = "";
-  child.stderr.on("data", (chunk) => (errors += chunk));
-  const stop = (): void => {
-    child.kill("SIGKILL");
+  const args = ["--port", "0", "--speedup", String(speedup), "--room", room];
+  if (isTracked) args.push("--tracked");
+  const removeFolder = (): void => {
     if (folder !== null) rmSync(folder, { recursive: true, force: true });
   };
-  // The output stays open: the host ends when its output is closed.
-  const line = once(createInterface({ input: child.stdout }), "line") as Promise<[string]>;
-  const exit = once(child, "exit").then(() => {
-    throw new Error(`The robot's host has ended: ${errors}`);
-  });
-  exit.catch(() => undefined);
   try {
-    const [address] = await Promise.race([line, exit]);
-    return { address, stop };
+    const host = await startHost(join(folder ?? EXAMPLE, "robot_host.py"), args);
+    let isRunning = true;
+    const stop = (): void => {
+      if (isRunning) host.stop();
+      isRunning = false;
+      removeFolder();
+    };
+    return { address: host.address, stop };
   } catch (error) {
-    stop();
+    removeFolder();
     throw error;
   }
 }
 
 /** A copy of the example with the edits. @throws Error unless each text occurs exactly once */
 function copyWith(edits: readonly Edit[]): string {
+  const files = editedFiles(edits);
   const folder = mkdtempSync(join(tmpdir(), "corridor-robot-"));
-  cpSync(ROBOT, folder, { recursive: true });
-  for (const { file, before, after } of edits) {
-    const path = join(folder, file);
-    const parts = readFileSync(path, "utf8").split(before);
-    if (parts.length !== 2) {
-      throw new Error(`${file} has ${parts.length - 1} of this text, not one: ${before}`);
-    }
-    writeFileSync(path, parts.join(after));
-  }
+  cpSync(EXAMPLE, folder, { recursive: true });
+  for (const [file, text] of files) writeFileSync(join(folder, file), text);
   return folder;
 }

@@ -34,9 +34,9 @@ export interface BridgeFault {
   /** the close code that replaces 4401 */
   closeCode?: number;
   /** accepts a hello of any version */
-  takesAnyVersion?: boolean;
+  acceptsAnyVersion?: boolean;
   /** polls the host while a connection is open */
-  isRestless?: boolean;
+  pollsHost?: boolean;
   /** sends snapshots without waiting for acknowledgements */
   ignoresSeen?: boolean;
   /** the limit that replaces 16 KiB */
@@ -50,7 +50,7 @@ interface Bridge {
 }
 
 const GUID = "258EAFA5-E914-47DA-95CA-C5AB0DC85B11";
-const REFUSED = 4401;
+const REJECTED = 4401;
 const TOO_LARGE = 1009;
 const HEARTBEAT_MS = 20_000;
 const CREDIT = 2;
@@ -61,9 +61,9 @@ export async function startBridge(address: string, fault: BridgeFault = {}): Pro
   const api = `${origin}/api/v1/robots/${pathname.slice(3)}`;
   const sockets = new Set<Duplex>();
   let connections = 0;
-  const server = createServer((asked, answer) => void forward(origin, asked, answer));
-  server.on("upgrade", (asked: IncomingMessage, socket: Duplex) => {
-    const key = String(asked.headers["sec-websocket-key"]);
+  const server = createServer((incoming, response) => void forward(origin, incoming, response));
+  server.on("upgrade", (incoming: IncomingMessage, socket: Duplex) => {
+    const key = String(incoming.headers["sec-websocket-key"]);
     const accept = createHash("sha1")
       .update(key + GUID)
       .digest("base64");
@@ -86,22 +86,22 @@ export async function startBridge(address: string, fault: BridgeFault = {}): Pro
 }
 
 /** Forwards an HTTP request, and removes the WebSocket from the list of missing features. */
-async function forward(origin: string, asked: IncomingMessage, answer: ServerResponse) {
-  const { method = "GET", url = "/", headers } = asked;
+async function forward(origin: string, incoming: IncomingMessage, response: ServerResponse) {
+  const { method = "GET", url = "/", headers } = incoming;
   if (url.endsWith("/features")) {
     const authorization = headers.authorization ?? "";
-    const got = await fetch(origin + url, { headers: { authorization } });
-    const body = await got.text();
-    answer.writeHead(got.status, { "Content-Type": "application/json" });
-    return answer.end(body.replace(/\{"feature": "websocket", "reason": "[^"]*"\}(, )?/, ""));
+    const forwarded = await fetch(origin + url, { headers: { authorization } });
+    const body = await forwarded.text();
+    response.writeHead(forwarded.status, { "Content-Type": "application/json" });
+    return response.end(body.replace(/\{"feature": "websocket", "reason": "[^"]*"\}(, )?/, ""));
   }
-  const sent = request(origin + url, { method, headers }, (got) => {
-    answer.writeHead(got.statusCode ?? 502, got.headers);
-    got.pipe(answer);
+  const outgoing = request(origin + url, { method, headers }, (forwarded) => {
+    response.writeHead(forwarded.statusCode ?? 502, forwarded.headers);
+    forwarded.pipe(response);
   });
-  answer.on("close", () => sent.destroy());
-  sent.on("error", () => answer.destroy());
-  return asked.pipe(sent);
+  response.on("close", () => outgoing.destroy());
+  outgoing.on("error", () => response.destroy());
+  return incoming.pipe(outgoing);
 }
 
 class BridgedSocket {
@@ -114,7 +114,7 @@ class BridgedSocket {
   #bytes: Buffer = Buffer.alloc(0);
   #key: string | null = null;
   /** numbers of the snapshots that the script has not acknowledged */
-  #unseen: number[] = [];
+  #unacknowledged: number[] = [];
   #acknowledges = false;
   /** the newest snapshot, held until the script acknowledges an earlier one */
   #heldSnapshot: Snapshot | null = null;
@@ -146,29 +146,29 @@ class BridgedSocket {
       const { toHost } = this.#fault;
       const changed = toHost === undefined ? message : toHost(message, this.#connection);
       this.#work = this.#work
-        .then(() => (this.#key === null ? this.#hello(changed) : this.#take(changed)))
+        .then(() => (this.#key === null ? this.#hello(changed) : this.#receive(changed)))
         .catch(() => this.#close(1011));
     }
   }
 
   async #hello({ version, key, since, sentAt }: Message): Promise<void> {
-    const { closeCode = REFUSED, takesAnyVersion = false, isRestless = false } = this.#fault;
+    const { closeCode = REJECTED, acceptsAnyVersion = false, pollsHost = false } = this.#fault;
     this.#key = key ?? "";
     const query = since === undefined ? "" : `&since=${since}`;
-    const got = await this.#ask(`/events?wait=0${query}`, sentAt);
-    if (got.status === 401) return this.#close(closeCode);
-    if (version !== 1 && !takesAnyVersion) return this.#close(closeCode);
-    const page = (await got.json()) as EventPage;
+    const response = await this.#request(`/events?wait=0${query}`, sentAt);
+    if (response.status === 401) return this.#close(closeCode);
+    if (version !== 1 && !acceptsAnyVersion) return this.#close(closeCode);
+    const page = (await response.json()) as EventPage;
     const [stream, n] = (page.gap === null && since !== undefined ? since : page.since).split("-");
-    const snapshot = await (await this.#ask("/sensors")).json();
-    const told = page.gap === null ? Number(n) : null;
-    this.#say({ type: "welcome", version: 1, stream, n: told, snapshot });
-    if (page.gap !== null) this.#say({ ...page.gap, type: "gap" });
-    for (const state of page.states) this.#say({ ...state, type: "state" });
+    const snapshot = await (await this.#request("/sensors")).json();
+    const resumedAt = page.gap === null ? Number(n) : null;
+    this.#send({ type: "welcome", version: 1, stream, n: resumedAt, snapshot });
+    if (page.gap !== null) this.#send({ ...page.gap, type: "gap" });
+    for (const state of page.states) this.#send({ ...state, type: "state" });
     void this.#follow(page.since).catch(() => this.#close(1011));
-    this.#every(HEARTBEAT_MS, () => this.#say({ type: "heartbeat" }));
-    const ask = () => this.#ask("/commands?after=0").catch(() => this.#close(1011));
-    if (isRestless) this.#every(500, () => void ask());
+    this.#every(HEARTBEAT_MS, () => this.#send({ type: "heartbeat" }));
+    const request = () => this.#request("/commands?after=0").catch(() => this.#close(1011));
+    if (pollsHost) this.#every(500, () => void request());
   }
 
   #every(ms: number, act: () => void): void {
@@ -178,10 +178,10 @@ class BridgedSocket {
     signal.addEventListener("abort", () => clearInterval(timer));
   }
 
-  async #take(message: Message): Promise<void> {
+  async #receive(message: Message): Promise<void> {
     if (message.type !== "seen") return this.#command(message);
     this.#acknowledges = true;
-    this.#unseen = this.#unseen.filter((seq) => seq > Number(message["seq"]));
+    this.#unacknowledged = this.#unacknowledged.filter((seq) => seq > Number(message["seq"]));
     const held = this.#heldSnapshot;
     this.#heldSnapshot = null;
     if (held !== null) this.#offer(held);
@@ -189,19 +189,19 @@ class BridgedSocket {
 
   /** Sends a snapshot, or holds it until earlier ones are acknowledged. */
   #offer(snapshot: Snapshot): void {
-    const isFull = this.#acknowledges && this.#unseen.length >= CREDIT;
+    const isFull = this.#acknowledges && this.#unacknowledged.length >= CREDIT;
     if (isFull && this.#fault.ignoresSeen !== true) this.#heldSnapshot = snapshot;
     else this.#sendSnapshot(snapshot);
   }
 
   #sendSnapshot(snapshot: Snapshot): void {
     this.#heldSnapshot = null;
-    this.#unseen.push(snapshot.seq);
-    this.#say({ type: "snapshot", snapshot });
+    this.#unacknowledged.push(snapshot.seq);
+    this.#send({ type: "snapshot", snapshot });
   }
 
   async #command({ key, command, sentAt }: Message): Promise<void> {
-    const got = await this.#ask("/commands", sentAt, {
+    const response = await this.#request("/commands", sentAt, {
       method: "POST",
       body: JSON.stringify(command),
       headers: {
@@ -209,11 +209,11 @@ class BridgedSocket {
         ...(typeof key === "string" && { "Idempotency-Key": key }),
       },
     });
-    if (got.status === 202) {
-      return this.#say({ type: "ack", record: (await got.json()) as CommandRecord });
+    if (response.status === 202) {
+      return this.#send({ type: "ack", record: (await response.json()) as CommandRecord });
     }
-    const problem = (await got.json()) as ProblemDocument;
-    this.#say({ type: "problem", problem, key: key ?? null });
+    const problem = (await response.json()) as ProblemDocument;
+    this.#send({ type: "problem", problem, key: key ?? null });
   }
 
   /** Reads the event stream, which does not count as a request of the script. */
@@ -236,13 +236,13 @@ class BridgedSocket {
     if (event !== "state") return;
     const record = value as CommandRecord;
     if (hasEnded(record.state)) {
-      this.#offer((await (await this.#ask("/sensors")).json()) as Snapshot);
+      this.#offer((await (await this.#request("/sensors")).json()) as Snapshot);
     }
     const n = Number(/^id: ?.*-(\d+)$/m.exec(block)?.[1]);
-    this.#say({ type: "state", n, record });
+    this.#send({ type: "state", n, record });
   }
 
-  async #ask(path: string, sentAt?: number, options: RequestInit = {}): Promise<Response> {
+  async #request(path: string, sentAt?: number, options: RequestInit = {}): Promise<Response> {
     const headers = {
       Authorization: `Bearer ${this.#key}`,
       ...(sentAt !== undefined && { "Script-Clock": `${this.#clock} ${sentAt}` }),
@@ -251,7 +251,7 @@ class BridgedSocket {
     return fetch(this.#api + path, { ...options, headers });
   }
 
-  #say(message: Message): void {
+  #send(message: Message): void {
     const { toScript } = this.#fault;
     const changed = toScript === undefined ? message : toScript(message, this.#connection);
     if (changed !== null) this.#write(1, Buffer.from(JSON.stringify(changed)));

@@ -8,20 +8,22 @@ import type { Host } from "./host.ts";
 import { must, NotTestable } from "./mismatch.ts";
 
 /** Distances in cm from the robot's position to the walls, for each sensor. */
-export const HOME: SensorReadings = { front: 450, right: 50, back: 50, left: 150 };
+export const START_READINGS: SensorReadings = { front: 450, right: 50, back: 50, left: 150 };
 
 /**
  * absolute tolerance in cm, and relative tolerance, of the readings of physical sensors and carpets
  */
-const SLACK_CM = 6;
-const SLACK_SHARE = 0.15;
+const TOLERANCE_CM = 6;
+const TOLERANCE_SHARE = 0.15;
 /** Factor by which the tolerance grows for the robot's position after earlier checks. */
-const PLACE_SLACK = 2;
+const START_TOLERANCE = 2;
 
 const sides = ["front", "right", "back", "left"] as const;
 
 export function isNear(found: number, expected: number, factor = 1): boolean {
-  return Math.abs(found - expected) <= factor * (SLACK_CM + SLACK_SHARE * Math.abs(expected));
+  return (
+    Math.abs(found - expected) <= factor * (TOLERANCE_CM + TOLERANCE_SHARE * Math.abs(expected))
+  );
 }
 
 export function areNear(found: SensorReadings, expected: SensorReadings, factor = 1): boolean {
@@ -44,7 +46,7 @@ export async function readings(host: Host): Promise<SensorReadings> {
 }
 
 /** @throws Mismatch unless the current readings are the expected ones */
-export async function mustRead(host: Host, expected: SensorReadings, after: string) {
+export async function mustHaveReadings(host: Host, expected: SensorReadings, after: string) {
   const found = await readings(host);
   must(areNear(found, expected), `about ${show(expected)} ${after}`, show(found));
 }
@@ -53,13 +55,14 @@ export async function mustRead(host: Host, expected: SensorReadings, after: stri
  * Moves the robot along the right wall to its position.
  * @throws NotTestable if it does not arrive
  */
-export async function atHome(host: Host): Promise<Snapshot> {
+export async function moveToStart(host: Host): Promise<Snapshot> {
   const { sensors } = await host.snapshot();
-  const ahead = sensors.front - HOME.front;
-  const isOnItsWay = areNear(moved(sensors, ahead), HOME, PLACE_SLACK);
-  if (isOnItsWay && Math.abs(ahead) > 3) await host.done({ action: "move", distance: ahead });
+  const ahead = sensors.front - START_READINGS.front;
+  const isOnItsWay = areNear(moved(sensors, ahead), START_READINGS, START_TOLERANCE);
+  if (isOnItsWay && Math.abs(ahead) > 3)
+    await host.sendAndWait({ action: "move", distance: ahead });
   const snapshot = await host.snapshot();
-  if (areNear(snapshot.sensors, HOME, PLACE_SLACK)) return snapshot;
+  if (areNear(snapshot.sensors, START_READINGS, START_TOLERANCE)) return snapshot;
   throw new NotTestable(
     `the robot is not at its place in the pen (${show(snapshot.sensors)}): an earlier check may ` +
       "have left it elsewhere. Put it back and run the kit again",

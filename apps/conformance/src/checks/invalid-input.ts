@@ -1,9 +1,9 @@
 /** Invalid requests result in problem documents. */
 import { problemSchema, type ProblemDocument } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
-import type { Answer } from "../host.ts";
-import { must, shaped } from "../mismatch.ts";
-import { mustRead, readings } from "../setting.ts";
+import type { HttpResponse } from "../host.ts";
+import { must, validate } from "../mismatch.ts";
+import { mustHaveReadings, readings } from "../pen.ts";
 
 /** Invalid request bodies, by the name of their error. */
 const wrongBodies: Record<string, { body: string | Uint8Array; path?: string }> = {
@@ -36,16 +36,16 @@ const wrongBodies: Record<string, { body: string | Uint8Array; path?: string }> 
   "deep nesting": { body: `${"[".repeat(5_000)}${"]".repeat(5_000)}` },
 };
 
-export const badInput: CheckGroup = {
-  title: "Bad input",
+export const invalidInput: CheckGroup = {
+  title: "Invalid input",
   checks: [
     {
       promise: "bad-command",
-      name: "a wrong command is refused with 400, and the field is named",
+      name: "an invalid command is rejected with 400, and the errors name the field",
       run: async (host) => {
         for (const [what, { body, path }] of Object.entries(wrongBodies)) {
-          const answer = await host.ask("/commands", { method: "POST", body });
-          const problem = problemIn(answer, 400, what);
+          const response = await host.request("/commands", { method: "POST", body });
+          const problem = problemIn(response, 400, what);
           if (path === undefined) continue;
           const paths = problem.errors.map((error) => error.path);
           must(paths.includes(path), `errors to name ${path} for ${what}`, problem.errors);
@@ -54,24 +54,24 @@ export const badInput: CheckGroup = {
     },
     {
       promise: "body-size",
-      name: "a body above 16 KiB is refused with 413",
+      name: "a body above 16 KiB is rejected with 413",
       run: async (host) => {
         const body = JSON.stringify({ action: "stop", words: "x".repeat(17 * 1024) });
-        problemIn(await host.ask("/commands", { method: "POST", body }), 413, "a large body");
+        problemIn(await host.request("/commands", { method: "POST", body }), 413, "a large body");
       },
     },
     {
       promise: "body-type",
-      name: "a body that is not said to be JSON is refused with 415",
+      name: "a body whose Content-Type is not JSON is rejected with 415",
       run: async (host) => {
         const headers = { "Content-Type": "text/plain" };
         const options = { method: "POST", body: '{"action":"stop"}', headers };
-        problemIn(await host.ask("/commands", options), 415, "plain text");
+        problemIn(await host.request("/commands", options), 415, "plain text");
       },
     },
     {
       promise: "bad-query",
-      name: "waits and numbers that cannot be are refused with 400",
+      name: "invalid waits and numbers are rejected with 400",
       run: async (host) => {
         for (const path of [
           "/sensors?wait=26",
@@ -81,40 +81,40 @@ export const badInput: CheckGroup = {
           "/commands/first",
           "/events?wait=soon",
         ]) {
-          problemIn(await host.ask(path), 400, path);
+          problemIn(await host.request(path), 400, path);
         }
       },
     },
     {
       promise: "no-command",
-      name: "a command that there is not is 404",
+      name: "an unknown command is 404",
       run: async (host) => {
-        problemIn(await host.ask("/commands/900000000000000"), 404, "a number of the future");
+        problemIn(await host.request("/commands/900000000000000"), 404, "a number of the future");
       },
     },
     {
       promise: "no-path",
-      name: "an address that there is not is 404, a method that it does not know 405",
+      name: "an unknown path is 404, an unknown method 405",
       run: async (host) => {
-        problemIn(await host.ask("/wheels"), 404, "/wheels");
-        const answer = await host.ask("/sensors", { method: "DELETE" });
-        problemIn(answer, 405, "DELETE /sensors");
-        const allowed = answer.header("allow");
+        problemIn(await host.request("/wheels"), 404, "/wheels");
+        const response = await host.request("/sensors", { method: "DELETE" });
+        problemIn(response, 405, "DELETE /sensors");
+        const allowed = response.header("allow");
         must(allowed.includes("GET"), "the header Allow with GET", allowed || "none");
       },
     },
     {
       promise: "bad-survived",
-      name: "a refused command does not move the robot, which obeys as before",
+      name: "a rejected command does not move the robot, which accepts later commands",
       run: async (host) => {
         const before = await readings(host);
         for (const { body } of Object.values(wrongBodies)) {
-          await host.ask("/commands", { method: "POST", body });
+          await host.request("/commands", { method: "POST", body });
         }
-        const turn = await host.done({ action: "left 90" });
+        const turn = await host.sendAndWait({ action: "left 90" });
         must(turn.state === "completed", "completed", turn);
-        await host.done({ action: "right 90" });
-        await mustRead(host, before, "where it stood before");
+        await host.sendAndWait({ action: "right 90" });
+        await mustHaveReadings(host, before, "at the position before the command");
       },
     },
   ],
@@ -124,14 +124,14 @@ export const badInput: CheckGroup = {
  * The problem document (RFC 9457) of a response.
  * @throws Mismatch if the status or the document differs
  */
-function problemIn(answer: Answer, status: number, what: string): ProblemDocument {
-  must(answer.status === status, `${status} for ${what}`, `${answer.status} ${answer.text}`);
-  const type = answer.header("content-type");
+function problemIn(response: HttpResponse, status: number, what: string): ProblemDocument {
+  must(response.status === status, `${status} for ${what}`, `${response.status} ${response.text}`);
+  const type = response.header("content-type");
   must(type.startsWith("application/problem+json"), "Content-Type: application/problem+json", type);
-  const problem = shaped(problemSchema, answer.json, `a problem document for ${what}`);
+  const problem = validate(problemSchema, response.json, `a problem document for ${what}`);
   must(problem.status === status, `status ${status} in the document`, problem.status);
   must(problem.detail.length > 10, "a sentence in detail", problem.detail);
-  const leak = /\bat \w+.*:\d+:\d+|Traceback|node_modules/.exec(answer.text);
-  must(leak === null, "a document without a stack or a path", leak?.[0]);
+  const leak = /\bat \w+.*:\d+:\d+|Traceback|node_modules/.exec(response.text);
+  must(leak === null, "a document without a stack trace or a path", leak?.[0]);
   return problem;
 }

@@ -1,0 +1,123 @@
+/** Faults in idempotency keys, ages and times to live. */
+import {
+  COMMAND_REQUESTS,
+  COMMAND_STORE,
+  SERVER,
+  fault,
+  type InjectedFault,
+} from "../injected-fault.ts";
+
+export const retriesFaults: readonly InjectedFault[] = [
+  fault(
+    "retry",
+    "keys are not stored",
+    COMMAND_STORE,
+    "None if key is None else self._by_key.get(key)",
+    "None",
+  ),
+  fault(
+    "retry",
+    "a retry with another ttl is a conflict",
+    COMMAND_STORE,
+    "before.request.command == request.command",
+    "before.request.ttl == request.ttl",
+  ),
+  fault(
+    "retry",
+    "a retry with replace is a conflict",
+    COMMAND_STORE,
+    "before.request.command == request.command",
+    "before.request.command == request.command and before.request.replace == request.replace",
+  ),
+  {
+    fault: "simultaneous retries are separate commands",
+    caughtBy: "retry-at-once",
+    edits: [
+      {
+        file: SERVER,
+        before: "            record = self.server.store.submit(request, key)\n",
+        after: [
+          "            known = key in self.server.store._by_key",
+          "        if key and not known:",
+          "            time.sleep(2.5)",
+          "        with self.server.store.changed:",
+          "            if key and not known:",
+          "                self.server.store._by_key.pop(key, None)",
+          "            record = self.server.store.submit(request, key)\n",
+        ].join("\n"),
+      },
+    ],
+  },
+  fault(
+    "no-key",
+    "a record without a key contains a key",
+    COMMAND_STORE,
+    '"key": self.key,',
+    '"key": self.key or "from-nobody",',
+  ),
+  fault(
+    "key-conflict",
+    "a used key returns the record of another command",
+    COMMAND_STORE,
+    "before.request.command == request.command",
+    "True",
+  ),
+  fault(
+    "key-form",
+    "keys of any form are accepted",
+    SERVER,
+    "if key is not None and _KEY.fullmatch(key) is None:",
+    "if False:",
+  ),
+  fault(
+    "key-form",
+    "a key has at most 40 characters",
+    SERVER,
+    '_KEY = re.compile(r"[A-Za-z0-9_-]{8,64}")',
+    '_KEY = re.compile(r"[A-Za-z0-9_-]{8,40}")',
+  ),
+  fault(
+    "too-late",
+    "a command that is too old on arrival is accepted",
+    COMMAND_STORE,
+    "if request.age >= request.ttl:",
+    "if False:",
+  ),
+  fault("ttl", "no command expires", COMMAND_STORE, "if entry.deadline <= now", "if False"),
+  fault(
+    "age",
+    "the age of a retry is ignored",
+    COMMAND_STORE,
+    "(request.ttl - request.age) / 1_000",
+    "request.ttl / 1_000",
+  ),
+  fault("transit", "transit time is ignored", SERVER, "request.age += self._transit", "pass"),
+  fault(
+    "ttl-waits",
+    "every command expires after half a second",
+    COMMAND_STORE,
+    "(request.ttl - request.age) / 1_000",
+    "min(500, request.ttl - request.age) / 1_000",
+  ),
+  fault(
+    "ttl-default",
+    "the default ttl is 30 s",
+    COMMAND_REQUESTS,
+    "DEFAULT_TTL = 10_000",
+    "DEFAULT_TTL = 30_000",
+  ),
+  fault(
+    "terms",
+    "a lease of 10 ms is accepted",
+    COMMAND_REQUESTS,
+    '"lease": (100, 2_000',
+    '"lease": (10, 2_000',
+  ),
+  fault(
+    "terms",
+    "a ttl of ten minutes is accepted",
+    COMMAND_REQUESTS,
+    '"ttl": (200, 60_000',
+    '"ttl": (200, 600_000',
+  ),
+];
