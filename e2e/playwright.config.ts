@@ -1,5 +1,5 @@
 import { defineConfig } from "playwright/test";
-import { chromiumArguments, requireChromium } from "../scripts/chromium.ts";
+import { chromiumArguments, requireHeadlessChromium } from "../scripts/chromium.ts";
 
 const report = process.env["PLAYWRIGHT_JSON_OUTPUT_NAME"];
 
@@ -24,6 +24,6 @@ export default defineConfig({
     serviceWorkers: "block",
     // Tracing takes a third of a test's time. Turn it on with `--trace on`.
     screenshot: "only-on-failure",
-    launchOptions: { executablePath: requireChromium(), args: [...chromiumArguments] },
+    launchOptions: { executablePath: requireHeadlessChromium(), args: [...chromiumArguments] },
   },
 });

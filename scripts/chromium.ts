@@ -3,6 +3,7 @@ import { existsSync } from "node:fs";
 import { chromium } from "playwright";
 import { inPath, run, tryInstall } from "./programs.ts";
 
+const HEADLESS_SHELL = "chromium-headless-shell";
 const systemNames = [
   "chromium",
   "chromium-browser",
@@ -35,6 +36,20 @@ export function findChromium(): string | null {
     ...macPaths,
   ];
   return candidates.find((path) => path !== "" && existsSync(path)) ?? null;
+}
+
+/**
+ * Finds the browser for pages that are always visible: Chromium's headless shell, which needs half
+ * the processor time because it has no interface of its own, or else Chromium.
+ * @throws Error with installation instructions
+ */
+export function requireHeadlessChromium(): string {
+  return process.env["CHROMIUM_PATH"] ?? inPath(HEADLESS_SHELL)[0] ?? requireChromium();
+}
+
+/** Installs the headless shell if the machine allows that. */
+export function tryInstallHeadlessShell(): void {
+  if (inPath(HEADLESS_SHELL).length === 0) tryInstall(HEADLESS_SHELL);
 }
 
 /**

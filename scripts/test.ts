@@ -7,7 +7,7 @@ import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { audit } from "./audit.ts";
-import { requireChromium } from "./chromium.ts";
+import { requireChromium, tryInstallHeadlessShell } from "./chromium.ts";
 import { tryInstallJava } from "./java.ts";
 import { pythonTests, requirePython, requirePythonTools } from "./python.ts";
 import { requireRedis } from "./redis-server.ts";
@@ -30,6 +30,7 @@ const hasRequirements = [check("Python", requirePython), check("browser", requir
 );
 // Without Redis, the tests that need it are skipped. That must not count as success.
 if (!check("Redis", requireRedis)) add("Redis", { passed: 0, failed: 1, skipped: 0 });
+tryInstallHeadlessShell();
 tryInstallJava();
 stage("types", ["tsc", "-b"]);
 stage("lint", ["oxlint", "--max-warnings", "0"]);
