@@ -10,7 +10,7 @@ import type { Explanation } from "../../stores/card-store.ts";
 import { Badge } from "../../ui/Badge.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { focusLine } from "../program/focus-line.ts";
-import { takeMend } from "../program/take-mend.ts";
+import { takeMend } from "../program/set-fixed-program.ts";
 import type { StageViewStore } from "../stage/stage-view.ts";
 import { BurstIcon } from "../timeline/BurstIcon.tsx";
 import styles from "./cards.module.css";

@@ -24,7 +24,7 @@ import { LineTools } from "./LineTools.tsx";
 import { LineTruth } from "./LineTruth.tsx";
 import { applyEdit, deleteLine, moveLine, type RememberedNumbers } from "./program-actions.ts";
 import styles from "./program-line.module.css";
-import { takeMend } from "./take-mend.ts";
+import { takeMend } from "./set-fixed-program.ts";
 import { useAdviceText } from "./use-advice-text.ts";
 import { useLineLabel } from "./use-line-label.ts";
 

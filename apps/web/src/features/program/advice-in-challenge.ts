@@ -5,7 +5,7 @@
 import type { Advice } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
 import type { ChallengeState } from "../../stores/challenge-store.ts";
-import { allowsMend } from "./mend-rights.ts";
+import { allowsMend } from "./fix-rights.ts";
 
 export function concernsReader(
   { fix }: Pick<Advice, "fix">,

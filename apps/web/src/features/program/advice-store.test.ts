@@ -7,7 +7,7 @@ import { createWorkspaceStore, setMaze, undo } from "../../stores/workspace-stor
 import { adviceOn, createAdviceStore, type AdvicePorts } from "./advice-store.ts";
 import * as coach from "./coach.ts";
 import { applyEdit } from "./program-actions.ts";
-import { takeMend } from "./take-mend.ts";
+import { takeMend } from "./set-fixed-program.ts";
 
 /** The second line is a delayed turn just before a wall. */
 const wrong: ProgramDocument = {

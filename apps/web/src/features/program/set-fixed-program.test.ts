@@ -3,7 +3,7 @@ import type { ProgramDocument } from "@corridor/program";
 import { describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "../../worker/first-project.ts";
 import { createWorkspaceStore, undo } from "../../stores/workspace-store.ts";
-import { takeMend } from "./take-mend.ts";
+import { takeMend } from "./set-fixed-program.ts";
 
 const three: ProgramDocument = {
   ...firstProgram,

@@ -2,7 +2,7 @@ import type { Rights } from "@corridor/challenge";
 import type { Fix } from "@corridor/coach";
 import { conditionKinds, menuActions } from "@corridor/program";
 import { describe, expect, it } from "vitest";
-import { allowsMend } from "./mend-rights.ts";
+import { allowsMend } from "./fix-rights.ts";
 
 const all: Rights = {
   drivers: ["program"],
