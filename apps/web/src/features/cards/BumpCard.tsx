@@ -10,7 +10,7 @@ import type { Explanation } from "../../stores/card-store.ts";
 import { Badge } from "../../ui/Badge.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { focusLine } from "../program/focus-line.ts";
-import { takeMend } from "../program/set-fixed-program.ts";
+import { setFixedProgram } from "../program/set-fixed-program.ts";
 import type { StageViewStore } from "../stage/stage-view.ts";
 import { BurstIcon } from "../timeline/BurstIcon.tsx";
 import styles from "./cards.module.css";
@@ -18,7 +18,7 @@ import { diagnosisText, diagnosisTitle, diagnosisWords, roomText } from "./diagn
 import { FloatingCard } from "./FloatingCard.tsx";
 import { fixText } from "./fix-text.ts";
 import { RoomBars } from "./RoomBars.tsx";
-import { runFromStart, tellMended } from "./run-from-start.ts";
+import { runFromStart, showFixed } from "./run-from-start.ts";
 import { trailWay } from "./trail-end.ts";
 import { watchAgain } from "./watch-again.ts";
 
@@ -67,8 +67,8 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
   const since = cause === null ? event.startedAt : Math.min(event.startedAt, cause.moment.tick);
 
   function take(chosen: Fix) {
-    takeMend(workspace, chosen, applyFix(program, chosen));
-    tellMended({ screen, run, simulator, words: i18n });
+    setFixedProgram(workspace, chosen, applyFix(program, chosen));
+    showFixed({ screen, run, simulator, words: i18n });
     onClose();
   }
 

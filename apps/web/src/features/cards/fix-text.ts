@@ -14,15 +14,15 @@ export function fixText(
       const action = t(`words:program.action.${fix.action}`);
       return fix.line === "default"
         ? t("diagnosis:fix.otherwise", { action })
-        : t("words:cards.mend.action", { action });
+        : t("words:cards.fix.action", { action });
     }
     case "number": {
       const when = program.rules[fix.line]?.when ?? null;
       const from = when === null ? "" : numberOf(when);
-      return t("words:cards.mend.number", { from, number: fix.number });
+      return t("words:cards.fix.number", { from, number: fix.number });
     }
     case "move":
-      return t("words:cards.mend.move", { line: fix.line + 1, to: fix.to + 1 });
+      return t("words:cards.fix.move", { line: fix.line + 1, to: fix.to + 1 });
     case "insert": {
       const { when, do: action } = fix.rule;
       return t("diagnosis:fix.insert", {

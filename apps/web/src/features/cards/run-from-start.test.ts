@@ -3,24 +3,24 @@ import { expect, it } from "vitest";
 import { createRunStore } from "../../stores/run-store.ts";
 import { createScreenStore } from "../../stores/screen-store.ts";
 import type { ToWorker } from "../../worker/worker-messages.ts";
-import { tellMended } from "./run-from-start.ts";
+import { showFixed } from "./run-from-start.ts";
 
 /** A page whose robot stands where it bumped, and whose program was fixed. */
-function mended() {
+function fixed() {
   const sent: ToWorker[] = [];
   const screen = createScreenStore();
   const run = createRunStore();
   const paused = snapshotOf({ state: "paused", tick: 300 });
   run.setState({ snapshot: paused, nowTick: 300 });
   const simulator = { send: (message: ToWorker) => void sent.push(message) };
-  tellMended({ screen, run, simulator, words: { t: (key: string) => key } as never });
+  showFixed({ screen, run, simulator, words: { t: (key: string) => key } as never });
   return { sent, run, paused, message: () => screen.getState().messages[0] };
 }
 
 it("offers a run from the start, for as long as the robot stands at the wall", () => {
-  const { sent, run, paused, message } = mended();
+  const { sent, run, paused, message } = fixed();
   run.setState({ snapshot: { ...paused } });
-  expect(message()).toMatchObject({ text: "cards.mend.done", stays: true });
+  expect(message()).toMatchObject({ text: "cards.fix.done", stays: true });
   message()?.action?.run();
   expect(sent).toEqual([{ type: "reset" }, { type: "run" }]);
 });
@@ -29,7 +29,7 @@ it.each([
   { how: "drives on", change: { snapshot: snapshotOf({ state: "running", tick: 301 }) } },
   { how: "is put back to its start", change: { nowTick: 0 } },
 ])("offers it no more once the robot $how", ({ change }) => {
-  const { run, message } = mended();
+  const { run, message } = fixed();
   run.setState(change);
   expect(message()).toBeUndefined();
 });

@@ -12,7 +12,7 @@ export function runFromStart(simulator: Simulator): void {
   simulator.send({ type: "run" });
 }
 
-interface MendedParts {
+interface FixedParts {
   screen: ScreenStore;
   run: RunStore;
   simulator: Simulator;
@@ -20,10 +20,10 @@ interface MendedParts {
 }
 
 /** Reports the fix, and offers a run from the start while the robot stands where it bumped. */
-export function tellMended({ screen, run, simulator, words }: MendedParts): void {
+export function showFixed({ screen, run, simulator, words }: FixedParts): void {
   const id = showMessage(screen, {
     tone: "info",
-    text: words.t("cards.mend.done"),
+    text: words.t("cards.fix.done"),
     stays: true,
     action: { label: words.t("cards.fromStart"), run: () => runFromStart(simulator) },
   });

@@ -26,7 +26,7 @@ export function FileProblems({ isOpen, reports, onClose }: FileProblemsProps) {
       title={t("files.problems.title", { count: reports.length })}
       subtitle={t("files.problems.kept")}
       width="narrow"
-      footer={reports.some(({ isTextWrong }) => isTextWrong) ? t("files.problems.mend") : undefined}
+      footer={reports.some(({ isTextWrong }) => isTextWrong) ? t("files.problems.fix") : undefined}
     >
       <div className={styles["reports"]}>
         {withKeys(reports, ({ file }) => file).map(

@@ -11,19 +11,19 @@ import type { AdviceText } from "./advice-text.ts";
 export interface AdviceNoteProps {
   text: AdviceText;
   /** applies the fix; absent in a challenge, where the student finds the change */
-  onMend?: (() => void) | undefined;
+  onFix?: (() => void) | undefined;
   onHide: () => void;
 }
 
-export function AdviceNote({ text, onMend, onHide }: AdviceNoteProps) {
+export function AdviceNote({ text, onFix, onHide }: AdviceNoteProps) {
   const { t } = useTranslation();
   return (
     <div className={styles["advice"]}>
       <Lightbulb size={16} aria-hidden="true" />
       <p>{text.reason}</p>
-      {text.mend !== null && onMend !== undefined && (
-        <Button size="small" className={styles["mend"]} onClick={onMend}>
-          {text.mend}
+      {text.fix !== null && onFix !== undefined && (
+        <Button size="small" className={styles["fix"]} onClick={onFix}>
+          {text.fix}
         </Button>
       )}
       <IconButton label={t("program.advice.hide")} onClick={onHide}>

@@ -24,7 +24,7 @@ import { LineTools } from "./LineTools.tsx";
 import { LineTruth } from "./LineTruth.tsx";
 import { applyEdit, deleteLine, moveLine, type RememberedNumbers } from "./program-actions.ts";
 import styles from "./program-line.module.css";
-import { takeMend } from "./set-fixed-program.ts";
+import { setFixedProgram } from "./set-fixed-program.ts";
 import { useAdviceText } from "./use-advice-text.ts";
 import { useLineLabel } from "./use-line-label.ts";
 
@@ -85,14 +85,14 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
     focusNeighbour(workspace.getState().lineIds, index);
   }
 
-  function mend() {
-    const mended = by && advice.mended(by);
-    if (by === null || mended === null) return;
+  function fix() {
+    const fixed = by && advice.fixedProgram(by);
+    if (by === null || fixed === null) return;
     if (by.kind === "delete") {
       remove();
       return;
     }
-    flushSync(() => takeMend(workspace, by, mended));
+    flushSync(() => setFixedProgram(workspace, by, fixed));
     // The button disappears with its advice, so the focus moves to the line with the new condition
     // and action.
     document.getElementById(lineElementId(id))?.focus();
@@ -170,7 +170,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
           <LazyAdviceNote
             isWanted
             text={adviceText}
-            onMend={isChallenge ? undefined : mend}
+            onFix={isChallenge ? undefined : fix}
             onHide={hide}
           />
         </div>

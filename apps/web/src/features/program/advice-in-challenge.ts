@@ -5,7 +5,7 @@
 import type { Advice } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
 import type { ChallengeState } from "../../stores/challenge-store.ts";
-import { allowsMend } from "./fix-rights.ts";
+import { allowsFix } from "./fix-rights.ts";
 
 export function concernsReader(
   { fix }: Pick<Advice, "fix">,
@@ -14,7 +14,7 @@ export function concernsReader(
 ): boolean {
   if (challenge === null) return true;
   if (challenge.program !== null && doesTheSame(program, challenge.program)) return false;
-  return fix !== null && allowsMend(fix, program.rules.length, rights);
+  return fix !== null && allowsFix(fix, program.rules.length, rights);
 }
 
 function doesTheSame(one: ProgramDocument, other: ProgramDocument): boolean {

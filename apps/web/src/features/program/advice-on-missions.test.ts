@@ -70,11 +70,11 @@ describe("advice on the missions", () => {
     );
     const astray = programs.flatMap((program) => {
       const [passed, seen] = progress(challenge, program);
-      const mends = challenge.mazes.flatMap((maze) =>
+      const fixes = challenge.mazes.flatMap((maze) =>
         adviseProgram(program, maze).flatMap(({ fix }) => (fix === null ? [] : [fix])),
       );
-      return mends.filter((mend) => {
-        const [nowPassed, nowSeen] = progress(challenge, applyFix(program, mend));
+      return fixes.filter((fix) => {
+        const [nowPassed, nowSeen] = progress(challenge, applyFix(program, fix));
         // A program that passes need not visit every cell.
         return nowPassed < passed || (nowPassed === passed && nowSeen < seen);
       });

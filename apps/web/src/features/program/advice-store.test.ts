@@ -7,7 +7,7 @@ import { createWorkspaceStore, setMaze, undo } from "../../stores/workspace-stor
 import { adviceOn, createAdviceStore, type AdvicePorts } from "./advice-store.ts";
 import * as coach from "./coach.ts";
 import { applyEdit } from "./program-actions.ts";
-import { takeMend } from "./set-fixed-program.ts";
+import { setFixedProgram } from "./set-fixed-program.ts";
 
 /** The second line is a delayed turn just before a wall. */
 const wrong: ProgramDocument = {
@@ -158,9 +158,9 @@ describe("advice on the lines", () => {
   it("is taken in one step of the history", async () => {
     const { workspace, advice, settle, lines } = setUp();
     await settle();
-    const mend = adviceOn(1, advice.getState())?.fix;
-    const mended = mend ? advice.mended(mend) : null;
-    if (mend && mended) takeMend(workspace, mend, mended);
+    const fix = adviceOn(1, advice.getState())?.fix;
+    const fixed = fix ? advice.fixedProgram(fix) : null;
+    if (fix && fixed) setFixedProgram(workspace, fix, fixed);
     expect(workspace.getState().program.rules[1]?.do).toBe("left 90");
     expect(lines()).toEqual([]);
     undo(workspace);

@@ -21,7 +21,7 @@ type AdviceWords = (
 /** The coach's functions. They load from a separate file once the page is idle. */
 export interface Coach {
   adviseProgram: (program: ProgramDocument, maze: MazeDocument) => Advice[];
-  applyFix: (program: ProgramDocument, mend: Fix) => ProgramDocument;
+  applyFix: (program: ProgramDocument, fix: Fix) => ProgramDocument;
   adviceText: AdviceWords;
   /** whether an advice on this program is for the student while a challenge is open */
   concernsReader: (advice: Advice, program: ProgramDocument, open: ChallengeState) => boolean;
@@ -50,7 +50,7 @@ export interface AdviceStore extends Pick<
   /** hides this advice on every line with the same content */
   hide: (advice: Advice) => void;
   /** the program with the fix applied; null while the coach is not loaded */
-  mended: (mend: Fix) => ProgramDocument | null;
+  fixedProgram: (fix: Fix) => ProgramDocument | null;
   /** an advice in words; null while the coach is not loaded */
   textOf: (...about: Parameters<AdviceWords>) => AdviceText | null;
 }
@@ -140,7 +140,7 @@ export function createAdviceStore({
       refresh();
     },
     textOf: (...about) => coach && coach.adviceText(...about),
-    mended: (mend) => coach?.applyFix(workspace.getState().program, mend) ?? null,
+    fixedProgram: (fix) => coach?.applyFix(workspace.getState().program, fix) ?? null,
   };
 }
 

@@ -7,7 +7,7 @@ import { conditionText } from "./condition-text.ts";
 export interface AdviceText {
   reason: string;
   /** null if the advice has no fix */
-  mend: string | null;
+  fix: string | null;
 }
 
 /** @param when the condition of the line that the advice is about; null for "otherwise" */
@@ -51,29 +51,29 @@ export function adviceText(
     }
   }
 
-  function mendText(mend: Fix): string {
-    switch (mend.kind) {
+  function fixText(fix: Fix): string {
+    switch (fix.kind) {
       case "action":
-        return t("program.mend.action", { action: t(`program.action.${mend.action}`) });
+        return t("program.fix.action", { action: t(`program.action.${fix.action}`) });
       case "number":
-        return t("program.mend.number", { number: mend.number });
+        return t("program.fix.number", { number: fix.number });
       case "condition":
-        return t("program.mend.condition", {
-          condition: conditionText(t, mend.when, language),
+        return t("program.fix.condition", {
+          condition: conditionText(t, fix.when, language),
         });
       case "move":
-        return t(mend.to < mend.line ? "program.mend.moveUp" : "program.mend.moveDown", {
-          line: mend.to + 1,
+        return t(fix.to < fix.line ? "program.fix.moveUp" : "program.fix.moveDown", {
+          line: fix.to + 1,
         });
       case "delete":
-        return t("program.mend.delete", { line: mend.line + 1 });
+        return t("program.fix.delete", { line: fix.line + 1 });
       case "insert":
-        return t("program.mend.insert");
+        return t("program.fix.insert");
     }
   }
 
   return {
     reason: reasonText(advice),
-    mend: advice.fix === null ? null : mendText(advice.fix),
+    fix: advice.fix === null ? null : fixText(advice.fix),
   };
 }

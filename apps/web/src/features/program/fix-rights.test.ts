@@ -2,7 +2,7 @@ import type { Rights } from "@corridor/challenge";
 import type { Fix } from "@corridor/coach";
 import { conditionKinds, menuActions } from "@corridor/program";
 import { describe, expect, it } from "vitest";
-import { allowsMend } from "./fix-rights.ts";
+import { allowsFix } from "./fix-rights.ts";
 
 const all: Rights = {
   drivers: ["program"],
@@ -13,7 +13,7 @@ const all: Rights = {
   maze: true,
 };
 const front = { sensor: "front", is: "<", than: 50 } as const;
-const mends: Record<Fix["kind"], Fix> = {
+const fixes: Record<Fix["kind"], Fix> = {
   action: { kind: "action", line: 0, action: "left 90" },
   number: { kind: "number", line: 0, number: 50 },
   condition: { kind: "condition", line: 0, when: front },
@@ -21,14 +21,14 @@ const mends: Record<Fix["kind"], Fix> = {
   delete: { kind: "delete", line: 0 },
   insert: { kind: "insert", at: 0, rule: { when: front, do: "left 90" } },
 };
-const kinds = Object.values(mends);
+const kinds = Object.values(fixes);
 
-describe("a mend", () => {
+describe("a fix", () => {
   it.each(kinds)(
     "that is a $kind is offered where there is no challenge, or all is allowed",
-    (mend) => {
-      expect(allowsMend(mend, 1, null)).toBe(true);
-      expect(allowsMend(mend, 1, all)).toBe(true);
+    (fix) => {
+      expect(allowsFix(fix, 1, null)).toBe(true);
+      expect(allowsFix(fix, 1, all)).toBe(true);
     },
   );
 
@@ -43,18 +43,18 @@ describe("a mend", () => {
   ] as const)("that is a %s is not offered where the challenge keeps the %s", (kind, edit) => {
     const edits = new Set(all.edits);
     edits.delete(edit);
-    expect(allowsMend(mends[kind], 1, { ...all, edits })).toBe(false);
+    expect(allowsFix(fixes[kind], 1, { ...all, edits })).toBe(false);
   });
 
   it.each(["action", "insert"] as const)("that is a %s does only what is allowed", (kind) => {
-    expect(allowsMend(mends[kind], 1, { ...all, actions: ["forward"] })).toBe(false);
+    expect(allowsFix(fixes[kind], 1, { ...all, actions: ["forward"] })).toBe(false);
   });
 
   it.each(["condition", "insert"] as const)("that is a %s asks only what is allowed", (kind) => {
-    expect(allowsMend(mends[kind], 1, { ...all, conditions: [] })).toBe(false);
+    expect(allowsFix(fixes[kind], 1, { ...all, conditions: [] })).toBe(false);
   });
 
   it("adds no line to a program that has as many as are allowed", () => {
-    expect(allowsMend(mends.insert, 3, all)).toBe(false);
+    expect(allowsFix(fixes.insert, 3, all)).toBe(false);
   });
 });

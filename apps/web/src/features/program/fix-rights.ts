@@ -7,16 +7,16 @@ import { kindOf, type Rule } from "@corridor/program";
  * @param lines of the program
  * @param rights null while no challenge is open, which permits everything
  */
-export function allowsMend(mend: Fix, lines: number, rights: Rights | null): boolean {
+export function allowsFix(fix: Fix, lines: number, rights: Rights | null): boolean {
   if (rights === null) return true;
   const { edits, actions } = rights;
-  switch (mend.kind) {
+  switch (fix.kind) {
     case "action":
-      return edits.has("action") && actions.includes(mend.action);
+      return edits.has("action") && actions.includes(fix.action);
     case "number":
       return edits.has("number");
     case "condition":
-      return edits.has("condition") && edits.has("number") && allowsCondition(mend.when, rights);
+      return edits.has("condition") && edits.has("number") && allowsCondition(fix.when, rights);
     case "move":
       return edits.has("order");
     case "delete":
@@ -25,8 +25,8 @@ export function allowsMend(mend: Fix, lines: number, rights: Rights | null): boo
       return (
         edits.has("lines") &&
         lines < rights.maxLines &&
-        actions.includes(mend.rule.do) &&
-        allowsCondition(mend.rule.when, rights)
+        actions.includes(fix.rule.do) &&
+        allowsCondition(fix.rule.when, rights)
       );
   }
 }

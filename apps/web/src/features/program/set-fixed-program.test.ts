@@ -3,7 +3,7 @@ import type { ProgramDocument } from "@corridor/program";
 import { describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "../../worker/first-project.ts";
 import { createWorkspaceStore, undo } from "../../stores/workspace-store.ts";
-import { takeMend } from "./set-fixed-program.ts";
+import { setFixedProgram } from "./set-fixed-program.ts";
 
 const three: ProgramDocument = {
   ...firstProgram,
@@ -15,7 +15,7 @@ const three: ProgramDocument = {
 };
 const condition = { sensor: "left", is: ">", than: 60 } as const;
 
-describe("a mend that is taken", () => {
+describe("an applied fix", () => {
   it.each<[Fix, (string | null)[]]>([
     [{ kind: "action", line: 1, action: "right 90" }, ["a", "b", "c"]],
     [{ kind: "number", line: 1, number: 50 }, ["a", "b", "c"]],
@@ -24,7 +24,7 @@ describe("a mend that is taken", () => {
     [{ kind: "move", line: 0, to: 1 }, ["b", "a", "c"]],
     [{ kind: "delete", line: 1 }, ["a", "c"]],
     [{ kind: "insert", at: 1, rule: { when: condition, do: "stop" } }, ["a", null, "b", "c"]],
-  ])("%j leaves every line its id, and one undo takes it back", (mend, order) => {
+  ])("%j leaves every line its id, and one undo takes it back", (fix, order) => {
     const workspace = createWorkspaceStore(firstMaze, three);
     const [a, b, c] = workspace.getState().lineIds;
     const names = new Map([
@@ -32,10 +32,10 @@ describe("a mend that is taken", () => {
       [b, "b"],
       [c, "c"],
     ]);
-    const mended = applyFix(three, mend);
-    takeMend(workspace, mend, mended);
+    const fixed = applyFix(three, fix);
+    setFixedProgram(workspace, fix, fixed);
     const { program, lineIds } = workspace.getState();
-    expect(program).toBe(mended);
+    expect(program).toBe(fixed);
     expect(lineIds.map((id) => names.get(id) ?? null)).toEqual(order);
     // Each id stays with its rule, except for the rule that the fix changed.
     expect(lineIds).toHaveLength(program.rules.length);

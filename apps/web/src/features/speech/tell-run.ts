@@ -16,7 +16,7 @@ type Ports = Pick<Services, "challenge" | "run" | "workspace" | "screen" | "time
 
 /** The number of fixes that the card offers. */
 function fixCount(t: Words["t"], { fixes }: Diagnosis): string[] {
-  return fixes.length > 0 ? [spoken(t)("runDetails:speech.mends", { count: fixes.length })] : [];
+  return fixes.length > 0 ? [spoken(t)("runDetails:speech.fixes", { count: fixes.length })] : [];
 }
 
 /**

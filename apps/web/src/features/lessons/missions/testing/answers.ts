@@ -171,7 +171,7 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
       line(front("<", 50), "turn 180"),
     ),
     wrong: {
-      why: "mends a line that was right",
+      why: "fixes a line that was right",
       attempt: lines(
         "forward",
         line(right(">", 60), "right 90"),
