@@ -6,7 +6,6 @@ import { englishWords } from "./build/english-words.ts";
 import { firstScript } from "./build/first-script.ts";
 import { layerOrder } from "./build/layer-order.ts";
 import { leanClasses } from "./build/lean-classes.ts";
-import { leanIcons } from "./build/lean-icons.ts";
 import { precompress } from "./build/precompress.ts";
 import { publish } from "./build/publish.ts";
 
@@ -74,7 +73,6 @@ export default defineConfig({
       },
     }),
     leanClasses(),
-    leanIcons(),
     layerOrder(),
     shellClasses(),
     englishWords(),
@@ -103,7 +101,7 @@ export default defineConfig({
           groups: [
             {
               name: "react",
-              test: /node_modules\/(?:react|react-dom|scheduler|i18next|react-i18next|zustand|zundo|use-sync-external-store|lucide-react\/dist\/esm\/(?!icons\/))|ui\/(?:Button|button\.module|class-names|field\.module)|icons\/x\.|maze-limits|program\/src\/(?:vocabulary|condition-parts)|rolldown\/runtime|vite\/preload-helper|src\/text\/numbers/,
+              test: /node_modules\/(?:react|react-dom|scheduler|i18next|react-i18next|zustand|zundo|use-sync-external-store)|ui\/(?:Button|button\.module|class-names|field\.module)|icons\/x\.|maze-limits|program\/src\/(?:vocabulary|condition-parts)|rolldown\/runtime|vite\/preload-helper|src\/text\/numbers/,
             },
           ],
         },

@@ -2,11 +2,12 @@
  * Items that do not fit into a narrow bar. On a phone, they include Remote, which has no panel
  * there.
  */
-import { Keyboard, RadioTower, Target } from "lucide-react";
+import { Keyboard, RadioTower, Target } from "lucide";
 import { useTranslation } from "react-i18next";
 import { FileMenuItems } from "../features/files/FileMenuItems.tsx";
 import { LanguageSelect } from "../features/language/LanguageSelect.tsx";
 import { ThemeChoice } from "../features/theme/ThemeChoice.tsx";
+import { Icon } from "../ui/Icon.tsx";
 import { MenuItem } from "../ui/Popover.tsx";
 import { useServices } from "./services.ts";
 import styles from "./more-menu.module.css";
@@ -25,15 +26,15 @@ export function MoreMenu({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) 
     <>
       {isPhone && (
         <>
-          <MenuItem icon={<Target aria-hidden="true" />} onSelect={onLessons}>
+          <MenuItem icon={<Icon of={Target} />} onSelect={onLessons}>
             {t("lessons.lessons")}
           </MenuItem>
-          <MenuItem icon={<RadioTower aria-hidden="true" />} onSelect={onRemote}>
+          <MenuItem icon={<Icon of={RadioTower} />} onSelect={onRemote}>
             {t("drive.remote")}
           </MenuItem>
         </>
       )}
-      <MenuItem icon={<Keyboard aria-hidden="true" />} onSelect={onKeys}>
+      <MenuItem icon={<Icon of={Keyboard} />} onSelect={onKeys}>
         {t("shell.keys.title")}
       </MenuItem>
       <FileMenuItems />

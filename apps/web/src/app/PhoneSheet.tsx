@@ -1,6 +1,6 @@
 /** The sheet of the phone: Drive, Program and Presets as tabs, with three positions. */
 import type { Rights } from "@corridor/challenge";
-import { LayoutGrid, List, User } from "lucide-react";
+import { LayoutGrid, List, User } from "lucide";
 import { useEffect, useLayoutEffect, useRef, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -11,6 +11,7 @@ import { MissionPlace } from "../features/lessons/OpenChallenge.tsx";
 import { useRights } from "../features/lessons/use-rights.ts";
 import { LazyPresetsPanel } from "../features/presets/lazy-presets-panel.ts";
 import { ProgramEditor } from "../features/program/ProgramEditor.tsx";
+import { Icon } from "../ui/Icon.tsx";
 import { Deferred } from "../ui/Deferred.tsx";
 import { Tabs } from "../ui/Tabs.tsx";
 import styles from "./phone-sheet.module.css";
@@ -19,9 +20,9 @@ import { sheetTabs, type SheetTab } from "../stores/screen-store.ts";
 import { afterDrag, afterPress, type SheetPosition } from "./sheet.ts";
 
 const icons: Readonly<Record<SheetTab, ReactNode>> = {
-  drive: <User aria-hidden="true" />,
-  program: <List aria-hidden="true" />,
-  presets: <LayoutGrid aria-hidden="true" />,
+  drive: <Icon of={User} />,
+  program: <Icon of={List} isDirectional />,
+  presets: <Icon of={LayoutGrid} />,
 };
 
 function tabFor(rights: Rights | null): SheetTab {

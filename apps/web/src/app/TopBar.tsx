@@ -1,5 +1,5 @@
 /** The bar at the top: logo, maze, and actions. */
-import { Ellipsis, Keyboard } from "lucide-react";
+import { Ellipsis, Keyboard } from "lucide";
 import { useTranslation } from "react-i18next";
 import { LanguageButton } from "../features/language/LanguageButton.tsx";
 import { LessonsButton } from "../features/lessons/LessonsButton.tsx";
@@ -7,6 +7,7 @@ import { PresetsButton } from "../features/presets/PresetsButton.tsx";
 import { ShareButton } from "../features/share/ShareButton.tsx";
 import { ThemeButton } from "../features/theme/ThemeButton.tsx";
 import { MazeMenu } from "../features/works/MazeMenu.tsx";
+import { Icon } from "../ui/Icon.tsx";
 import { IconButton } from "../ui/Button.tsx";
 import { lazyPart } from "../ui/lazy-part.tsx";
 import { Deferred } from "../ui/Deferred.tsx";
@@ -38,7 +39,7 @@ export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
           ) : (
             <div className={styles["last"]}>
               <IconButton label={t("shell.keys.title")} size="medium" onClick={onKeys}>
-                <Keyboard aria-hidden="true" />
+                <Icon of={Keyboard} />
               </IconButton>
               <ThemeButton screen={screen} />
               <LanguageButton />
@@ -60,7 +61,7 @@ function More({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
   return (
     <>
       <IconButton label={t("shell.more")} size="large" {...menu.trigger}>
-        <Ellipsis aria-hidden="true" />
+        <Icon of={Ellipsis} />
       </IconButton>
       <Popover {...menu.panel} label={t("shell.more")} align="end">
         <MoreMenu isPhone={isPhone} onKeys={onKeys} onRemote={onRemote} onLessons={onLessons} />

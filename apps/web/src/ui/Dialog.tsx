@@ -2,11 +2,12 @@
  * A modal dialog on the native element: it traps focus, closes on Escape, and restores focus. On
  * phones it is a sheet of full height.
  */
-import { X } from "lucide-react";
+import { X } from "lucide";
 import { useEffect, useId, useRef, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { IconButton } from "./Button.tsx";
 import { classNames } from "./class-names.ts";
+import { Icon } from "./Icon.tsx";
 import styles from "./dialog.module.css";
 
 interface DialogProps {
@@ -65,7 +66,7 @@ export function Dialog({
               {subtitle !== undefined && <p className={styles["subtitle"]}>{subtitle}</p>}
             </div>
             <IconButton label={t("shell.close")} size="medium" onClick={onClose}>
-              <X aria-hidden="true" />
+              <Icon of={X} />
             </IconButton>
           </div>
           {isText ? (

@@ -1,11 +1,12 @@
 /** The error of a field and how to fix it, below the field. */
-import { TriangleAlert } from "lucide-react";
+import { TriangleAlert } from "lucide";
+import { Icon } from "./Icon.tsx";
 import styles from "./field.module.css";
 
 export function FieldError({ id, children }: { id: string; children: string }) {
   return (
     <p id={id} className={styles["error"]} role="alert">
-      <TriangleAlert size={16} aria-hidden="true" />
+      <Icon of={TriangleAlert} size={16} />
       {children}
     </p>
   );

@@ -1,7 +1,8 @@
 /** A styled native select, so that phones show their own picker and keys work as usual. */
-import { ChevronDown } from "lucide-react";
+import { ChevronDown } from "lucide";
 import type { ComponentProps, ReactNode } from "react";
 import { classNames } from "./class-names.ts";
+import { Icon } from "./Icon.tsx";
 import styles from "./field.module.css";
 
 interface SelectProps<Value extends string> extends Omit<
@@ -51,7 +52,7 @@ export function Select<Value extends string>({
           </option>
         ))}
       </select>
-      <ChevronDown className={styles["caret"]} size={16} aria-hidden="true" />
+      <Icon of={ChevronDown} className={styles["caret"]} size={16} />
     </span>
   );
 }

@@ -1,12 +1,13 @@
 /** Explains a bump: what happened, the line that caused it and, in free play, tested fixes. */
 import { applyFix, causeLine, type Fix } from "@corridor/coach";
-import { History, Play } from "lucide-react";
+import { History, Play } from "lucide";
 import { useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { useWaited } from "../../app/use-waited.ts";
 import type { Explanation } from "../../stores/card-store.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Badge } from "../../ui/Badge.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { focusLine } from "../program/focus-line.ts";
@@ -109,7 +110,7 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
         {!isSame && (
           <Button
             kind="primary"
-            icon={<Play aria-hidden="true" fill="currentColor" />}
+            icon={<Icon of={Play} fill="currentColor" />}
             onClick={() => runFromStart(simulator)}
           >
             {t("words:cards.fromStart")}
@@ -121,7 +122,7 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
           </Button>
         )}
         <Button
-          icon={<History aria-hidden="true" />}
+          icon={<Icon of={History} />}
           onClick={() => watchAgain(simulator, Math.min(since, tick - WATCHED_TICKS))}
         >
           {t("words:cards.watchAgain")}

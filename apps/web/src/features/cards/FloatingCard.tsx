@@ -5,7 +5,7 @@
  * phones, and wherever it would cover the robot or the end of its trail, it moves into the sheet or
  * the panel.
  */
-import { X } from "lucide-react";
+import { X } from "lucide";
 import { useId, useLayoutEffect, useRef, useState, type ReactNode } from "react";
 import { createPortal } from "react-dom";
 import { useTranslation } from "react-i18next";
@@ -13,6 +13,7 @@ import { useStore } from "zustand";
 import type { Pose } from "@corridor/protocol";
 import { useServices } from "../../app/services.ts";
 import { viewX, viewY, viewportAt, type Box, type Viewport } from "../../canvas/viewport.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { IconButton } from "../../ui/Button.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
@@ -148,7 +149,7 @@ export function FloatingCard(props: FloatingCardProps) {
           {title}
         </h2>
         <IconButton label={t("shell.close")} onClick={onClose}>
-          <X aria-hidden="true" />
+          <Icon of={X} />
         </IconButton>
       </header>
       {children}

@@ -3,12 +3,13 @@
  * the next preset.
  */
 import { mazePresets, type MazeDocument } from "@corridor/maze";
-import { ArrowRight, ImageDown, ListChecks } from "lucide-react";
+import { ArrowRight, ImageDown, ListChecks } from "lucide";
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { allOf } from "../../text/all-of.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import type { LessonsService } from "../lessons/lessons-service.ts";
 import { missionIds, nextMission } from "../lessons/missions/mission.ts";
@@ -51,7 +52,7 @@ function AfterChallenge({ onClose }: Pick<OnwardProps, "onClose">) {
       <Button
         kind="primary"
         disabled={isChecking}
-        icon={<ListChecks aria-hidden="true" />}
+        icon={<Icon of={ListChecks} />}
         onClick={() => {
           onClose();
           void service.check();
@@ -68,7 +69,7 @@ function AfterChallenge({ onClose }: Pick<OnwardProps, "onClose">) {
       {next !== null && (
         <Button kind="primary" onClick={() => void lessons.openMission(next)}>
           {t("words:cards.solved.nextMission")}
-          <ArrowRight className={styles["onward"]} aria-hidden="true" />
+          <Icon of={ArrowRight} className={styles["onward"]} />
         </Button>
       )}
       <FinishButton service={service} mission={mission} />
@@ -88,7 +89,7 @@ function FinishButton({ service, mission }: { service: LessonsService; mission: 
   return (
     <Button
       kind={nextMission(mission) === null ? "primary" : "outline"}
-      icon={<ImageDown aria-hidden="true" />}
+      icon={<Icon of={ImageDown} />}
       onClick={() => challenge.setState({ isPathOpen: true })}
     >
       {t("finish.save")}

@@ -1,6 +1,6 @@
 /** The card for a reached goal: the figures of the run, and the next steps. */
 import type { DriverName, Pose } from "@corridor/protocol";
-import { Flag, History, Share } from "lucide-react";
+import { Flag, History, Share } from "lucide";
 import { useMemo, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -8,6 +8,7 @@ import { useServices } from "../../app/services.ts";
 import { useWaited } from "../../app/use-waited.ts";
 import { allOf } from "../../text/all-of.ts";
 import { formatClock, formatSeconds } from "../../text/numbers.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { RaceButton } from "../race/RaceButton.tsx";
 import { RaceOutcome } from "../race/RaceOutcome.tsx";
@@ -65,7 +66,7 @@ export function SolvedCard({ view, solved, onClose }: SolvedCardProps) {
       keepClear={keepClear}
       trailWays={EITHER_WAY}
       tone="good"
-      icon={<Flag size={18} aria-hidden="true" />}
+      icon={<Icon of={Flag} size={18} />}
       title={isPart ? t("missions:bar.here", allOf(mazes)) : t("words:cards.solved.title")}
       onClose={onClose}
     >
@@ -102,14 +103,10 @@ export function SolvedCard({ view, solved, onClose }: SolvedCardProps) {
       <RaceOutcome />
       <div className={styles["actions"]}>
         <Onward maze={maze} onClose={onClose} />
-        <Button icon={<Share aria-hidden="true" />} onClick={() => setSharing(true)}>
+        <Button icon={<Icon of={Share} />} onClick={() => setSharing(true)}>
           {t("words:cards.solved.share")}
         </Button>
-        <Button
-          kind="quiet"
-          icon={<History aria-hidden="true" />}
-          onClick={() => watchAgain(simulator, 0)}
-        >
+        <Button kind="quiet" icon={<Icon of={History} />} onClick={() => watchAgain(simulator, 0)}>
           {t("words:cards.watchAgain")}
         </Button>
         <RaceButton kind="quiet" />

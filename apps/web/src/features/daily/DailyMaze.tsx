@@ -1,10 +1,11 @@
 /** The daily maze among the presets: that of today, or of an earlier day. */
 import { dailyMaze, dayAfter, type Day, type MazeDocument } from "@corridor/maze";
-import { ChevronLeft, ChevronRight } from "lucide-react";
+import { ChevronLeft, ChevronRight } from "lucide";
 import { useId, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { storageOrNone } from "../../app/project-storage.ts";
 import { formatClock } from "../../text/numbers.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { MazePicture } from "../presets/MazePicture.tsx";
 import { bestOf, EARLIER_DAYS, utcDay } from "./daily-best.ts";
@@ -38,11 +39,11 @@ export function DailyMaze({ onUse }: { onUse: (maze: MazeDocument) => void }) {
               disabled={back === EARLIER_DAYS}
               onClick={() => setBack(back + 1)}
             >
-              <ChevronLeft aria-hidden="true" className={styles["arrow"]} />
+              <Icon of={ChevronLeft} isDirectional className={styles["arrow"]} />
             </IconButton>
             <output className={styles["name"]}>{maze.name}</output>
             <IconButton label={t("later")} disabled={back === 0} onClick={() => setBack(back - 1)}>
-              <ChevronRight aria-hidden="true" className={styles["arrow"]} />
+              <Icon of={ChevronRight} isDirectional className={styles["arrow"]} />
             </IconButton>
           </div>
           <p>{t("goal")}</p>

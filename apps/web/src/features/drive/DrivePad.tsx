@@ -1,8 +1,9 @@
 /** The drive keys on the screen, drawn as keys of a keyboard: hold one to drive. */
-import { ArrowDown, ArrowUp, CornerUpLeft, CornerUpRight, Square } from "lucide-react";
+import { ArrowDown, ArrowUp, CornerUpLeft, CornerUpRight, Square } from "lucide";
 import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
+import { Icon } from "../../ui/Icon.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import type { DriveKey } from "../../worker/worker-messages.ts";
 import styles from "./drive-pad.module.css";
@@ -10,11 +11,11 @@ import { activeKey, isHeldBy, type HoldStore } from "./hold-store.ts";
 
 /** Without a cap: the space bar, whose name depends on the language. */
 const keys: readonly { key: DriveKey; cap: string | null; icon: ReactNode }[] = [
-  { key: "forward", cap: "W", icon: <ArrowUp aria-hidden="true" /> },
-  { key: "left", cap: "A", icon: <CornerUpLeft aria-hidden="true" /> },
-  { key: "stop", cap: null, icon: <Square aria-hidden="true" fill="currentColor" /> },
-  { key: "right", cap: "D", icon: <CornerUpRight aria-hidden="true" /> },
-  { key: "reverse", cap: "S", icon: <ArrowDown aria-hidden="true" /> },
+  { key: "forward", cap: "W", icon: <Icon of={ArrowUp} /> },
+  { key: "left", cap: "A", icon: <Icon of={CornerUpLeft} /> },
+  { key: "stop", cap: null, icon: <Icon of={Square} fill="currentColor" /> },
+  { key: "right", cap: "D", icon: <Icon of={CornerUpRight} /> },
+  { key: "reverse", cap: "S", icon: <Icon of={ArrowDown} /> },
 ];
 
 /** @param caps keyboard: W A S D on the keys; words: forward, left, stop, right, reverse */

@@ -1,10 +1,11 @@
 /**
  * The Drive tab of the phone: readings in a row, big keys under the thumbs, and the current driver.
  */
-import { Pause, Play } from "lucide-react";
+import { Pause, Play } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { useRights } from "../lessons/use-rights.ts";
 import { runButton } from "../transport/run-button.ts";
@@ -47,13 +48,13 @@ function RunProgram() {
   const { simulator, run } = useServices();
   const isPause = useStore(run, (state) => runButton(state) === "pause");
   const isFault = useStore(run, ({ fault }) => fault !== null);
-  const Icon = isPause ? Pause : Play;
+  const icon = isPause ? Pause : Play;
   return (
     <Button
       kind={isPause ? "primary" : "run"}
       size="large"
       className={styles["runProgram"]}
-      icon={<Icon aria-hidden="true" fill="currentColor" />}
+      icon={<Icon of={icon} fill="currentColor" />}
       disabled={isFault}
       aria-keyshortcuts="Control+Enter"
       onClick={() => simulator.send({ type: isPause ? "pause" : "run" })}

@@ -1,9 +1,10 @@
 /** "Who drives?" Displays the driver that the simulator reports, and requests another one. */
-import { List, RadioTower, User } from "lucide-react";
+import { List, RadioTower, User } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { useRights } from "../lessons/use-rights.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Segmented } from "../../ui/Segmented.tsx";
 
 export function DriverChoice() {
@@ -18,9 +19,9 @@ export function DriverChoice() {
       showLabel={rights === null}
       value={driver}
       options={[
-        { value: "me", label: t("drive.me"), icon: <User aria-hidden="true" /> },
-        { value: "program", label: t("drive.program"), icon: <List aria-hidden="true" /> },
-        { value: "remote", label: t("drive.remote"), icon: <RadioTower aria-hidden="true" /> },
+        { value: "me", label: t("drive.me"), icon: <Icon of={User} /> },
+        { value: "program", label: t("drive.program"), icon: <Icon of={List} isDirectional /> },
+        { value: "remote", label: t("drive.remote"), icon: <Icon of={RadioTower} /> },
       ]}
       onChange={(next) => {
         simulator.send({ type: "driver", driver: next });

@@ -1,9 +1,10 @@
 /** Opens files that the user drops or pastes anywhere on the page. Menus use `useFileActions`. */
-import { FileDown } from "lucide-react";
+import { FileDown } from "lucide";
 import { useCallback, useEffect, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
 import { showMessage } from "../../stores/screen-store.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { lazyDialog } from "../../ui/lazy-part.tsx";
 import { FileActionsProvider } from "./file-actions.ts";
 import { chooseFiles, listenForFiles } from "./incoming.ts";
@@ -77,7 +78,7 @@ export function FileDoor({ children }: { children: ReactNode }) {
       {isOver && (
         <div className={styles["target"]}>
           <p className={styles["targetWords"]}>
-            <FileDown aria-hidden="true" />
+            <Icon of={FileDown} />
             {t("files.drop")}
           </p>
         </div>

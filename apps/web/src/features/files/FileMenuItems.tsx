@@ -1,8 +1,9 @@
 /** The menu items that open and save files. */
-import { FileBraces, FileInput, FileText, Film, Image, ListOrdered } from "lucide-react";
+import { FileBraces, FileInput, FileText, Film, Image, ListOrdered } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { MenuItem } from "../../ui/Popover.tsx";
 import { RaceMenuItem } from "../race/RaceButton.tsx";
 import { useFileActions } from "./file-actions.ts";
@@ -17,40 +18,36 @@ export function FileMenuItems() {
   const { choose, savePicture } = useFileActions();
   return (
     <>
-      <MenuItem
-        icon={<FileInput aria-hidden="true" />}
-        note={t("files.openNote")}
-        onSelect={choose}
-      >
+      <MenuItem icon={<Icon of={FileInput} />} note={t("files.openNote")} onSelect={choose}>
         {t("files.open")}
       </MenuItem>
       <MenuItem
-        icon={<FileBraces aria-hidden="true" />}
+        icon={<Icon of={FileBraces} />}
         onSelect={() => saveDocument(workspace.getState().maze, "maze")}
       >
         {t("files.saveMaze")}
       </MenuItem>
       <MenuItem
-        icon={<FileText aria-hidden="true" />}
+        icon={<Icon of={FileText} />}
         onSelect={() => saveTextMaze(workspace.getState().maze)}
       >
         {t("files.saveText")}
       </MenuItem>
       <MenuItem
-        icon={<ListOrdered aria-hidden="true" />}
+        icon={<Icon of={ListOrdered} isDirectional />}
         onSelect={() => saveDocument(workspace.getState().program, "program")}
       >
         {t("files.saveProgram")}
       </MenuItem>
       <MenuItem
-        icon={<Film aria-hidden="true" />}
+        icon={<Icon of={Film} />}
         disabled={!hasRun}
         onSelect={() => saveRun(services, i18n)}
       >
         {t("files.saveRun")}
       </MenuItem>
       <RaceMenuItem />
-      <MenuItem icon={<Image aria-hidden="true" />} onSelect={savePicture}>
+      <MenuItem icon={<Icon of={Image} />} onSelect={savePicture}>
         {t("files.savePicture")}
       </MenuItem>
     </>

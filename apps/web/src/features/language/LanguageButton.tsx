@@ -1,8 +1,9 @@
 /** The language in the top bar: its short name opens the list of all languages. */
-import { Globe } from "lucide-react";
+import { Globe } from "lucide";
 import { useTranslation } from "react-i18next";
 import { shownLanguage } from "../../text/i18n.ts";
 import { joinList } from "../../text/joined.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { lazyPart } from "../../ui/lazy-part.tsx";
 import { Popover, usePopover } from "../../ui/Popover.tsx";
@@ -21,7 +22,7 @@ export function LanguageButton() {
         kind="quiet"
         className={styles["trigger"]}
         aria-label={joinList(t, [shortName(shown), t("language.language")])}
-        icon={<Globe aria-hidden="true" />}
+        icon={<Icon of={Globe} />}
         {...menu.trigger}
       >
         {shortName(shown)}

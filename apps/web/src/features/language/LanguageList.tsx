@@ -1,9 +1,10 @@
 /** The list of all languages, each in its own words. */
-import { Check } from "lucide-react";
+import { Check } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useLanguageChoice } from "../../app/language-context.ts";
 import { shownLanguage } from "../../text/i18n.ts";
 import { listedLanguages } from "../../text/languages.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import styles from "./language.module.css";
 
 /**
@@ -32,7 +33,7 @@ export function LanguageList({ onChosen }: { onChosen: () => void }) {
           }}
         >
           <bdi dir={dir}>{name}</bdi>
-          {tag === shown && <Check size={18} aria-hidden="true" />}
+          {tag === shown && <Icon of={Check} size={18} />}
         </button>
       ))}
     </div>

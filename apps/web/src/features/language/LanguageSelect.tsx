@@ -1,9 +1,10 @@
 /** The language as a field in the phone's menu, because the native list suits a thumb. */
-import { Globe } from "lucide-react";
+import { Globe } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useLanguageChoice } from "../../app/language-context.ts";
 import { shownLanguage } from "../../text/i18n.ts";
 import { listedLanguages } from "../../text/languages.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Select } from "../../ui/Select.tsx";
 import styles from "./language.module.css";
 
@@ -17,7 +18,7 @@ export function LanguageSelect() {
       className={styles["select"]}
       value={shown}
       options={listedLanguages(shown).map(({ tag, name }) => ({ value: tag, label: name }))}
-      icon={<Globe aria-hidden="true" />}
+      icon={<Icon of={Globe} />}
       onChange={(tag) => void choice.choose(tag)}
     />
   );

@@ -2,13 +2,14 @@
  * The task of the open challenge above the maze. Once it is met, the line turns green and shows the
  * result.
  */
-import { Check, Target } from "lucide-react";
+import { Check, Target } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { challengeResult } from "../../stores/challenge-store.ts";
 import { allOf } from "../../text/all-of.ts";
 import { metText } from "./failure-text.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import styles from "./lessons.module.css";
 import { missionIds } from "./missions/mission.ts";
 import { projectOf } from "./missions/projects.ts";
@@ -25,7 +26,7 @@ export function ChallengeLine() {
   if (result.state === "met") {
     return (
       <p className={styles["line"]} data-state="met" dir="auto">
-        <Check size={18} aria-hidden="true" />
+        <Icon of={Check} size={18} />
         {metText({ t, i18n, waited: (tick) => timeline.waitedUpTo(tick) }, challenge, result)}
       </p>
     );
@@ -33,7 +34,7 @@ export function ChallengeLine() {
   const isHere = result.state === "here" && challenge.mazes.length > 1;
   return (
     <p className={styles["line"]} dir="auto">
-      <Target size={18} aria-hidden="true" />
+      <Icon of={Target} size={18} />
       <span className={styles["short"]}>
         {isHere
           ? t("missions:bar.here", allOf(challenge.mazes.length))

@@ -1,7 +1,8 @@
 /** Top bar button that opens the path of missions. */
-import { Target } from "lucide-react";
+import { Target } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import styles from "./lessons-button.module.css";
 
@@ -11,7 +12,7 @@ export function LessonsButton() {
   return (
     <Button
       kind="quiet"
-      icon={<Target aria-hidden="true" />}
+      icon={<Icon of={Target} />}
       aria-haspopup="dialog"
       className={styles["button"]}
       onClick={() => challenge.setState({ isPathOpen: true })}

@@ -1,9 +1,10 @@
 /** The path of missions. All missions are open at once, with progress and the current position. */
-import { Check, Circle, CircleDot } from "lucide-react";
+import { Check, Circle, CircleDot } from "lucide";
 import { useEffect, useId, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
 import type { LessonsService } from "./lessons-service.ts";
@@ -193,6 +194,6 @@ function Projects({ best, open, onOpen }: ProjectsProps) {
 }
 
 function StateIcon({ state }: { state: "done" | "current" | "open" }) {
-  const Icon = { done: Check, current: CircleDot, open: Circle }[state];
-  return <Icon size={14} aria-hidden="true" />;
+  const icon = { done: Check, current: CircleDot, open: Circle }[state];
+  return <Icon of={icon} size={14} />;
 }

@@ -1,8 +1,9 @@
 /** Invitation to the first mission for a first-time visitor: one line at the top of the panel. */
-import { X } from "lucide-react";
+import { X } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import styles from "./lessons-invitation.module.css";
 
@@ -29,7 +30,7 @@ export function LessonsInvitation() {
           {t("lessons.begin")}
         </Button>
         <IconButton label={t("lessons.notNow")} onClick={() => lessons.dismissInvitation()}>
-          <X aria-hidden="true" />
+          <Icon of={X} />
         </IconButton>
       </div>
     </section>

@@ -1,11 +1,12 @@
 /** The open mission in the panel: its task, hints one by one, the check and the next step. */
-import { ArrowRight, ChevronDown, ChevronUp, House, ListChecks, ListRestart } from "lucide-react";
+import { ArrowRight, ChevronDown, ChevronUp, House, ListChecks, ListRestart } from "lucide";
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { isJudgedByRun } from "../../stores/challenge-store.ts";
 import { allOf } from "../../text/all-of.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import type { LessonsService } from "./lessons-service.ts";
 import { HintButton, HintList } from "./MissionHints.tsx";
@@ -89,16 +90,16 @@ function OpenMission({ service }: { service: LessonsService }) {
           }}
         />
         <IconButton label={t("missions:card.again")} onClick={() => service.beginAgain()}>
-          <ListRestart aria-hidden="true" />
+          <Icon of={ListRestart} />
         </IconButton>
         <IconButton label={t("missions:card.own")} onClick={() => service.goHome()}>
-          <House aria-hidden="true" />
+          <Icon of={House} />
         </IconButton>
         <IconButton
           label={t(isFolded ? "missions:card.unfold" : "missions:card.fold")}
           onClick={() => setFolded(!isFolded)}
         >
-          {isFolded ? <ChevronDown aria-hidden="true" /> : <ChevronUp aria-hidden="true" />}
+          {isFolded ? <Icon of={ChevronDown} /> : <Icon of={ChevronUp} />}
         </IconButton>
       </div>
       {!isFolded && <p className={styles["task"]}>{task}</p>}
@@ -138,7 +139,7 @@ function SlimMission({ service }: { service: LessonsService }) {
       {isMet && !isCardShown && next !== null && (
         <Button size="small" kind="primary" onClick={() => void lessons.openMission(next)}>
           {t("missions:card.next")}
-          <ArrowRight className={styles["onward"]} aria-hidden="true" />
+          <Icon of={ArrowRight} className={styles["onward"]} />
         </Button>
       )}
     </section>
@@ -173,7 +174,7 @@ function Actions({ service }: { service: LessonsService }) {
           size="small"
           kind="primary"
           disabled={isChecking}
-          icon={<ListChecks aria-hidden="true" />}
+          icon={<Icon of={ListChecks} />}
           onClick={() => void service.check()}
         >
           {isChecking
@@ -184,7 +185,7 @@ function Actions({ service }: { service: LessonsService }) {
       {leadsOn && next !== null && (
         <Button size="small" kind="primary" onClick={() => void lessons.openMission(next)}>
           {t("missions:card.next")}
-          <ArrowRight className={styles["onward"]} aria-hidden="true" />
+          <Icon of={ArrowRight} className={styles["onward"]} />
         </Button>
       )}
       {isMet && next === null && mission !== null && (

@@ -2,8 +2,9 @@
  * Hints of a mission, opened one after the other: the button in the card's head and the list of
  * open hints.
  */
-import { Lightbulb } from "lucide-react";
+import { Lightbulb } from "lucide";
 import { useTranslation } from "react-i18next";
+import { Icon } from "../../ui/Icon.tsx";
 import { IconButton } from "../../ui/Button.tsx";
 import styles from "./lessons.module.css";
 
@@ -23,7 +24,7 @@ export function HintButton({ shown, count, onShow }: HintButtonProps) {
       label={shown === 0 ? t("card.hint") : t("card.nextHint", { number: shown + 1, all: count })}
       onClick={onShow}
     >
-      <Lightbulb aria-hidden="true" />
+      <Icon of={Lightbulb} />
     </IconButton>
   );
 }

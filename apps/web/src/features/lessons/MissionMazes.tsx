@@ -1,8 +1,9 @@
 /** The mazes of a mission: which one is displayed and, after a check, which pass and which fail. */
-import { Check, X } from "lucide-react";
+import { Check, X } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import type { LessonsService } from "./lessons-service.ts";
 import styles from "./lessons.module.css";
@@ -37,8 +38,8 @@ export function MissionMazes({ service }: { service: LessonsService }) {
                 aria-pressed={at === shown}
                 onClick={() => service.showMaze(at)}
               >
-                {state === "passes" && <Check size={14} aria-hidden="true" />}
-                {state === "fails" && <X size={14} aria-hidden="true" />}
+                {state === "passes" && <Icon of={Check} size={14} />}
+                {state === "fails" && <Icon of={X} size={14} />}
                 <span aria-hidden={state === null ? undefined : "true"}>
                   {t("card.maze", { number: at + 1 })}
                 </span>

@@ -2,7 +2,7 @@
  * Messages that the user can dismiss. Information disappears after 6 s; errors and messages with
  * `stays` remain.
  */
-import { CircleAlert, X } from "lucide-react";
+import { CircleAlert, X } from "lucide";
 import { useEffect, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -10,6 +10,7 @@ import { useServices } from "../../app/services.ts";
 import { dismiss, type Message } from "../../stores/screen-store.ts";
 import { useSay } from "../speech/use-say.ts";
 import { joinSentences } from "../../text/joined.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import styles from "./messages.module.css";
@@ -78,7 +79,7 @@ function MessageCard({ message }: { message: Message }) {
       onFocus={() => setIsHeld(true)}
       onBlur={() => setIsHeld(false)}
     >
-      {tone === "bad" && <CircleAlert size={18} aria-hidden="true" />}
+      {tone === "bad" && <Icon of={CircleAlert} size={18} />}
       <span className={styles["text"]}>{text}</span>
       {part !== undefined && <progress className={styles["part"]} aria-label={text} value={part} />}
       {action !== undefined && (
@@ -99,7 +100,7 @@ function MessageCard({ message }: { message: Message }) {
         className={styles["close"]}
         onClick={() => dismiss(screen, id)}
       >
-        <X aria-hidden="true" />
+        <Icon of={X} />
       </IconButton>
     </span>
   );

@@ -1,7 +1,8 @@
 /** The button below the lines of the program that opens "Try it in other mazes". */
-import { LayoutGrid } from "lucide-react";
+import { LayoutGrid } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 
 export function OtherMazesButton({ className }: { className?: string | undefined }) {
@@ -11,7 +12,7 @@ export function OtherMazesButton({ className }: { className?: string | undefined
     <Button
       kind="quiet"
       className={className}
-      icon={<LayoutGrid aria-hidden="true" />}
+      icon={<Icon of={LayoutGrid} />}
       onClick={() => screen.setState({ isTryingMazes: true })}
     >
       {t("program.otherMazes")}

@@ -1,9 +1,10 @@
 /** Runs the open program in a hundred other mazes and displays in which of them it works. */
-import { Eye, RotateCcw, Square } from "lucide-react";
+import { Eye, RotateCcw, Square } from "lucide";
 import { useDeferredValue, useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
 import { minutesFor, type TrialResult } from "../../worker/maze-trial.ts";
@@ -87,21 +88,17 @@ function TrialRun({ onClose }: { onClose: () => void }) {
         </div>
         <div className={styles["buttons"]}>
           {failure !== undefined && (
-            <Button
-              kind="primary"
-              icon={<Eye aria-hidden="true" />}
-              onClick={() => void open(failure)}
-            >
+            <Button kind="primary" icon={<Icon of={Eye} />} onClick={() => void open(failure)}>
               {t("otherMazes:showFailure")}
             </Button>
           )}
           {state === "running" ? (
-            <Button icon={<Square aria-hidden="true" />} onClick={() => trials.stop()}>
+            <Button icon={<Icon of={Square} />} onClick={() => trials.stop()}>
               {t("otherMazes:stop")}
             </Button>
           ) : (
             <Button
-              icon={<RotateCcw aria-hidden="true" />}
+              icon={<Icon of={RotateCcw} />}
               onClick={() => trials.start(choice, services.workspace.getState().program)}
             >
               {t("otherMazes:again")}

@@ -3,10 +3,11 @@
  * anywhere.
  */
 import { mazeKinds } from "@corridor/maze";
-import { ArrowRight } from "lucide-react";
+import { ArrowRight } from "lucide";
 import { useId } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { FieldError } from "../../ui/FieldError.tsx";
 import { NumberInput } from "../../ui/NumberInput.tsx";
@@ -85,7 +86,7 @@ function SeedField() {
       </span>
       <Button onClick={() => trialChoice.setState({ first: next })}>
         {t("otherMazes:next", { all: TRIALS })}
-        <ArrowRight className={styles["onward"]} aria-hidden="true" />
+        <Icon of={ArrowRight} className={styles["onward"]} />
       </Button>
       {draft.hasErrorRoom && draft.isInvalid && (
         <div className={styles["error"]}>

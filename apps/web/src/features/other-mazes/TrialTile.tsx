@@ -3,12 +3,13 @@
  * word.
  */
 import type { MazeDocument } from "@corridor/maze";
-import { Check, Clock, X } from "lucide-react";
+import { Check, Clock, X } from "lucide";
 import { memo, useDeferredValue } from "react";
 import { useTranslation } from "react-i18next";
 import { formatClock } from "../../text/numbers.ts";
 import type { TrialResult } from "../../worker/maze-trial.ts";
 import { MazePicture } from "../presets/MazePicture.tsx";
+import { Icon } from "../../ui/Icon.tsx";
 import styles from "./other-mazes.module.css";
 
 interface TrialTileProps {
@@ -35,7 +36,7 @@ export const TrialTile = memo(function TrialTile({
   // The outcome is displayed first, and the picture as soon as the page has time.
   const drawn = useDeferredValue(picture);
   const outcome = result?.outcome ?? null;
-  const Icon = outcome === null ? null : icons[outcome];
+  const icon = outcome === null ? null : icons[outcome];
   const time = formatClock(result?.tick ?? 0, i18n.language);
   return (
     <li className={styles["item"]}>
@@ -53,9 +54,9 @@ export const TrialTile = memo(function TrialTile({
         <span className={styles["picture"]}>{drawn !== null && <MazePicture maze={drawn} />}</span>
         <span className={styles["caption"]}>
           <span className={styles["seed"]}>{seed}</span>
-          {outcome !== null && Icon !== null && (
+          {outcome !== null && icon !== null && (
             <span className={styles["outcome"]}>
-              <Icon size={12} strokeWidth={3} aria-hidden="true" />
+              <Icon of={icon} size={12} strokeWidth={3} />
               {t(`outcome.${outcome}`)}
             </span>
           )}

@@ -1,7 +1,8 @@
 /** One choice of the presets: a picture if it has one, its name, and a hint below. */
-import { CircleCheck } from "lucide-react";
+import { CircleCheck } from "lucide";
 import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
+import { Icon } from "../../ui/Icon.tsx";
 import styles from "./presets.module.css";
 
 interface PresetCardProps {
@@ -36,7 +37,7 @@ export function PresetCard({
         <span className={styles["hint"]}>{hint}</span>
         {isSolved && (
           <span className={styles["solved"]}>
-            <CircleCheck size={14} aria-hidden="true" />
+            <Icon of={CircleCheck} size={14} />
             {t("presets.solved")}
           </span>
         )}

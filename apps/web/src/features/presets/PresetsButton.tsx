@@ -1,7 +1,8 @@
 /** Opens the presets from the top bar. */
-import { ChevronDown, LayoutGrid } from "lucide-react";
+import { ChevronDown, LayoutGrid } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { Popover, usePopover } from "../../ui/Popover.tsx";
 import { LazyPresetsPanel } from "./lazy-presets-panel.ts";
@@ -18,9 +19,9 @@ export function PresetsButton() {
   };
   return (
     <>
-      <Button kind="quiet" icon={<LayoutGrid aria-hidden="true" />} {...menu.trigger}>
+      <Button kind="quiet" icon={<Icon of={LayoutGrid} />} {...menu.trigger}>
         {t("presets.presets")}
-        <ChevronDown aria-hidden="true" />
+        <Icon of={ChevronDown} />
       </Button>
       <Popover
         {...menu.panel}

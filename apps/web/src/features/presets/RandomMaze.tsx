@@ -3,10 +3,11 @@
  * anywhere.
  */
 import { generateMaze, mazeKinds, type MazeDocument } from "@corridor/maze";
-import { Dices } from "lucide-react";
+import { Dices } from "lucide";
 import { useId } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { FieldError } from "../../ui/FieldError.tsx";
 import { NumberInput } from "../../ui/NumberInput.tsx";
@@ -86,7 +87,7 @@ function SeedField({ seed }: { seed: number }) {
       </label>
       <NumberInput id={id} className={styles["number"]} draft={draft} errorId={`${id}-error`} />
       <Button
-        icon={<Dices aria-hidden="true" />}
+        icon={<Icon of={Dices} />}
         onClick={() => randomChoice.setState({ seed: drawSeed() })}
       >
         {t("presets.random.draw")}

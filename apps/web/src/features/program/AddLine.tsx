@@ -3,13 +3,14 @@
  * Where a challenge fixes the lines, a short note replaces the button. Undo and redo are beside it
  * in a challenge, which has no program header.
  */
-import { Plus } from "lucide-react";
+import { Plus } from "lucide";
 import { useId } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { OtherMazesButton } from "../other-mazes/OtherMazesButton.tsx";
 import { useRights } from "../lessons/use-rights.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import styles from "./add-line.module.css";
 import { UndoRedo } from "./ProgramHeader.tsx";
@@ -42,7 +43,7 @@ export function AddLine({ onAdd }: { onAdd: () => void }) {
       aria-describedby={isOff ? reasonId : undefined}
       onClick={onAdd}
     >
-      <Plus size={18} aria-hidden="true" />
+      <Icon of={Plus} size={18} />
       {t("program.addLine")}
     </button>
   );

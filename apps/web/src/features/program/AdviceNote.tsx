@@ -2,8 +2,9 @@
  * Advice in its line: the reason, a button that applies the fix, and a button that hides the
  * advice. The style is calm because nothing is broken.
  */
-import { Lightbulb, X } from "lucide-react";
+import { Lightbulb, X } from "lucide";
 import { useTranslation } from "react-i18next";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import styles from "./line-notes.module.css";
 import type { AdviceText } from "./advice-text.ts";
@@ -19,7 +20,7 @@ export function AdviceNote({ text, onFix, onHide }: AdviceNoteProps) {
   const { t } = useTranslation();
   return (
     <div className={styles["advice"]}>
-      <Lightbulb size={16} aria-hidden="true" />
+      <Icon of={Lightbulb} size={16} />
       <p>{text.reason}</p>
       {text.fix !== null && onFix !== undefined && (
         <Button size="small" className={styles["fix"]} onClick={onFix}>
@@ -27,7 +28,7 @@ export function AdviceNote({ text, onFix, onHide }: AdviceNoteProps) {
         </Button>
       )}
       <IconButton label={t("program.advice.hide")} onClick={onHide}>
-        <X aria-hidden="true" />
+        <Icon of={X} />
       </IconButton>
     </div>
   );

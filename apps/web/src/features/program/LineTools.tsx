@@ -2,8 +2,9 @@
  * Move up, move down and delete: three small buttons, or one large button for touch that opens
  * them.
  */
-import { ArrowDown, ArrowUp, Ellipsis, Trash2 } from "lucide-react";
+import { ArrowDown, ArrowUp, Ellipsis, Trash2 } from "lucide";
 import { useTranslation } from "react-i18next";
+import { Icon } from "../../ui/Icon.tsx";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
 import { IconButton } from "../../ui/Button.tsx";
 import { MenuItem, Popover, usePopover } from "../../ui/Popover.tsx";
@@ -53,7 +54,7 @@ function ToolButtons({
         disabled={isFirst || !canMove}
         onClick={() => onMove(-1)}
       >
-        <ArrowUp aria-hidden="true" />
+        <Icon of={ArrowUp} />
       </IconButton>
       <IconButton
         className={styles["tool"]}
@@ -62,7 +63,7 @@ function ToolButtons({
         disabled={isLast || !canMove}
         onClick={() => onMove(1)}
       >
-        <ArrowDown aria-hidden="true" />
+        <Icon of={ArrowDown} />
       </IconButton>
       <IconButton
         className={styles["tool"]}
@@ -70,7 +71,7 @@ function ToolButtons({
         disabled={!canDelete}
         onClick={onDelete}
       >
-        <Trash2 aria-hidden="true" />
+        <Icon of={Trash2} />
       </IconButton>
     </div>
   );
@@ -82,24 +83,24 @@ function ToolMenu({ canMove, canDelete, line, isFirst, isLast, onMove, onDelete 
   return (
     <>
       <IconButton label={t("program.lineMenu", { line })} size="large" {...menu.trigger}>
-        <Ellipsis aria-hidden="true" />
+        <Icon of={Ellipsis} />
       </IconButton>
       <Popover {...menu.panel} label={t("program.lineMenu", { line })} align="end">
         <MenuItem
-          icon={<ArrowUp aria-hidden="true" />}
+          icon={<Icon of={ArrowUp} />}
           disabled={isFirst || !canMove}
           onSelect={() => onMove(-1)}
         >
           {t("program.up")}
         </MenuItem>
         <MenuItem
-          icon={<ArrowDown aria-hidden="true" />}
+          icon={<Icon of={ArrowDown} />}
           disabled={isLast || !canMove}
           onSelect={() => onMove(1)}
         >
           {t("program.down")}
         </MenuItem>
-        <MenuItem icon={<Trash2 aria-hidden="true" />} disabled={!canDelete} onSelect={onDelete}>
+        <MenuItem icon={<Icon of={Trash2} />} disabled={!canDelete} onSelect={onDelete}>
           {t("program.remove")}
         </MenuItem>
       </Popover>

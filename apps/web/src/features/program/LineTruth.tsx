@@ -2,11 +2,12 @@
  * Whether a line's condition is true at the displayed tick: a tick or a cross with both numbers.
  */
 import type { Condition } from "@corridor/program";
-import { Check, X } from "lucide-react";
+import { Check, X } from "lucide";
 import { useLayoutEffect, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import type { RunState } from "../../stores/run-store.ts";
 import { localNumber } from "../../text/numbers.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import { followText, type StateSource } from "../../ui/follow-text.ts";
 import { LiveText } from "../../ui/LiveText.tsx";
@@ -67,8 +68,8 @@ export function LineTruth({ feed, condition, truth, className }: LineTruthProps)
     >
       <span className={classNames("live-box", styles["sides"])}>
         <span className={styles["mark"]}>
-          <Check className={styles["yes"]} size={14} aria-hidden="true" />
-          <X className={styles["no"]} size={14} aria-hidden="true" />
+          <Icon of={Check} className={styles["yes"]} size={14} />
+          <Icon of={X} className={styles["no"]} size={14} />
           <LiveText
             of={feed}
             text={word}

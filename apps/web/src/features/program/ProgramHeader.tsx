@@ -1,11 +1,12 @@
 /** The program's name, undo and redo, and the preset algorithms. */
 import { MAX_NAME_LENGTH, rename } from "@corridor/program";
-import { BookOpen, Redo2, Undo2 } from "lucide-react";
+import { BookOpen, Redo2, Undo2 } from "lucide";
 import { useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { beginStroke, redo, undo } from "../../stores/workspace-store.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { IconButton } from "../../ui/Button.tsx";
 import { lazyPart } from "../../ui/lazy-part.tsx";
 import { Popover, usePopover } from "../../ui/Popover.tsx";
@@ -57,10 +58,10 @@ export function UndoRedo() {
   return (
     <>
       <IconButton label={t("program.undo")} disabled={!canUndo} onClick={() => undo(workspace)}>
-        <Undo2 aria-hidden="true" />
+        <Icon of={Undo2} isDirectional />
       </IconButton>
       <IconButton label={t("program.redo")} disabled={!canRedo} onClick={() => redo(workspace)}>
-        <Redo2 aria-hidden="true" />
+        <Icon of={Redo2} isDirectional />
       </IconButton>
     </>
   );
@@ -103,7 +104,7 @@ function AlgorithmMenu() {
   return (
     <>
       <IconButton label={t("program.algorithms")} {...menu.trigger}>
-        <BookOpen aria-hidden="true" />
+        <Icon of={BookOpen} isDirectional />
       </IconButton>
       <Popover {...menu.panel} label={t("program.algorithms")} align="end">
         <h3 className={styles["menuTitle"]}>{t("program.algorithms")}</h3>

@@ -1,7 +1,8 @@
 /** Adds a ghost from the link of a run. */
-import { Plus } from "lucide-react";
+import { Plus } from "lucide";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { FieldError } from "../../ui/FieldError.tsx";
 import { TextField } from "../../ui/TextField.tsx";
@@ -70,11 +71,7 @@ export function AddGhost({ race }: { race: RaceService }) {
           <FieldError id={NOTE_ID}>{problem}</FieldError>
         )}
       </div>
-      <Button
-        type="submit"
-        disabled={isBusy || link.trim() === ""}
-        icon={<Plus aria-hidden="true" />}
-      >
+      <Button type="submit" disabled={isBusy || link.trim() === ""} icon={<Icon of={Plus} />}>
         {t("add")}
       </Button>
     </form>

@@ -1,8 +1,9 @@
 /** "Race this run": makes the run on the screen a ghost that starts with the robot. */
-import { Ghost } from "lucide-react";
+import { Ghost } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button, type ButtonProps } from "../../ui/Button.tsx";
 import { MenuItem } from "../../ui/Popover.tsx";
 import { useRaceThisRun } from "./use-race-this-run.ts";
@@ -13,7 +14,7 @@ export function RaceButton(props: Pick<ButtonProps, "kind" | "size" | "className
   const { race, isBusy } = useRaceThisRun();
   if (!ready) return null;
   return (
-    <Button {...props} disabled={isBusy} icon={<Ghost aria-hidden="true" />} onClick={race}>
+    <Button {...props} disabled={isBusy} icon={<Icon of={Ghost} />} onClick={race}>
       {t("button")}
     </Button>
   );
@@ -28,7 +29,7 @@ export function RaceMenuItem() {
   if (!ready) return null;
   return (
     <MenuItem
-      icon={<Ghost aria-hidden="true" />}
+      icon={<Icon of={Ghost} />}
       disabled={!hasRun || isBusy}
       note={t("subtitle")}
       onSelect={race}

@@ -1,9 +1,10 @@
 /** Opens the table of the race, and shows the number of ghosts. */
-import { Ghost } from "lucide-react";
+import { Ghost } from "lucide";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import styles from "./race.module.css";
 import { RaceDialog } from "./RaceDialog.tsx";
@@ -19,7 +20,7 @@ export function RaceChip() {
       <Button
         size="small"
         className={styles["chip"]}
-        icon={<Ghost aria-hidden="true" />}
+        icon={<Icon of={Ghost} />}
         title={t("chip", { count })}
         aria-label={t("chip", { count })}
         onClick={() => setOpen(true)}

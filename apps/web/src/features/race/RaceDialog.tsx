@@ -1,9 +1,10 @@
 /** The race: the robot and each ghost side by side, and a field to add a ghost from a link. */
-import { Ghost, X } from "lucide-react";
+import { Ghost, X } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { formatSeconds } from "../../text/numbers.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
 import type { RaceGhost } from "../../stores/race-store.ts";
@@ -79,7 +80,7 @@ function RaceTable({ onEnd }: { onEnd: () => void }) {
                   label={t("remove", { badge: ghost.badge })}
                   onClick={() => remove(ghost)}
                 >
-                  <X aria-hidden="true" />
+                  <Icon of={X} />
                 </IconButton>
               </td>
             </tr>
@@ -89,7 +90,7 @@ function RaceTable({ onEnd }: { onEnd: () => void }) {
       <AddGhost race={race} />
       <Button
         className={styles["end"]}
-        icon={<Ghost aria-hidden="true" />}
+        icon={<Icon of={Ghost} />}
         onClick={() => {
           race.end();
           onEnd();

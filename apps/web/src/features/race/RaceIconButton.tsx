@@ -1,6 +1,7 @@
 /** "Race this run" as an icon, where its text does not fit beside "Back to now". */
-import { Ghost } from "lucide-react";
+import { Ghost } from "lucide";
 import { useTranslation } from "react-i18next";
+import { Icon } from "../../ui/Icon.tsx";
 import { IconButton } from "../../ui/Button.tsx";
 import styles from "./race.module.css";
 import { useRaceThisRun } from "./use-race-this-run.ts";
@@ -17,7 +18,7 @@ export function RaceIconButton() {
       disabled={isBusy}
       onClick={race}
     >
-      <Ghost aria-hidden="true" />
+      <Icon of={Ghost} />
     </IconButton>
   );
 }

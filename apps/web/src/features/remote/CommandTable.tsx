@@ -9,10 +9,11 @@ import {
   Inbox,
   LoaderCircle,
   ListX,
-  type LucideIcon,
-} from "lucide-react";
+  type IconNode,
+} from "lucide";
 import type { ComponentProps } from "react";
 import { useTranslation } from "react-i18next";
+import { Icon } from "../../ui/Icon.tsx";
 import { Chip } from "../../ui/Chip.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import type { ListedCommand } from "../../worker/worker-messages.ts";
@@ -22,15 +23,15 @@ import styles from "./remote.module.css";
 
 type Tone = ComponentProps<typeof Chip>["tone"];
 
-const looks: Record<CommandState, { tone: Tone; Icon: LucideIcon }> = {
-  accepted: { tone: "ring", Icon: Inbox },
-  delivered: { tone: "ring", Icon: ArrowRight },
-  started: { tone: "live", Icon: LoaderCircle },
-  completed: { tone: "good", Icon: Check },
-  collided: { tone: "bad", Icon: Asterisk },
-  cancelled: { tone: "dashed", Icon: Ban },
-  superseded: { tone: "dashed", Icon: ListX },
-  expired: { tone: "dashed", Icon: Hourglass },
+const looks: Record<CommandState, { tone: Tone; icon: IconNode }> = {
+  accepted: { tone: "ring", icon: Inbox },
+  delivered: { tone: "ring", icon: ArrowRight },
+  started: { tone: "live", icon: LoaderCircle },
+  completed: { tone: "good", icon: Check },
+  collided: { tone: "bad", icon: Asterisk },
+  cancelled: { tone: "dashed", icon: Ban },
+  superseded: { tone: "dashed", icon: ListX },
+  expired: { tone: "dashed", icon: Hourglass },
 };
 
 export function CommandTable({ commands }: { commands: readonly ListedCommand[] }) {
@@ -63,7 +64,7 @@ interface CommandRowProps {
 
 function CommandRow({ record, isSelected }: CommandRowProps) {
   const { t, i18n } = useTranslation();
-  const { tone, Icon } = looks[record.state];
+  const { tone, icon } = looks[record.state];
   const distance = cutShortAfter(record);
   const time = new Intl.DateTimeFormat(i18n.language, {
     timeStyle: "medium",
@@ -97,7 +98,7 @@ function CommandRow({ record, isSelected }: CommandRowProps) {
         )}
       </td>
       <td className={styles["state"]}>
-        <Chip tone={tone} icon={<Icon aria-hidden="true" />}>
+        <Chip tone={tone} icon={<Icon of={icon} />}>
           {t(`remote.${record.state}`)}
         </Chip>
       </td>

@@ -1,9 +1,10 @@
 /**
  * The key in the robot's address, hidden until the user shows it, and the button that replaces it.
  */
-import { Eye, EyeOff } from "lucide-react";
+import { Eye, EyeOff } from "lucide";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
+import { Icon } from "../../ui/Icon.tsx";
 import { IconButton } from "../../ui/Button.tsx";
 import { CopyButton } from "../share/CopyButton.tsx";
 import type { RemoteSession } from "../../worker/worker-messages.ts";
@@ -28,7 +29,7 @@ export function KeyField({ session }: { session: RemoteSession }) {
           label={isKeyShown ? t("remote.hideKey") : t("remote.showKey")}
           onClick={() => setKeyShown(!isKeyShown)}
         >
-          {isKeyShown ? <EyeOff aria-hidden="true" /> : <Eye aria-hidden="true" />}
+          {isKeyShown ? <Icon of={EyeOff} /> : <Icon of={Eye} />}
         </IconButton>
         <CopyButton
           text={key}

@@ -2,7 +2,7 @@
  * What a first script does not need: key, code, watch link, other languages, scripts by name, and
  * the log.
  */
-import { ChevronRight } from "lucide-react";
+import { ChevronRight } from "lucide";
 import { useEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import type { RemoteSession } from "../../worker/worker-messages.ts";
@@ -14,6 +14,7 @@ import type { RobotAddress } from "./robot-address.ts";
 import { ScriptList } from "./ScriptList.tsx";
 import { Snippets } from "./Snippets.tsx";
 import { WatchField } from "./WatchField.tsx";
+import { Icon } from "../../ui/Icon.tsx";
 import styles from "./remote.module.css";
 
 interface RemoteMoreProps {
@@ -38,7 +39,7 @@ export function RemoteMore({ address, session }: RemoteMoreProps) {
       onToggle={(event) => setOpen(event.currentTarget.open)}
     >
       <summary className={styles["summary"]}>
-        <ChevronRight size={18} aria-hidden="true" />
+        <Icon of={ChevronRight} isDirectional size={18} />
         <span className={styles["summaryWords"]}>
           <span className={styles["heading"]}>{t("remote.more")}</span>
           <span className={styles["note"]}>{t("remote.moreNote")}</span>

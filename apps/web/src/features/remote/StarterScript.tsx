@@ -2,12 +2,13 @@
  * A first script in Python, to copy. The displayed text masks the key, because a projector may show
  * it.
  */
-import { Download } from "lucide-react";
+import { Download } from "lucide";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { CopyButton } from "../share/CopyButton.tsx";
 import { maskKey, type RobotAddress } from "./robot-address.ts";
 import { starterLines, starterScript } from "./snippets.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import styles from "./remote.module.css";
 
 export function StarterScript({ address }: { address: RobotAddress }) {
@@ -22,7 +23,7 @@ export function StarterScript({ address }: { address: RobotAddress }) {
           {t("remote.python")}
         </h2>
         <a className={styles["library"]} href="/corridor.py" download="corridor.py">
-          <Download size={16} aria-hidden="true" />
+          <Icon of={Download} size={16} />
           {t("remote.library")}
         </a>
         <CopyButton

@@ -1,6 +1,7 @@
 /** Copies a text, and confirms it in words on the button and to screen readers. */
-import { Check, Copy } from "lucide-react";
+import { Check, Copy } from "lucide";
 import { useEffect, useState } from "react";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button, IconButton, type ButtonProps } from "../../ui/Button.tsx";
 import { copyText, pageClipboard } from "./clipboard.ts";
 
@@ -37,7 +38,7 @@ export function CopyButton({
     if (await copyText(text, pageClipboard())) setCopied(true);
     else onRefused();
   }
-  const icon = isCopied ? <Check aria-hidden="true" /> : <Copy aria-hidden="true" />;
+  const icon = isCopied ? <Icon of={Check} /> : <Icon of={Copy} />;
   return (
     <>
       {kind === undefined ? (

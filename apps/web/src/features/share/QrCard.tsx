@@ -1,9 +1,10 @@
 /**
  * The link as a QR code that can be saved as a picture. It is drawn as elements, never as markup.
  */
-import { Download } from "lucide-react";
+import { Download } from "lucide";
 import { useRef } from "react";
 import { useTranslation } from "react-i18next";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { qrPath } from "./qr-path.ts";
 import { savePicture } from "./save-picture.ts";
@@ -31,7 +32,7 @@ export function QrCard({ link, name }: { link: string; name: string }) {
       <p className={styles["note"]}>{t("share.scanNote")}</p>
       <Button
         size="small"
-        icon={<Download aria-hidden="true" />}
+        icon={<Icon of={Download} />}
         onClick={() => {
           if (picture.current !== null) savePicture(picture.current, name);
         }}

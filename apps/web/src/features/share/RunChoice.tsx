@@ -1,9 +1,10 @@
 /** The choice to share the run itself, and to save it as a file. */
 import type { WrittenRun } from "@corridor/recording";
-import { Download } from "lucide-react";
+import { Download } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { Checkbox } from "../../ui/Checkbox.tsx";
 import { saveDocument } from "../files/save-file.ts";
@@ -33,7 +34,7 @@ export function RunChoice({ isChosen, onChange, saved }: RunChoiceProps) {
         <Button
           size="small"
           className={styles["saveRun"]}
-          icon={<Download aria-hidden="true" />}
+          icon={<Icon of={Download} />}
           onClick={() => saveDocument(saved.run, "run")}
         >
           {t("timeline.share.save")}

@@ -1,7 +1,8 @@
 /** Opens the share dialog. The only primary button of the top bar. */
-import { Share } from "lucide-react";
+import { Share } from "lucide";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { ShareDialog } from "./lazy-share-dialog.ts";
 import styles from "./share.module.css";
@@ -14,7 +15,7 @@ export function ShareButton() {
       <Button
         kind="primary"
         className={styles["trigger"]}
-        icon={<Share aria-hidden="true" />}
+        icon={<Icon of={Share} />}
         aria-haspopup="dialog"
         onClick={() => setOpen(true)}
       >

@@ -1,9 +1,10 @@
 /** The share dialog: a link that contains the maze, or a run in it, and its QR code. */
 import { encodeLink, MAX_LINK_LENGTH } from "@corridor/link";
 import { sizeOf } from "@corridor/maze";
-import { Info } from "lucide-react";
+import { Info } from "lucide";
 import { useEffect, useLayoutEffect, useMemo, useState } from "react";
 import { useTranslation } from "react-i18next";
+import { Icon } from "../../ui/Icon.tsx";
 import { Checkbox } from "../../ui/Checkbox.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
 import { useStore } from "zustand";
@@ -44,7 +45,7 @@ export function ShareDialog({ isOpen, onClose }: ShareDialogProps) {
       subtitle={t("share.subtitle")}
       footer={
         <p className={styles["privacy"]}>
-          <Info size={16} aria-hidden="true" />
+          <Icon of={Info} size={16} />
           {t("share.private")}
         </p>
       }

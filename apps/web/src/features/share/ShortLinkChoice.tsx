@@ -1,6 +1,7 @@
 /** Makes a short link, and deletes what the service stores for it. */
-import { Link2, Trash2 } from "lucide-react";
+import { Link2, Trash2 } from "lucide";
 import { useTranslation } from "react-i18next";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import styles from "./share.module.css";
 import type { ShortLinkState } from "./use-short-link.ts";
@@ -23,7 +24,7 @@ export function ShortLinkChoice({ short, isMore }: ShortLinkChoiceProps) {
   return (
     <div className={styles["short"]}>
       <Button
-        icon={<Link2 aria-hidden="true" />}
+        icon={<Icon of={Link2} />}
         className={isShown ? styles["done"] : undefined}
         disabled={isMore}
         aria-disabled={isBusy || isShown}
@@ -32,7 +33,7 @@ export function ShortLinkChoice({ short, isMore }: ShortLinkChoiceProps) {
         {t("share.shortLink.make")}
       </Button>
       {isShown && (
-        <Button icon={<Trash2 aria-hidden="true" />} aria-disabled={isBusy} onClick={short.remove}>
+        <Button icon={<Icon of={Trash2} />} aria-disabled={isBusy} onClick={short.remove}>
           {t("share.shortLink.delete")}
         </Button>
       )}

@@ -1,8 +1,9 @@
 /** Reports where the robot is, its readings and the running line, as the key I does. */
-import { MessageSquareText } from "lucide-react";
+import { MessageSquareText } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { IconButton } from "../../ui/Button.tsx";
 import { describeRobot } from "./describe-later.ts";
 
@@ -17,7 +18,7 @@ export function DescribeButton({ className }: { className?: string | undefined }
       aria-keyshortcuts={singleKeys ? "I" : undefined}
       onClick={() => void describeRobot(services, i18n)}
     >
-      <MessageSquareText aria-hidden="true" />
+      <Icon of={MessageSquareText} />
     </IconButton>
   );
 }

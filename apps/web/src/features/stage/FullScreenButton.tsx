@@ -1,9 +1,10 @@
 /** Full screen for the maze and its program, where the browser supports it. */
-import { Maximize, Minimize } from "lucide-react";
+import { Maximize, Minimize } from "lucide";
 import { useSyncExternalStore } from "react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
 import { showMessage } from "../../stores/screen-store.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { IconButton } from "../../ui/Button.tsx";
 import styles from "./tool-strip.module.css";
 
@@ -25,7 +26,7 @@ export function FullScreenButton() {
       className={styles["fullScreen"]}
       onClick={toggle}
     >
-      {isFull ? <Minimize aria-hidden="true" /> : <Maximize aria-hidden="true" />}
+      {isFull ? <Icon of={Minimize} /> : <Icon of={Maximize} />}
     </IconButton>
   );
 }

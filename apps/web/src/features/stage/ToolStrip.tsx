@@ -1,11 +1,22 @@
 /** Above the maze: the tools that edit squares, and the commands for the whole maze. */
-import { Eraser, Flag, Grid2x2Plus, LocateFixed, Redo2, Ruler, Scaling, Undo2 } from "lucide-react";
+import {
+  Eraser,
+  Flag,
+  Grid2x2Plus,
+  LocateFixed,
+  Redo2,
+  Ruler,
+  Scaling,
+  Undo2,
+  type IconNode,
+} from "lucide";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { tools, type Tool } from "../../stores/screen-store.ts";
 import { redo, undo } from "../../stores/workspace-store.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { lazyDialog } from "../../ui/lazy-part.tsx";
 import { Segmented } from "../../ui/Segmented.tsx";
@@ -18,7 +29,7 @@ import styles from "./tool-strip.module.css";
 const ClearDialog = lazyDialog(async () => (await import("./ClearDialog.tsx")).ClearDialog);
 const ResizeDialog = lazyDialog(async () => (await import("./ResizeDialog.tsx")).ResizeDialog);
 
-const icons: Record<Tool, typeof Flag> = {
+const icons: Record<Tool, IconNode> = {
   blocks: Grid2x2Plus,
   start: LocateFixed,
   goal: Flag,
@@ -41,11 +52,10 @@ export function ToolStrip() {
           label={t("stage.tools")}
           value={tool}
           options={tools.map((value) => {
-            const Icon = icons[value];
             return {
               value,
               label: t(`stage.tool.${value}`),
-              icon: <Icon aria-hidden="true" />,
+              icon: <Icon of={icons[value]} />,
               fixed: isFixed && value !== "measure" ? t("stage.refused.maze-fixed") : undefined,
             };
           })}
@@ -77,7 +87,7 @@ function WholeMaze({ onClear, onResize }: { onClear: () => void; onResize: () =>
         size="small"
         className={styles["whole"]}
         title={t("stage.clear")}
-        icon={<Eraser aria-hidden="true" />}
+        icon={<Icon of={Eraser} />}
         onClick={onClear}
       >
         <span className={styles["word"]}>{t("stage.clear")}</span>
@@ -87,7 +97,7 @@ function WholeMaze({ onClear, onResize }: { onClear: () => void; onResize: () =>
         size="small"
         className={styles["whole"]}
         title={t("stage.resize")}
-        icon={<Scaling aria-hidden="true" />}
+        icon={<Icon of={Scaling} />}
         onClick={onResize}
       >
         <span className={styles["word"]}>{t("stage.resize")}</span>
@@ -104,10 +114,10 @@ function HistoryButtons() {
   return (
     <>
       <IconButton label={t("stage.undo")} disabled={!canUndo} onClick={() => undo(workspace)}>
-        <Undo2 aria-hidden="true" />
+        <Icon of={Undo2} isDirectional />
       </IconButton>
       <IconButton label={t("stage.redo")} disabled={!canRedo} onClick={() => redo(workspace)}>
-        <Redo2 aria-hidden="true" />
+        <Icon of={Redo2} isDirectional />
       </IconButton>
     </>
   );

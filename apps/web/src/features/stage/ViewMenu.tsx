@@ -2,8 +2,9 @@
  * The View menu: what the stage displays besides maze and robot, and the figures behind its
  * measures.
  */
-import { ChevronDown, Eye } from "lucide-react";
+import { ChevronDown, Eye } from "lucide";
 import { useTranslation } from "react-i18next";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { lazyPart } from "../../ui/lazy-part.tsx";
 import { Popover, usePopover } from "../../ui/Popover.tsx";
@@ -20,9 +21,9 @@ export function ViewMenu(props: ViewMenuProps) {
   const menu = usePopover();
   return (
     <div className={styles["view"]}>
-      <Button {...menu.trigger} kind="quiet" size="small" icon={<Eye aria-hidden="true" />}>
+      <Button {...menu.trigger} kind="quiet" size="small" icon={<Icon of={Eye} />}>
         <span className={styles["word"]}>{t("stage.view")}</span>
-        <ChevronDown className={styles["caret"]} aria-hidden="true" />
+        <Icon of={ChevronDown} className={styles["caret"]} />
       </Button>
       <Popover {...menu.panel} label={t("stage.view")} align="end">
         <ViewMenuContent {...props} />

@@ -1,9 +1,10 @@
 /** The content of the View menu. */
-import { Eraser, MessageSquareText, Redo2, Scaling, Undo2 } from "lucide-react";
+import { Eraser, MessageSquareText, Redo2, Scaling, Undo2 } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { redo, undo } from "../../stores/workspace-store.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Checkbox } from "../../ui/Checkbox.tsx";
 import { MenuItem } from "../../ui/Popover.tsx";
 import { useRights } from "../lessons/use-rights.ts";
@@ -45,7 +46,7 @@ export function ViewMenuContent({ onClear, onResize }: ViewMenuProps) {
       </div>
       <div className={styles["wholeItems"]}>
         <MenuItem
-          icon={<MessageSquareText aria-hidden="true" />}
+          icon={<Icon of={MessageSquareText} />}
           onSelect={() => void describeRobot(services, i18n)}
         >
           {t("speech.describe.button")}
@@ -54,10 +55,10 @@ export function ViewMenuContent({ onClear, onResize }: ViewMenuProps) {
       <HistoryItems />
       {!isFixed && (
         <div className={styles["wholeItems"]}>
-          <MenuItem icon={<Scaling aria-hidden="true" />} onSelect={onResize}>
+          <MenuItem icon={<Icon of={Scaling} />} onSelect={onResize}>
             {t("stage.resize")}
           </MenuItem>
-          <MenuItem icon={<Eraser aria-hidden="true" />} onSelect={onClear}>
+          <MenuItem icon={<Icon of={Eraser} />} onSelect={onClear}>
             {t("stage.clear")}
           </MenuItem>
         </div>
@@ -76,14 +77,14 @@ function HistoryItems() {
   return (
     <div className={styles["historyItems"]}>
       <MenuItem
-        icon={<Undo2 aria-hidden="true" />}
+        icon={<Icon of={Undo2} isDirectional />}
         disabled={!canUndo}
         onSelect={() => undo(workspace)}
       >
         {t("stage.undo")}
       </MenuItem>
       <MenuItem
-        icon={<Redo2 aria-hidden="true" />}
+        icon={<Icon of={Redo2} isDirectional />}
         disabled={!canRedo}
         onSelect={() => redo(workspace)}
       >

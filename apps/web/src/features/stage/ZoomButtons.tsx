@@ -1,7 +1,8 @@
 /** Zoom out, whole maze, zoom in: below the maze, or in the View menu where the stage is small. */
-import { Scan, ZoomIn, ZoomOut } from "lucide-react";
+import { Scan, ZoomIn, ZoomOut } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { IconButton } from "../../ui/Button.tsx";
 import styles from "./zoom-buttons.module.css";
 
@@ -17,14 +18,14 @@ export function ZoomButtons({ size }: { size: "small" | "large" }) {
   if (!ready) return null;
   return (
     <fieldset className={styles["buttons"]} aria-label={t("stageZoom.name")}>
-      {buttons.map(([by, Icon]) => (
+      {buttons.map(([by, icon]) => (
         <IconButton
           key={by}
           size={size}
           label={t(`stageZoom.${by}`)}
           onClick={() => camera.getState().zoom(by, null)}
         >
-          <Icon aria-hidden="true" />
+          <Icon of={icon} />
         </IconButton>
       ))}
     </fieldset>

@@ -1,8 +1,9 @@
 /** The button of the theme in the top bar, which opens the choice. */
-import { Monitor, Moon, Sun } from "lucide-react";
+import { Monitor, Moon, Sun } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import type { ScreenStore } from "../../stores/screen-store.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { IconButton } from "../../ui/Button.tsx";
 import { lazyPart } from "../../ui/lazy-part.tsx";
 import { Popover, usePopover } from "../../ui/Popover.tsx";
@@ -10,9 +11,9 @@ import { Popover, usePopover } from "../../ui/Popover.tsx";
 const ThemeChoice = lazyPart(async () => (await import("./ThemeChoice.tsx")).ThemeChoice);
 
 const themeIcons = {
-  system: <Monitor aria-hidden="true" />,
-  light: <Sun aria-hidden="true" />,
-  dark: <Moon aria-hidden="true" />,
+  system: <Icon of={Monitor} />,
+  light: <Icon of={Sun} />,
+  dark: <Icon of={Moon} />,
 };
 
 export function ThemeButton({ screen }: { screen: ScreenStore }) {

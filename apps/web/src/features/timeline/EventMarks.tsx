@@ -1,11 +1,12 @@
 /** The icons of run events, above the ribbon. */
 import type { TimelineEvent, TurnName } from "@corridor/recording";
 import type { PlainAction } from "@corridor/protocol";
-import { Flag, Pencil } from "lucide-react";
+import { Flag, Pencil } from "lucide";
 import { memo } from "react";
 import { ActionIcon } from "../program/ProgramIcons.tsx";
 import { BurstIcon } from "./BurstIcon.tsx";
 import type { EventMark } from "./event-marks.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import styles from "./run-timeline.module.css";
 
 /** A small mark shows the direction of a turn, not its kind. */
@@ -60,8 +61,8 @@ function EventIcon({ kind, turn }: Pick<MarkProps, "kind" | "turn">) {
     case "bump":
       return <BurstIcon size={14} />;
     case "goal":
-      return <Flag size={14} aria-hidden="true" />;
+      return <Icon of={Flag} size={14} />;
     case "edit":
-      return <Pencil size={12} aria-hidden="true" />;
+      return <Icon of={Pencil} size={12} />;
   }
 }

@@ -1,8 +1,9 @@
 /** The controls of the past: play the recorded run from the displayed tick, or return to now. */
-import { Play, SkipForward } from "lucide-react";
+import { Play, SkipForward } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { RaceButton } from "../race/RaceButton.tsx";
 import styles from "./past-bar.module.css";
@@ -20,7 +21,7 @@ export function PastBar() {
         <Button
           size="small"
           className={styles["button"]}
-          icon={<Play aria-hidden="true" />}
+          icon={<Icon of={Play} />}
           title={t("timeline.watchNote")}
           onClick={() => simulator.send({ type: "play" })}
         >
@@ -30,7 +31,7 @@ export function PastBar() {
       <Button
         size="small"
         className={styles["button"]}
-        icon={<SkipForward aria-hidden="true" />}
+        icon={<Icon of={SkipForward} />}
         onClick={() => simulator.send({ type: "now" })}
       >
         {t("timeline.backToNow")}

@@ -4,10 +4,11 @@
  */
 import { causeLine } from "@corridor/coach";
 import type { LineRef } from "@corridor/protocol";
-import { CornerDownRight, Flag, RadioTower, User } from "lucide-react";
+import { CornerDownRight, Flag, RadioTower, User } from "lucide";
 import { useLayoutEffect, useRef } from "react";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Badge } from "../../ui/Badge.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import { followText } from "../../ui/follow-text.ts";
@@ -52,7 +53,7 @@ export function Playhead({ scale, event }: PlayheadProps) {
     >
       {tone === "good" ? (
         <span className={styles["flag"]}>
-          <Flag size={14} aria-hidden="true" />
+          <Icon of={Flag} size={14} />
         </span>
       ) : (
         <Badge tone={tone ?? (isNow ? "live" : "rest")}>
@@ -69,12 +70,12 @@ function DriverMark() {
   const { run } = useServices();
   const diagnosis = useStore(run, shownDiagnosis);
   const driver = useStore(run, ({ snapshot }) => snapshot?.driver ?? "program");
-  if (driver === "me") return <User size={14} aria-hidden="true" />;
-  if (driver === "remote") return <RadioTower size={14} aria-hidden="true" />;
+  if (driver === "me") return <Icon of={User} size={14} />;
+  if (driver === "remote") return <Icon of={RadioTower} size={14} />;
   if (diagnosis === null) return <LineMark />;
   const line = causeLine(diagnosis);
   if (line === null) return <BurstIcon size={14} />;
-  return line === "default" ? <CornerDownRight size={14} aria-hidden="true" /> : line + 1;
+  return line === "default" ? <Icon of={CornerDownRight} size={14} /> : line + 1;
 }
 
 /** The number of a line; empty for "otherwise", which has an arrow, and a dash for no line. */
@@ -106,7 +107,7 @@ function LineMark() {
   return (
     <span ref={element} className={styles["lineMark"]}>
       <span ref={number} />
-      <CornerDownRight size={14} aria-hidden="true" />
+      <Icon of={CornerDownRight} size={14} />
     </span>
   );
 }

@@ -1,11 +1,12 @@
 /**
  * Buttons that zoom the timeline, and a bar that scrolls it. Wheel, fingers and keys do the same.
  */
-import { Scan, ZoomIn, ZoomOut } from "lucide-react";
+import { Scan, ZoomIn, ZoomOut } from "lucide";
 import { useEffect, useLayoutEffect, useRef, useState, type RefObject } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { IconButton } from "../../ui/Button.tsx";
 import type { TimeWindow } from "./time-scale.ts";
 import type { TimelineZoomStore } from "./timeline-zoom-store.ts";
@@ -43,7 +44,7 @@ export function TimelineZoom({ element, zoom }: TimelineZoomProps) {
           label={t("timelineZoom.in")}
           onClick={() => zoomer.zoomHere(ZOOM_STEP)}
         >
-          <ZoomIn aria-hidden="true" />
+          <Icon of={ZoomIn} />
         </IconButton>
         <IconButton
           size="small"
@@ -51,7 +52,7 @@ export function TimelineZoom({ element, zoom }: TimelineZoomProps) {
           disabled={window === null}
           onClick={() => zoomer.zoomHere(1 / ZOOM_STEP)}
         >
-          <ZoomOut aria-hidden="true" />
+          <Icon of={ZoomOut} />
         </IconButton>
         <IconButton
           size="small"
@@ -60,7 +61,7 @@ export function TimelineZoom({ element, zoom }: TimelineZoomProps) {
           disabled={window === null}
           onClick={() => zoomer.zoomHere(null)}
         >
-          <Scan aria-hidden="true" />
+          <Icon of={Scan} />
         </IconButton>
       </fieldset>
       {window !== null && (

@@ -1,11 +1,12 @@
 /** The time and the bumps at the displayed tick, and a text if the past is displayed. */
-import { History } from "lucide-react";
+import { History } from "lucide";
 import { useCallback } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import type { RunState } from "../../stores/run-store.ts";
 import { formatClock } from "../../text/numbers.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { LiveText } from "../../ui/LiveText.tsx";
 import styles from "./transport.module.css";
 
@@ -45,7 +46,7 @@ export function Clock() {
       )}
       {view !== "now" && (
         <span className={styles["past"]}>
-          <History size={12} aria-hidden="true" />
+          <Icon of={History} size={12} />
           {t(`timeline.${view}`)}
         </span>
       )}

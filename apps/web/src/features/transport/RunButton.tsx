@@ -1,8 +1,9 @@
 /** Run, Pause or Run from here, with one position and one width. */
-import { Pause, Play } from "lucide-react";
+import { Pause, Play } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { useRights } from "../lessons/use-rights.ts";
 import { isProgramRefused, runButton, startHint } from "./run-button.ts";
@@ -32,9 +33,9 @@ export function RunButton() {
       data-does={does}
       icon={
         does === "pause" ? (
-          <Pause aria-hidden="true" fill="currentColor" />
+          <Icon of={Pause} fill="currentColor" />
         ) : (
-          <Play aria-hidden="true" fill="currentColor" />
+          <Icon of={Play} fill="currentColor" />
         )
       }
       disabled={isFault || isRefused}

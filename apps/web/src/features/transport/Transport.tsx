@@ -1,8 +1,9 @@
 /** Run or Pause, Step, Reset, speed, the clock, bumps, and the timeline of the run. */
-import { RotateCcw, SkipBack, SkipForward } from "lucide-react";
+import { RotateCcw, SkipBack, SkipForward } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { lazyPart } from "../../ui/lazy-part.tsx";
 import { Select } from "../../ui/Select.tsx";
@@ -69,7 +70,7 @@ function StepBack() {
       className={styles["back"]}
       label={t("timeline.stepBack")}
     >
-      <SkipBack aria-hidden="true" fill="currentColor" />
+      <Icon of={SkipBack} fill="currentColor" />
     </IconButton>
   );
 }
@@ -91,7 +92,7 @@ function Step() {
       {...press}
       size="large"
       className={styles["step"]}
-      icon={<SkipForward aria-hidden="true" fill="currentColor" />}
+      icon={<Icon of={SkipForward} fill="currentColor" />}
       disabled={isRefused}
       title={note}
       aria-keyshortcuts="Control+Shift+Enter"
@@ -108,7 +109,7 @@ function Reset() {
     <Button
       size="large"
       className={styles["reset"]}
-      icon={<RotateCcw aria-hidden="true" />}
+      icon={<Icon of={RotateCcw} />}
       title={t("shell.run.resetNote")}
       onClick={() => simulator.send({ type: "reset" })}
     >

@@ -1,10 +1,11 @@
 /** The page of a viewer: the robot in its maze, its state and its readings, without controls. */
-import { Eye } from "lucide-react";
+import { Eye } from "lucide";
 import { useEffect } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { Brand } from "../../app/Brand.tsx";
 import { ErrorBoundary } from "../../app/ErrorBoundary.tsx";
+import { Icon } from "../../ui/Icon.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import buttons from "../../ui/button.module.css";
 import type { ScreenStore } from "../../stores/screen-store.ts";
@@ -40,7 +41,7 @@ export function WatchPage({ store, screen, client }: WatchPageProps) {
           <Brand />
           {isWatching && (
             <p className={styles["banner"]}>
-              <Eye aria-hidden="true" />
+              <Icon of={Eye} />
               {t("watch:watching")}
             </p>
           )}

@@ -1,17 +1,18 @@
 /** Beside the stage: the state of the robot, its driver and its readings. */
-import { List, RadioTower, User } from "lucide-react";
+import { List, RadioTower, User } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { facingOf } from "../stage/robot-place.ts";
 import { WatchReadings } from "./WatchReadings.tsx";
 import { drivenBy, robotState, type WatchStore } from "./watch-store.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import styles from "./watch.module.css";
 
 const icons = {
-  me: <User aria-hidden="true" />,
-  program: <List aria-hidden="true" />,
-  remote: <RadioTower aria-hidden="true" />,
-  waiting: <RadioTower aria-hidden="true" />,
+  me: <Icon of={User} />,
+  program: <Icon of={List} isDirectional />,
+  remote: <Icon of={RadioTower} />,
+  waiting: <Icon of={RadioTower} />,
 };
 
 export function WatchPanel({ store }: { store: WatchStore }) {

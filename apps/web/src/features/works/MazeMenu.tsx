@@ -1,9 +1,10 @@
 /** The maze's name, which opens its menu. */
-import { ChevronDown } from "lucide-react";
+import { ChevronDown } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { joinList } from "../../text/joined.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { lazyPart } from "../../ui/lazy-part.tsx";
 import { Popover, usePopover } from "../../ui/Popover.tsx";
@@ -29,7 +30,7 @@ export function MazeMenu() {
         {...menu.trigger}
       >
         <span className={styles["name"]}>{shownName}</span>
-        <ChevronDown aria-hidden="true" />
+        <Icon of={ChevronDown} />
       </Button>
       <SaveState />
       <Popover {...menu.panel} label={t("works.menu")} className={styles["panel"]}>

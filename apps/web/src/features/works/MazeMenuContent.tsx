@@ -1,10 +1,11 @@
 /** The content of the maze menu: the maze's name, a new maze, and the projects on this device. */
-import { FilePlus2 } from "lucide-react";
+import { FilePlus2 } from "lucide";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
 import type { Project } from "../../app/project-storage.ts";
 import { FileMenuItems } from "../files/FileMenuItems.tsx";
+import { Icon } from "../../ui/Icon.tsx";
 import { MenuItem } from "../../ui/Popover.tsx";
 import { openEmptyMaze } from "./empty-maze.ts";
 import { RenameField } from "./RenameField.tsx";
@@ -24,7 +25,7 @@ export function MazeMenuContent({ onDone }: MazeMenuContentProps) {
     <>
       <RenameField />
       <MenuItem
-        icon={<FilePlus2 aria-hidden="true" />}
+        icon={<Icon of={FilePlus2} />}
         note={t("works.newMazeNote")}
         onSelect={() => openEmptyMaze(services, i18n)}
       >

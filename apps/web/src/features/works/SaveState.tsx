@@ -1,8 +1,9 @@
 /** Whether the newest edit is stored on this device, in words. */
-import { CircleCheck, TriangleAlert } from "lucide-react";
+import { CircleCheck, TriangleAlert } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import styles from "./maze-menu.module.css";
 
@@ -25,8 +26,8 @@ export function SaveState({ isInMenu = false }: { isInMenu?: boolean }) {
         isBad && styles["bad"],
       )}
     >
-      {isBad && <TriangleAlert size={16} aria-hidden="true" />}
-      {!isBad && isInMenu && <CircleCheck size={16} aria-hidden="true" />}
+      {isBad && <Icon of={TriangleAlert} size={16} />}
+      {!isBad && isInMenu && <Icon of={CircleCheck} size={16} />}
       {words[saved]}
     </p>
   );

@@ -1,9 +1,10 @@
 /** The projects on this device, newest first, with buttons to open and delete each. */
 import { sizeOf } from "@corridor/maze";
-import { Trash2 } from "lucide-react";
+import { Trash2 } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
 import type { Project } from "../../app/project-storage.ts";
+import { Icon } from "../../ui/Icon.tsx";
 import { IconButton } from "../../ui/Button.tsx";
 import { MazePicture } from "../presets/MazePicture.tsx";
 import styles from "./maze-menu.module.css";
@@ -59,7 +60,7 @@ export function WorksList({ works, onOpen, onDelete }: WorksListProps) {
               </button>
               {!isOpen && (
                 <IconButton label={t("works.delete", { name })} onClick={() => onDelete(work)}>
-                  <Trash2 aria-hidden="true" />
+                  <Icon of={Trash2} />
                 </IconButton>
               )}
             </li>
