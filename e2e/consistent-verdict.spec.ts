@@ -378,9 +378,9 @@ async function recordAnnouncements(page: Page): Promise<void> {
     const { mission, program } = JSON.parse(attempt);
     const { works } = JSON.parse(localStorage.getItem("corridor.lessons") ?? "{}");
     const key = `corridor.work.${works[mission]}`;
-    const work = JSON.parse(localStorage.getItem(key) ?? "{}");
-    Object.assign(work.program, program);
-    localStorage.setItem(key, JSON.stringify(work));
+    const project = JSON.parse(localStorage.getItem(key) ?? "{}");
+    Object.assign(project.program, program);
+    localStorage.setItem(key, JSON.stringify(project));
   });
 }
 

@@ -69,7 +69,7 @@ for (const tag of languageTags()) {
       }
       await checkTexts("measure");
 
-      const menu = page.getByRole("button", { name: texts.t("works.menu") });
+      const menu = page.getByRole("button", { name: texts.t("projects.menu") });
       await menu.click();
       await checkTexts("maze menu");
       await button("files.savePicture").click();

@@ -6,7 +6,7 @@ import { LessonsButton } from "../features/lessons/LessonsButton.tsx";
 import { PresetsButton } from "../features/presets/PresetsButton.tsx";
 import { ShareButton } from "../features/share/ShareButton.tsx";
 import { ThemeButton } from "../features/theme/ThemeButton.tsx";
-import { MazeMenu } from "../features/works/MazeMenu.tsx";
+import { MazeMenu } from "../features/projects/MazeMenu.tsx";
 import { Icon } from "../ui/Icon.tsx";
 import { IconButton } from "../ui/Button.tsx";
 import { lazyPart } from "../ui/lazy-part.tsx";

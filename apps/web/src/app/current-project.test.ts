@@ -175,7 +175,7 @@ describe("projects in several tabs", () => {
     const one = openTab(device);
     one.rename("Chosen");
     one.wait();
-    one.session.setItem("corridor.current", "no-such-work");
+    one.session.setItem("corridor.current", "no-such-project");
     expect(openTab(device, one.session).current.project.maze.name).toBe("Chosen");
   });
 });

@@ -98,8 +98,8 @@ describe("a first visit", () => {
   );
 
   it.each<Visit & { what: string }>([
-    { what: "a work is stored", stored: { "corridor.work.a": "{}" } },
-    { what: "a work that cannot be read is stored", stored: { "corridor.aside.a": "{}" } },
+    { what: "a project is stored", stored: { "corridor.work.a": "{}" } },
+    { what: "a project that cannot be read is stored", stored: { "corridor.aside.a": "{}" } },
     { what: "a run was reloaded", tab: { "corridor.run": "12" } },
     { what: "the address has a link", hash: "#abc" },
     { what: "the address is a robot's", pathname: "/r/robot" },

@@ -6,7 +6,7 @@ import type { i18n } from "i18next";
 import { missionHash } from "../features/lessons/mission-address.ts";
 import { programForMaze } from "../features/program/own-program.ts";
 import { holdAgain } from "../features/share/held-link.ts";
-import { openEmptyMaze } from "../features/works/empty-maze.ts";
+import { openEmptyMaze } from "../features/projects/empty-maze.ts";
 import { dismiss, showMessage } from "../stores/screen-store.ts";
 import type { Services } from "./services.ts";
 import { followAddress } from "./url-sync.ts";

@@ -49,7 +49,7 @@ function openTab(device: MemoryStorage) {
   };
   const listed = (name: string): Project => {
     const project = projects.list().find(({ maze }) => maze.name === name);
-    if (project === undefined) throw new Error(`no work is named ${name}`);
+    if (project === undefined) throw new Error(`no project is named ${name}`);
     return project;
   };
   const texts = () => screen.getState().messages.map(({ text }) => text);
@@ -103,7 +103,7 @@ describe("projects that another tab stores meanwhile", () => {
     back();
     expect(two.shown()).toBe("Draft, by two");
     two.projects.autosave.flush();
-    expect(two.texts()).toEqual(["works.forked", "works.blocked"]);
+    expect(two.texts()).toEqual(["projects.forked", "projects.blocked"]);
     expect(two.names()).toEqual(["Draft, by one", "Draft, by two", "Other"]);
   });
 

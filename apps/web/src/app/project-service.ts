@@ -40,8 +40,8 @@ export class ProjectService {
     const { screen, words } = ports;
     this.autosave = startAutosave({
       ...ports,
-      onFork: () => showMessage(screen, { tone: "info", text: words.t("works.forked") }),
-      onBlocked: () => showMessage(screen, { tone: "bad", text: words.t("works.blocked") }),
+      onFork: () => showMessage(screen, { tone: "info", text: words.t("projects.forked") }),
+      onBlocked: () => showMessage(screen, { tone: "bad", text: words.t("projects.blocked") }),
     });
     this.#reportDamaged();
     ports.store.sweepChallenges();
@@ -135,9 +135,9 @@ export class ProjectService {
     const back = this.#backAction();
     const id = showMessage(screen, {
       tone: "bad",
-      text: words.t("works.blocked"),
+      text: words.t("projects.blocked"),
       action: {
-        label: words.t("works.back"),
+        label: words.t("projects.back"),
         run: () => {
           dismiss(screen, id);
           back();
@@ -175,15 +175,15 @@ export class ProjectService {
     const challenge = store.remove(project.id);
     const id = showMessage(screen, {
       tone: "info",
-      text: words.t("works.deleted", { name: removed.maze.name }),
+      text: words.t("projects.deleted", { name: removed.maze.name }),
       action: {
-        label: words.t("works.undo"),
+        label: words.t("projects.undo"),
         run: () => {
           try {
             // A tab that has it open stores a newer version with its next edit.
             if (!store.has(removed.id)) store.write(removed, challenge);
           } catch {
-            showMessage(screen, { tone: "bad", text: words.t("works.blocked") });
+            showMessage(screen, { tone: "bad", text: words.t("projects.blocked") });
           }
           dismiss(screen, id);
         },
@@ -212,7 +212,7 @@ export class ProjectService {
   #reportDamaged(): void {
     const { store, screen, words } = this.#ports;
     for (const { reason } of store.sweep()) {
-      showMessage(screen, { tone: "bad", text: words.t("works.damaged", { reason }) });
+      showMessage(screen, { tone: "bad", text: words.t("projects.damaged", { reason }) });
     }
   }
 }

@@ -209,7 +209,7 @@ export function createServices(browser: Browser): Services {
     simulator,
     workspace,
     screen,
-    works: projects,
+    projects,
     challenge,
     storage,
     words,

@@ -405,7 +405,7 @@ describe("deleting a project", () => {
     page.rename("Mine");
     await page.go("/", `#${mazeLink}`);
     const mine = page.projects.list().find(({ maze }) => maze.name === "Mine");
-    if (mine === undefined) throw new Error("the work is not on the store");
+    if (mine === undefined) throw new Error("the project is not stored");
     page.projects.remove(mine);
     expect(page.names()).toEqual(["Shared"]);
     page.message()?.action?.run();

@@ -487,8 +487,8 @@ function holdLock(isWanted: boolean): void {
 }
 
 guarded(() => {
-  const work = earlyProject(worker.name);
-  if (work === null) return;
-  load(work);
+  const project = earlyProject(worker.name);
+  if (project === null) return;
+  load(project);
   postUpdate();
 });

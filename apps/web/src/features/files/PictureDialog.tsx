@@ -61,7 +61,7 @@ function PictureForm({ onSaved }: { onSaved: () => void }) {
         src={`data:image/svg+xml;charset=utf-8,${encodeURIComponent(picture.svg)}`}
         width={picture.width}
         height={picture.height}
-        alt={t("files.picture.preview", { name: name === "" ? t("works.unnamed") : name })}
+        alt={t("files.picture.preview", { name: name === "" ? t("projects.unnamed") : name })}
       />
       <div className={styles["choices"]}>
         <Checkbox

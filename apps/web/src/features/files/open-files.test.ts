@@ -47,7 +47,7 @@ describe("opening files", () => {
       files: [file("b.json", programOne), file("a.json", mazeOne)],
       begun: [mazeOne, programOne],
     },
-  ])("makes a work of $are, and leads back", async ({ files, begun }) => {
+  ])("makes a project of $are, and leads back", async ({ files, begun }) => {
     const { reports, begin, screen } = open(...files);
     expect(await reports).toEqual([]);
     expect(begin.mock.calls).toEqual([begun]);

@@ -113,7 +113,7 @@ function openDocuments(
   const opened = program ?? programForMaze(open.program, words);
   const back = services.projects.begin(maze ?? open.maze, opened);
   const names = {
-    maze: maze?.name || words.t("works.unnamed"),
+    maze: maze?.name || words.t("projects.unnamed"),
     program: program?.name || words.t("files.unnamedProgram"),
   };
   const kind = maze === undefined ? "program" : program === undefined ? "maze" : "both";
@@ -124,7 +124,7 @@ function openDocuments(
         ? words.t("presets.chosenEmpty", { name: names.maze })
         : words.t(`files.opened.${kind}`, names),
     action: {
-      label: words.t("works.back"),
+      label: words.t("projects.back"),
       run: () => {
         dismiss(services.screen, id);
         back();

@@ -13,17 +13,17 @@ import type { LessonsService } from "./lessons-service.ts";
 export class LessonsGate {
   readonly #ports: LessonsPorts;
   #service: Promise<LessonsService> | null = null;
-  #work: string;
+  #projectId: string;
 
   constructor(ports: LessonsPorts) {
     this.#ports = ports;
-    const { works, workspace, challenge, storage } = ports;
-    this.#work = works.currentId();
-    if (!storage.isKnown && works.list().length === 0) challenge.setState({ isInvited: true });
+    const { projects, workspace, challenge, storage } = ports;
+    this.#projectId = projects.currentId();
+    if (!storage.isKnown && projects.list().length === 0) challenge.setState({ isInvited: true });
     if (this.#belongsToChallenge()) void this.#sync();
     workspace.subscribe(() => {
-      if (works.currentId() === this.#work) return;
-      this.#work = works.currentId();
+      if (projects.currentId() === this.#projectId) return;
+      this.#projectId = projects.currentId();
       challenge.setState({ isInvited: false });
       if (this.#belongsToChallenge()) void this.#sync().then(() => this.handOver());
       else if (challenge.getState().challenge !== null) challenge.setState(noChallenge);
@@ -74,7 +74,9 @@ export class LessonsGate {
 
   #belongsToChallenge(): boolean {
     const { storage } = this.#ports;
-    return storage.missionOf(this.#work) !== null || storage.challengeOf(this.#work) !== null;
+    return (
+      storage.missionOf(this.#projectId) !== null || storage.challengeOf(this.#projectId) !== null
+    );
   }
 
   async #sync(): Promise<void> {

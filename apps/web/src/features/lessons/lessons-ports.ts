@@ -11,7 +11,10 @@ export interface LessonsPorts {
   simulator: Pick<SimulatorClient, "send" | "listen">;
   workspace: WorkspaceStore;
   screen: ScreenStore;
-  works: Pick<ProjectService, "begin" | "beginNew" | "open" | "backAction" | "list" | "currentId">;
+  projects: Pick<
+    ProjectService,
+    "begin" | "beginNew" | "open" | "backAction" | "list" | "currentId"
+  >;
   challenge: ChallengeStore;
   storage: LessonsStorage;
   words: Pick<i18n, "t" | "loadNamespaces">;

@@ -28,12 +28,12 @@ function openMission(id: MissionId) {
     storage,
     screen: createScreenStore(),
     words: { t: (key: string) => key, loadNamespaces: () => Promise.resolve() },
-    works: {
-      beginNew: (...[maze, program]: Parameters<LessonsPorts["works"]["beginNew"]>) => {
+    projects: {
+      beginNew: (...[maze, program]: Parameters<LessonsPorts["projects"]["beginNew"]>) => {
         openProject(workspace, maze, program ?? firstProgram);
       },
       backAction: () => () => undefined,
-      currentId: () => "work",
+      currentId: () => "project",
       list: () => [],
     },
     simulator: {

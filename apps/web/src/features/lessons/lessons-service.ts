@@ -52,7 +52,7 @@ export class LessonsService {
   /** rises with each challenge and maze to judge; judgements with another id are ignored */
   #judgeId = 0;
   /** id of the project with the open challenge */
-  #work: string | null = null;
+  #projectId: string | null = null;
   #judged: Judgement = { kind: "open" };
   /** reopens what was open before the first mission, even if it was never stored */
   #wayHome: (() => void) | null = null;
@@ -111,8 +111,8 @@ export class LessonsService {
    * @returns whether the mission exists
    */
   follow(id: string): boolean {
-    const { storage, works } = this.#ports;
-    if (storage.missionOf(works.currentId()) !== id) return this.openMission(id);
+    const { storage, projects } = this.#ports;
+    if (storage.missionOf(projects.currentId()) !== id) return this.openMission(id);
     this.sync();
     return true;
   }
@@ -125,15 +125,15 @@ export class LessonsService {
     const mission = tasks.find((each) => each.id === id);
     if (mission === undefined) return false;
     this.#address.opening();
-    const { storage, works } = this.#ports;
+    const { storage, projects } = this.#ports;
     const challenge = missionDocument(mission, this.#ports.words);
-    const attempt = works.list().find((work) => work.id === storage.record.works[id]);
+    const attempt = projects.list().find((project) => project.id === storage.record.works[id]);
     this.#leaveHome();
     const [maze] = challenge.mazes;
-    if (attempt !== undefined) works.open(attempt);
+    if (attempt !== undefined) projects.open(attempt);
     else if (maze !== undefined) {
-      works.beginNew(maze, startingProgram(challenge));
-      this.#tellUnlessKept(storage.add({ works: { [id]: works.currentId() } }));
+      projects.beginNew(maze, startingProgram(challenge));
+      this.#tellUnlessKept(storage.add({ works: { [id]: projects.currentId() } }));
     }
     this.#start(challenge, id);
     return true;
@@ -141,26 +141,26 @@ export class LessonsService {
 
   /** Opens a shared challenge in its own project. */
   openShared(challenge: ChallengeDocument, program: ProgramDocument | null): void {
-    const { works, storage } = this.#ports;
+    const { projects, storage } = this.#ports;
     const [maze] = challenge.mazes;
     if (maze === undefined) return;
     this.#leaveHome();
-    works.beginNew(maze, program ?? startingProgram(challenge));
+    projects.beginNew(maze, program ?? startingProgram(challenge));
     const text = writeChallengeText(challenge);
-    this.#tellUnlessKept(text !== null && storage.keepChallenge(works.currentId(), text));
+    this.#tellUnlessKept(text !== null && storage.keepChallenge(projects.currentId(), text));
     this.#start(challenge, null);
   }
 
   /** Loads the challenge of the open project, if it has one. The robot stays where it is. */
   sync(): void {
-    const { works, storage } = this.#ports;
-    const id = storage.missionOf(works.currentId());
+    const { projects, storage } = this.#ports;
+    const id = storage.missionOf(projects.currentId());
     const mission = tasks.find((each) => each.id === id);
     if (mission !== undefined) {
       this.#show(missionDocument(mission, this.#ports.words), mission.id);
       return;
     }
-    const text = storage.challengeOf(works.currentId());
+    const text = storage.challengeOf(projects.currentId());
     const challenge = text === null ? null : readChallengeText(text);
     if (challenge !== null) this.#show(challenge, null);
   }
@@ -266,15 +266,15 @@ export class LessonsService {
    * @throws if the worker fails to load
    */
   async solvedTrail(): Promise<SolvedTrail> {
-    const { works, storage, words } = this.#ports;
-    const stored = works.list();
+    const { projects, storage, words } = this.#ports;
+    const stored = projects.list();
     const attempts = missions.toReversed().flatMap((mission) => {
-      const work = stored.find(({ id }) => id === storage.record.works[mission.id]);
+      const project = stored.find(({ id }) => id === storage.record.works[mission.id]);
       const [maze] = missionDocument(mission, words).mazes;
       const isReach = mission.challenge.goal.kind === "reach";
-      return work === undefined || maze === undefined || !isReach
+      return project === undefined || maze === undefined || !isReach
         ? []
-        : [{ maze, program: work.program }];
+        : [{ maze, program: project.program }];
     });
     const trail = await this.project.trailOf(attempts);
     if (trail !== null) return trail;
@@ -287,16 +287,16 @@ export class LessonsService {
 
   /** Reopens what was open before the first mission. The missions stay on the device. */
   goHome(): void {
-    const { works, storage, words } = this.#ports;
-    const home = works.list().find((work) => work.id === storage.record.home);
+    const { projects, storage, words } = this.#ports;
+    const home = projects.list().find((project) => project.id === storage.record.home);
     const way = this.#wayHome;
     this.#wayHome = null;
     // `#wayHome` also restores edits that were never stored.
     if (way !== null) way();
-    else if (home !== undefined) works.open(home);
+    else if (home !== undefined) projects.open(home);
     else {
       const { maze, program } = firstProject(words);
-      works.begin(maze, program);
+      projects.begin(maze, program);
     }
     this.#ports.simulator.send({ type: "driver", driver: "program" });
   }
@@ -323,10 +323,10 @@ export class LessonsService {
 
   /** Records the student's own project before the first mission opens. */
   #leaveHome(): void {
-    const { works, challenge, storage } = this.#ports;
+    const { projects, challenge, storage } = this.#ports;
     if (challenge.getState().challenge !== null) return;
-    this.#wayHome = works.backAction();
-    this.#tellUnlessKept(storage.add({ home: works.currentId() }));
+    this.#wayHome = projects.backAction();
+    this.#tellUnlessKept(storage.add({ home: projects.currentId() }));
   }
 
   #start(challenge: ChallengeDocument, mission: string | null): void {
@@ -345,7 +345,7 @@ export class LessonsService {
       this.#detach();
       return;
     }
-    this.#work = this.#ports.works.currentId();
+    this.#projectId = this.#ports.projects.currentId();
     this.#begin(challenge, maze, mission);
     const rights = rightsOf(challenge);
     store.setState({ ...noChallenge, challenge, mission, maze, rights, isInvited: false });
@@ -356,9 +356,9 @@ export class LessonsService {
    * something else.
    */
   #followMaze(maze: MazeDocument): void {
-    const { challenge: store, works, screen, words } = this.#ports;
+    const { challenge: store, projects, screen, words } = this.#ports;
     const { challenge, maze: shown } = store.getState();
-    if (challenge === null || works.currentId() !== this.#work) return;
+    if (challenge === null || projects.currentId() !== this.#projectId) return;
     const index = mazeIndex(challenge, maze);
     if (index === null && challenge.allowed.maze) return;
     if (index === null) {
@@ -372,10 +372,10 @@ export class LessonsService {
 
   /** Removes the challenge from the open project. */
   #detach(): void {
-    const { works, storage, challenge } = this.#ports;
-    const work = works.currentId();
-    this.#tellUnlessKept(storage.dropWork(work));
-    storage.dropChallenge(work);
+    const { projects, storage, challenge } = this.#ports;
+    const id = projects.currentId();
+    this.#tellUnlessKept(storage.removeAttempt(id));
+    storage.deleteChallenge(id);
     challenge.setState(noChallenge);
   }
 
@@ -430,6 +430,7 @@ export class LessonsService {
 
 /** Compares two programs without their names. */
 function doesTheSame(one: ProgramDocument, other: ProgramDocument): boolean {
-  const work = ({ default: action, rules }: ProgramDocument) => JSON.stringify([action, rules]);
-  return work(one) === work(other);
+  const behaviour = ({ default: action, rules }: ProgramDocument) =>
+    JSON.stringify([action, rules]);
+  return behaviour(one) === behaviour(other);
 }

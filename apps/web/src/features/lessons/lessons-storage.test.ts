@@ -23,7 +23,7 @@ describe("what the device remembers of the lessons", () => {
     expect(after.missionOf("w1")).toBe("one-line");
     expect(after.missionOf("w2")).toBeNull();
     expect(after.challengeOf("w9")).toBe("{}");
-    after.dropChallenge("w9");
+    after.deleteChallenge("w9");
     expect(new LessonsStorage(device).challengeOf("w9")).toBeNull();
   });
 
@@ -69,7 +69,7 @@ describe("what the device remembers of the lessons", () => {
     const b = new LessonsStorage(device);
     a.add({ done: { one: { lines: 1, ticks: 300 } }, works: { one: "w1", two: "w2" } });
     b.forgetDone();
-    b.dropWork("w1");
+    b.removeAttempt("w1");
     a.add({ home: "w0" });
     expect(a.record).toEqual({ done: {}, works: { two: "w2" }, best: {}, home: "w0" });
     expect(a.missionOf("w1")).toBeNull();

@@ -14,7 +14,7 @@ export interface Done {
 export interface LessonsRecord {
   /** by mission id; ids from a later version of Corridor are retained */
   done: Readonly<Record<string, Done>>;
-  /** id of the project with the attempt, by mission id */
+  /** id of the project with the attempt, by mission id; the stored documents name it so */
   works: Readonly<Record<string, string>>;
   /** best result of each open project: smaller numbers are better, and the first counts most */
   best: Readonly<Record<string, readonly number[]>>;
@@ -78,9 +78,9 @@ export class LessonsStorage {
    * Removes a project from the attempts.
    * @returns whether the device stored the record
    */
-  dropWork(work: string): boolean {
+  removeAttempt(project: string): boolean {
     const record = this.#newest();
-    const left = Object.entries(record.works).filter(([, id]) => id !== work);
+    const left = Object.entries(record.works).filter(([, id]) => id !== project);
     return this.#write({ ...record, works: Object.fromEntries(left) });
   }
 
@@ -104,24 +104,24 @@ export class LessonsStorage {
   }
 
   /** The mission whose attempt is in this project; null if there is none. */
-  missionOf(work: string): string | null {
-    return Object.entries(this.record.works).find(([, id]) => id === work)?.[0] ?? null;
+  missionOf(project: string): string | null {
+    return Object.entries(this.record.works).find(([, id]) => id === project)?.[0] ?? null;
   }
 
   /** The text of this project's shared challenge; null if there is none. */
-  challengeOf(work: string): string | null {
-    return this.#challenges.get(work) ?? this.#device.getItem(challengeKey(work));
+  challengeOf(project: string): string | null {
+    return this.#challenges.get(project) ?? this.#device.getItem(challengeKey(project));
   }
 
   /** @returns whether the device stored the text */
-  keepChallenge(work: string, text: string): boolean {
-    this.#challenges.set(work, text);
-    return this.#keep(challengeKey(work), text);
+  keepChallenge(project: string, text: string): boolean {
+    this.#challenges.set(project, text);
+    return this.#keep(challengeKey(project), text);
   }
 
-  dropChallenge(work: string): void {
-    this.#challenges.delete(work);
-    this.#device.removeItem(challengeKey(work));
+  deleteChallenge(project: string): void {
+    this.#challenges.delete(project);
+    this.#device.removeItem(challengeKey(project));
   }
 
   #keep(key: string, text: string): boolean {

@@ -31,7 +31,7 @@ export async function offerUpdates(
           if (screen.getState().saved === "blocked") {
             // A reload would lose what the device does not store: the user saves it elsewhere
             // first.
-            showMessage(screen, { tone: "bad", text: words.t("works.blocked") });
+            showMessage(screen, { tone: "bad", text: words.t("projects.blocked") });
             return;
           }
           dismiss(screen, id);

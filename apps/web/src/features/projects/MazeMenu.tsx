@@ -20,20 +20,20 @@ export function MazeMenu() {
   const { workspace } = useServices();
   const name = useStore(workspace, (state) => state.maze.name);
   const menu = usePopover();
-  const shownName = name === "" ? t("works.unnamed") : name;
+  const shownName = name === "" ? t("projects.unnamed") : name;
   return (
     <div className={styles["menu"]}>
       <Button
         kind="quiet"
         className={styles["trigger"]}
-        aria-label={joinList(t, [shownName, t("works.menu")])}
+        aria-label={joinList(t, [shownName, t("projects.menu")])}
         {...menu.trigger}
       >
         <span className={styles["name"]}>{shownName}</span>
         <Icon of={ChevronDown} />
       </Button>
       <SaveState />
-      <Popover {...menu.panel} label={t("works.menu")} className={styles["panel"]}>
+      <Popover {...menu.panel} label={t("projects.menu")} className={styles["panel"]}>
         <MazeMenuContent onDone={menu.close} />
       </Popover>
     </div>

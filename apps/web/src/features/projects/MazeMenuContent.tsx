@@ -10,7 +10,7 @@ import { MenuItem } from "../../ui/Popover.tsx";
 import { openEmptyMaze } from "./empty-maze.ts";
 import { RenameField } from "./RenameField.tsx";
 import { SaveState } from "./SaveState.tsx";
-import { WorksList } from "./WorksList.tsx";
+import { ProjectList } from "./ProjectList.tsx";
 
 interface MazeMenuContentProps {
   /** closes the menu */
@@ -20,27 +20,27 @@ interface MazeMenuContentProps {
 export function MazeMenuContent({ onDone }: MazeMenuContentProps) {
   const { t, i18n } = useTranslation();
   const services = useServices();
-  const [works, setWorks] = useState<readonly Project[]>(() => services.projects.list());
+  const [projects, setProjects] = useState<readonly Project[]>(() => services.projects.list());
   return (
     <>
       <RenameField />
       <MenuItem
         icon={<Icon of={FilePlus2} />}
-        note={t("works.newMazeNote")}
+        note={t("projects.newMazeNote")}
         onSelect={() => openEmptyMaze(services, i18n)}
       >
-        {t("works.newMaze")}
+        {t("projects.newMaze")}
       </MenuItem>
       <FileMenuItems />
-      <WorksList
-        works={works}
-        onOpen={(work) => {
+      <ProjectList
+        projects={projects}
+        onOpen={(project) => {
           onDone();
-          services.projects.open(work);
+          services.projects.open(project);
         }}
-        onDelete={(work) => {
-          services.projects.remove(work);
-          setWorks(services.projects.list());
+        onDelete={(project) => {
+          services.projects.remove(project);
+          setProjects(services.projects.list());
         }}
       />
       <SaveState isInMenu />

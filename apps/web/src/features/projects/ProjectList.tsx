@@ -9,13 +9,13 @@ import { IconButton } from "../../ui/Button.tsx";
 import { MazePicture } from "../presets/MazePicture.tsx";
 import styles from "./maze-menu.module.css";
 
-interface WorksListProps {
-  works: readonly Project[];
-  onOpen: (work: Project) => void;
-  onDelete: (work: Project) => void;
+interface ProjectListProps {
+  projects: readonly Project[];
+  onOpen: (project: Project) => void;
+  onDelete: (project: Project) => void;
 }
 
-export function WorksList({ works, onOpen, onDelete }: WorksListProps) {
+export function ProjectList({ projects, onOpen, onDelete }: ProjectListProps) {
   const { t, i18n } = useTranslation();
   const currentId = useServices().projects.currentId();
   const when = new Intl.DateTimeFormat(i18n.language, {
@@ -24,42 +24,45 @@ export function WorksList({ works, onOpen, onDelete }: WorksListProps) {
     numberingSystem: "latn",
   });
   return (
-    <section className={styles["works"]} aria-labelledby="works-heading">
-      <h2 id="works-heading" className={styles["heading"]}>
-        {t("works.onThisDevice")}
+    <section className={styles["projects"]} aria-labelledby="projects-heading">
+      <h2 id="projects-heading" className={styles["heading"]}>
+        {t("projects.onThisDevice")}
       </h2>
-      {works.length === 0 && <p className={styles["note"]}>{t("works.empty")}</p>}
+      {projects.length === 0 && <p className={styles["note"]}>{t("projects.empty")}</p>}
       <ul className={styles["list"]}>
-        {works.map((work) => {
-          const name = work.maze.name === "" ? t("works.unnamed") : work.maze.name;
-          const isOpen = work.id === currentId;
+        {projects.map((project) => {
+          const name = project.maze.name === "" ? t("projects.unnamed") : project.maze.name;
+          const isOpen = project.id === currentId;
           return (
-            <li key={work.id} className={styles["row"]}>
+            <li key={project.id} className={styles["row"]}>
               <button
                 type="button"
-                className={styles["work"]}
-                aria-label={t("works.open", { name })}
+                className={styles["project"]}
+                aria-label={t("projects.open", { name })}
                 aria-current={isOpen}
                 disabled={isOpen}
-                onClick={() => onOpen(work)}
+                onClick={() => onOpen(project)}
               >
                 <span className={styles["thumbnail"]}>
-                  <MazePicture maze={work.maze} />
+                  <MazePicture maze={project.maze} />
                 </span>
                 <span className={styles["words"]}>
-                  <span className={styles["workName"]}>{name}</span>
+                  <span className={styles["projectName"]}>{name}</span>
                   <span className={styles["note"]}>
                     {isOpen
-                      ? t("works.isOpen")
-                      : t("works.openNote", {
-                          ...sizeOf(work.maze),
-                          when: when.format(work.savedAt),
+                      ? t("projects.isOpen")
+                      : t("projects.openNote", {
+                          ...sizeOf(project.maze),
+                          when: when.format(project.savedAt),
                         })}
                   </span>
                 </span>
               </button>
               {!isOpen && (
-                <IconButton label={t("works.delete", { name })} onClick={() => onDelete(work)}>
+                <IconButton
+                  label={t("projects.delete", { name })}
+                  onClick={() => onDelete(project)}
+                >
                   <Icon of={Trash2} />
                 </IconButton>
               )}

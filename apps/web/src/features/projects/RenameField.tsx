@@ -22,7 +22,7 @@ export function RenameField() {
   return (
     <div className={styles["rename"]}>
       <TextField
-        label={t("works.name")}
+        label={t("projects.name")}
         value={name}
         maxLength={MAX_NAME_LENGTH}
         onFocus={() => (endStroke.current ??= beginStroke(workspace))}

@@ -13,9 +13,9 @@ export function SaveState({ isInMenu = false }: { isInMenu?: boolean }) {
   const { screen } = useServices();
   const saved = useStore(screen, (state) => state.saved);
   const words = {
-    saved: t("works.savedHere"),
-    saving: t("works.saving"),
-    blocked: t("works.notSaved"),
+    saved: t("projects.savedHere"),
+    saving: t("projects.saving"),
+    blocked: t("projects.notSaved"),
   };
   const isBad = saved === "blocked";
   return (

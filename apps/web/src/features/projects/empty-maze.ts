@@ -27,12 +27,12 @@ export function openEmptyMaze(
   words: Pick<i18n, "t">,
 ): void {
   const program = programForMaze(workspace.getState().program, words);
-  const back = projects.begin(emptyMaze(words.t("works.newMazeName")), program);
+  const back = projects.begin(emptyMaze(words.t("projects.newMazeName")), program);
   const id = showMessage(screen, {
     tone: "info",
-    text: words.t("works.begun"),
+    text: words.t("projects.begun"),
     action: {
-      label: words.t("works.back"),
+      label: words.t("projects.back"),
       run: () => {
         dismiss(screen, id);
         back();

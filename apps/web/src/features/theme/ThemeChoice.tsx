@@ -15,18 +15,18 @@ export function ThemeChoice({ screen }: { screen: ScreenStore }) {
   return (
     <div className={styles["choice"]}>
       <Segmented
-        label={t("works.theme")}
+        label={t("projects.theme")}
         value={theme}
         options={[
-          { value: "system", label: t("works.themeSystem") },
-          { value: "light", label: t("works.themeLight") },
-          { value: "dark", label: t("works.themeDark") },
+          { value: "system", label: t("projects.themeSystem") },
+          { value: "light", label: t("projects.themeLight") },
+          { value: "dark", label: t("projects.themeDark") },
         ]}
         onChange={(choice) => screen.setState({ theme: choice })}
       />
       <Checkbox
-        label={t("works.contrast")}
-        note={t(isAsked ? "works.contrastSystem" : "works.contrastNote")}
+        label={t("projects.contrast")}
+        note={t(isAsked ? "projects.contrastSystem" : "projects.contrastNote")}
         checked={isAsked || contrast === "more"}
         disabled={isAsked}
         onChange={(isOn) => screen.setState({ contrast: isOn ? "more" : "system" })}

@@ -8,13 +8,13 @@ import offline from "./offline.json" with { type: "json" };
 import phone from "./phone.json" with { type: "json" };
 import presets from "./presets.json" with { type: "json" };
 import program from "./program.json" with { type: "json" };
+import projects from "./projects.json" with { type: "json" };
 import remote from "./remote.json" with { type: "json" };
 import share from "./share.json" with { type: "json" };
 import shell from "./shell.json" with { type: "json" };
 import speech from "./speech.json" with { type: "json" };
 import stage from "./stage.json" with { type: "json" };
 import timeline from "./timeline.json" with { type: "json" };
-import works from "./works.json" with { type: "json" };
 
 export const en = {
   cards,
@@ -26,11 +26,11 @@ export const en = {
   phone,
   presets,
   program,
+  projects,
   remote,
   share,
   shell,
   speech,
   stage,
   timeline,
-  works,
 };
