@@ -8,7 +8,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { DriverChoice } from "../features/drive/DriverChoice.tsx";
 import { LessonsDialog } from "../features/lessons/lazy-lessons-dialog.ts";
-import { FileDoor } from "../features/files/FileDoor.tsx";
+import { FileDoor } from "../features/files/FileDropTarget.tsx";
 import { Messages } from "../features/messages/Messages.tsx";
 import { LazyRemotePanel } from "../features/remote/lazy-remote-panel.ts";
 import { PairingPlace } from "../features/remote/PairingPlace.tsx";

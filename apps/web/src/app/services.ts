@@ -142,7 +142,7 @@ export function createServices(browser: Browser): Services {
       case "diagnosed":
         // In a challenge, its own card shows the diagnosis.
         if (challenge.getState().challenge !== null) return;
-        void import("../features/cards/tell-diagnosis.ts").then(
+        void import("../features/cards/show-diagnosis.ts").then(
           ({ tellDiagnosis }) =>
             tellDiagnosis({ screen, workspace, run, timeline, words }, message.diagnosis),
           () => undefined,

@@ -126,7 +126,7 @@ function canPress(services: Services, words: i18n, key: DriveKey): boolean {
   if (action === "pause") simulator.send({ type: "pause" });
   if (action === "take-over" || action === "refuse") {
     const driver = run.getState().snapshot?.driver ?? "program";
-    void import("../features/drive/tell-take-over.ts").then(
+    void import("../features/drive/show-take-over.ts").then(
       ({ tellTakeOver }) => tellTakeOver(screen, words, action === "refuse" ? null : driver),
       // Without the file there is no message; "Who drives?" shows it anyway.
       () => undefined,

@@ -8,7 +8,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useShallow } from "zustand/react/shallow";
 import { useServices } from "../../app/services.ts";
-import { useSay } from "../speech/use-say.ts";
+import { useSay } from "../speech/use-announcement.ts";
 import { failureText, handText, liveFailureText, metText, runFailureText } from "./failure-text.ts";
 import { standingAdvice } from "./standing-advice.ts";
 import { standingRobot } from "./standing-robot.ts";

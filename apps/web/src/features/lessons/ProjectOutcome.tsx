@@ -1,7 +1,7 @@
 /** Current state of the open project, and the best result on this device. Announces each change. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useSay } from "../speech/use-say.ts";
+import { useSay } from "../speech/use-announcement.ts";
 import type { LessonsService } from "./lessons-service.ts";
 import styles from "./lessons.module.css";
 import type { ProjectId } from "./missions/projects.ts";

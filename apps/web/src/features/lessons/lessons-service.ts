@@ -18,7 +18,7 @@ import { dismiss, showMessage } from "../../stores/screen-store.ts";
 import { newLineIds, setMaze, setProgram } from "../../stores/workspace-store.ts";
 import type { CheckAnswer } from "../../worker/check-request.ts";
 import type { SolvedTrail } from "../../worker/project-request.ts";
-import { tellUndoable } from "../stage/tell-undoable.ts";
+import { tellUndoable } from "../stage/show-undoable.ts";
 import { readChallengeText, writeChallengeText } from "./challenge-text.ts";
 import { startChecker, type ChallengeChecker } from "./challenge-checker.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
@@ -29,7 +29,7 @@ import { missionDocument } from "./mission-document.ts";
 import { nextMission, type MissionId } from "./missions/mission.ts";
 import { missions } from "./missions/missions.ts";
 import { projectOf, projects } from "./missions/projects.ts";
-import { ProjectWatch } from "./project-watch.ts";
+import { ProjectWatch } from "./project-checker.ts";
 
 /** Everything that an address can name. */
 const tasks = [...missions, ...projects];

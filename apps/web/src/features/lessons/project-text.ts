@@ -3,7 +3,7 @@ import type { ProjectAnswers } from "../../worker/project-request.ts";
 import { formatSeconds } from "../../text/numbers.ts";
 import type { MissionWords } from "./mission-words.ts";
 import { PROJECT_SECONDS, projects, type ProjectId } from "./missions/projects.ts";
-import type { ProjectStatus } from "./project-watch.ts";
+import type { ProjectStatus } from "./project-checker.ts";
 
 /** @returns null if there is nothing to report yet */
 export function statusText({ t, i18n }: MissionWords, status: ProjectStatus): string | null {

@@ -8,7 +8,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { dismiss, type Message } from "../../stores/screen-store.ts";
-import { useSay } from "../speech/use-say.ts";
+import { useSay } from "../speech/use-announcement.ts";
 import { joinSentences } from "../../text/joined.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button, IconButton } from "../../ui/Button.tsx";

@@ -20,7 +20,7 @@ import styles from "./program-editor.module.css";
 import { ProgramHeader } from "./ProgramHeader.tsx";
 import { ProgramLine } from "./ProgramLine.tsx";
 import { useRunningLine } from "./use-running-line.ts";
-import { watchRoom } from "./watch-room.ts";
+import { watchRoom } from "./observe-room.ts";
 
 const EmptyProgram = lazyPart(async () => (await import("./EmptyProgram.tsx")).EmptyProgram);
 

@@ -1,7 +1,7 @@
 import type { ProgramDocument } from "@corridor/program";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
-import { tellUndoable } from "../stage/tell-undoable.ts";
+import { tellUndoable } from "../stage/show-undoable.ts";
 import { loadProgram } from "./program-actions.ts";
 
 /**

@@ -7,6 +7,6 @@ export const LazyAdviceNote = deferredPart(loadNote);
 
 /** Resolves after the note, which it scrolls into view. */
 export const LazyAdviceNews = deferredPart(async () => {
-  const [{ AdviceNews }] = await Promise.all([import("./AdviceNews.tsx"), loadNote()]);
+  const [{ AdviceNews }] = await Promise.all([import("./AdviceAnnouncement.tsx"), loadNote()]);
   return AdviceNews;
 });

@@ -37,7 +37,7 @@ export function SpokenRun() {
       }
       endWaiting();
       void Promise.all([
-        import("./tell-run.ts"),
+        import("./announce-run.ts"),
         i18n.loadNamespaces(["diagnosis", "runDetails"]),
       ]).then(
         ([{ tellRun }]) => {

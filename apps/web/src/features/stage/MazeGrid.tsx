@@ -11,7 +11,7 @@ import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { asSentence, joinSentences } from "../../text/joined.ts";
 import { classNames } from "../../ui/class-names.ts";
-import { useSay } from "../speech/use-say.ts";
+import { useSay } from "../speech/use-announcement.ts";
 import { cellLabel } from "./cell-label.ts";
 import { around, clampCell, moveCursor } from "./grid-cursor.ts";
 import type { Facing } from "./robot-place.ts";

@@ -11,7 +11,7 @@ import { Dialog } from "../../ui/Dialog.tsx";
 import { FieldError } from "../../ui/FieldError.tsx";
 import { NumberInput } from "../../ui/NumberInput.tsx";
 import { readNumber } from "../../ui/number-text.ts";
-import { tellUndoable } from "./tell-undoable.ts";
+import { tellUndoable } from "./show-undoable.ts";
 import styles from "./tool-strip.module.css";
 
 interface ResizeDialogProps {

@@ -12,7 +12,7 @@ import { Camera } from "../../canvas/camera.ts";
 import { PointerInput, type PointerDetails } from "../../canvas/pointer-input.ts";
 import type { Measured } from "../../canvas/layers/measure.ts";
 import { readPalette, type Palette } from "../../canvas/palette.ts";
-import { shownProperties, watchPixelRatio, watchTheme } from "./theme-watch.ts";
+import { shownProperties, watchPixelRatio, watchTheme } from "./observe-theme.ts";
 import { cellAt, type Scroll } from "../../canvas/viewport.ts";
 import { showMessage } from "../../stores/screen-store.ts";
 import { MazeEditor } from "./maze-editor.ts";
@@ -24,7 +24,7 @@ import { openStageScreen } from "./open-stage-screen.ts";
 import type { StageScreen } from "./stage-screen.ts";
 import { tapePointAt, tapeWords, type Tape, type TapePoint } from "./tape.ts";
 import { createStageView } from "./stage-view.ts";
-import { tellUndoable } from "./tell-undoable.ts";
+import { tellUndoable } from "./show-undoable.ts";
 import { previewOf, type ToolRefusal } from "./tool-edit.ts";
 
 /** The elements of the stage. */

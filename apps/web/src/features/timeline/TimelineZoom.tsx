@@ -12,7 +12,7 @@ import type { TimeWindow } from "./time-scale.ts";
 import type { TimelineZoomStore } from "./timeline-zoom-store.ts";
 import styles from "./timeline-zoom.module.css";
 import { listenToTimelineZoom, ZOOM_STEP } from "./zoom-input.ts";
-import { TimelineZoomer } from "./timeline-zoomer.ts";
+import { TimelineZoomer } from "./timeline-zoom-controller.ts";
 
 /** Distance between each end of the timeline and of its axis, in px. */
 const MARGIN = 10;

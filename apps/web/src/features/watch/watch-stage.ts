@@ -7,7 +7,7 @@ import { openStageScreen } from "../stage/open-stage-screen.ts";
 import { hasRulers, stageLayout } from "../stage/stage-layout.ts";
 import { followRequest, readScroll, setLayout } from "../stage/stage-scroll.ts";
 import type { StageViewStore } from "../stage/stage-view.ts";
-import { shownProperties, watchPixelRatio, watchTheme } from "../stage/theme-watch.ts";
+import { shownProperties, watchPixelRatio, watchTheme } from "../stage/observe-theme.ts";
 import type { WatchClient } from "./watch-client.ts";
 import type { WatchStore } from "./watch-store.ts";
 

@@ -3,7 +3,7 @@ import type { Snapshot } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { createRunStore, type RunState } from "../../stores/run-store.ts";
 import type { RunEvent } from "../../worker/worker-messages.ts";
-import { RunEar, type RunTalk } from "./run-ear.ts";
+import { RunEar, type RunTalk } from "./run-listener.ts";
 
 const program: ProgramDocument = {
   format: "corridor/program",

@@ -9,7 +9,7 @@ import { diagnosisText, diagnosisTitle, diagnosisWords } from "../cards/diagnosi
 import { momentAt, sayMoment } from "../timeline/shown-moment.ts";
 import { timelineOf } from "../timeline/timeline-of.ts";
 import { storyOf, storyText } from "../transport/story.ts";
-import { RunEar, type RunTalk } from "./run-ear.ts";
+import { RunEar, type RunTalk } from "./run-listener.ts";
 import { decisionText, spoken, type Words } from "./run-words.ts";
 
 type Ports = Pick<Services, "challenge" | "run" | "workspace" | "screen" | "timeline" | "speech">;

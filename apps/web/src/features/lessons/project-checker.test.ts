@@ -9,7 +9,7 @@ import type { LessonsPorts } from "./lessons-ports.ts";
 import { LessonsStorage } from "./lessons-storage.ts";
 import { challengeOf } from "./missions/mission.ts";
 import { projects, type ProjectId } from "./missions/projects.ts";
-import { ProjectWatch } from "./project-watch.ts";
+import { ProjectWatch } from "./project-checker.ts";
 
 function openPage(answer: (question: ProjectQuestion) => ProjectAnswer) {
   vi.useFakeTimers();

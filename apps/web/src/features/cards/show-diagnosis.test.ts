@@ -4,7 +4,7 @@ import { firstMaze, firstProgram } from "../../worker/first-project.ts";
 import { createRunStore } from "../../stores/run-store.ts";
 import { createScreenStore } from "../../stores/screen-store.ts";
 import { createWorkspaceStore, setMaze, setProgram } from "../../stores/workspace-store.ts";
-import { tellDiagnosis } from "./tell-diagnosis.ts";
+import { tellDiagnosis } from "./show-diagnosis.ts";
 
 const diagnosis: Diagnosis = {
   event: { kind: "circles", tick: 900, line: 0, cell: 3, times: 3 },

@@ -6,7 +6,7 @@ import { useEffect } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
-import { useSay } from "../speech/use-say.ts";
+import { useSay } from "../speech/use-announcement.ts";
 import { adviceOn } from "./advice-store.ts";
 import { lineElementId } from "./focus-line.ts";
 import { useAdviceText } from "./use-advice-text.ts";

@@ -3,7 +3,7 @@ import type { Snapshot } from "@corridor/protocol";
 import { createRunStore, type RunState } from "../../stores/run-store.ts";
 import { TimelineStore } from "../../stores/timeline-store.ts";
 import { createTimelineZoom } from "./timeline-zoom-store.ts";
-import { TimelineZoomer } from "./timeline-zoomer.ts";
+import { TimelineZoomer } from "./timeline-zoom-controller.ts";
 import type { TimeWindow } from "./time-scale.ts";
 
 /** A zoomer, and the number of times that it measured the timeline. */

@@ -4,7 +4,7 @@ import { createScreenStore } from "../../stores/screen-store.ts";
 import { createWorkspaceStore, setMaze, setProgram } from "../../stores/workspace-store.ts";
 import { en } from "../../text/en/index.ts";
 import { createI18n } from "../../text/i18n.ts";
-import { tellUndoable } from "./tell-undoable.ts";
+import { tellUndoable } from "./show-undoable.ts";
 
 function afterAnEdit() {
   const screen = createScreenStore();

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { createScreenStore, showMessage } from "../../stores/screen-store.ts";
-import { tellTakeOver } from "./tell-take-over.ts";
+import { tellTakeOver } from "./show-take-over.ts";
 
 const words = {
   t: (key: string) => key,
