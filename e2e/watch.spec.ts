@@ -44,11 +44,16 @@ async function ownerKey({ page }: CorridorPage): Promise<string> {
 }
 
 /** Locators of the viewer's page. */
-function viewerPage(page: Page): { banner: Locator; maze: Locator; news: Locator; place: Locator } {
+function viewerPage(page: Page): {
+  banner: Locator;
+  maze: Locator;
+  status: Locator;
+  place: Locator;
+} {
   return {
     banner: page.getByText("You are watching"),
     maze: page.getByRole("heading", { level: 2 }),
-    news: page.getByRole("complementary").getByRole("status"),
+    status: page.getByRole("complementary").getByRole("status"),
     place: page.getByText(/^Robot at /),
   };
 }
@@ -72,24 +77,24 @@ test("shows the robot's place with any driver, and its maze as it changes", asyn
   const { drive, watch } = await copyAddresses(corridor);
   const { page } = await openWindow();
   await page.goto(watch);
-  const { banner, maze, news } = viewerPage(page);
+  const { banner, maze, status } = viewerPage(page);
   await expect(banner).toBeVisible();
   await expect(maze).toHaveText("Long way round");
-  await expect(news).toContainText("The robot waits for a script.");
+  await expect(status).toContainText("The robot waits for a script.");
   await expectSamePlace(corridor, page);
 
   // A script drives.
   const moved = await call(drive, "/commands", { body: { action: "move", distance: 150 } });
   const { seq } = (await moved.json()) as { seq: number };
   await call(drive, `/commands/${seq}?wait=25`);
-  await expect(news).toContainText("A script drives.");
+  await expect(status).toContainText("A script drives.");
   await expectSamePlace(corridor, page);
 
   // The user drives, and the viewer's picture moves.
   const stage = page.getByRole("main");
   const before = await stage.screenshot();
   await corridor.selectDriver("Me");
-  await expect(news).toContainText("A person drives the robot.");
+  await expect(status).toContainText("A person drives the robot.");
   await corridor.page.keyboard.down("s");
   await expect.poll(() => corridor.robotX()).toBeLessThan(190);
   await corridor.page.keyboard.up("s");
@@ -147,13 +152,13 @@ test("reports when the robot's page disconnects and reconnects", async ({
   const { watch } = await copyAddresses(corridor);
   const { page } = await openWindow();
   await page.goto(watch);
-  const { news, place } = viewerPage(page);
+  const { status, place } = viewerPage(page);
   await expect(place).toBeVisible();
   await corridor.page.goto("about:blank");
-  await expect(news).toContainText("The robot’s page is closed or offline.");
+  await expect(status).toContainText("The robot’s page is closed or offline.");
   await expectNoAxeViolations(page, "a viewer whose robot is disconnected");
   await corridor.page.goBack();
-  await expect(news).toContainText("The robot waits for a script.", { timeout: 15_000 });
+  await expect(status).toContainText("The robot waits for a script.", { timeout: 15_000 });
 });
 
 test("reports a revoked link immediately, and opens the new one in the same tab", async ({

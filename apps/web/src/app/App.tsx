@@ -8,7 +8,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { DriverChoice } from "../features/drive/DriverChoice.tsx";
 import { LessonsDialog } from "../features/lessons/lazy-lessons-dialog.ts";
-import { FileDoor } from "../features/files/FileDropTarget.tsx";
+import { FileDropTarget } from "../features/files/FileDropTarget.tsx";
 import { Messages } from "../features/messages/Messages.tsx";
 import { LazyRemotePanel } from "../features/remote/lazy-remote-panel.ts";
 import { PairingPlace } from "../features/remote/PairingPlace.tsx";
@@ -42,7 +42,7 @@ export function App() {
   const isOpening = useStore(screen, (state) => state.isOpening);
   return (
     <ErrorBoundary onError={() => projects.autosave.flush()}>
-      <FileDoor>{isOpening ? <LoadingPage /> : <Page />}</FileDoor>
+      <FileDropTarget>{isOpening ? <LoadingPage /> : <Page />}</FileDropTarget>
     </ErrorBoundary>
   );
 }

@@ -143,8 +143,8 @@ export function createServices(browser: Browser): Services {
         // In a challenge, its own card shows the diagnosis.
         if (challenge.getState().challenge !== null) return;
         void import("../features/cards/show-diagnosis.ts").then(
-          ({ tellDiagnosis }) =>
-            tellDiagnosis({ screen, workspace, run, timeline, words }, message.diagnosis),
+          ({ showDiagnosis }) =>
+            showDiagnosis({ screen, workspace, run, timeline, words }, message.diagnosis),
           () => undefined,
         );
         return;
@@ -186,7 +186,7 @@ export function createServices(browser: Browser): Services {
     workspace,
     tab,
     onNotStored: () => showMessage(screen, { tone: "bad", text: words.t("timeline.notStored") }),
-    onLost: () => showMessage(screen, { tone: "bad", text: words.t("timeline.notKept") }),
+    onLost: () => showMessage(screen, { tone: "bad", text: words.t("timeline.runLost") }),
   });
   const connection = new RemoteConnection({ simulator, remote, run, tab });
   const solved = createSolvedStore({ run, workspace, device });

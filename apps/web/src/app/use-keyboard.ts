@@ -109,7 +109,7 @@ function listen(
     { signal },
   );
   const unsubscribe = run.subscribe(({ snapshot, event }, before) => {
-    if (before.snapshot?.driver === "me" && snapshot?.driver !== "me") hold.forget();
+    if (before.snapshot?.driver === "me" && snapshot?.driver !== "me") hold.clear();
     if (event !== before.event && event?.kind === "goal" && event.driver === "me") hold.arrive();
   });
   return () => {
@@ -127,7 +127,7 @@ function canPress(services: Services, words: i18n, key: DriveKey): boolean {
   if (action === "take-over" || action === "refuse") {
     const driver = run.getState().snapshot?.driver ?? "program";
     void import("../features/drive/show-take-over.ts").then(
-      ({ tellTakeOver }) => tellTakeOver(screen, words, action === "refuse" ? null : driver),
+      ({ showTakeOver }) => showTakeOver(screen, words, action === "refuse" ? null : driver),
       // Without the file there is no message; "Who drives?" shows it anyway.
       () => undefined,
     );

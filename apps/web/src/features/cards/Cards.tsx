@@ -33,8 +33,8 @@ export function Cards({ view }: { view: StageViewStore }) {
   const isPrograms = useStore(workspace, ({ program }) => found?.program === program);
   const isStale = kind === "goal" && !isPrograms;
   const met = kind === "met" && result?.state === "met" ? result : null;
-  const told = isStale ? null : (met ?? found);
-  const open = told === closed ? null : told;
+  const current = isStale ? null : (met ?? found);
+  const open = current === closed ? null : current;
   useEffect(() => {
     if (open === null) return undefined;
     // Escape works from anywhere on the page, but a dialog or popover on top receives it first.

@@ -4,7 +4,7 @@ import { firstMaze, firstProgram } from "../../worker/first-project.ts";
 import { createRunStore } from "../../stores/run-store.ts";
 import { createScreenStore } from "../../stores/screen-store.ts";
 import { createWorkspaceStore, setMaze, setProgram } from "../../stores/workspace-store.ts";
-import { tellDiagnosis } from "./show-diagnosis.ts";
+import { showDiagnosis } from "./show-diagnosis.ts";
 
 const diagnosis: Diagnosis = {
   event: { kind: "circles", tick: 900, line: 0, cell: 3, times: 3 },
@@ -22,7 +22,7 @@ const diagnosis: Diagnosis = {
   fixes: [{ kind: "delete", line: 0 }],
 };
 
-async function told() {
+async function shown() {
   const screen = createScreenStore();
   const run = createRunStore();
   const workspace = createWorkspaceStore(firstMaze, firstProgram);
@@ -32,7 +32,7 @@ async function told() {
     language: "en",
     loadNamespaces: () => Promise.resolve(),
   };
-  await tellDiagnosis(
+  await showDiagnosis(
     { screen, workspace, run, timeline: { waitedUpTo: () => 0 }, words },
     diagnosis,
   );
@@ -41,7 +41,7 @@ async function told() {
 
 describe("the message that the robot gets nowhere", () => {
   it("stays while the same run goes on, and leads to the line", async () => {
-    const { run, messages } = await told();
+    const { run, messages } = await shown();
     run.setState({ nowTick: 901 });
     expect(messages()).toMatchObject([{ stays: true, action: { label: "diagnosis:show" } }]);
   });
@@ -49,17 +49,17 @@ describe("the message that the robot gets nowhere", () => {
   it.each([
     {
       name: "another program",
-      change: ({ workspace }: Awaited<ReturnType<typeof told>>) =>
+      change: ({ workspace }: Awaited<ReturnType<typeof shown>>) =>
         setProgram(workspace, { ...firstProgram, rules: [] }),
     },
     {
       name: "another maze",
-      change: ({ workspace }: Awaited<ReturnType<typeof told>>) =>
+      change: ({ workspace }: Awaited<ReturnType<typeof shown>>) =>
         setMaze(workspace, { ...firstMaze, name: "Other" }),
     },
     {
       name: "the card of a bump",
-      change: ({ run }: Awaited<ReturnType<typeof told>>) =>
+      change: ({ run }: Awaited<ReturnType<typeof shown>>) =>
         run.setState({
           event: {
             kind: "bump",
@@ -76,10 +76,10 @@ describe("the message that the robot gets nowhere", () => {
     },
     {
       name: "a new run",
-      change: ({ run }: Awaited<ReturnType<typeof told>>) => run.setState({ nowTick: 0 }),
+      change: ({ run }: Awaited<ReturnType<typeof shown>>) => run.setState({ nowTick: 0 }),
     },
   ])("goes with $name", async ({ change }) => {
-    const state = await told();
+    const state = await shown();
     change(state);
     expect(state.messages()).toEqual([]);
   });

@@ -20,7 +20,7 @@ interface Ports {
   words: Pick<i18n, "t" | "language" | "loadNamespaces">;
 }
 
-export async function tellDiagnosis(
+export async function showDiagnosis(
   { screen, workspace, run, timeline, words }: Ports,
   diagnosis: Diagnosis,
 ): Promise<void> {

@@ -98,7 +98,7 @@ describe("holding drive keys", () => {
   it("says nothing when another driver has taken over", () => {
     const { sent, hold } = setUp();
     hold.press("w", "forward");
-    hold.forget();
+    hold.clear();
     hold.release("w");
     expect(sent).toEqual(["forward"]);
   });

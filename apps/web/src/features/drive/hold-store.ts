@@ -77,7 +77,7 @@ export function createHoldStore(
     arrive: (): void => change(store.getState().held.map((each) => ({ ...each, isSpent: true }))),
 
     /** Another driver took over: releases all keys and sends nothing. */
-    forget: (): void => store.setState({ held: [] }),
+    clear: (): void => store.setState({ held: [] }),
   };
 }
 export type HoldStore = ReturnType<typeof createHoldStore>;

@@ -9,7 +9,7 @@ import { dismiss, showMessage, type ScreenStore } from "../../stores/screen-stor
 const events = ["refused", "fromScript", "fromProgram"] as const;
 
 /** @param from the driver until now; null if the open challenge does not allow Me */
-export async function tellTakeOver(
+export async function showTakeOver(
   screen: ScreenStore,
   words: Pick<i18n, "t" | "loadNamespaces">,
   from: DriverName | null,

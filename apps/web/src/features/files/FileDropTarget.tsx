@@ -14,7 +14,7 @@ import styles from "./files.module.css";
 const FileProblems = lazyDialog(async () => (await import("./FileProblems.tsx")).FileProblems);
 const PictureDialog = lazyDialog(async () => (await import("./PictureDialog.tsx")).PictureDialog);
 
-export function FileDoor({ children }: { children: ReactNode }) {
+export function FileDropTarget({ children }: { children: ReactNode }) {
   const { t, i18n } = useTranslation();
   const services = useServices();
   const [reports, setReports] = useState<readonly FileReport[]>([]);

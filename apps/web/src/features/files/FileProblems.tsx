@@ -24,7 +24,7 @@ export function FileProblems({ isOpen, reports, onClose }: FileProblemsProps) {
       isOpen={isOpen}
       onClose={onClose}
       title={t("files.problems.title", { count: reports.length })}
-      subtitle={t("files.problems.kept")}
+      subtitle={t("files.problems.unchanged")}
       width="narrow"
       footer={reports.some(({ isTextWrong }) => isTextWrong) ? t("files.problems.fix") : undefined}
     >

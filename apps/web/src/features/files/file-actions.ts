@@ -1,4 +1,4 @@
-/** What menus can do with files. The `FileDoor` around the page implements it. */
+/** What menus can do with files. The `FileDropTarget` around the page implements it. */
 import { createContext, useContext } from "react";
 
 export interface FileActions {
@@ -13,6 +13,6 @@ export const FileActionsProvider = FileActionsContext.Provider;
 
 export function useFileActions(): FileActions {
   const actions = useContext(FileActionsContext);
-  if (actions === null) throw new Error("useFileActions needs a FileDoor above it");
+  if (actions === null) throw new Error("useFileActions needs a FileDropTarget above it");
   return actions;
 }

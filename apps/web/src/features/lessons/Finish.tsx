@@ -65,7 +65,7 @@ export function Finish({ service, done }: FinishProps) {
 
   function save(content: Blob, ending: string): void {
     saveFile(content, `${fileName(`corridor ${title}`, "corridor")}.${ending}`);
-    speech.tell(t("missions:finish.saved"));
+    speech.announce(t("missions:finish.saved"));
   }
 
   return (

@@ -83,7 +83,7 @@ function MissionPath({ service, onClose }: { service: LessonsService; onClose: (
           kind="quiet"
           size="small"
           disabled={count === 0 && Object.keys(best).length === 0}
-          onClick={() => service.forgetProgress()}
+          onClick={() => service.deleteProgress()}
         >
           {t("path.reset")}
         </Button>

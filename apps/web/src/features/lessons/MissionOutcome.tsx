@@ -8,7 +8,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useShallow } from "zustand/react/shallow";
 import { useServices } from "../../app/services.ts";
-import { useSay } from "../speech/use-announcement.ts";
+import { useAnnouncement } from "../speech/use-announcement.ts";
 import { failureText, handText, liveFailureText, metText, runFailureText } from "./failure-text.ts";
 import { standingAdvice } from "./standing-advice.ts";
 import { standingRobot } from "./standing-robot.ts";
@@ -48,12 +48,12 @@ export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) 
         : isOpen && standing !== null && advice !== null
           ? handText(words, challenge, standing.reading, advice)
           : liveFailureText(ofRun, challenge, result);
-  useSay(text, "mission");
+  useAnnouncement(text, "mission");
   useEffect(
     () => () => {
       // Withdraws the text only when another challenge opens or none is open. On a phone the card
       // also unmounts with its tab.
-      if (store.getState().challenge !== challenge) speech.tellState("mission", null);
+      if (store.getState().challenge !== challenge) speech.announceState("mission", null);
     },
     [store, speech, challenge],
   );

@@ -1,7 +1,7 @@
 /** Current state of the open project, and the best result on this device. Announces each change. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useSay } from "../speech/use-announcement.ts";
+import { useAnnouncement } from "../speech/use-announcement.ts";
 import type { LessonsService } from "./lessons-service.ts";
 import styles from "./lessons.module.css";
 import type { ProjectId } from "./missions/projects.ts";
@@ -17,7 +17,7 @@ export function ProjectOutcome({ project, service }: ProjectOutcomeProps) {
   const status = useStore(service.project.status, (state) => state.status);
   const best = useStore(service.progress, (state) => state.best[project]);
   const text = statusText(words, status);
-  useSay(status.kind === "checking" ? null : text, "mission");
+  useAnnouncement(status.kind === "checking" ? null : text, "mission");
   return (
     <>
       <p role="note" className={styles["outcome"]} data-state={isReached(status) ? "met" : "open"}>

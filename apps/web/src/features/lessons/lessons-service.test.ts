@@ -21,7 +21,7 @@ function openMission(id: MissionId) {
   const workspace = createWorkspaceStore(firstMaze, firstProgram);
   const storage = new LessonsStorage(new MemoryStorage());
   let judgeId = 0;
-  let hear: (message: FromWorker) => void = () => undefined;
+  let emit: (message: FromWorker) => void = () => undefined;
   const ports = {
     challenge,
     workspace,
@@ -40,8 +40,8 @@ function openMission(id: MissionId) {
       send: (message: Parameters<LessonsPorts["simulator"]["send"]>[0]) => {
         if (message.type === "judge") judgeId = message.id;
       },
-      listen: (listener: typeof hear) => {
-        hear = listener;
+      listen: (listener: typeof emit) => {
+        emit = listener;
         return () => undefined;
       },
     },
@@ -83,7 +83,7 @@ function openMission(id: MissionId) {
         loop.advance();
       }
       const judgement = loop.takeJudgement();
-      if (judgement !== null) hear({ type: "judgement", id: judgeId, judgement });
+      if (judgement !== null) emit({ type: "judgement", id: judgeId, judgement });
     },
   };
 }

@@ -18,7 +18,7 @@ import { dismiss, showMessage } from "../../stores/screen-store.ts";
 import { newLineIds, setMaze, setProgram } from "../../stores/workspace-store.ts";
 import type { CheckAnswer } from "../../worker/check-request.ts";
 import type { SolvedTrail } from "../../worker/project-request.ts";
-import { tellUndoable } from "../stage/show-undoable.ts";
+import { showUndoable } from "../stage/show-undoable.ts";
 import { readChallengeText, writeChallengeText } from "./challenge-text.ts";
 import { startChecker, type ChallengeChecker } from "./challenge-checker.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
@@ -29,7 +29,7 @@ import { missionDocument } from "./mission-document.ts";
 import { nextMission, type MissionId } from "./missions/mission.ts";
 import { missions } from "./missions/missions.ts";
 import { projectOf, projects } from "./missions/projects.ts";
-import { ProjectWatch } from "./project-checker.ts";
+import { ProjectChecker } from "./project-checker.ts";
 
 /** Everything that an address can name. */
 const tasks = [...missions, ...projects];
@@ -48,7 +48,7 @@ export class LessonsService {
     best: {},
   }));
   /** the open project, checked whenever it changes */
-  readonly project: ProjectWatch;
+  readonly project: ProjectChecker;
   /** rises with each challenge and maze to judge; judgements with another id are ignored */
   #judgeId = 0;
   /** id of the project with the open challenge */
@@ -68,8 +68,8 @@ export class LessonsService {
     this.#checker = checker;
     this.#address = new MissionAddress(ports.challenge, bar, () => this.goHome());
     this.showProgress();
-    this.project = new ProjectWatch(ports, (isStored) => {
-      this.#tellUnlessKept(isStored);
+    this.project = new ProjectChecker(ports, (isStored) => {
+      this.#reportUnlessStored(isStored);
       this.showProgress();
     });
     ports.simulator.listen((message) => {
@@ -81,10 +81,10 @@ export class LessonsService {
       // An edit of the program restarts the judgement but not the run. At the goal, the store
       // receives again why the run does not count.
       const isGoal = message.type === "event" && message.event.kind === "goal";
-      if (isGoal && this.#judged.kind === "failed") this.#hear(this.#judged);
+      if (isGoal && this.#judged.kind === "failed") this.#receive(this.#judged);
       if (message.type !== "judgement" || message.id !== this.#judgeId) return;
       this.#judged = message.judgement;
-      this.#hear(message.judgement);
+      this.#receive(message.judgement);
     });
     ports.challenge.subscribe((next, before) => {
       if (next.challenge !== null || before.challenge === null) return;
@@ -133,7 +133,7 @@ export class LessonsService {
     if (attempt !== undefined) projects.open(attempt);
     else if (maze !== undefined) {
       projects.beginNew(maze, startingProgram(challenge));
-      this.#tellUnlessKept(storage.add({ works: { [id]: projects.currentId() } }));
+      this.#reportUnlessStored(storage.add({ works: { [id]: projects.currentId() } }));
     }
     this.#start(challenge, id);
     return true;
@@ -147,7 +147,7 @@ export class LessonsService {
     this.#leaveHome();
     projects.beginNew(maze, program ?? startingProgram(challenge));
     const text = writeChallengeText(challenge);
-    this.#tellUnlessKept(text !== null && storage.keepChallenge(projects.currentId(), text));
+    this.#reportUnlessStored(text !== null && storage.storeChallenge(projects.currentId(), text));
     this.#start(challenge, null);
   }
 
@@ -195,7 +195,7 @@ export class LessonsService {
       return;
     }
     setProgram(workspace, start, newLineIds(start.rules.length));
-    tellUndoable({ screen, workspace }, words, words.t("missions:card.begun"));
+    showUndoable({ screen, workspace }, words, words.t("missions:card.begun"));
   }
 
   /**
@@ -302,10 +302,10 @@ export class LessonsService {
   }
 
   /** Deletes the progress. The message offers undo, and attempts stay on the device. */
-  forgetProgress(): void {
+  deleteProgress(): void {
     const { storage, screen, words } = this.#ports;
     const { done, best } = storage.record;
-    this.#tellUnlessKept(storage.forgetDone());
+    this.#reportUnlessStored(storage.deleteProgress());
     this.showProgress();
     const id = showMessage(screen, {
       tone: "info",
@@ -314,7 +314,7 @@ export class LessonsService {
         label: words.t("missions:path.undo"),
         run: () => {
           dismiss(screen, id);
-          this.#tellUnlessKept(storage.add({ done, best }));
+          this.#reportUnlessStored(storage.add({ done, best }));
           this.showProgress();
         },
       },
@@ -326,7 +326,7 @@ export class LessonsService {
     const { projects, challenge, storage } = this.#ports;
     if (challenge.getState().challenge !== null) return;
     this.#wayHome = projects.backAction();
-    this.#tellUnlessKept(storage.add({ home: projects.currentId() }));
+    this.#reportUnlessStored(storage.add({ home: projects.currentId() }));
   }
 
   #start(challenge: ChallengeDocument, mission: string | null): void {
@@ -374,7 +374,7 @@ export class LessonsService {
   #detach(): void {
     const { projects, storage, challenge } = this.#ports;
     const id = projects.currentId();
-    this.#tellUnlessKept(storage.removeAttempt(id));
+    this.#reportUnlessStored(storage.removeAttempt(id));
     storage.deleteChallenge(id);
     challenge.setState(noChallenge);
   }
@@ -388,7 +388,7 @@ export class LessonsService {
   }
 
   /** Stores a new judgement of the attempt on the screen. */
-  #hear(judged: Judgement): void {
+  #receive(judged: Judgement): void {
     const { challenge: store } = this.#ports;
     const { challenge } = store.getState();
     if (challenge === null) return;
@@ -418,13 +418,13 @@ export class LessonsService {
     const { storage, challenge } = this.#ports;
     const { mission } = challenge.getState();
     if (mission === null || projectOf(mission) !== null) return;
-    this.#tellUnlessKept(storage.add({ done: { [mission]: done } }));
+    this.#reportUnlessStored(storage.add({ done: { [mission]: done } }));
     this.showProgress();
   }
 
-  #tellUnlessKept(isKept: boolean): void {
+  #reportUnlessStored(isStored: boolean): void {
     const { screen, words } = this.#ports;
-    if (!isKept) showMessage(screen, { tone: "bad", text: words.t("missions:card.blocked") });
+    if (!isStored) showMessage(screen, { tone: "bad", text: words.t("missions:card.blocked") });
   }
 }
 

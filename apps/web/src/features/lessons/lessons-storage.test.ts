@@ -11,7 +11,7 @@ describe("what the device remembers of the lessons", () => {
     expect(before.isKnown).toBe(false);
     before.add({ works: { "one-line": "w1" }, home: "w0" });
     before.add({ done: { "one-line": { lines: 1, ticks: 420 } } });
-    before.keepChallenge("w9", "{}");
+    before.storeChallenge("w9", "{}");
     const after = new LessonsStorage(device);
     expect(after.isKnown).toBe(true);
     expect(after.record).toEqual({
@@ -59,16 +59,16 @@ describe("what the device remembers of the lessons", () => {
     new LessonsStorage(device).add({ best: { "fewest-bumps": [1, 2000], "all-mazes": [0, 500] } });
     a.add({ best: { "fewest-bumps": [1, 2500], "all-mazes": [1, 1] } });
     expect(a.record.best).toEqual({ "fewest-bumps": [1, 2000], "all-mazes": [0, 500] });
-    a.forgetDone();
+    a.deleteProgress();
     expect(a.record.best).toEqual({});
   });
 
-  it("forgets and drops in both tabs", () => {
+  it("deletes progress and attempts in both tabs", () => {
     const device = new MemoryStorage();
     const a = new LessonsStorage(device);
     const b = new LessonsStorage(device);
     a.add({ done: { one: { lines: 1, ticks: 300 } }, works: { one: "w1", two: "w2" } });
-    b.forgetDone();
+    b.deleteProgress();
     b.removeAttempt("w1");
     a.add({ home: "w0" });
     expect(a.record).toEqual({ done: {}, works: { two: "w2" }, best: {}, home: "w0" });
@@ -94,7 +94,7 @@ describe("what the device remembers of the lessons", () => {
     device.isFull = true;
     const storage = new LessonsStorage(device);
     expect(storage.add({ home: "w0" })).toBe(false);
-    expect(storage.keepChallenge("w1", "{}")).toBe(false);
+    expect(storage.storeChallenge("w1", "{}")).toBe(false);
     expect(storage.add({ done: { one: { lines: 1, ticks: 300 } } })).toBe(false);
     expect(storage.record.home).toBe("w0");
     expect(storage.challengeOf("w1")).toBe("{}");
@@ -105,12 +105,12 @@ describe("what the device remembers of the lessons", () => {
     expect(new LessonsStorage(device).record).toEqual(storage.record);
   });
 
-  it("forgets also where the device is full", () => {
+  it("deletes progress even if the device is full", () => {
     const device = new MemoryStorage();
     const storage = new LessonsStorage(device);
     storage.add({ done: { one: { lines: 1, ticks: 300 } } });
     device.isFull = true;
-    storage.forgetDone();
+    storage.deleteProgress();
     expect(storage.record.done).toEqual({});
   });
 });

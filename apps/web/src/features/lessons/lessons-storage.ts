@@ -28,7 +28,7 @@ const nothing: LessonsRecord = { done: {}, works: {}, best: {}, home: null };
 export class LessonsStorage {
   readonly #device: KeyValueStorage;
   /** the record, if the device failed to store it; null if the device stores everything */
-  #unkept: LessonsRecord | null = null;
+  #pending: LessonsRecord | null = null;
   #read: { text: string | null; record: LessonsRecord } = { text: null, record: nothing };
   readonly #challenges = new Map<string, string>();
 
@@ -46,7 +46,7 @@ export class LessonsStorage {
    * changes.
    */
   get record(): LessonsRecord {
-    if (this.#unkept !== null) return this.#unkept;
+    if (this.#pending !== null) return this.#pending;
     const text = this.#device.getItem(KEY);
     if (text !== this.#read.text) this.#read = { text, record: parse(text) };
     return this.#read.record;
@@ -70,7 +70,7 @@ export class LessonsStorage {
    * Deletes the progress in every tab. Attempts stay.
    * @returns whether the device stored the record
    */
-  forgetDone(): boolean {
+  deleteProgress(): boolean {
     return this.#write({ ...this.#newest(), done: {}, best: {} });
   }
 
@@ -86,21 +86,21 @@ export class LessonsStorage {
 
   /** Merges what other tabs stored with what this tab could not store. */
   #newest(): LessonsRecord {
-    const unkept = this.#unkept;
-    if (unkept === null) return this.record;
+    const pending = this.#pending;
+    if (pending === null) return this.record;
     const stored = parse(this.#device.getItem(KEY));
     return {
-      done: bestOf(stored.done, unkept.done),
-      works: { ...stored.works, ...unkept.works },
-      best: fewestOf(stored.best, unkept.best),
-      home: unkept.home,
+      done: bestOf(stored.done, pending.done),
+      works: { ...stored.works, ...pending.works },
+      best: fewestOf(stored.best, pending.best),
+      home: pending.home,
     };
   }
 
   #write(record: LessonsRecord): boolean {
-    const isKept = this.#keep(KEY, JSON.stringify(record));
-    this.#unkept = isKept ? null : record;
-    return isKept;
+    const isStored = this.#store(KEY, JSON.stringify(record));
+    this.#pending = isStored ? null : record;
+    return isStored;
   }
 
   /** The mission whose attempt is in this project; null if there is none. */
@@ -114,9 +114,9 @@ export class LessonsStorage {
   }
 
   /** @returns whether the device stored the text */
-  keepChallenge(project: string, text: string): boolean {
+  storeChallenge(project: string, text: string): boolean {
     this.#challenges.set(project, text);
-    return this.#keep(challengeKey(project), text);
+    return this.#store(challengeKey(project), text);
   }
 
   deleteChallenge(project: string): void {
@@ -124,7 +124,7 @@ export class LessonsStorage {
     this.#device.removeItem(challengeKey(project));
   }
 
-  #keep(key: string, text: string): boolean {
+  #store(key: string, text: string): boolean {
     try {
       this.#device.setItem(key, text);
       return true;

@@ -9,7 +9,7 @@ import type { LessonsPorts } from "./lessons-ports.ts";
 import { LessonsStorage } from "./lessons-storage.ts";
 import { challengeOf } from "./missions/mission.ts";
 import { projects, type ProjectId } from "./missions/projects.ts";
-import { ProjectWatch } from "./project-checker.ts";
+import { ProjectChecker } from "./project-checker.ts";
 
 function openPage(answer: (question: ProjectQuestion) => ProjectAnswer) {
   vi.useFakeTimers();
@@ -17,16 +17,16 @@ function openPage(answer: (question: ProjectQuestion) => ProjectAnswer) {
   const workspace = createWorkspaceStore(firstMaze, firstProgram);
   const storage = new LessonsStorage(new MemoryStorage());
   const asked: ProjectQuestion[] = [];
-  let hear: (message: FromWorker) => void = () => undefined;
+  let emit: (message: FromWorker) => void = () => undefined;
   const simulator = {
     send: () => undefined,
     listen: (listener: (message: FromWorker) => void) => {
-      hear = listener;
+      emit = listener;
       return () => undefined;
     },
   };
   const ports = { challenge, workspace, storage, simulator } as unknown as LessonsPorts;
-  const watch = new ProjectWatch(
+  const watch = new ProjectChecker(
     ports,
     () => undefined,
     (question) => {
@@ -46,7 +46,7 @@ function openPage(answer: (question: ProjectQuestion) => ProjectAnswer) {
     workspace,
     asked,
     open,
-    hear: (message: FromWorker) => hear(message),
+    emit: (message: FromWorker) => emit(message),
     best: () => storage.record.best,
     status: () => watch.status.getState().status,
   };

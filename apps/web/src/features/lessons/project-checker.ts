@@ -28,7 +28,7 @@ const PAUSE_MS = 300;
 /** Sends a question to the worker. */
 export type AskProject = (question: ProjectQuestion) => Promise<ProjectAnswer>;
 
-export class ProjectWatch {
+export class ProjectChecker {
   readonly #ports: LessonsPorts;
   readonly #ask: AskProject;
   readonly status = createStore<{ status: ProjectStatus }>(() => ({ status: { kind: "none" } }));

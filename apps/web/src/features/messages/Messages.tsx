@@ -8,7 +8,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { dismiss, type Message } from "../../stores/screen-store.ts";
-import { useSay } from "../speech/use-announcement.ts";
+import { useAnnouncement } from "../speech/use-announcement.ts";
 import { joinSentences } from "../../text/joined.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button, IconButton } from "../../ui/Button.tsx";
@@ -62,8 +62,8 @@ function MessageCard({ message }: { message: Message }) {
   const [isHeld, setIsHeld] = useState(false);
   const { id, tone, text, part, action, stays = tone === "bad" } = message;
   const spoken = action === undefined ? text : joinSentences(t, [text, action.label]);
-  useSay(tone === "bad" ? null : spoken, `message ${id}`);
-  useEffect(() => () => speech.tellState(`message ${id}`, null), [speech, id]);
+  useAnnouncement(tone === "bad" ? null : spoken, `message ${id}`);
+  useEffect(() => () => speech.announceState(`message ${id}`, null), [speech, id]);
 
   useEffect(() => {
     if (stays || isHeld) return;

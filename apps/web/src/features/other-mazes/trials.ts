@@ -45,7 +45,7 @@ export class Trials {
   readonly pool: TrialPool;
   readonly #later: (show: () => void) => void;
   /** results that are not displayed yet */
-  #news: TrialResult[] = [];
+  #pending: TrialResult[] = [];
   #isDue = false;
   #shown = 0;
 
@@ -59,14 +59,14 @@ export class Trials {
   }
 
   start({ kind, side, first }: TrialChoice, program: ProgramDocument): void {
-    this.#news = [];
+    this.#pending = [];
     this.#shown = 0;
     this.store.setState({ state: "running", ...nothing });
     this.pool.run(
       { program, mazes: { kind, side }, seeds: seedsFrom(first) },
       {
         onResult: (result) => {
-          this.#news.push(result);
+          this.#pending.push(result);
           this.#showSoon();
         },
         onFailure: () => this.store.setState({ state: "failed" }),
@@ -95,7 +95,7 @@ export class Trials {
 
   #showSoon(): void {
     const { results } = this.store.getState();
-    const isFirstOrLast = results.size === 0 || results.size + this.#news.length === TRIALS;
+    const isFirstOrLast = results.size === 0 || results.size + this.#pending.length === TRIALS;
     if (isFirstOrLast) return this.#show();
     if (this.#isDue) return;
     this.#isDue = true;
@@ -106,10 +106,10 @@ export class Trials {
   }
 
   #show(): void {
-    const news = this.#news.splice(0);
-    if (news.length === 0) return;
+    const pending = this.#pending.splice(0);
+    if (pending.length === 0) return;
     const results = new Map(this.store.getState().results);
-    for (const result of news) results.set(result.seed, result);
+    for (const result of pending) results.set(result.seed, result);
     this.#shown++;
     if (results.size === TRIALS) this.store.setState({ state: "done", results, pictured: results });
     else if (this.#shown % SHOWN_PER_PICTURES > 0) this.store.setState({ results });

@@ -17,7 +17,7 @@ function open(device = new MemoryStorage()) {
   const run = createRunStore();
   const workspace = createWorkspaceStore(solvedSpiral, program as NonNullable<typeof program>);
   const solved = createSolvedStore({ run, workspace, device });
-  const tell = async (
+  const report = async (
     kind: "goal" | "bump",
     driver: RunEvent["driver"] = "program",
   ): Promise<void> => {
@@ -27,21 +27,21 @@ function open(device = new MemoryStorage()) {
     await import("./preset-of.ts");
     await new Promise((resolve) => setTimeout(resolve, 0));
   };
-  return { device, workspace, solved, tell, ids: () => solved.getState().ids };
+  return { device, workspace, solved, report, ids: () => solved.getState().ids };
 }
 
 describe("solved presets", () => {
   it.each(["me", "program"] as const)("are marked when %s reaches the goal", async (driver) => {
-    const { tell, ids, device } = open();
-    await tell("goal", driver);
+    const { report, ids, device } = open();
+    await report("goal", driver);
     expect(ids()).toEqual(["spiral"]);
     expect(open(device).ids()).toEqual(["spiral"]);
   });
 
   it("are not marked by a bump, nor by a script", async () => {
-    const { tell, ids } = open();
-    await tell("bump");
-    await tell("goal", "remote");
+    const { report, ids } = open();
+    await report("bump");
+    await report("goal", "remote");
     expect(ids()).toEqual([]);
   });
 
@@ -55,18 +55,18 @@ describe("solved presets", () => {
       edit: () => setStart(solvedSpiral, { column: 5, row: 3 }, "south"),
     },
   ])("are not marked with $change", async ({ edit }) => {
-    const { workspace, tell, ids } = open();
+    const { workspace, report, ids } = open();
     const result = edit();
     if (!result.ok) throw new Error(result.code);
     setMaze(workspace, result.maze);
-    await tell("goal");
+    await report("goal");
     expect(ids()).toEqual([]);
   });
 
   it("keeps what another tab has marked since", async () => {
-    const { tell, ids, device } = open();
+    const { report, ids, device } = open();
     device.setItem(KEY, '["tree"]');
-    await tell("goal");
+    await report("goal");
     expect(ids().toSorted()).toEqual(["spiral", "tree"]);
     expect(JSON.parse(device.getItem(KEY) ?? "")).toEqual(ids());
   });
@@ -85,8 +85,8 @@ describe("solved presets", () => {
   it("marks for this visit where the device keeps nothing", async () => {
     const device = new MemoryStorage();
     device.isFull = true;
-    const { tell, ids } = open(device);
-    await tell("goal");
+    const { report, ids } = open(device);
+    await report("goal");
     expect(ids()).toEqual(["spiral"]);
   });
 });

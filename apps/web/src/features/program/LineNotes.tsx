@@ -70,7 +70,7 @@ function LineProgress({ line }: Pick<LineNoteProps, "line">) {
     const look = (state: RunState): void => {
       const progress = shownProgress(line, state);
       const isMoving = state.snapshot?.state === "running";
-      const isTold = pace.isDue(isMoving, progress?.kind ?? null);
+      const isDue = pace.isDue(isMoving, progress?.kind ?? null);
       const isResting = progress === null;
       // Writing an attribute triggers a style recalculation, even if the value stays the same.
       if (box.hasAttribute("data-resting") !== isResting) {
@@ -83,7 +83,7 @@ function LineProgress({ line }: Pick<LineNoteProps, "line">) {
       const words = wordsOf[kind](left);
       filled.style.backgroundSize = `${(100 * (of - left)) / of}%`;
       if (node.data !== words) node.data = words;
-      if (!isTold) return;
+      if (!isDue) return;
       progressBar.max = of;
       progressBar.value = of - left;
       progressBar.setAttribute("aria-label", words);

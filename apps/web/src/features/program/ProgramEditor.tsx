@@ -12,7 +12,7 @@ import { useMediaQuery } from "../../ui/use-media-query.ts";
 import { useRights } from "../lessons/use-rights.ts";
 import { AddLine } from "./AddLine.tsx";
 import { isExample } from "./example.ts";
-import { LazyAdviceNews } from "./lazy-advice.ts";
+import { LazyAdviceAnnouncement } from "./lazy-advice.ts";
 import { decidingLine } from "./line-state.ts";
 import { Otherwise } from "./Otherwise.tsx";
 import { addLine } from "./program-actions.ts";
@@ -20,7 +20,7 @@ import styles from "./program-editor.module.css";
 import { ProgramHeader } from "./ProgramHeader.tsx";
 import { ProgramLine } from "./ProgramLine.tsx";
 import { useRunningLine } from "./use-running-line.ts";
-import { watchRoom } from "./observe-room.ts";
+import { observeRoom } from "./observe-room.ts";
 
 const EmptyProgram = lazyPart(async () => (await import("./EmptyProgram.tsx")).EmptyProgram);
 
@@ -65,7 +65,7 @@ function ProgramLines() {
   const { workspace, screen, run, advice } = useServices();
   const program = useStore(workspace, (state) => state.program);
   const hasBegun = useStore(run, hasProgramBegun);
-  const hasNews = useStore(advice, ({ news }) => news !== null);
+  const hasAnnouncement = useStore(advice, ({ announcement }) => announcement !== null);
   const lineIds = useStore(workspace, (state) => state.lineIds);
   const body = useRef<HTMLDivElement>(null);
   const rod = useRef<HTMLSpanElement>(null);
@@ -74,7 +74,7 @@ function ProgramLines() {
   const [remembered] = useState(() => new Map<number, number>());
 
   useLayoutEffect(() => {
-    if (body.current && rod.current) return watchRoom(body.current, rod.current);
+    if (body.current && rod.current) return observeRoom(body.current, rod.current);
     return undefined;
   }, []);
 
@@ -121,7 +121,7 @@ function ProgramLines() {
       <Otherwise element={otherwise} />
       <RunningLine list={list} otherwise={otherwise} />
       <AddLine onAdd={add} />
-      <LazyAdviceNews isWanted={hasNews} />
+      <LazyAdviceAnnouncement isWanted={hasAnnouncement} />
     </div>
   );
 }

@@ -126,16 +126,16 @@ describe("advice on the lines", () => {
     expect(lines()).toEqual([0]);
   });
 
-  it("is told once, however often it comes and goes", async () => {
+  it("is announced once, however often it comes and goes", async () => {
     const { advice, settle, edit } = setUp();
     await settle();
-    const first = advice.getState().news;
+    const first = advice.getState().announcement;
     expect(first).toMatchObject({ line: 1, kind: "delayed-about-front" });
     edit("left 90");
     await settle();
     edit("delayed left 90");
     await settle();
-    expect(advice.getState().news).toBe(first);
+    expect(advice.getState().announcement).toBe(first);
   });
 
   it("stays away once it was hidden, also after an undo, and comes for another line", async () => {

@@ -40,7 +40,7 @@ export interface AdviceState {
   /** displayed advice, from the top line down */
   shown: readonly Advice[];
   /** newest advice that appeared, for one announcement to screen readers */
-  news: Advice | null;
+  announcement: Advice | null;
 }
 
 export interface AdviceStore extends Pick<
@@ -66,9 +66,9 @@ export function createAdviceStore({
   challenge,
   run,
 }: AdvicePorts): AdviceStore {
-  const store = createStore<AdviceState>()(() => ({ shown: [], news: null }));
+  const store = createStore<AdviceState>()(() => ({ shown: [], announcement: null }));
   const hidden = new Set<string>();
-  const told = new Set<string>();
+  const announced = new Set<string>();
   let settled: ReadonlySet<string> = new Set();
   let coach: Coach | null = null;
   let edits = 0;
@@ -98,10 +98,10 @@ export function createAdviceStore({
     const all = coach.adviseProgram(program, maze);
     settled = new Set(all.map((advice) => keyOf(advice, program)));
     refresh();
-    const fresh = store.getState().shown.find((advice) => !told.has(keyOf(advice, program)));
+    const fresh = store.getState().shown.find((advice) => !announced.has(keyOf(advice, program)));
     if (fresh === undefined) return;
-    for (const key of settled) told.add(key);
-    store.setState({ news: fresh });
+    for (const key of settled) announced.add(key);
+    store.setState({ announcement: fresh });
   }
 
   function settleSoon(): void {

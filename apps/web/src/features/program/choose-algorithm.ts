@@ -1,7 +1,7 @@
 import type { ProgramDocument } from "@corridor/program";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
-import { tellUndoable } from "../stage/show-undoable.ts";
+import { showUndoable } from "../stage/show-undoable.ts";
 import { loadProgram } from "./program-actions.ts";
 
 /**
@@ -14,5 +14,5 @@ export function chooseAlgorithm(
   program: ProgramDocument,
 ): void {
   loadProgram(services.workspace, program);
-  tellUndoable(services, words, words.t("program.loaded", { name: program.name }));
+  showUndoable(services, words, words.t("program.loaded", { name: program.name }));
 }

@@ -6,7 +6,10 @@ const loadNote = async () => (await import("./AdviceNote.tsx")).AdviceNote;
 export const LazyAdviceNote = deferredPart(loadNote);
 
 /** Resolves after the note, which it scrolls into view. */
-export const LazyAdviceNews = deferredPart(async () => {
-  const [{ AdviceNews }] = await Promise.all([import("./AdviceAnnouncement.tsx"), loadNote()]);
-  return AdviceNews;
+export const LazyAdviceAnnouncement = deferredPart(async () => {
+  const [{ AdviceAnnouncement }] = await Promise.all([
+    import("./AdviceAnnouncement.tsx"),
+    loadNote(),
+  ]);
+  return AdviceAnnouncement;
 });

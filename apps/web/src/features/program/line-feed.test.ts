@@ -15,15 +15,15 @@ class SightEvent extends Event {
 
 let run: RunStore;
 let line: EventTarget;
-let told: number[];
+let received: number[];
 
 beforeEach(() => {
   run = createRunStore();
   line = new EventTarget();
-  told = [];
+  received = [];
   const feed = lineFeed(run, 0);
   feed.watch(line);
-  feed.subscribe(({ snapshot }) => told.push(snapshot?.tick ?? 0));
+  feed.subscribe(({ snapshot }) => received.push(snapshot?.tick ?? 0));
 });
 
 function show(tick: number, state: "running" | "paused" = "running"): void {
@@ -33,20 +33,20 @@ function show(tick: number, state: "running" | "paused" = "running"): void {
 describe("a line of the program", () => {
   it("follows every moment while it is in sight", () => {
     for (const tick of [1, 2, 3]) show(tick);
-    expect(told).toEqual([1, 2, 3]);
+    expect(received).toEqual([1, 2, 3]);
   });
 
   it("follows at every fourth while it is out of sight", () => {
     line.dispatchEvent(new SightEvent(true));
     for (let tick = 1; tick <= 8; tick++) show(tick);
-    expect(told).toEqual([4, 8]);
+    expect(received).toEqual([4, 8]);
   });
 
   it("is exact when the robot rests, in sight or not", () => {
     line.dispatchEvent(new SightEvent(true));
     show(1);
     show(2, "paused");
-    expect(told).toEqual([2]);
+    expect(received).toEqual([2]);
   });
 
   it("follows every moment again once it has come into sight", () => {
@@ -54,14 +54,14 @@ describe("a line of the program", () => {
     show(1);
     line.dispatchEvent(new SightEvent(false));
     show(2);
-    expect(told).toEqual([2]);
+    expect(received).toEqual([2]);
   });
 
-  it("hears nothing more once nobody listens", () => {
-    let heard = 0;
-    const end = lineFeed(run, 0).subscribe(() => (heard += 1));
+  it("receives nothing after the last listener ends", () => {
+    let count = 0;
+    const end = lineFeed(run, 0).subscribe(() => (count += 1));
     end();
     show(1);
-    expect(heard).toBe(0);
+    expect(count).toBe(0);
   });
 });

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { en } from "../../text/en/index.ts";
 import { createI18n } from "../../text/i18n.ts";
 import { lineName, lineNamer } from "./line-name.ts";
-import type { LineStanding, ShownTruth } from "./line-state.ts";
+import type { LineState, ShownTruth } from "./line-state.ts";
 
 const { t } = createI18n(en);
 const line = {
@@ -17,7 +17,7 @@ const truths: (ShownTruth | null)[] = [
 ];
 
 describe("the name of a line that runs", () => {
-  it.each(["resting", "running", "bumped", "notRead"] satisfies LineStanding[])(
+  it.each(["resting", "running", "bumped", "notRead"] satisfies LineState[])(
     "is what a line that is %s is called, whatever its numbers",
     (state) => {
       const nameOf = lineNamer(t, "en", line);
@@ -27,7 +27,7 @@ describe("the name of a line that runs", () => {
     },
   );
 
-  it("says its standing, its sentence and its truth", () => {
+  it("says its state, its sentence and its truth", () => {
     expect(lineNamer(t, "en", line)("running", truths[1] ?? null)).toBe(
       "Line 2, running: if right is more than 60, delayed right 90. Right is 250.5, true.",
     );

@@ -6,12 +6,12 @@ import type { TFunction } from "i18next";
 import { joinSentences } from "../../text/joined.ts";
 import { localNumber } from "../../text/numbers.ts";
 import { preparePhrase } from "../../text/phrase.ts";
-import type { LineStanding, ShownTruth } from "./line-state.ts";
+import type { LineState, ShownTruth } from "./line-state.ts";
 
 export interface LineNameParts {
   index: number;
   rule: Rule;
-  state: LineStanding;
+  state: LineState;
   truth: ShownTruth | null;
   /** the reason of its advice as a whole sentence; null if there is none */
   advice: string | null;
@@ -60,13 +60,13 @@ export function lineName(
 }
 
 /**
- * Builds names for a line whose standing and truth change often. It translates each sentence once.
+ * Builds names for a line whose state and truth change often. It translates each sentence once.
  */
 export function lineNamer(
   t: TFunction,
   language: string,
   line: Pick<LineNameParts, "index" | "rule" | "advice">,
-): (state: LineStanding, truth: ShownTruth | null) => string {
+): (state: LineState, truth: ShownTruth | null) => string {
   const prepared = new Map<string, (values: { left: string }) => string>();
   return (state, truth) => {
     const key = `${state} ${truth?.isTrue}`;

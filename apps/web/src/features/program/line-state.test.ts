@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import {
   decidingLine,
   isPassedOver,
-  lineStanding,
+  lineStateOf,
   shownBump,
   shownProgress,
   shownTruth,
@@ -42,23 +42,23 @@ describe("isPassedOver", () => {
   });
 });
 
-describe("lineStanding", () => {
-  const standings = (hasEnded: boolean) =>
+describe("lineStateOf", () => {
+  const states = (hasEnded: boolean) =>
     [0, 1, 2].map((index) =>
-      lineStanding(index, { snapshot: { ...snapshot, line: 1 }, event: null, hasEnded }),
+      lineStateOf(index, { snapshot: { ...snapshot, line: 1 }, event: null, hasEnded }),
     );
 
   it("is not read below the line that decides", () => {
-    expect(standings(false)).toEqual(["resting", "running", "notRead"]);
+    expect(states(false)).toEqual(["resting", "running", "notRead"]);
   });
 
   it("is not read for no line where the run has ended, because no line decides there", () => {
-    expect(standings(true)).toEqual(["resting", "running", "resting"]);
+    expect(states(true)).toEqual(["resting", "running", "resting"]);
   });
 });
 
 describe("shownTruth", () => {
-  it("is told of every condition, whoever drives", () => {
+  it("is known for every condition and every driver", () => {
     const condition = { sensor: "right", is: ">", than: 60 } as const;
     const truth = { isTrue: true, left: "250", right: "> 60" };
     expect(shownTruth(condition, snapshot)).toEqual(truth);

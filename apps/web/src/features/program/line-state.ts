@@ -57,12 +57,12 @@ export function truthAt(condition: Condition | null): TruthAt {
 }
 
 /** A line's state relative to the deciding line. `notRead`: a line above it decided. */
-export type LineStanding = "resting" | "running" | "bumped" | "notRead";
+export type LineState = "resting" | "running" | "bumped" | "notRead";
 
-export function lineStanding(
+export function lineStateOf(
   index: number,
   state: Pick<RunState, "snapshot" | "hasEnded"> & { event: BumpMoment | null },
-): LineStanding {
+): LineState {
   if (shownBump(index, state) !== null) return "bumped";
   const deciding = decidingLine(state.snapshot);
   if (deciding === index) return "running";
@@ -91,13 +91,13 @@ export function shownProgress(
     return null;
   }
   const { kind, part, parts, of } = progress;
-  const left = Math.ceil(progress.left - CRUMB);
+  const left = Math.ceil(progress.left - EPSILON);
   if (kind === "turn") return { kind, left, of };
   return { kind: part < parts - 1 ? "approach" : "leave", left, of };
 }
 
 /** Allows for rounding errors in a distance. */
-const CRUMB = 1e-6;
+const EPSILON = 1e-6;
 
 /**
  * A bump as its line displays it: the distance driven, and the distance needed, in whole cm. Both

@@ -17,7 +17,7 @@ const ROOMS = [
  * @param rod as wide as the lines and one em high, so that it reflects the font size
  * @returns a function that stops observing
  */
-export function watchRoom(lines: HTMLElement, rod: HTMLElement): () => void {
+export function observeRoom(lines: HTMLElement, rod: HTMLElement): () => void {
   const look = (): void => {
     const { width, height } = rod.getBoundingClientRect();
     const rooms = ROOMS.filter(([, most]) => width <= most * height);

@@ -1,5 +1,5 @@
 /**
- * Updates a line's name for screen readers: its condition and action, its standing, and its numbers
+ * Updates a line's name for screen readers: its condition and action, its state, and its numbers
  * at a throttled rate.
  */
 import type { Rule } from "@corridor/program";
@@ -9,7 +9,7 @@ import type { RunState } from "../../stores/run-store.ts";
 import { Throttle } from "../../ui/throttle.ts";
 import type { StateSource } from "../../ui/follow-text.ts";
 import { lineNamer } from "./line-name.ts";
-import { lineStanding, type TruthAt } from "./line-state.ts";
+import { lineStateOf, type TruthAt } from "./line-state.ts";
 
 interface LabelledLine {
   index: number;
@@ -33,12 +33,12 @@ export function useLineLabel(
     const nameOf = lineNamer(t, language, { index, rule, advice });
     const pace = new Throttle<string>(() => performance.now());
     let written = "";
-    const look = (state: RunState): void => {
-      const standing = lineStanding(index, state);
-      const shown = truth(state.snapshot);
-      const isMoving = state.snapshot?.state === "running";
-      if (!pace.isDue(isMoving, `${standing} ${shown?.isTrue}`)) return;
-      const name = nameOf(standing, shown);
+    const look = (run: RunState): void => {
+      const state = lineStateOf(index, run);
+      const shown = truth(run.snapshot);
+      const isMoving = run.snapshot?.state === "running";
+      if (!pace.isDue(isMoving, `${state} ${shown?.isTrue}`)) return;
+      const name = nameOf(state, shown);
       if (name === written) return;
       written = name;
       element.current?.setAttribute("aria-label", name);

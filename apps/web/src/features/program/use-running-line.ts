@@ -42,19 +42,19 @@ export function useRunningLine(
       mark(elementOf(decidingLine(snapshot)), hasEnded ? "true" : "step");
 
     let followed: HTMLElement | null = null;
-    let told: HTMLElement | null = null;
-    const tell = (line: HTMLElement | null): void => {
-      if (line === told) return;
-      sayBelow(told, false);
-      sayBelow(line, true);
-      told = line;
+    let noted: HTMLElement | null = null;
+    const moveNote = (line: HTMLElement | null): void => {
+      if (line === noted) return;
+      toggleNoteBelow(noted, false);
+      toggleNoteBelow(line, true);
+      noted = line;
     };
     const look = ({ snapshot, hasEnded }: RunState): void => {
       const deciding = decidingLine(snapshot);
       const line = elementOf(deciding);
       const isFollowed = line === followed;
       followed = line;
-      tell(hasEnded ? null : line);
+      moveNote(hasEnded ? null : line);
       const isRunning = snapshot?.state === "running" && snapshot.tick > 0;
       const begins = isRunning && !wasRunning.current;
       wasRunning.current = isRunning;
@@ -75,7 +75,7 @@ export function useRunningLine(
     return () => {
       for (const end of ends) end();
       mark(null, "step");
-      tell(null);
+      moveNote(null);
     };
   }, [run, deferred, lineIds, list, otherwise]);
 
@@ -101,7 +101,7 @@ async function load(list: RefObject<HTMLOListElement | null>): Promise<LineFollo
 /**
  * Marks the row between two lines that shows "not read". Below the last line there is no such row.
  */
-function sayBelow(line: HTMLElement | null, isSaid: boolean): void {
+function toggleNoteBelow(line: HTMLElement | null, isShown: boolean): void {
   const below = line?.nextElementSibling;
-  if (below?.tagName === "LI") below.toggleAttribute("data-said", isSaid);
+  if (below?.tagName === "LI") below.toggleAttribute("data-said", isShown);
 }

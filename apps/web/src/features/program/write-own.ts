@@ -1,7 +1,7 @@
 import { emptyProgram } from "@corridor/program";
 import type { i18n } from "i18next";
 import type { Services } from "../../app/services.ts";
-import { tellUndoable } from "../stage/show-undoable.ts";
+import { showUndoable } from "../stage/show-undoable.ts";
 import { loadProgram } from "./program-actions.ts";
 
 /**
@@ -14,5 +14,5 @@ export function writeOwn(
 ): void {
   loadProgram(services.workspace, emptyProgram());
   services.simulator.send({ type: "reset" });
-  tellUndoable(services, words, words.t("program.begun"));
+  showUndoable(services, words, words.t("program.begun"));
 }

@@ -128,7 +128,7 @@ describe("a race", () => {
     expect(texts()).toContain("race:over");
   });
 
-  it("notes what the robot took to the goal, until that is undone", async () => {
+  it("stores the time of the robot to the goal, until the run is truncated before it", async () => {
     const { race, say } = bench();
     say({ type: "event", event: runEventAt("goal", 540, firstProgram) });
     expect(race.getState().you).toEqual({

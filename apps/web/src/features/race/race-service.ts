@@ -49,7 +49,7 @@ export class RaceService {
     const { simulator, workspace, run, race } = ports;
     const event = run.getState().event;
     if (event?.kind === "goal") race.setState({ you: finishOf(event) });
-    simulator.listen((message) => this.#hear(message));
+    simulator.listen((message) => this.#receive(message));
     workspace.subscribe(({ maze }, before) => {
       if (isSameMaze(maze, before.maze) || race.getState().ghosts.length === 0) return;
       this.end();
@@ -118,7 +118,7 @@ export class RaceService {
     });
     const isStillIn = race.getState().ghosts.some((each) => each.id === id);
     if (!added.ok) {
-      this.#forget(id);
+      this.#delete(id);
       // A ghost that was removed while it loaded is not a failure.
       if (!isStillIn) return null;
       return added.problems.length > 0 ? "broken" : "failed";
@@ -131,7 +131,7 @@ export class RaceService {
   }
 
   remove(id: number): void {
-    this.#forget(id);
+    this.#delete(id);
     this.#ports.simulator.send({ type: "remove-ghost", id });
     this.#waiting.get(id)?.({ ok: false, problems: [] });
   }
@@ -149,7 +149,7 @@ export class RaceService {
     });
   }
 
-  #forget(id: number): void {
+  #delete(id: number): void {
     const { race } = this.#ports;
     race.setState(({ ghosts }) => ({ ghosts: ghosts.filter((each) => each.id !== id) }));
     if (this.#runs.delete(id)) this.#store();
@@ -182,7 +182,7 @@ export class RaceService {
     return ghosts.length >= MAX_GHOSTS ? "full" : null;
   }
 
-  #hear(message: FromWorker): void {
+  #receive(message: FromWorker): void {
     const { race } = this.#ports;
     if (message.type === "ghost-added") {
       this.#waiting.get(message.id)?.(message.added);

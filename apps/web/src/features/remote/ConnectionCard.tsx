@@ -69,7 +69,7 @@ function useWords(view: ConnectionView): { title: string; note: string } {
       return view.kind === "connected"
         ? {
             title: t("remote.connected"),
-            note: t("remote.heard", { client, seconds: view.seconds.toFixed(1) }),
+            note: t("remote.active", { client, seconds: view.seconds.toFixed(1) }),
           }
         : {
             title: t("remote.quiet", { seconds: Math.floor(view.seconds) }),

@@ -29,8 +29,12 @@ export async function listKeys(
     const answer = await ask(`/api/v1/robots/${id}/keys`, { headers: bearer(ownerKey) });
     const list = readJson(keyListSchema, await answer.text(), MAX_ANSWER);
     if (!answer.ok || !list.ok) return null;
-    const told = Date.parse(answer.headers.get("date") ?? "");
-    return listed(list.value, keyIdOf(driverKey), Number.isNaN(told) ? Date.now() : told);
+    const serverTime = Date.parse(answer.headers.get("date") ?? "");
+    return listed(
+      list.value,
+      keyIdOf(driverKey),
+      Number.isNaN(serverTime) ? Date.now() : serverTime,
+    );
   } catch {
     return null;
   }

@@ -41,8 +41,8 @@ export async function secondsLeft(
  * @returns the session with the new address; null if the service created none
  */
 export async function withNewKey(ask: Ask, session: RemoteSession): Promise<RemoteSession | null> {
-  const wish: KeyRequest = { kind: "drive", replace: keyIdOf(session.driverKey) };
-  let answer = await makeKey(ask, session, wish);
+  const request: KeyRequest = { kind: "drive", replace: keyIdOf(session.driverKey) };
+  let answer = await makeKey(ask, session, request);
   // The old key no longer exists: the response to an earlier request may have been lost.
   if (answer.status === 409) answer = await makeKey(ask, session, { kind: "drive" });
   const { made } = answer;
@@ -103,13 +103,13 @@ export async function isDone(
 async function makeKey(
   ask: Ask,
   { id, ownerKey }: RemoteSession,
-  wish: KeyRequest,
+  request: KeyRequest,
 ): Promise<{ status: number | null; made: CreatedKey | null }> {
   try {
     const answer = await ask(`/api/v1/robots/${id}/keys`, {
       method: "POST",
       headers: { ...bearer(ownerKey), "Content-Type": "application/json" },
-      body: JSON.stringify(wish),
+      body: JSON.stringify(request),
     });
     const made = readJson(createdKeySchema, await answer.text(), MAX_ANSWER);
     return { status: answer.status, made: answer.ok && made.ok ? made.value : null };

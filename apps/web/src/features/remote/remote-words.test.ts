@@ -24,7 +24,7 @@ describe("a command in the list", () => {
     { state: "superseded", distance: 0.2, after: null },
     { state: "completed", distance: 100, after: null },
     { state: "accepted", distance: null, after: null },
-  ])("that is $state after $distance cm tells $after", ({ state, distance, after }) => {
+  ])("that is $state after $distance cm shows $after", ({ state, distance, after }) => {
     expect(cutShortAfter({ state, distance })).toBe(after);
   });
 });
@@ -35,14 +35,14 @@ describe("the connection", () => {
     { silence: 4_999, view: { kind: "connected", client: "Python", seconds: 4.999 } },
     { silence: 12_000, view: { kind: "quiet", client: "Python", seconds: 12 } },
     { silence: -50, view: { kind: "connected", client: "Python", seconds: 0 } },
-  ])("is $view.kind when the script was heard $silence ms ago", ({ silence, view }) => {
+  ])("is $view.kind when the script sent its last request $silence ms ago", ({ silence, view }) => {
     const status = { kind: "connected", client: "Python", seenAt: 1_000_000 } as const;
     expect(viewConnection(status, false, 1_000_000 + silence)).toEqual(view);
   });
 
   it("says that the run is paused, not that the script is quiet", () => {
-    const heard = { kind: "connected", client: "Python", seenAt: 1_000 } as const;
-    expect(viewConnection(heard, true, 10_000)).toEqual({ kind: "paused" });
+    const connected = { kind: "connected", client: "Python", seenAt: 1_000 } as const;
+    expect(viewConnection(connected, true, 10_000)).toEqual({ kind: "paused" });
     expect(viewConnection({ kind: "waiting" }, true, 10_000)).toEqual({ kind: "paused" });
   });
 
@@ -75,7 +75,7 @@ describe("the robot's address", () => {
   });
 
   it.each([
-    { key: "d_Hq7sdfk2jsdf92kd7Q4D", mask: "•••• •••• 7Q4D" },
+    { key: "d_Hq7sd2fk7js9f2kd7Q4D", mask: "•••• •••• 7Q4D" },
     { key: "short", mask: "•••• •••• ••••" },
   ])("has a key that is shown as $mask", ({ key, mask }) => {
     expect(maskKey(key)).toBe(mask);

@@ -13,8 +13,8 @@ import {
 } from "@corridor/protocol";
 import type { KeyValueStorage } from "../../app/project-storage.ts";
 
-const KEPT = "corridor.shortLinks";
-const MAX_KEPT_TEXT = 100_000;
+const STORAGE_KEY = "corridor.shortLinks";
+const MAX_STORED_TEXT = 100_000;
 const MAX_ANSWER = 4_096;
 
 /** the part of fetch that the service uses */
@@ -28,8 +28,12 @@ export class ShortLinkService {
   constructor(ask: Ask, device: KeyValueStorage) {
     this.#ask = ask;
     this.#device = device;
-    const kept = readJson(storedLinksSchema, device.getItem(KEPT) ?? "[]", MAX_KEPT_TEXT);
-    this.#made = kept.ok ? kept.value : [];
+    const stored = readJson(
+      storedLinksSchema,
+      device.getItem(STORAGE_KEY) ?? "[]",
+      MAX_STORED_TEXT,
+    );
+    this.#made = stored.ok ? stored.value : [];
   }
 
   /** Whether a service responds behind this page. A static host has none. */
@@ -85,7 +89,7 @@ export class ShortLinkService {
   #keep(links: ShortLink[]): void {
     this.#made = links.slice(-MAX_STORED_LINKS);
     try {
-      this.#device.setItem(KEPT, JSON.stringify(this.#made));
+      this.#device.setItem(STORAGE_KEY, JSON.stringify(this.#made));
     } catch {
       // The device is full, so the keys last until the student leaves the page.
     }

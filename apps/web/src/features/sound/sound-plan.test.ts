@@ -5,14 +5,14 @@ import { pitchOf, SoundPlan, tickGap } from "./sound-plan.ts";
 
 /** A plan that records its sounds, with a clock that the test controls. */
 function bench() {
-  const heard: string[] = [];
+  const played: string[] = [];
   let time = 0;
   const plan = new SoundPlan(
     {
-      tick: () => void heard.push("tick"),
-      note: (hertz) => void heard.push(`note ${Math.round(hertz)}`),
-      bump: () => void heard.push("bump"),
-      goal: () => void heard.push("goal"),
+      tick: () => void played.push("tick"),
+      note: (hertz) => void played.push(`note ${Math.round(hertz)}`),
+      bump: () => void played.push("bump"),
+      goal: () => void played.push("goal"),
     },
     () => time,
   );
@@ -21,7 +21,7 @@ function bench() {
   plan.show(last, "now");
   return {
     plan,
-    heard,
+    played,
     /** advances the clock in steps of 10 ms */
     pass: (milliseconds: number) => {
       for (const end = time + milliseconds; time < end;) {
@@ -40,11 +40,11 @@ const front = (cm: number) => ({ front: cm, right: 50, back: 50, left: 50 });
 describe("the sounds of a run", () => {
   it("tick faster as the chosen beam gets shorter", () => {
     const count = (cm: number) => {
-      const { plan, heard, frame, pass } = bench();
+      const { plan, played, frame, pass } = bench();
       plan.beam = "front";
       frame({ sensors: front(cm) });
       pass(3000);
-      return heard.filter((each) => each === "tick").length;
+      return played.filter((each) => each === "tick").length;
     };
     const counts = [400, 200, 100, 50, 25].map(count);
     expect(counts).toEqual(counts.toSorted((a, b) => a - b));
@@ -55,22 +55,22 @@ describe("the sounds of a run", () => {
   });
 
   it("tick only while a beam is chosen and the robot moves in the displayed moment", () => {
-    const { plan, heard, frame, pass } = bench();
+    const { plan, played, frame, pass } = bench();
     pass(2000);
-    expect(heard).toEqual([]);
+    expect(played).toEqual([]);
     plan.beam = "left";
     frame({ state: "paused" });
     pass(2000);
     frame({ state: "running" }, "past");
     pass(2000);
-    expect(heard).toEqual([]);
+    expect(played).toEqual([]);
     frame({ state: "running" }, "playing");
     pass(200);
-    expect(heard).toContain("tick");
+    expect(played).toContain("tick");
   });
 
   it("have a note for each decision, higher for later lines", () => {
-    const { heard, frame, pass } = bench();
+    const { played, frame, pass } = bench();
     frame({ line: 0 });
     pass(200);
     frame({ line: 0 });
@@ -78,7 +78,7 @@ describe("the sounds of a run", () => {
     frame({ line: 1 });
     pass(200);
     frame({ line: "default" });
-    expect(heard).toEqual(
+    expect(played).toEqual(
       [pitchOf(0), pitchOf(1), pitchOf("default")].map((each) => `note ${Math.round(each)}`),
     );
     const pitches = Array.from({ length: 11 }, (_, line) => pitchOf(line));
@@ -88,27 +88,27 @@ describe("the sounds of a run", () => {
   });
 
   it("are no storm where a line changes with every frame", () => {
-    const { heard, frame, pass } = bench();
+    const { played, frame, pass } = bench();
     for (let at = 0; at < 200; at++) {
       frame({ line: at % 2, bumps: at });
       pass(10);
     }
-    expect(heard.length).toBeLessThan(2000 / 60);
-    expect(heard.filter((each) => each === "bump").length).toBeLessThanOrEqual(7);
+    expect(played.length).toBeLessThan(2000 / 60);
+    expect(played.filter((each) => each === "bump").length).toBeLessThanOrEqual(7);
   });
 
   it("have a bump and a goal, once each, and none for what is looked at again", () => {
-    const { heard, frame, pass } = bench();
+    const { played, frame, pass } = bench();
     frame({ bumps: 1 });
     frame({ bumps: 1 });
     pass(500);
     frame({ goalReached: true, state: "paused" });
     frame({ goalReached: true, state: "paused" });
-    expect(heard).toEqual(["bump", "goal"]);
+    expect(played).toEqual(["bump", "goal"]);
     frame({ tick: 0, bumps: 0, goalReached: false }, "past");
     frame({ bumps: 1, goalReached: true }, "past");
     // Reset restarts in silence.
     frame({ tick: 0, bumps: 0, goalReached: false });
-    expect(heard).toEqual(["bump", "goal"]);
+    expect(played).toEqual(["bump", "goal"]);
   });
 });

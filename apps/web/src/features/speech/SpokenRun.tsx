@@ -5,7 +5,7 @@
 import { useEffect, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../app/services.ts";
-import type { Said } from "./speech.ts";
+import type { Announcement } from "./speech.ts";
 
 export function SpokenRun() {
   const services = useServices();
@@ -14,15 +14,15 @@ export function SpokenRun() {
   useEffect(() => {
     // Writes directly to the DOM, in the frame of the message. React would take as long as for all
     // the numbers.
-    const write = ({ text }: Said): void => {
+    const write = ({ text }: Announcement): void => {
       // A new element each time, so that screen readers announce a repeated text again.
       const words = document.createElement("span");
       words.textContent = text;
       region.current?.replaceChildren(words);
     };
-    const { said } = services.speech;
-    write(said.getState());
-    return said.subscribe(write);
+    const { announcement } = services.speech;
+    write(announcement.getState());
+    return announcement.subscribe(write);
   }, [services]);
   useEffect(() => {
     const { run } = services;
@@ -40,9 +40,9 @@ export function SpokenRun() {
         import("./announce-run.ts"),
         i18n.loadNamespaces(["diagnosis", "runDetails"]),
       ]).then(
-        ([{ tellRun }]) => {
+        ([{ announceRun }]) => {
           const words = () => ({ t: i18n.t, language: i18n.language });
-          if (!hasEnded) end = tellRun(services, before, words);
+          if (!hasEnded) end = announceRun(services, before, words);
         },
         // If the file fails to load, the run is not announced. The screen shows everything.
         () => undefined,

@@ -1,4 +1,4 @@
-/** Connects the run to the announcements: puts the notes of `RunEar` into words. */
+/** Connects the run to the announcements: puts the announcements of `RunListener` into words. */
 import { causeLine, type Diagnosis } from "@corridor/coach";
 import type { Services } from "../../app/services.ts";
 import { asSentence, joinSentences } from "../../text/joined.ts";
@@ -9,7 +9,7 @@ import { diagnosisText, diagnosisTitle, diagnosisWords } from "../cards/diagnosi
 import { momentAt, sayMoment } from "../timeline/shown-moment.ts";
 import { timelineOf } from "../timeline/timeline-of.ts";
 import { storyOf, storyText } from "../transport/story.ts";
-import { RunEar, type RunTalk } from "./run-listener.ts";
+import { RunListener, type RunAnnouncement } from "./run-listener.ts";
 import { decisionText, spoken, type Words } from "./run-words.ts";
 
 type Ports = Pick<Services, "challenge" | "run" | "workspace" | "screen" | "timeline" | "speech">;
@@ -24,53 +24,55 @@ function fixCount(t: Words["t"], { fixes }: Diagnosis): string[] {
  * @param words called for each announcement, because the language can change
  * @returns a function that ends the announcements
  */
-export function tellRun(
+export function announceRun(
   { challenge, run, workspace, screen, timeline, speech }: Ports,
   before: RunState,
   words: () => Words,
 ): () => void {
-  const ear = new RunEar(before);
+  const listener = new RunListener(before);
 
-  function say(talk: RunTalk): void {
-    switch (talk.kind) {
+  function announce(announcement: RunAnnouncement): void {
+    switch (announcement.kind) {
       case "event":
-        speech.tell(eventText(talk.event), "moment");
+        speech.announce(eventText(announcement.event), "moment");
         return;
       case "decision": {
-        const about = talk.isTurn ? null : `line ${talk.line}`;
-        const utterance = { kind: "chatter", text: decision(), about } as const;
+        const about = announcement.isTurn ? null : `line ${announcement.line}`;
+        const utterance = { kind: "state", text: decision(), about } as const;
         // A turn repaints much of the page, so its text follows with the next update of the
         // numbers.
         if (run.getState().snapshot?.state === "running") speech.offer(utterance);
-        else speech.say(utterance);
+        else speech.speak(utterance);
         return;
       }
       case "past":
-        chat(
+        announceState(
           joinSentences(words().t, [
-            ...(talk.isFirst ? [spoken(words().t)("runDetails:speech.past")] : []),
+            ...(announcement.isFirst ? [spoken(words().t)("runDetails:speech.past")] : []),
             ...shownMoment(),
           ]),
         );
         return;
       case "too-fast":
-        speech.hush();
+        speech.dropState();
         return;
       case "at-start":
-        chat(spoken(words().t)("runDetails:speech.atStart"));
+        announceState(spoken(words().t)("runDetails:speech.atStart"));
         return;
       case "playing":
-        chat(spoken(words().t)("runDetails:speech.playing"));
+        announceState(spoken(words().t)("runDetails:speech.playing"));
         return;
       case "paused":
       case "now":
-        chat(spoken(words().t)(`runDetails:speech.${talk.kind}`, { seconds: seconds() }));
+        announceState(
+          spoken(words().t)(`runDetails:speech.${announcement.kind}`, { seconds: seconds() }),
+        );
     }
   }
 
-  function chat(text: string): void {
-    if (text !== "") speech.say({ kind: "chatter", text, about: null });
-    speech.begin();
+  function announceState(text: string): void {
+    if (text !== "") speech.speak({ kind: "state", text, about: null });
+    speech.allowRepeat();
   }
 
   function seconds(): string {
@@ -117,10 +119,10 @@ export function tellRun(
   }
 
   const listen = (state: RunState): void => {
-    const talk = ear.hear(state, workspace.getState().program);
+    const announcement = listener.update(state, workspace.getState().program);
     if (!screen.getState().speakRun) return;
-    if (talk !== null) say(talk);
-    else if (state.snapshot?.state === "running") speech.breathe();
+    if (announcement !== null) announce(announcement);
+    else if (state.snapshot?.state === "running") speech.flush();
   };
   listen(run.getState());
   return run.subscribe(listen);

@@ -3,7 +3,7 @@ import type { Snapshot } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { createRunStore, type RunState } from "../../stores/run-store.ts";
 import type { RunEvent } from "../../worker/worker-messages.ts";
-import { RunEar, type RunTalk } from "./run-listener.ts";
+import { RunListener, type RunAnnouncement } from "./run-listener.ts";
 
 const program: ProgramDocument = {
   format: "corridor/program",
@@ -44,12 +44,12 @@ function after(state: RunState, change: Change): RunState {
 }
 
 /** The notes that a sequence of changes produces. */
-function noted(...changes: Change[]): (RunTalk | null)[] {
-  const ear = new RunEar(fresh);
+function noted(...changes: Change[]): (RunAnnouncement | null)[] {
+  const listener = new RunListener(fresh);
   let state = fresh;
   return changes.map((change) => {
     state = after(state, change);
-    return ear.hear(state, program);
+    return listener.update(state, program);
   });
 }
 
@@ -74,7 +74,7 @@ const turn = (left: number): RunState["progress"] => ({
   of: 90,
 });
 
-describe("RunEar", () => {
+describe("RunListener", () => {
   it("notes who drives when the run begins, and nothing while the same line goes on", () => {
     expect(noted({ state: "running", tick: 1 }, { tick: 20 }, { tick: 40 })).toEqual([
       { kind: "decision", line: "default", isTurn: false },
@@ -132,7 +132,7 @@ describe("RunEar", () => {
         { tick: 130, event: bump },
         { tick: 140 },
         { tick: 900, event: { ...bump, kind: "goal" } },
-      ).map((talk) => talk?.kind ?? null),
+      ).map((announcement) => announcement?.kind ?? null),
     ).toEqual(["too-fast", "event", null, "event"]);
   });
 

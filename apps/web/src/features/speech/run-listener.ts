@@ -10,14 +10,14 @@ import type { RunState } from "../../stores/run-store.ts";
 import type { RunEvent } from "../../worker/worker-messages.ts";
 
 /** From this speed on, lines change faster than speech. */
-const FASTEST_TOLD = 4;
+const TOO_FAST = 4;
 const STEADY: ReadonlySet<string> = new Set(["forward", "reverse", "stop"]);
 /** A run with fewer ticks is too short for a pause announcement, such as a step of one tick. */
 const SHORT_TICKS = 4;
 /** Allows for rounding errors in a distance. */
-const CRUMB = 1e-6;
+const EPSILON = 1e-6;
 
-export type RunTalk =
+export type RunAnnouncement =
   | { kind: "event"; event: RunEvent }
   /** a line starts to drive; `isTurn`: its action ends by itself and may repeat */
   | { kind: "decision"; line: LineRef; isTurn: boolean }
@@ -28,38 +28,38 @@ export type RunTalk =
   | { kind: "too-fast" };
 
 /** The fields of the last state. */
-type Heard = Pick<RunState, "snapshot" | "progress" | "view" | "nowTick" | "event">;
+type LastState = Pick<RunState, "snapshot" | "progress" | "view" | "nowTick" | "event">;
 
-export class RunEar {
-  #before: Heard;
+export class RunListener {
+  #before: LastState;
   /** whether the last announced line has not started its announced turn yet */
-  #isTurnTold = false;
+  #isTurnAnnounced = false;
   #wasTooFast = false;
   /** tick at which the robot started */
   #runsFrom = 0;
 
   /** @param state the initial state, which is not announced */
-  constructor(state: Heard) {
+  constructor(state: LastState) {
     this.#before = state;
   }
 
   /** @returns the announcement for the new state; null if there is none */
-  hear(state: RunState, program: ProgramDocument): RunTalk | null {
+  update(state: RunState, program: ProgramDocument): RunAnnouncement | null {
     const before = this.#before;
     this.#before = state;
     const { snapshot, event, view, nowTick } = state;
     if (snapshot === null) return null;
     if (event !== null && event !== before.event) return { kind: "event", event };
-    if (view !== before.view) return viewTalk(view);
+    if (view !== before.view) return viewAnnouncement(view);
     const tick = before.snapshot?.tick ?? 0;
     if (view === "past") return snapshot.tick === tick ? null : { kind: "past", isFirst: false };
     if (nowTick === 0 && before.nowTick > 0) return { kind: "at-start" };
-    if (snapshot.state !== "running") return this.#hearStill(before, state, tick);
-    return this.#hearRunning(before, state, program);
+    if (snapshot.state !== "running") return this.#atRest(before, state, tick);
+    return this.#whileRunning(before, state, program);
   }
 
   /** The robot rests: a pause, or one decision by Step. */
-  #hearStill(before: Heard, { snapshot }: RunState, tick: number): RunTalk | null {
+  #atRest(before: LastState, { snapshot }: RunState, tick: number): RunAnnouncement | null {
     this.#wasTooFast = false;
     if (snapshot === null || snapshot.bumping || snapshot.goalReached) return null;
     if (before.snapshot?.state === "running") {
@@ -79,9 +79,13 @@ export class RunEar {
       : { kind: "decision", line, isTurn: true };
   }
 
-  #hearRunning(before: Heard, state: RunState, program: ProgramDocument): RunTalk | null {
+  #whileRunning(
+    before: LastState,
+    state: RunState,
+    program: ProgramDocument,
+  ): RunAnnouncement | null {
     const { snapshot, speed } = state;
-    if (speed === "max" || speed >= FASTEST_TOLD) {
+    if (speed === "max" || speed >= TOO_FAST) {
       if (this.#wasTooFast) return null;
       this.#wasTooFast = true;
       return { kind: "too-fast" };
@@ -97,26 +101,26 @@ export class RunEar {
     this.#wasTooFast = false;
     const hasBegun = begins(before, state);
     if (isNewLine) {
-      this.#isTurnTold = isTurn && state.progress === null;
+      this.#isTurnAnnounced = isTurn && state.progress === null;
       return { kind: "decision", line, isTurn };
     }
     if (!hasBegun) return null;
-    const wasTold = this.#isTurnTold;
-    this.#isTurnTold = false;
-    return wasTold ? null : { kind: "decision", line, isTurn };
+    const wasAnnounced = this.#isTurnAnnounced;
+    this.#isTurnAnnounced = false;
+    return wasAnnounced ? null : { kind: "decision", line, isTurn };
   }
 }
 
-function viewTalk(view: RunState["view"]): RunTalk {
+function viewAnnouncement(view: RunState["view"]): RunAnnouncement {
   return view === "past" ? { kind: "past", isFirst: true } : { kind: view };
 }
 
 /** Whether a manoeuvre has started since the last state. */
-function begins(before: Heard, { progress }: Heard): boolean {
+function begins(before: LastState, { progress }: LastState): boolean {
   if (progress === null) return false;
   const last = before.progress;
   if (last === null || progress.part < last.part) return true;
-  return progress.part === last.part && progress.left > last.left + CRUMB;
+  return progress.part === last.part && progress.left > last.left + EPSILON;
 }
 
 function actionOf({ rules, default: otherwise }: ProgramDocument, line: LineRef): string {

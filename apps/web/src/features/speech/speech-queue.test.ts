@@ -2,27 +2,29 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { SPEECH_INTERVAL_MS, SpeechQueue, type Utterance } from "./speech-queue.ts";
 
-const chatter = (text: string, about: string | null = text): Utterance => ({
+const state = (text: string, about: string | null = text): Utterance => ({
   text,
-  kind: "chatter",
+  kind: "state",
   about,
 });
-const news = (text: string, about: string | null = null): Utterance => ({
+const event = (text: string, about: string | null = null): Utterance => ({
   text,
-  kind: "news",
+  kind: "event",
   about,
 });
 
 /** The announcements of a queue that is read every 100 ms, with utterances at given times. */
-function heard(comes: readonly (readonly [at: number, utterance: Utterance])[]): string[] {
+function announcementsOf(
+  comes: readonly (readonly [at: number, utterance: Utterance])[],
+): string[] {
   const queue = new SpeechQueue();
-  const said: string[] = [];
+  const announced: string[] = [];
   for (let now = 0; now <= 10_000; now += 100) {
     for (const [at, utterance] of comes) if (at === now) queue.offer(utterance);
     const text = queue.take(now);
-    if (text !== null) said.push(`${now} ${text}`);
+    if (text !== null) announced.push(`${now} ${text}`);
   }
-  return said;
+  return announced;
 }
 
 describe("SpeechQueue", () => {
@@ -30,97 +32,97 @@ describe("SpeechQueue", () => {
     {
       title: "says the first at once and the next a second later",
       comes: [
-        [0, chatter("line 1")],
-        [100, chatter("line 2")],
+        [0, state("line 1")],
+        [100, state("line 2")],
       ],
-      said: ["0 line 1", "1000 line 2"],
+      announced: ["0 line 1", "1000 line 2"],
     },
     {
       title: "says the newest of what came in between",
       comes: [
-        [0, chatter("line 1")],
-        [200, chatter("line 2")],
-        [600, chatter("line 3")],
+        [0, state("line 1")],
+        [200, state("line 2")],
+        [600, state("line 3")],
       ],
-      said: ["0 line 1", "1000 line 3"],
+      announced: ["0 line 1", "1000 line 3"],
     },
     {
-      title: "says nothing when it is again as it was said last",
+      title: "says nothing when it is again as it was announced last",
       comes: [
-        [0, chatter("line 1")],
-        [200, chatter("line 2")],
-        [600, chatter("line 1")],
-        [3000, chatter("line 1")],
+        [0, state("line 1")],
+        [200, state("line 2")],
+        [600, state("line 1")],
+        [3000, state("line 1")],
       ],
-      said: ["0 line 1"],
+      announced: ["0 line 1"],
     },
     {
       title: "says each turn, also one like the last",
       comes: [
-        [0, chatter("right 90", null)],
-        [2000, chatter("right 90", null)],
+        [0, state("right 90", null)],
+        [2000, state("right 90", null)],
       ],
-      said: ["0 right 90", "2000 right 90"],
+      announced: ["0 right 90", "2000 right 90"],
     },
     {
-      title: "lets news pass before chatter, which is then out of date",
+      title: "announces an event before a state, which is then out of date",
       comes: [
-        [0, chatter("line 1")],
-        [200, chatter("line 2")],
-        [300, news("bump")],
+        [0, state("line 1")],
+        [200, state("line 2")],
+        [300, event("bump")],
       ],
-      said: ["0 line 1", "1000 bump"],
+      announced: ["0 line 1", "1000 bump"],
     },
     {
-      title: "says all news in their order, one a second",
+      title: "announces all events in their order, one a second",
       comes: [
-        [0, news("bump")],
-        [0, news("advice")],
-        [100, chatter("line 1")],
-        [200, news("goal")],
+        [0, event("bump")],
+        [0, event("advice")],
+        [100, state("line 1")],
+        [200, event("goal")],
       ],
-      said: ["0 bump", "1000 advice", "2000 goal"],
+      announced: ["0 bump", "1000 advice", "2000 goal"],
     },
     {
-      title: "says of news about the same thing only the newest",
+      title: "announces only the newest of the events about one subject",
       comes: [
-        [0, news("block", "square")],
-        [300, news("open", "square")],
-        [600, news("block again", "square")],
+        [0, event("block", "square")],
+        [300, event("open", "square")],
+        [600, event("block again", "square")],
       ],
-      said: ["0 block", "1000 block again"],
+      announced: ["0 block", "1000 block again"],
     },
   ] satisfies {
     title: string;
     comes: (readonly [number, Utterance])[];
-    said: string[];
-  }[])("$title", ({ comes, said }) => {
-    expect(heard(comes)).toEqual(said);
+    announced: string[];
+  }[])("$title", ({ comes, announced }) => {
+    expect(announcementsOf(comes)).toEqual(announced);
   });
 
   it("says nothing while nothing comes", () => {
-    expect(heard([])).toEqual([]);
+    expect(announcementsOf([])).toEqual([]);
     expect(new SpeechQueue().rest(0)).toBeNull();
   });
 
-  it("forgets chatter on demand, and may say a state again", () => {
+  it("drops a pending state on demand, and may announce a state again", () => {
     const queue = new SpeechQueue();
-    queue.offer(chatter("line 1"));
+    queue.offer(state("line 1"));
     expect(queue.take(0)).toBe("line 1");
-    queue.offer(chatter("line 2"));
-    queue.dropChatter();
+    queue.offer(state("line 2"));
+    queue.dropState();
     expect(queue.take(5000)).toBeNull();
-    queue.offer(chatter("line 1"));
+    queue.offer(state("line 1"));
     expect(queue.take(5000)).toBeNull();
-    queue.forgetState();
-    queue.offer(chatter("line 1"));
+    queue.allowRepeat();
+    queue.offer(state("line 1"));
     expect(queue.take(5000)).toBe("line 1");
   });
 
   it("never says two things within a second", () => {
     const utterance = fc.record({
       text: fc.constantFrom("a", "b", "c"),
-      kind: fc.constantFrom("chatter" as const, "news" as const),
+      kind: fc.constantFrom("state" as const, "event" as const),
       about: fc.constant(null),
     });
     fc.assert(
@@ -128,7 +130,7 @@ describe("SpeechQueue", () => {
         fc.array(fc.tuple(fc.integer({ min: 0, max: 80 }), utterance), { maxLength: 40 }),
         (all) => {
           const comes = all.map(([at, each]) => [at * 100, each] as const);
-          const times = heard(comes).map((entry) => Number(entry.split(" ")[0]));
+          const times = announcementsOf(comes).map((entry) => Number(entry.split(" ")[0]));
           const gaps = times.slice(1).map((time, at) => time - (times[at] ?? 0));
           expect(Math.min(Infinity, ...gaps)).toBeGreaterThanOrEqual(SPEECH_INTERVAL_MS);
           expect(times.length > 0).toBe(comes.length > 0);

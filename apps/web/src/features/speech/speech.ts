@@ -6,7 +6,7 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import { SpeechQueue, type Utterance } from "./speech-queue.ts";
 
 /** A new object for each message, so that the same text can be announced again. */
-export interface Said {
+export interface Announcement {
   text: string;
 }
 
@@ -19,11 +19,11 @@ interface SpeechPorts {
 
 export class Speech {
   /** text of the live region */
-  readonly said: StoreApi<Said> = createStore<Said>()(() => ({ text: "" }));
+  readonly announcement: StoreApi<Announcement> = createStore<Announcement>()(() => ({ text: "" }));
   readonly #queue = new SpeechQueue();
   readonly #ports: SpeechPorts;
   /** last announced text of each state, by subject */
-  readonly #told = new Map<string, string>();
+  readonly #announced = new Map<string, string>();
   #isTimed = false;
 
   constructor(ports: SpeechPorts) {
@@ -32,64 +32,64 @@ export class Speech {
 
   /**
    * Announces an event as soon as possible.
-   * @param about newer news about the same subject replace pending ones
+   * @param about a newer event about the same subject replaces a pending one
    */
-  tell(text: string, about: string | null = null): void {
-    this.say({ text, kind: "news", about });
+  announce(text: string, about: string | null = null): void {
+    this.speak({ text, kind: "event", about });
   }
 
   /**
    * Announces a state when it has changed, however often it is called; null while there is nothing
    * to announce.
    */
-  tellState(about: string, text: string | null): void {
+  announceState(about: string, text: string | null): void {
     if (text === null) {
       // An obsolete text must not remain in the live region.
-      if (this.#told.get(about) === this.said.getState().text) {
-        this.said.setState({ text: "" });
+      if (this.#announced.get(about) === this.announcement.getState().text) {
+        this.announcement.setState({ text: "" });
       }
-      this.#told.delete(about);
+      this.#announced.delete(about);
       return;
     }
-    if (this.#told.get(about) === text) return;
-    this.#told.set(about, text);
-    this.tell(text, about);
+    if (this.#announced.get(about) === text) return;
+    this.#announced.set(about, text);
+    this.announce(text, about);
   }
 
-  say(utterance: Utterance): void {
+  speak(utterance: Utterance): void {
     this.#queue.offer(utterance);
-    this.#speak();
+    this.#announceWhenDue();
   }
 
-  /** Queues an utterance for the next `breathe`, unless a newer one replaces it. */
+  /** Queues an utterance for the next `flush`, unless a newer one replaces it. */
   offer(utterance: Utterance): void {
     this.#queue.offer(utterance);
   }
 
   /** Announces what is pending, if it is due. Call it in frames that paint anyway. */
-  breathe(): void {
+  flush(): void {
     const text = this.#queue.take(this.#ports.now());
-    if (text !== null) this.said.setState({ text });
+    if (text !== null) this.announcement.setState({ text });
   }
 
-  /** Drops pending chatter, because the run is too fast or is no longer announced. */
-  hush(): void {
-    this.#queue.dropChatter();
+  /** Drops a pending state, because the run is too fast or is no longer announced. */
+  dropState(): void {
+    this.#queue.dropState();
   }
 
-  /** Starts a new run. Its first line is announced even if it was the last one announced. */
-  begin(): void {
-    this.#queue.forgetState();
+  /** Permits the announcement of the last state again, for example at the start of a run. */
+  allowRepeat(): void {
+    this.#queue.allowRepeat();
   }
 
-  #speak(): void {
-    this.breathe();
+  #announceWhenDue(): void {
+    this.flush();
     const rest = this.#queue.rest(this.#ports.now());
     if (rest === null || this.#isTimed) return;
     this.#isTimed = true;
     this.#ports.later(() => {
       this.#isTimed = false;
-      this.#speak();
+      this.#announceWhenDue();
     }, rest);
   }
 }

@@ -3,9 +3,9 @@ import { useServices } from "../../app/services.ts";
 
 /**
  * Announces a state whenever it changes; null while there is nothing to announce.
- * @param about names the subject; newer news about it replace pending ones
+ * @param about names the subject; a newer text about it replaces a pending one
  */
-export function useSay(text: string | null, about: string): void {
+export function useAnnouncement(text: string | null, about: string): void {
   const { speech } = useServices();
-  useEffect(() => speech.tellState(about, text), [speech, text, about]);
+  useEffect(() => speech.announceState(about, text), [speech, text, about]);
 }

@@ -11,7 +11,7 @@ import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
 import { asSentence, joinSentences } from "../../text/joined.ts";
 import { classNames } from "../../ui/class-names.ts";
-import { useSay } from "../speech/use-announcement.ts";
+import { useAnnouncement } from "../speech/use-announcement.ts";
 import { cellLabel } from "./cell-label.ts";
 import { around, clampCell, moveCursor } from "./grid-cursor.ts";
 import type { Facing } from "./robot-place.ts";
@@ -46,7 +46,7 @@ export function MazeGrid({ controller, element }: MazeGridProps) {
   const robotNow = () => robotSquare(run.getState());
 
   // Screen readers announce the start of a tape and its final length, not each square between them.
-  const tapeNews =
+  const tapeText =
     tape === null
       ? null
       : tape.isOpen
@@ -58,7 +58,7 @@ export function MazeGrid({ controller, element }: MazeGridProps) {
             tapeWords(t, i18n.language, tape).map((words) => asSentence(t, words)),
           );
 
-  useSay(tapeNews, "tape");
+  useAnnouncement(tapeText, "tape");
 
   function onKeyDown(event: KeyboardEvent<HTMLTableCellElement>): void {
     if (event.key === " " || event.key === "Enter") {
@@ -70,7 +70,7 @@ export function MazeGrid({ controller, element }: MazeGridProps) {
       }
       controller.editor.press(cursor);
       const is = cellLabel(t, workspace.getState().maze, cursor, robotFacingOn(robotNow(), cursor));
-      speech.tell(is, "square");
+      speech.announce(is, "square");
       return;
     }
     const next = moveCursor(cursor, event, size);

@@ -11,7 +11,7 @@ import { Dialog } from "../../ui/Dialog.tsx";
 import { FieldError } from "../../ui/FieldError.tsx";
 import { NumberInput } from "../../ui/NumberInput.tsx";
 import { readNumber } from "../../ui/number-text.ts";
-import { tellUndoable } from "./show-undoable.ts";
+import { showUndoable } from "./show-undoable.ts";
 import styles from "./tool-strip.module.css";
 
 interface ResizeDialogProps {
@@ -33,11 +33,12 @@ export function ResizeDialog({ isOpen, onClose }: ResizeDialogProps) {
           if (!edit.ok) return;
           setMaze(workspace, edit.maze);
           const lost = maze.goals.length - edit.maze.goals.length;
-          const news = [
+          const effects = [
             ...(edit.maze.start === maze.start ? [] : [t("stage.startMoved")]),
             ...(lost === 0 ? [] : [t("stage.goalsOutside", { count: lost })]),
           ];
-          if (news.length > 0) tellUndoable({ screen, workspace }, i18n, joinSentences(t, news));
+          if (effects.length > 0)
+            showUndoable({ screen, workspace }, i18n, joinSentences(t, effects));
         }}
       />
     </Dialog>

@@ -4,20 +4,20 @@
  */
 
 /** @returns a function that stops observing */
-export function watchTheme(onChange: () => void): () => void {
+export function observeTheme(onChange: () => void): () => void {
   const root = document.documentElement;
   const observer = new MutationObserver(onChange);
   observer.observe(root, {
     attributes: true,
     attributeFilter: ["data-theme", "data-contrast", "lang"],
   });
-  const wishes = ["(prefers-color-scheme: dark)", "(forced-colors: active)"].map((query) =>
+  const queries = ["(prefers-color-scheme: dark)", "(forced-colors: active)"].map((query) =>
     window.matchMedia(query),
   );
-  for (const wish of wishes) wish.addEventListener("change", onChange);
+  for (const query of queries) query.addEventListener("change", onChange);
   return () => {
     observer.disconnect();
-    for (const wish of wishes) wish.removeEventListener("change", onChange);
+    for (const query of queries) query.removeEventListener("change", onChange);
   };
 }
 
@@ -42,7 +42,7 @@ export function shownProperties(): (property: string) => string {
  * Observes moves of the window to a screen with another pixel density.
  * @returns a function that stops observing
  */
-export function watchPixelRatio(onChange: (pixelRatio: number) => void): () => void {
+export function observePixelRatio(onChange: (pixelRatio: number) => void): () => void {
   let query: MediaQueryList | null = null;
   const listen = (): void => {
     query?.removeEventListener("change", listen);

@@ -24,7 +24,7 @@ export function robotSide(
 }
 
 /** @returns a function that stops the updates */
-export function tellRobotSide(view: StageViewStore, run: RunStore): () => void {
+export function publishRobotSide(view: StageViewStore, run: RunStore): () => void {
   const { dataset } = document.documentElement;
   const look = (): void => {
     const { layout, scroll } = view.getState();

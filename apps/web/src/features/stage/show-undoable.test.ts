@@ -4,18 +4,18 @@ import { createScreenStore } from "../../stores/screen-store.ts";
 import { createWorkspaceStore, setMaze, setProgram } from "../../stores/workspace-store.ts";
 import { en } from "../../text/en/index.ts";
 import { createI18n } from "../../text/i18n.ts";
-import { tellUndoable } from "./show-undoable.ts";
+import { showUndoable } from "./show-undoable.ts";
 
 function afterAnEdit() {
   const screen = createScreenStore();
   const workspace = createWorkspaceStore(firstMaze, firstProgram);
   setMaze(workspace, { ...firstMaze, goals: [] });
-  tellUndoable({ screen, workspace }, createI18n(en), "Goal removed.");
+  showUndoable({ screen, workspace }, createI18n(en), "Goal removed.");
   return { screen, workspace };
 }
 
-describe("what an edit took along", () => {
-  it("is told, and Undo brings it back and takes the message away", () => {
+describe("a side effect of an edit", () => {
+  it("shows a message, and Undo reverts the edit and dismisses the message", () => {
     const { screen, workspace } = afterAnEdit();
     const [message] = screen.getState().messages;
     expect(message).toMatchObject({ tone: "info", text: "Goal removed." });

@@ -4,7 +4,7 @@ import { dismiss, showMessage, type ScreenStore } from "../../stores/screen-stor
 import { undo, type WorkspaceStore } from "../../stores/workspace-store.ts";
 
 /** Reports on the newest edit. The next edit dismisses the message. */
-export function tellUndoable(
+export function showUndoable(
   { screen, workspace }: { screen: ScreenStore; workspace: WorkspaceStore },
   words: Pick<i18n, "t">,
   text: string,

@@ -12,7 +12,7 @@ import { Camera } from "../../canvas/camera.ts";
 import { PointerInput, type PointerDetails } from "../../canvas/pointer-input.ts";
 import type { Measured } from "../../canvas/layers/measure.ts";
 import { readPalette, type Palette } from "../../canvas/palette.ts";
-import { shownProperties, watchPixelRatio, watchTheme } from "./observe-theme.ts";
+import { shownProperties, observePixelRatio, observeTheme } from "./observe-theme.ts";
 import { cellAt, type Scroll } from "../../canvas/viewport.ts";
 import { showMessage } from "../../stores/screen-store.ts";
 import { MazeEditor } from "./maze-editor.ts";
@@ -24,7 +24,7 @@ import { openStageScreen } from "./open-stage-screen.ts";
 import type { StageScreen } from "./stage-screen.ts";
 import { tapePointAt, tapeWords, type Tape, type TapePoint } from "./tape.ts";
 import { createStageView } from "./stage-view.ts";
-import { tellUndoable } from "./show-undoable.ts";
+import { showUndoable } from "./show-undoable.ts";
 import { previewOf, type ToolRefusal } from "./tool-edit.ts";
 
 /** The elements of the stage. */
@@ -69,9 +69,9 @@ export class StageController {
       screen: services.screen,
       pose: () => this.#pose(),
       isFixed: () => this.#isMazeFixed(),
-      refuse: (code) => this.#tellRefusal(code),
+      refuse: (code) => this.#showRefusal(code),
       goalsRemoved: (count) =>
-        tellUndoable(services, words, words.t("stage.goalsRemoved", { count })),
+        showUndoable(services, words, words.t("stage.goalsRemoved", { count })),
     });
     this.measure = new MeasureTool(this.view);
     this.#pointer = new PointerInput((intent) => {
@@ -117,8 +117,8 @@ export class StageController {
     calm.addEventListener("change", onCalm);
     const stops = [
       this.#listenToPointer(elements.grid),
-      watchTheme(recolour),
-      watchPixelRatio((pixelRatio) => {
+      observeTheme(recolour),
+      observePixelRatio((pixelRatio) => {
         this.#pixelRatio = pixelRatio;
         this.#show();
       }),
@@ -144,7 +144,7 @@ export class StageController {
         this.#show();
       }),
       this.#listenToZoom(scroller),
-      this.#tellRobotSide(),
+      this.#publishRobotSide(),
       () => measure.disconnect(),
       () => scroller.removeEventListener("scroll", onScroll),
       () => window.removeEventListener("keydown", onKey, { capture: true }),
@@ -194,14 +194,14 @@ export class StageController {
   }
 
   /** Publishes the robot's side once there are messages. @returns a function that stops it */
-  #tellRobotSide(): () => void {
+  #publishRobotSide(): () => void {
     const { screen, run } = this.#services;
     let stop = screen.subscribe(({ messages }) => {
       if (messages.length === 0) return;
       stop();
       stop = startLater(async () => {
-        const { tellRobotSide } = await import("./robot-side.ts");
-        return tellRobotSide(this.view, run);
+        const { publishRobotSide } = await import("./robot-side.ts");
+        return publishRobotSide(this.view, run);
       });
     });
     return () => stop();
@@ -393,7 +393,7 @@ export class StageController {
     return this.#services.run.getState().snapshot?.pose ?? null;
   }
 
-  #tellRefusal(code: ToolRefusal): void {
+  #showRefusal(code: ToolRefusal): void {
     const most = code === "too-many-goals" ? MAX_GOALS : MAX_SIDE;
     showMessage(this.#services.screen, {
       tone: "info",

@@ -30,8 +30,8 @@ export function zoomStage(
   if (before === null) return;
   const least = divideStage({ ...room, follows: false, zoom: "fit" }).cellPx;
   const now = typeof zoom === "number" && Math.round(zoom) === before.cellPx ? zoom : before.cellPx;
-  const wish = wishOf(now, by, least);
-  const next = wish <= least ? "fit" : Math.min(wish, MAX_CELL_PX);
+  const target = targetOf(now, by, least);
+  const next = target <= least ? "fit" : Math.min(target, MAX_CELL_PX);
   const layout = divideStage({ ...room, zoom: next });
   const anchor = at === null ? robotAnchor(before, scroll, robot) : anchorAt(before, scroll, at);
   const scale = layout.cellPx / CELL;
@@ -45,7 +45,7 @@ export function zoomStage(
   });
 }
 
-function wishOf(now: number, by: ZoomBy, least: number): number {
+function targetOf(now: number, by: ZoomBy, least: number): number {
   if (by === "fit") return least;
   if (by === "in") return Math.max(Math.floor(now) + 1, now * STEP);
   if (by === "out") return Math.min(Math.ceil(now) - 1, now / STEP);

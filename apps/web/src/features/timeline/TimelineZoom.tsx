@@ -12,7 +12,7 @@ import type { TimeWindow } from "./time-scale.ts";
 import type { TimelineZoomStore } from "./timeline-zoom-store.ts";
 import styles from "./timeline-zoom.module.css";
 import { listenToTimelineZoom, ZOOM_STEP } from "./zoom-input.ts";
-import { TimelineZoomer } from "./timeline-zoom-controller.ts";
+import { TimelineZoomController } from "./timeline-zoom-controller.ts";
 
 /** Distance between each end of the timeline and of its axis, in px. */
 const MARGIN = 10;
@@ -26,14 +26,16 @@ interface TimelineZoomProps {
 export function TimelineZoom({ element, zoom }: TimelineZoomProps) {
   const { t, ready } = useTranslation("runDetails", { useSuspense: false });
   const services = useServices();
-  const [zoomer] = useState(() => new TimelineZoomer(services, zoom, () => widthOf(element)));
+  const [controller] = useState(
+    () => new TimelineZoomController(services, zoom, () => widthOf(element)),
+  );
   const window = useStore(zoom, (state) => state.window);
 
   useEffect(() => {
     if (element.current === null) return undefined;
-    return listenToTimelineZoom(element.current, MARGIN, zoomer);
-  }, [element, zoomer]);
-  useEffect(() => services.run.subscribe(zoomer.follow), [services, zoomer]);
+    return listenToTimelineZoom(element.current, MARGIN, controller);
+  }, [element, controller]);
+  useEffect(() => services.run.subscribe(controller.follow), [services, controller]);
 
   if (!ready) return null;
   return (
@@ -42,7 +44,7 @@ export function TimelineZoom({ element, zoom }: TimelineZoomProps) {
         <IconButton
           size="small"
           label={t("timelineZoom.in")}
-          onClick={() => zoomer.zoomHere(ZOOM_STEP)}
+          onClick={() => controller.zoomHere(ZOOM_STEP)}
         >
           <Icon of={ZoomIn} />
         </IconButton>
@@ -50,7 +52,7 @@ export function TimelineZoom({ element, zoom }: TimelineZoomProps) {
           size="small"
           label={t("timelineZoom.out")}
           disabled={window === null}
-          onClick={() => zoomer.zoomHere(1 / ZOOM_STEP)}
+          onClick={() => controller.zoomHere(1 / ZOOM_STEP)}
         >
           <Icon of={ZoomOut} />
         </IconButton>
@@ -59,7 +61,7 @@ export function TimelineZoom({ element, zoom }: TimelineZoomProps) {
           className={styles["whole"]}
           label={t("timelineZoom.fit")}
           disabled={window === null}
-          onClick={() => zoomer.zoomHere(null)}
+          onClick={() => controller.zoomHere(null)}
         >
           <Icon of={Scan} />
         </IconButton>
@@ -67,9 +69,9 @@ export function TimelineZoom({ element, zoom }: TimelineZoomProps) {
       {window !== null && (
         <ScrollBar
           window={window}
-          whole={zoomer.whole}
+          whole={controller.whole}
           label={t("timelineZoom.part")}
-          onScroll={zoomer.scrollTo}
+          onScroll={controller.scrollTo}
         />
       )}
     </>

@@ -35,7 +35,7 @@ export function marksOf(timeline: Events, scale: TimeScale): EventMark[] {
   const marks: EventMark[] = [];
   let next = timeline.eventsUpTo(scale.from - 1);
   while (next < timeline.eventCount) {
-    const event = mostTelling(timeline, next, leastTicks);
+    const event = mostImportant(timeline, next, leastTicks);
     if (event.tick > scale.from + scale.span) break;
     const after = timeline.eventsUpTo(Math.ceil(event.tick + leastTicks) - 1);
     marks.push({ event, x: xOf(scale, event.tick), more: after - next - 1 });
@@ -45,7 +45,7 @@ export function marksOf(timeline: Events, scale: TimeScale): EventMark[] {
 }
 
 /** The first event from an index on, unless a more important event would overlap it. */
-function mostTelling(timeline: Events, index: number, leastTicks: number): TimelineEvent {
+function mostImportant(timeline: Events, index: number, leastTicks: number): TimelineEvent {
   let best = timeline.eventAt(index);
   const last = Math.min(timeline.eventCount, index + MOST_WEIGHED);
   for (let at = index + 1; at < last; at += 1) {

@@ -25,7 +25,7 @@ export async function openRun(
   const onPart = (part: number) => {
     // A long run loads in the background: the page is usable, and a message reports the progress.
     screen.setState({ isOpening: false });
-    waiting.tell(part);
+    waiting.report(part);
   };
   const load = loadRun(simulator, run, { onPart });
   const loaded = await load.loaded;
@@ -61,7 +61,7 @@ class WaitingMessage {
   }
 
   /** @param part progress from 0 to 1 */
-  tell(part: number): void {
+  report(part: number): void {
     if (this.#id === null) {
       const t = this.#words.t;
       this.#id = showMessage(this.#screen, {
@@ -69,7 +69,7 @@ class WaitingMessage {
         text: t("timeline.opening"),
         stays: true,
         part,
-        action: { label: t("timeline.dontOpen"), run: this.#cancel },
+        action: { label: t("timeline.cancel"), run: this.#cancel },
       });
     } else setMessageProgress(this.#screen, this.#id, part);
   }

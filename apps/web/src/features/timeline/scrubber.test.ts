@@ -13,17 +13,17 @@ function newScrubber() {
       return () => listeners.delete(listener);
     },
   });
-  const hear = (message: FromWorker) => {
+  const emit = (message: FromWorker) => {
     for (const listener of listeners) listener(message);
   };
-  const shown = () => hear({ type: "frame", frame: frameOf({ view: "past" }), timeline: null });
-  return { scrubber, sent, shown, hear, listeners };
+  const shown = () => emit({ type: "frame", frame: frameOf({ view: "past" }), timeline: null });
+  return { scrubber, sent, shown, emit, listeners };
 }
 
 const seeks = (...ticks: number[]) => ticks.map((tick) => ({ type: "seek", tick }));
 
 describe("drawing along the timeline", () => {
-  it("asks for one moment at a time, and for the newest wish next", () => {
+  it("requests one tick at a time, and the newest tick next", () => {
     const { scrubber, sent, shown } = newScrubber();
     for (const tick of [10, 20, 30, 40]) scrubber.show(tick);
     expect(sent).toEqual(seeks(10));
@@ -35,11 +35,11 @@ describe("drawing along the timeline", () => {
     expect(sent).toEqual(seeks(10, 40, 50));
   });
 
-  it("waits for the frame, not for other news", () => {
-    const { scrubber, sent, hear } = newScrubber();
+  it("waits for the frame, not for other messages", () => {
+    const { scrubber, sent, emit } = newScrubber();
     scrubber.show(10);
     scrubber.show(20);
-    hear({ type: "digest", digest: "" });
+    emit({ type: "digest", digest: "" });
     expect(sent).toEqual(seeks(10));
   });
 
@@ -50,7 +50,7 @@ describe("drawing along the timeline", () => {
     },
     {
       name: "the simulator breaks",
-      end: ({ hear }: ReturnType<typeof newScrubber>) => hear({ type: "fault", reason: "broken" }),
+      end: ({ emit }: ReturnType<typeof newScrubber>) => emit({ type: "fault", reason: "broken" }),
     },
   ])("does not wait for a frame that never came once $name", ({ end }) => {
     const bench = newScrubber();
@@ -62,7 +62,7 @@ describe("drawing along the timeline", () => {
     expect(bench.listeners.size).toBe(1);
   });
 
-  it("forgets its wish when something else is asked for", () => {
+  it("discards the pending tick on stop", () => {
     const { scrubber, sent, shown, listeners } = newScrubber();
     scrubber.show(10);
     scrubber.show(20);

@@ -11,7 +11,7 @@ interface Simulator {
 
 export class Scrubber {
   readonly #simulator: Simulator;
-  #wish: number | null = null;
+  #target: number | null = null;
   #endWait: (() => void) | null = null;
 
   constructor(simulator: Simulator) {
@@ -21,7 +21,7 @@ export class Scrubber {
   /** Displays the end of a tick, as soon as the previous request is done. */
   show(tick: number): void {
     if (this.#endWait !== null) {
-      this.#wish = tick;
+      this.#target = tick;
       return;
     }
     this.#simulator.send({ type: "seek", tick });
@@ -34,7 +34,7 @@ export class Scrubber {
 
   /** Discards the pending tick, and stops waiting for the current request. */
   stop(): void {
-    this.#wish = null;
+    this.#target = null;
     this.#endWait?.();
     this.#endWait = null;
   }
@@ -42,8 +42,8 @@ export class Scrubber {
   #shown(): void {
     this.#endWait?.();
     this.#endWait = null;
-    const wish = this.#wish;
-    this.#wish = null;
-    if (wish !== null) this.show(wish);
+    const target = this.#target;
+    this.#target = null;
+    if (target !== null) this.show(target);
   }
 }

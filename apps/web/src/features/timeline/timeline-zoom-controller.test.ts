@@ -3,20 +3,24 @@ import type { Snapshot } from "@corridor/protocol";
 import { createRunStore, type RunState } from "../../stores/run-store.ts";
 import { TimelineStore } from "../../stores/timeline-store.ts";
 import { createTimelineZoom } from "./timeline-zoom-store.ts";
-import { TimelineZoomer } from "./timeline-zoom-controller.ts";
+import { TimelineZoomController } from "./timeline-zoom-controller.ts";
 import type { TimeWindow } from "./time-scale.ts";
 
-/** A zoomer, and the number of times that it measured the timeline. */
+/** A controller, and the number of times that it measured the timeline. */
 function setUp(window: TimeWindow | null) {
   const zoom = createTimelineZoom();
   zoom.setState({ window });
   const run = createRunStore();
   const measured = { times: 0 };
-  const zoomer = new TimelineZoomer({ run, timeline: new TimelineStore() }, zoom, () => {
-    measured.times++;
-    return 800;
-  });
-  run.subscribe(zoomer.follow);
+  const controller = new TimelineZoomController(
+    { run, timeline: new TimelineStore() },
+    zoom,
+    () => {
+      measured.times++;
+      return 800;
+    },
+  );
+  run.subscribe(controller.follow);
   /** the robot drives to a tick */
   const drive = (tick: number): void =>
     run.setState({ view: "now", nowTick: tick, snapshot: snapshotAt(tick) });

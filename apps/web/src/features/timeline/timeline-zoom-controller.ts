@@ -12,7 +12,7 @@ interface Sources {
   timeline: TimelineStore;
 }
 
-export class TimelineZoomer implements ZoomActions {
+export class TimelineZoomController implements ZoomActions {
   readonly #sources: Sources;
   readonly #zoom: TimelineZoomStore;
   readonly #width: () => number;

@@ -23,13 +23,13 @@ export function RunStory() {
   const story = event === null ? null : storyOf(event, waited);
   return (
     <p role="note" className={classNames(styles["story"], !isFresh && "visually-hidden")}>
-      {story !== null && <Told story={story} />}
+      {story !== null && <StoryText story={story} />}
       {story === null && isFresh && t(`shell.story.${hint}`)}
     </p>
   );
 }
 
-function Told({ story }: { story: Story }) {
+function StoryText({ story }: { story: Story }) {
   const { t, ready } = useTranslation("runDetails", { useSuspense: false });
   return ready && storyText(t, story);
 }

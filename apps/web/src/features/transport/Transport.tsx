@@ -47,7 +47,7 @@ export function Transport() {
         <SpeedMenu />
         {view !== "now" && <PastBar />}
       </div>
-      <div className={styles["telling"]}>
+      <div className={styles["report"]}>
         <Clock />
         <TimelineBar />
         <RunStory />

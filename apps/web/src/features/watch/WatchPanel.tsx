@@ -26,7 +26,7 @@ export function WatchPanel({ store }: { store: WatchStore }) {
       <h2>
         <bdi>{name === "" ? t("watch:robot") : name}</bdi>
       </h2>
-      <RobotNews store={store} />
+      <RobotStatus store={store} />
       <section className={styles["readings"]} aria-label={t("drive.sensors")} data-seen={isSeen}>
         <h3>
           {t("drive.sensors")} <span>{t("drive.cm")}</span>
@@ -54,14 +54,14 @@ function RobotPlace({ store }: { store: WatchStore }) {
 }
 
 /** Screen readers announce changes of the state, the driver and the goal. */
-function RobotNews({ store }: { store: WatchStore }) {
+function RobotStatus({ store }: { store: WatchStore }) {
   const { t } = useTranslation(["words", "watch"], { useSuspense: false });
   const state = useStore(store, robotState);
   const driver = useStore(store, drivenBy);
   const isAtGoal = useStore(store, ({ snapshot }) => snapshot?.goalReached === true);
   const isSeen = state === "running" || state === "paused";
   return (
-    <output className={styles["news"]}>
+    <output className={styles["status"]}>
       <span className={styles["state"]} data-state={state}>
         {t(`watch:states.${state}`)}
       </span>

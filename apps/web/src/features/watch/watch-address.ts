@@ -20,7 +20,7 @@ export interface WatchAddressPorts {
   replaceAddress: (address: string) => void;
 }
 
-const KEPT = "corridor.watch";
+const STORAGE_KEY = "corridor.watch";
 const PATH = /^\/r\/([A-Za-z0-9_-]{22})\/?$/;
 const WATCH_KEY = /^wch_[A-Za-z0-9_-]{22}$/;
 
@@ -33,20 +33,20 @@ export function takeVisit({ location, tab, replaceAddress }: WatchAddressPorts):
   const id = PATH.exec(pathname)?.[1];
   if (id === undefined) return { kind: "broken" };
   if (key.startsWith("drv_")) return { kind: "script" };
-  const robot = { id, key: key === "" ? keptKey(tab, id) : key };
+  const robot = { id, key: key === "" ? storedKey(tab, id) : key };
   if (!WATCH_KEY.test(robot.key)) return { kind: "broken" };
-  keep(tab, robot);
+  store(tab, robot);
   return { kind: "watch", robot };
 }
 
-function keptKey(tab: KeyValueStorage, id: string): string {
-  const [keptId, key = ""] = (tab.getItem(KEPT) ?? "").split(" ");
-  return keptId === id ? key : "";
+function storedKey(tab: KeyValueStorage, id: string): string {
+  const [storedId, key = ""] = (tab.getItem(STORAGE_KEY) ?? "").split(" ");
+  return storedId === id ? key : "";
 }
 
-function keep(tab: KeyValueStorage, { id, key }: WatchedRobot): void {
+function store(tab: KeyValueStorage, { id, key }: WatchedRobot): void {
   try {
-    tab.setItem(KEPT, `${id} ${key}`);
+    tab.setItem(STORAGE_KEY, `${id} ${key}`);
   } catch {
     // Without storage, a reload needs the whole link again.
   }

@@ -7,7 +7,7 @@ import { openStageScreen } from "../stage/open-stage-screen.ts";
 import { hasRulers, stageLayout } from "../stage/stage-layout.ts";
 import { followRequest, readScroll, setLayout } from "../stage/stage-scroll.ts";
 import type { StageViewStore } from "../stage/stage-view.ts";
-import { shownProperties, watchPixelRatio, watchTheme } from "../stage/observe-theme.ts";
+import { shownProperties, observePixelRatio, observeTheme } from "../stage/observe-theme.ts";
 import type { WatchClient } from "./watch-client.ts";
 import type { WatchStore } from "./watch-store.ts";
 
@@ -77,8 +77,8 @@ export function openWatchStage(ports: WatchStagePorts): () => void {
   scroller.addEventListener("scroll", onScroll, { passive: true });
   calm.addEventListener("change", show);
   const stops = [
-    watchTheme(recolour),
-    watchPixelRatio((next) => {
+    observeTheme(recolour),
+    observePixelRatio((next) => {
       pixelRatio = next;
       show();
     }),

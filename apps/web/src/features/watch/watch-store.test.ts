@@ -68,8 +68,8 @@ describe("an onlooker's page", () => {
   it.each([
     { reason: closeReasons.notAuthorised, ending: "revoked" },
     { reason: closeReasons.forbidden, ending: "revoked" },
-    { reason: closeReasons.noRobot, ending: "forgotten" },
-    { reason: closeReasons.over, ending: "forgotten" },
+    { reason: closeReasons.noRobot, ending: "deleted" },
+    { reason: closeReasons.over, ending: "deleted" },
   ])("says why it is over: $reason.cause", ({ reason, ending }) => {
     const { say, state } = looking();
     say({ type: "watch-status", status: { kind: "over", reason } });
@@ -91,7 +91,7 @@ describe("an onlooker's page", () => {
     expect(store.getState().maze).toBeNull();
   });
 
-  it("looks where it is told to, and at nothing any more", () => {
+  it("asks its worker for the robot, for another try, and for the end", () => {
     const { client, sent } = looking();
     client.watch(robot);
     client.tryAgain();

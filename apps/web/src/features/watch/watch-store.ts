@@ -69,7 +69,7 @@ export function drivenBy({ snapshot, scriptTick }: WatchState): DriverName | "wa
 }
 
 /** The reason why there is nothing to watch, as the name of its sentences. */
-export type Ending = "script" | "broken" | "revoked" | "forgotten" | "failed";
+export type Ending = "script" | "broken" | "revoked" | "deleted" | "failed";
 
 /** Null while there is something to watch, or will be. */
 export function endingOf({ visit, line, isBroken }: WatchState): Ending | null {
@@ -77,6 +77,6 @@ export function endingOf({ visit, line, isBroken }: WatchState): Ending | null {
   if (isBroken) return "failed";
   if (line.kind !== "over") return null;
   const { code } = line.reason;
-  const isForgotten = code === closeReasons.noRobot.code || code === closeReasons.over.code;
-  return isForgotten ? "forgotten" : "revoked";
+  const isDeleted = code === closeReasons.noRobot.code || code === closeReasons.over.code;
+  return isDeleted ? "deleted" : "revoked";
 }

@@ -42,7 +42,7 @@ const asGood = new Set([
 ]);
 
 /** The diagnosis of the first maze that fails. */
-function told({ challenge, program }: WrongAnswer): { maze: number; diagnosis: Diagnosis } {
+function diagnosed({ challenge, program }: WrongAnswer): { maze: number; diagnosis: Diagnosis } {
   const { verdict, diagnoses } = checkProgram({ challenge, program });
   const maze = verdict.failure?.maze ?? -1;
   const diagnosis = diagnoses[maze];
@@ -109,7 +109,7 @@ describe("wrong answers with one change", () => {
 
   it.each(oneStep)("$id: the line that was changed is named", ({ id, wrong }) => {
     const others = wrong.filter((answer) => {
-      const { diagnosis } = told(answer);
+      const { diagnosis } = diagnosed(answer);
       if (diagnosis.cause === null) return true;
       return causeLine(diagnosis) !== answer.line && !asGood.has(`${id} ${answer.name}`);
     });
@@ -121,7 +121,7 @@ describe("a bump", () => {
   const named = (id: string, program: ProgramDocument) => {
     const mission = solved.find((each) => each.id === id);
     if (mission === undefined) throw new Error("no such mission");
-    return told({ name: "", line: 0, challenge: mission.challenge, program }).diagnosis;
+    return diagnosed({ name: "", line: 0, challenge: mission.challenge, program }).diagnosis;
   };
 
   it.each(["reverse", "turn 180", "left 90", "forward"] as const)(
@@ -165,7 +165,7 @@ describe("an order of the lines that solves every maze", () => {
       do: "left 90",
     } as const;
     const program = lines("right 90", left, front);
-    const { diagnosis } = told({ name: "", line: 0, challenge: mission.challenge, program });
+    const { diagnosis } = diagnosed({ name: "", line: 0, challenge: mission.challenge, program });
     expect(diagnosis.cause).toMatchObject({ kind: "order", line: 1 });
   });
 });
@@ -179,7 +179,12 @@ describe("wrong answers with two changes", () => {
       ...rule,
       do: at === 0 ? ("right 90" as const) : ("turn 180" as const),
     }));
-    const { diagnosis } = told({ name: "", line: 0, challenge, program: { ...solution, rules } });
+    const { diagnosis } = diagnosed({
+      name: "",
+      line: 0,
+      challenge,
+      program: { ...solution, rules },
+    });
     expect(diagnosis.event.kind).toBe("late");
     expect(diagnosis.cause).toMatchObject({ kind: "not-delayed", isAtEdge: true });
     expect(causeLine(diagnosis)).toBe(0);
@@ -187,7 +192,7 @@ describe("wrong answers with two changes", () => {
 
   it.each(solved)("$id: no line is named whose change cannot help", ({ challenge, solution }) => {
     const blamed = [...twoStepAnswers(challenge, solution, 97)].filter((answer) => {
-      const { maze, diagnosis } = told(answer);
+      const { maze, diagnosis } = diagnosed(answer);
       const line = causeLine(diagnosis);
       const { cause } = diagnosis;
       const isMissingDelay = cause?.kind === "not-delayed" && cause.isAtEdge;
