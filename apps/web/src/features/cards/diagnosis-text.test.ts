@@ -56,7 +56,7 @@ describe("the words of a diagnosis", () => {
     );
   });
 
-  it("tell the seconds of the clock, which counts apart what a script let the robot wait", () => {
+  it("state the seconds of the clock, which excludes waits for a script", () => {
     const words = { ...wordsFor(["diagnosis", "words"]), waited: (tick: number) => tick - 60 };
     const facts: Diagnosis = { event: bump, cause: null, fixes: [] };
     expect(diagnosisText(words, facts)).toMatch(/^Bump at 1\.0 s\./);
@@ -72,7 +72,7 @@ describe("the words of a diagnosis", () => {
     expect(diagnosisText(words, facts)).toBe(`Bump at 2.1 s. ${text}`);
   });
 
-  it("tell of a corner that the beam passes", () => {
+  it("name a corner that the beam passes", () => {
     const words = wordsFor(["diagnosis", "words"]);
     const event = {
       ...bump,

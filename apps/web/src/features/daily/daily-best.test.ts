@@ -37,7 +37,7 @@ describe("the best of the day", () => {
     expect(bestOf(storage, today)).toBeNull();
   });
 
-  it("forgets days that can no longer be chosen, and survives what it cannot read", () => {
+  it("deletes days that can no longer be chosen, and ignores unreadable text", () => {
     const storage = new MemoryStorage();
     storage.setItem("corridor.daily", "{");
     noteDaily(storage, maze, { ticks: 60, bumps: 0 }, today);

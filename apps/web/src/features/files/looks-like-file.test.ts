@@ -3,7 +3,7 @@ import { expect, it } from "vitest";
 import { looksLikeFile } from "./looks-like-file.ts";
 
 it.each(mazePresets)(
-  "opens the drawn maze $id, and tells what is wrong with half of it",
+  "opens the drawn maze $id, and reports what is wrong with half of it",
   ({ maze }) => {
     const drawn = writeTextMaze(maze);
     expect(looksLikeFile(drawn)).toBe(true);

@@ -49,7 +49,7 @@ describe("a picture as SVG", () => {
     expect(text.replace("http://www.w3.org/2000/svg", "")).not.toMatch(/https?:|url\(|href/);
   });
 
-  it("leaves rulers and robot out when it is told to", () => {
+  it("omits rulers and robot on request", () => {
     const { text } = mazeSvg({ ...scene, hasRulers: false, run: null });
     expect(text).not.toContain(">1100</text>");
     expect(text).not.toContain("rotate(90) scale");

@@ -36,7 +36,7 @@ describe("a challenge on the device", () => {
     expect(readChallengeText(text ?? "")).toEqual(large);
   });
 
-  it("is read also as it was once kept", () => {
+  it("reads the format of earlier versions", () => {
     expect(readChallengeText(JSON.stringify(large))).toEqual(large);
   });
 

@@ -10,7 +10,7 @@ function script(change: Partial<ListedScript>): ListedScript {
 }
 
 describe("the scripts in the panel", () => {
-  it("keep their places, whichever was heard last", () => {
+  it("retain their places, whichever was active last", () => {
     const anna = script({ id: "1", name: "Anna", seenAt: NOW });
     const ben = script({ id: "2", name: "Ben", seenAt: NOW - 9_000 });
     const names = (list: ListedScript[]) => shownScripts(list, NOW).map(({ name }) => name);

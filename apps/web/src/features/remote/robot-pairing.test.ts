@@ -47,7 +47,7 @@ function withService() {
   };
 }
 
-it("shows a code, then the question, and tells the service what its owner says", async () => {
+it("shows a code, then the question, and sends the owner's answer to the service", async () => {
   const { asked, pairing, view, answer } = withService();
   void pairing.open();
   await answer(Response.json(made, { status: 201 }));
@@ -107,7 +107,7 @@ it("finds the question again after a reload, and lets it go when its time is ove
   expect(view()).toMatchObject({ kind: "over" });
 });
 
-it("still waits after a reload for the script to which the code was told before", async () => {
+it("still waits after a reload for the script that has the earlier code", async () => {
   const { asked, pairing, view, answer } = withService();
   void pairing.resume();
   await answer(shown("open"));

@@ -45,7 +45,7 @@ describe("clampCell", () => {
 });
 
 describe("isAround", () => {
-  it("tells of the same cells as around", () => {
+  it("returns the same cells as around", () => {
     const cursor = { column: 0, row: 3 };
     const size = { columns: 5, rows: 5 };
     for (let row = 0; row < size.rows; row++) {

@@ -21,7 +21,7 @@ function longRun(): Timeline {
 }
 
 describe("a zoomed timeline", () => {
-  it("of a run of 104 minutes tells single turns, and says how many are one mark in the whole", () => {
+  it("of a run of 104 minutes shows single turns, and counts those in one mark of the whole", () => {
     const run = longRun();
     const [mark] = pictureOf(run, width).marks;
     expect(mark?.more).toBeGreaterThan(100);

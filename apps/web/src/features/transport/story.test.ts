@@ -15,7 +15,7 @@ const bump: RunEvent = {
 };
 
 describe("storyOf", () => {
-  it("tells time, tick and square of a bump, and blames no line for it", () => {
+  it("states time, tick and square of a bump, and blames no line for it", () => {
     expect(storyOf(bump)).toEqual({
       kind: "bump",
       teller: "program",

@@ -45,7 +45,7 @@ describe.each(missions.map((mission) => [mission.id, mission] as const))("%s", (
     expect(ticks).toBeLessThan(30 * 60);
   });
 
-  it("tells the typical wrong answer what failed, with its line and numbers", () => {
+  it("shows what failed in the typical wrong answer, with its line and numbers", () => {
     const { attempt, feedback } = answers[id].wrong;
     const { passed, failure } = checkChallenge(challenge, attempt);
     expect(passed).toBe(false);
@@ -135,7 +135,7 @@ describe("the mistakes of the study of 2013", () => {
     expect(row?.[3]).toBe(numbered.join(", "));
   });
 
-  it("a program that passes one maze and fails another is told which", () => {
+  it("names the maze that a program fails after it passed another", () => {
     for (const id of ["every-maze", "left-or-right"] as const) {
       const mission = missions.find((each) => each.id === id);
       if (mission === undefined) throw new Error(`no mission ${id}`);

@@ -257,7 +257,7 @@ export const answers: Readonly<Record<MissionId, MissionAnswers>> = {
       line({ sensor: "left", is: "<", than: "right", plus: 1 }, "right 90"),
     ),
     wrong: {
-      why: "forgets the case that right is farther",
+      why: "omits the case that right is farther",
       attempt: lines(
         "forward",
         line(front(">", 50), "forward"),
