@@ -1,6 +1,8 @@
 import { describe, expect, it } from "vitest";
 import { fileName } from "./file-name.ts";
 
+// cspell:ignore schön
+
 describe("the name of a saved file", () => {
   it.each([
     { name: "Long way round", file: "long-way-round" },

@@ -4,6 +4,8 @@ import fc from "fast-check";
 import { describe, expect, it, vi } from "vitest";
 import { readDocument, titleOf } from "./read-document.ts";
 
+// cspell:ignore rechts dann Aufgabe
+
 const json = (document: unknown): string => JSON.stringify(document, null, 2);
 
 describe("a document that is opened", () => {

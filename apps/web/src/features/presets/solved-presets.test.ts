@@ -7,6 +7,8 @@ import { createWorkspaceStore, setMaze } from "../../stores/workspace-store.ts";
 import type { RunEvent } from "../../worker/worker-messages.ts";
 import { createSolvedStore } from "./solved-presets.ts";
 
+// cspell:ignore Spirale
+
 const KEY = "corridor.solved";
 const spiral = mazePresets.find(({ id }) => id === "spiral")?.maze;
 const program = programPresets[0]?.program;

@@ -6,6 +6,8 @@ import { en } from "../../text/en/index.ts";
 import { createI18n, showLanguage } from "../../text/i18n.ts";
 import { followLanguage } from "./follow-language.ts";
 
+// cspell:ignore Rechte Beispiel
+
 function page() {
   const words = createI18n(en);
   const { maze, program } = firstProject(words);

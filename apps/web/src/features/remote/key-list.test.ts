@@ -3,6 +3,8 @@ import { agoText } from "./ago-text.ts";
 import { keyIdOf } from "./key-id.ts";
 import { listed, listKeys, revokeKey } from "./key-calls.ts";
 
+// cspell:ignore Stunden
+
 const at = (minute: number): string => new Date(Date.UTC(2026, 0, 1, 12, minute)).toISOString();
 const keys = [
   { id: "watch1", kind: "watch" as const, createdAt: at(20), lastUsedAt: null },
