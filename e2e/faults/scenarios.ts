@@ -16,6 +16,7 @@ import { savedEndings } from "./scenarios/saved-endings.ts";
 import { staleMotion } from "./scenarios/stale-motion.ts";
 import { twoRelays } from "./scenarios/two-relays.ts";
 import { relayKilled } from "./scenarios/relay-killed.ts";
+import { wrongCodes } from "./scenarios/wrong-codes.ts";
 
 export const scenarios: readonly Scenario[] = [
   cleanNetwork,
@@ -29,6 +30,7 @@ export const scenarios: readonly Scenario[] = [
   twoRelays,
   hiddenPage,
   slowReaders,
+  wrongCodes,
   malformedFrames,
   fullDisk,
   filters,

@@ -29,7 +29,7 @@ export class DocumentService {
     this.#store = store;
     this.#clock = clock;
     this.#log = log;
-    this.#checks = new CheckQueue(clock, limits.codeChecks, null);
+    this.#checks = new CheckQueue(clock, limits.linkChecks, "address");
     this.#cancelTimer = clock.after(0, () => void this.#removeUnused());
   }
 
@@ -94,7 +94,9 @@ export class DocumentService {
   ): Promise<T> {
     const code = readShortCode(id);
     const found =
-      code === null ? await lookUp(id) : await this.#checks.run(from, async () => lookUp(code));
+      code === null
+        ? await lookUp(id)
+        : await this.#checks.run(from, code, async () => lookUp(code));
     if (found === null) throw noDocument();
     return found;
   }

@@ -1,18 +1,26 @@
 /**
  * Slows down guessing of codes without a lockout. The codes of one address are checked one at a
- * time in order of arrival, and a wrong code delays the next check. A right code adds no delay, so
- * a class that types right codes never waits. Wrong codes from the same network delay a right code
- * but never block it.
+ * time in order of arrival, and addresses take turns. Wrong codes delay the next check so that
+ * their rate is limited. A right code adds no delay, so a class that types right codes never waits.
+ * Wrong codes from the same network delay a right code but never block it.
  */
 import type { Clock } from "../clock.ts";
 import { Refusal, restarting, retryAfter } from "../problems.ts";
 
 export interface CheckQueueRule {
-  /** checks per second after wrong codes */
+  /** average number of wrong codes that are checked per second */
   perSecond: number;
+  /** number of wrong codes that are checked without delay after a pause; 1: every one delays */
+  burst: number;
   /** maximum number of pending checks; further checks are rejected */
   waiting: number;
 }
+
+/** maximum number of addresses that wait for their turn; 5 s at 100 checks per second */
+const MAX_ADDRESSES = 500;
+
+/** maximum number of stored rejected codes, about 1 MB */
+const MAX_REJECTED = 10_000;
 
 /** @returns null if the code does not exist */
 type Check<T> = () => Promise<T | null>;
@@ -25,9 +33,13 @@ interface PendingCheck {
 /** Serial queue of checks, for one address or for all. */
 class SerialQueue {
   readonly #pending: PendingCheck[] = [];
+  /** checks of codes that were rejected before, which go first */
+  readonly #returning: PendingCheck[] = [];
   readonly #clock: Clock;
   readonly #rule: CheckQueueRule;
   readonly #onIdle: () => void;
+  /** time from which the next code may be checked; earlier by the unused burst */
+  #freeAt = 0;
   #isBusy = false;
 
   /** @param onIdle called when no check is pending and the delay of a wrong code has passed */
@@ -38,10 +50,11 @@ class SerialQueue {
   }
 
   /** @throws Refusal too-fast if too many checks wait, restarting if the queue closes */
-  async run<T>(check: Check<T>): Promise<T | null> {
-    if (this.#pending.length >= this.#rule.waiting) throw tooMany();
+  async run<T>(check: Check<T>, isReturning = false): Promise<T | null> {
+    const queue = isReturning ? this.#returning : this.#pending;
+    if (queue.length >= this.#rule.waiting) throw tooMany();
     return new Promise<T | null>((resolve, reject) => {
-      this.#pending.push({
+      queue.push({
         start: async () => {
           try {
             const found = await check();
@@ -60,21 +73,34 @@ class SerialQueue {
   }
 
   close(): void {
-    for (const waiting of this.#pending.splice(0)) waiting.cancel();
+    for (const queue of [this.#returning, this.#pending]) {
+      for (const waiting of queue.splice(0)) waiting.cancel();
+    }
   }
 
   async #next(): Promise<void> {
     this.#isBusy = true;
-    for (let next = this.#pending.shift(); next !== undefined; next = this.#pending.shift()) {
+    for (let next = this.#shift(); next !== undefined; next = this.#shift()) {
       const outcome = await next.start();
-      if (outcome === "wrong") {
-        await new Promise<void>((resolve) => {
-          this.#clock.after(1_000 / this.#rule.perSecond, resolve);
-        });
-      }
+      if (outcome === "wrong") await this.#delay();
     }
     this.#isBusy = false;
     this.#onIdle();
+  }
+
+  #shift(): PendingCheck | undefined {
+    return this.#returning.shift() ?? this.#pending.shift();
+  }
+
+  /** Counts a wrong code, and waits until the next check is due. A timer that was late adds none. */
+  async #delay(): Promise<void> {
+    const interval = 1_000 / this.#rule.perSecond;
+    const now = this.#clock.now();
+    const earliest = now - interval * (this.#rule.burst - 1);
+    // A clock that was set back must not extend the delay.
+    this.#freeAt = Math.min(now, Math.max(earliest, this.#freeAt)) + interval;
+    const wait = this.#freeAt - now;
+    if (wait > 0) await new Promise<void>((resolve) => void this.#clock.after(wait, resolve));
   }
 }
 
@@ -83,25 +109,38 @@ export class CheckQueue {
   readonly #clock: Clock;
   readonly #rule: CheckQueueRule;
   readonly #all: SerialQueue | null;
+  /** newest codes that were rejected unchecked */
+  readonly #rejected = new Set<string>();
 
   /**
-   * @param rule limit for each address
-   * @param ruleForAll limit for all addresses together; null: no limit
+   * @param rule `waiting` is for each address
+   * @param scope whether `perSecond` and `burst` are for each address or for all together
    */
-  constructor(clock: Clock, rule: CheckQueueRule, ruleForAll: CheckQueueRule | null) {
+  constructor(clock: Clock, rule: CheckQueueRule, scope: "address" | "total") {
     this.#clock = clock;
-    this.#rule = rule;
-    this.#all = ruleForAll && new SerialQueue(clock, ruleForAll);
+    const isTotal = scope === "total";
+    this.#rule = isTotal ? { ...rule, perSecond: Infinity } : rule;
+    // Each address has at most one check there, so addresses take turns.
+    this.#all = isTotal ? new SerialQueue(clock, { ...rule, waiting: MAX_ADDRESSES }) : null;
   }
 
   /**
-   * Runs a check in the queue of its address.
+   * Runs a check in the queue of its address. A code that is sent again after it was rejected goes
+   * first: only codes that are not sent again are rejected repeatedly.
+   * @param code the code or its hash
    * @throws Refusal too-fast with the seconds to wait if too many checks are pending; the code is
    * not checked
    */
-  async run<T>(address: string, check: Check<T>): Promise<T | null> {
+  async run<T>(address: string, code: string, check: Check<T>): Promise<T | null> {
     const all = this.#all;
-    return this.#queueOf(address).run(all === null ? check : async () => all.run(check));
+    const isReturning = this.#rejected.delete(code);
+    const inTurn = all === null ? check : async () => all.run(check);
+    try {
+      return await this.#queueOf(address).run(inTurn, isReturning);
+    } catch (error) {
+      if (error instanceof Refusal && error.kind === "too-fast") this.#remember(code);
+      throw error;
+    }
   }
 
   /** Number of addresses with a pending check or delay. */
@@ -113,6 +152,12 @@ export class CheckQueue {
   close(): void {
     this.#all?.close();
     for (const queue of this.#queues.values()) queue.close();
+  }
+
+  #remember(code: string): void {
+    this.#rejected.add(code);
+    const [oldest] = this.#rejected;
+    if (this.#rejected.size > MAX_REJECTED && oldest !== undefined) this.#rejected.delete(oldest);
   }
 
   #queueOf(address: string): SerialQueue {

@@ -49,7 +49,7 @@ export class PairingService {
 
   constructor(parts: PairingServiceParts) {
     this.#parts = parts;
-    this.#checks = new CheckQueue(parts.clock, limits.codeChecks, limits.codeChecksForAll);
+    this.#checks = new CheckQueue(parts.clock, limits.pairingChecks, "total");
     this.#waits = new Waits(parts.clock);
     this.#cancelTimer = parts.clock.after(CLEANUP_MS, () => void this.#removeEnded());
   }
@@ -125,7 +125,7 @@ export class PairingService {
    */
   async ask({ code, name, client, from }: AccessRequest): Promise<RequestedPairing> {
     const hash = hashKey(code);
-    const found = await this.#checks.run(from, async () => {
+    const found = await this.#checks.run(from, hash, async () => {
       const pairing = await this.#find({ code: hash });
       // The lookup uses a hash that a guesser cannot control. The comparison takes constant time.
       return pairing !== null && isSameHash(pairing.code, hash) ? pairing : null;
