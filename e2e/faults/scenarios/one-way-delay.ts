@@ -7,6 +7,7 @@ import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-rand
 import { RelayProcess } from "../../support/relay-process.ts";
 import { sleep } from "../clock.ts";
 import { FaultProxy, type Delay, type Direction } from "../net/fault-proxy.ts";
+import { makeCertificate, TlsProxy, trust, type Certificate } from "../net/tls-proxy.ts";
 import type { Robot } from "../robots/robot.ts";
 import type { Scenario } from "../scenario.ts";
 import { TestBed } from "../test-bed.ts";
@@ -27,11 +28,14 @@ const delays: readonly (Delay & { name: string })[] = [
   { name: "3 s", min: 3_000, max: 3_000 },
   { name: "jitter", min: 0, max: 1_500 },
 ];
+/** the delay that is repeated over TLS */
+const TLS_DELAY = "1 s";
 const directions: readonly Direction[] = ["up", "down"];
 
 interface Library {
   name: string;
-  connect(address: string): TimedScript | Promise<TimedScript>;
+  /** @param trusted certificate file; null: without TLS */
+  connect(address: string, trusted: string | null): TimedScript | Promise<TimedScript>;
 }
 
 const libraries: readonly Library[] = [
@@ -39,8 +43,8 @@ const libraries: readonly Library[] = [
     name: "TypeScript by WebSocket",
     connect: (address) => typeScriptScript(address, TTL_MS, "websocket"),
   },
-  { name: "TypeScript by HTTPS", connect: (address) => typeScriptScript(address, TTL_MS, "https") },
-  { name: "Python by HTTPS", connect: (address) => pythonScript(address, TTL_MS) },
+  { name: "TypeScript by HTTP", connect: (address) => typeScriptScript(address, TTL_MS, "https") },
+  { name: "Python by HTTP", connect: (address, trusted) => pythonScript(address, TTL_MS, trusted) },
 ];
 
 /** one script with its own network */
@@ -49,6 +53,8 @@ interface Case {
   library: Library;
   direction: Direction;
   delay: Delay;
+  /** whether the script connects by https: and wss: */
+  isSecure: boolean;
 }
 
 interface Observation extends Outcome {
@@ -60,7 +66,7 @@ interface Observation extends Outcome {
 export const oneWayDelay: Scenario = {
   title: "One-way delay",
   describe: (isLong) =>
-    `Python and TypeScript scripts send ${timesOf(isLong)} turns (ttl ${TTL_MS} ms) in each of four phases: with a delay in one direction, without, with, without. The delay is 1 s, 3 s or up to 1.5 s, and applies from the first byte on`,
+    `Python and TypeScript scripts send ${timesOf(isLong)} turns (ttl ${TTL_MS} ms) in each of four phases: with a delay in one direction, without, with, without. The delay is 1 s, 3 s or up to 1.5 s, and applies from the first byte on. The scripts with 1 s are repeated over HTTPS and WSS`,
   run: async (context) => {
     const relay = await RelayProcess.start();
     context.onCleanup(() => relay.stop());
@@ -69,14 +75,23 @@ export const oneWayDelay: Scenario = {
     );
     if (offered.length < libraries.length)
       context.log("Python is skipped: python3 is not installed");
-    const cases = offered.flatMap((library) =>
-      directions.flatMap((direction) =>
-        delays.map(({ name, ...delay }) => ({
-          name: `${library.name}, ${name} ${direction}`,
-          library,
-          direction,
-          delay,
-        })),
+    const certificate = makeCertificate(context.folder);
+    if (certificate === null) context.log("TLS is skipped: openssl is not installed");
+    else trust(certificate);
+    const tlsProxies: TlsProxy[] = [];
+    const plain = { delays, isSecure: false };
+    const secure = { delays: delays.filter(({ name }) => name === TLS_DELAY), isSecure: true };
+    const cases = [plain, ...(certificate === null ? [] : [secure])].flatMap((kind) =>
+      offered.flatMap((library) =>
+        directions.flatMap((direction) =>
+          kind.delays.map(({ name, ...delay }) => ({
+            name: `${library.name}${kind.isSecure ? " over TLS" : ""}, ${name} ${direction}`,
+            library,
+            direction,
+            delay,
+            isSecure: kind.isSecure,
+          })),
+        ),
       ),
     );
     const testBed = new TestBed(context);
@@ -86,9 +101,23 @@ export const oneWayDelay: Scenario = {
     await testBed.waitUntilConnected();
     const random = new SeededRandom(context.seed);
 
-    const run = async (of: Case, robot: Robot): Promise<Observation[]> => {
-      const proxy = await FaultProxy.start({ target: () => relay.port, random });
+    /** The delayed network of one script. With a certificate, it delays encrypted bytes. */
+    const openNetwork = async (trusted: Certificate | null) => {
+      if (trusted === null) {
+        const proxy = await FaultProxy.start({ target: () => relay.port, random });
+        context.onCleanup(() => proxy.close());
+        return { proxy, origin: proxy.origin };
+      }
+      const server = await TlsProxy.start(trusted, () => relay.port);
+      context.onCleanup(() => server.close());
+      tlsProxies.push(server);
+      const proxy = await FaultProxy.start({ target: () => server.port, random });
       context.onCleanup(() => proxy.close());
+      return { proxy, origin: proxy.origin.replace("http:", "https:") };
+    };
+    const run = async (of: Case, robot: Robot): Promise<Observation[]> => {
+      const trusted = of.isSecure ? certificate : null;
+      const { proxy, origin } = await openNetwork(trusted);
       const { id, driverKey } = robot.registration;
       const seen: Observation[] = [];
       const turns = async (script: TimedScript, isDelayed: boolean): Promise<void> => {
@@ -96,7 +125,8 @@ export const oneWayDelay: Scenario = {
           seen.push({ ...(await script.turn()), of, robot, isDelayed });
       };
       proxy.delays[of.direction] = of.delay;
-      const script = await of.library.connect(`${proxy.origin}/r/${id}#${driverKey}`);
+      const address = `${origin}/r/${id}#${driverKey}`;
+      const script = await of.library.connect(address, trusted?.file ?? null);
       context.onCleanup(() => script.close());
       for (let phase = 0; phase < 2; phase++) {
         proxy.delays[of.direction] = of.delay;
@@ -133,6 +163,7 @@ export const oneWayDelay: Scenario = {
     const delayedUp = seen.filter(
       ({ of, isDelayed }) => isDelayed && of.direction === "up" && of.delay.min > TTL_MS,
     );
+    const overTls = seen.filter(({ of }) => of.isSecure);
     const started = new Set(
       seen.flatMap(({ robot, seq }) => (seq === null ? [] : [`${robot.page} ${seq}`])),
     );
@@ -157,6 +188,13 @@ export const oneWayDelay: Scenario = {
         "neither completed nor expired",
         ({ state }) => state !== "completed" && state !== "expired",
       ),
+      {
+        label: "scripts over HTTPS and WSS without a TLS connection",
+        measured: tlsProxies.filter(({ connections }) => connections === 0).length,
+        bound: { atMost: 0 },
+        unit: `of ${tlsProxies.length}`,
+      },
+      wrong(`over HTTPS and WSS, started later than ttl + ${TOLERANCE_MS} ms`, isLate, overTls),
       ...compared.goals(["lost", "doubled", "ended twice"]),
     ];
   },

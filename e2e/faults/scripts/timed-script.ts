@@ -51,11 +51,15 @@ class PythonScript implements TimedScript {
   readonly #process: ChildProcess;
   readonly #outcomes: AsyncIterator<string>;
 
-  constructor(address: string, ttl: number) {
+  constructor(address: string, ttl: number, trusted: string | null) {
     const python = inPath("python3")[0] ?? "python3";
     const script = spawn(python, ["-c", PYTHON, address, String(ttl / 1000)], {
       stdio: ["pipe", "pipe", "inherit"],
-      env: { ...process.env, PYTHONPATH: library },
+      env: {
+        ...process.env,
+        PYTHONPATH: library,
+        ...(trusted !== null && { SSL_CERT_FILE: trusted }),
+      },
     });
     this.#process = script;
     this.#outcomes = createInterface({ input: script.stdout })[Symbol.asyncIterator]();
@@ -73,9 +77,16 @@ class PythonScript implements TimedScript {
   }
 }
 
-/** @param ttl in ms */
-export function pythonScript(address: string, ttl: number): TimedScript {
-  return new PythonScript(address, ttl);
+/**
+ * @param ttl in ms
+ * @param trusted file of the certificate that the script trusts in place of the usual ones
+ */
+export function pythonScript(
+  address: string,
+  ttl: number,
+  trusted: string | null = null,
+): TimedScript {
+  return new PythonScript(address, ttl, trusted);
 }
 
 /** @param ttl in ms */
