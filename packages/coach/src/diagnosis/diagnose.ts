@@ -201,9 +201,10 @@ function explain(
     if (isIdleHere && task.solvesAll?.(program) !== true) continue;
     found.push({ fix, from: trial.from, program, outcome: trial.outcome });
   }
-  const best = ranked(trace, found, task, event);
+  const momentOf = (each: Found) => momentToName(trace, each, trialTask, isBump);
+  const best = ranked(trace, found, task, event, momentOf);
   const named = best.flatMap((each): { cause: Cause; fix: Fix }[] => {
-    const cause = causeOf(trace, each.fix, momentToName(trace, each, trialTask, isBump));
+    const cause = causeOf(trace, each.fix, momentOf(each));
     return cause === null ? [] : [{ cause, fix: each.fix }];
   });
   const [first] = named;
@@ -245,6 +246,8 @@ function isEnough(found: readonly Found[], { solvesAll, newSolvedCheck }: Diagno
  *    that solves every maze.
  * 3. What the run itself shows: the line drove into the wall, or its readings contradict its action.
  * 4. A missing line.
+ * 5. Another action that solves this maze but not every maze: with two wrong lines, each maze may
+ *    show one of them.
  *
  * An action of another line about which the run shows nothing wrong comes after these even if it
  * solves every maze: it only avoids the place of the bump. A sign, a sensor or a number that does
@@ -255,6 +258,7 @@ function ranked(
   found: readonly Found[],
   { solvesAll }: DiagnosisTask,
   event: FailureEvent,
+  momentOf: (found: Found) => number,
 ): Found[] {
   const rank = (each: Found): number | null => {
     const { fix, from, outcome, program } = each;
@@ -266,8 +270,9 @@ function ranked(
     if (isSolution && fix.kind === "move" && solvesAll !== null) return 0;
     if (isSolution) return fix.kind === "action" && !isShown && isStraight(event) ? 4 : 1;
     if (solvesAll === null) return outcome === "past" ? 6 : 5;
-    if (isShown) return outcome === "past" ? 3 : 2;
-    return fix.kind === "insert" || fix.kind === "delete" || fix.kind === "move" ? 5 : null;
+    if (isShown || isShownByRun(trace, fix, momentOf(each))) return outcome === "past" ? 3 : 2;
+    if (fix.kind === "insert" || fix.kind === "delete" || fix.kind === "move") return 5;
+    return fix.kind === "action" && outcome === "solved" ? 6 : null;
   };
   return found
     .flatMap((each) => {
@@ -290,16 +295,11 @@ function isStraight(event: FailureEvent): event is BumpEvent {
 /** Whether the readings of the run show the mistake, whatever another change would do. */
 function isShownByRun(trace: RunTrace, fix: Fix, from: number): boolean {
   const cause = causeOf(trace, fix, from);
-  switch (cause?.kind) {
-    case "action":
-      return cause.detail !== null;
-    case "delayed":
-      return cause.moment.readings.front < cause.needs;
-    case "not-delayed":
-      return cause.isAtEdge;
-    default:
-      return cause !== null && "extreme" in cause && cause.extreme === "always";
-  }
+  if (cause === null) return false;
+  if (cause.kind === "action") return cause.detail !== null;
+  if (cause.kind === "delayed") return cause.moment.readings.front < cause.needs;
+  if (cause.kind === "not-delayed") return cause.isAtEdge;
+  return "extreme" in cause && cause.extreme === "always";
 }
 
 /**

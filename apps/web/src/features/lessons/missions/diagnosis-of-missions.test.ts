@@ -155,6 +155,42 @@ describe("a bump", () => {
   });
 });
 
+describe("in a mission with several mazes", () => {
+  const causes = (id: string, program: ProgramDocument) => {
+    const mission = solved.find((each) => each.id === id);
+    if (mission === undefined) throw new Error("no such mission");
+    const { diagnoses } = checkProgram({ challenge: mission.challenge, program });
+    return diagnoses.map((each) => each?.cause ?? null);
+  };
+  const room = { when: { sensor: "front", is: ">", than: 50 }, do: "forward" } as const;
+  const leftIsLonger = { sensor: "left", is: ">", than: "right", plus: 1 } as const;
+
+  it.each([
+    ["swapped", "right 90", "left 90"],
+    ["left out", "forward", "forward"],
+    ["turned round", "turn 180", "turn 180"],
+  ] as const)("each maze names the one of two wrong turns that it shows (%s)", (_, left, other) => {
+    const found = causes("left-or-right", lines(other, room, { when: leftIsLonger, do: left }));
+    expect(found).toMatchObject([
+      { kind: "action", moment: { line: 1, action: left, tick: 240 } },
+      { kind: "action", moment: { line: "default", action: other, tick: 240 } },
+    ]);
+  });
+
+  it("a turn to a wall is named, not the right turn of the same line before it", () => {
+    const nearWall = { sensor: "front", is: "<", than: 50 } as const;
+    const [cause] = causes(
+      "farthest-distance",
+      lines("forward", { when: nearWall, do: "left 90" }),
+    );
+    expect(cause).toMatchObject({
+      kind: "action",
+      moment: { line: 0, tick: 396 },
+      detail: { kind: "into-wall", side: "left", open: "right" },
+    });
+  });
+});
+
 describe("an order of the lines that solves every maze", () => {
   it("comes before a delay that gets through one of them", () => {
     const mission = solved.find(({ id }) => id === "farthest-distance");
