@@ -55,6 +55,9 @@ export function SolvedCard({ view, solved, onClose }: SolvedCardProps) {
   // In a challenge with several mazes, one solved maze is only a part of the solution.
   const mazes = useStore(challenge, (state) => state.challenge?.mazes.length ?? 1);
   const isPart = useStore(challenge, ({ result }) => result.state === "here") && mazes > 1;
+  const isMetInAll = useStore(challenge, ({ result }) => result.state === "met") && mazes > 1;
+  // The clock displays the run in one of the mazes.
+  const ofTime = isMetInAll ? "words:cards.solved.longestTime" : "words:cards.solved.time";
   const [isSharing, setSharing] = useState(false);
   const keepClear = useMemo(() => maze.goals, [maze]);
   // A challenge that allows no lines has no lines to count.
@@ -75,7 +78,7 @@ export function SolvedCard({ view, solved, onClose }: SolvedCardProps) {
       </p>
       <dl className={styles["figures"]}>
         <div>
-          <dt>{t(waited > 0 ? "words:cards.solved.driving" : "words:cards.solved.time")}</dt>
+          <dt>{t(waited > 0 ? "words:cards.solved.driving" : ofTime)}</dt>
           <dd>{timeText(ticks - waited)}</dd>
         </div>
         {waited > 0 && (
