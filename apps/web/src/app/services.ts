@@ -9,7 +9,7 @@ import { followLanguage } from "../features/program/follow-language.ts";
 import { namedAfterEdit } from "../features/program/own-program.ts";
 import { createSolvedStore, type SolvedStore } from "../features/presets/solved-presets.ts";
 import { Speech } from "../features/speech/speech.ts";
-import { LessonsGate } from "../features/lessons/lessons-gate.ts";
+import { LessonsGate } from "../features/lessons/lessons-entry.ts";
 import { LessonsStorage } from "../features/lessons/lessons-storage.ts";
 import { createCameraStore, type CameraStore } from "../stores/camera-store.ts";
 import {

@@ -6,7 +6,7 @@ import { formatSeconds } from "../../text/numbers.ts";
 import type { RunState } from "../../stores/run-store.ts";
 import type { RunEvent } from "../../worker/worker-messages.ts";
 import { diagnosisText, diagnosisTitle, diagnosisWords } from "../cards/diagnosis-text.ts";
-import { momentAt, sayMoment } from "../timeline/shown-moment.ts";
+import { momentAt, sayMoment } from "../timeline/tick-description.ts";
 import { timelineOf } from "../timeline/timeline-of.ts";
 import { storyOf, storyText } from "../transport/story.ts";
 import { RunListener, type RunAnnouncement } from "./run-listener.ts";

@@ -3,7 +3,7 @@ import { useEffect, useLayoutEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
-import { MomentCards } from "../cards/MomentCards.tsx";
+import { MomentCards } from "../cards/RunEventCards.tsx";
 import { lazyPart } from "../../ui/lazy-part.tsx";
 import { MazeGrid } from "./MazeGrid.tsx";
 import { StageController } from "./stage-controller.ts";

@@ -13,7 +13,7 @@ import type { TimelinePicture } from "./picture.ts";
 import { Playhead } from "./Playhead.tsx";
 import { Ribbon } from "./Ribbon.tsx";
 import { Scrubber } from "./scrubber.ts";
-import { momentAt, sayMoment, type ShownMoment } from "./shown-moment.ts";
+import { momentAt, sayMoment, type ShownMoment } from "./tick-description.ts";
 import { timelineKey } from "./timeline-keys.ts";
 import { tickAt, xOf, type TimeScale } from "./time-scale.ts";
 import { createTimelineZoom } from "./timeline-zoom-store.ts";
@@ -24,7 +24,7 @@ import styles from "./timeline.module.css";
 import { classNames } from "../../ui/class-names.ts";
 import { deferredPart } from "../../ui/lazy-part.tsx";
 import { usePicture } from "./use-picture.ts";
-import { useShownMoment } from "./use-shown-moment.ts";
+import { useShownMoment } from "./use-displayed-tick.ts";
 
 const TimelineZoom = deferredPart(async () => (await import("./TimelineZoom.tsx")).TimelineZoom);
 

@@ -6,7 +6,7 @@
 import { useEffectEvent, useLayoutEffect, type ComponentProps, type RefObject } from "react";
 import { useTranslation } from "react-i18next";
 import type { StoreApi } from "zustand";
-import { sayMoment, type ShownMoment } from "./shown-moment.ts";
+import { sayMoment, type ShownMoment } from "./tick-description.ts";
 import styles from "./run-timeline.module.css";
 
 interface TimelineSliderProps extends Pick<

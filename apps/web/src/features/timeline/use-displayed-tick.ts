@@ -6,7 +6,7 @@
 import { useLayoutEffect, useState } from "react";
 import { createStore, type StoreApi } from "zustand";
 import { useServices } from "../../app/services.ts";
-import { momentAt, type ShownMoment } from "./shown-moment.ts";
+import { momentAt, type ShownMoment } from "./tick-description.ts";
 import { timelineOf } from "./timeline-of.ts";
 
 const SECOND = 60;

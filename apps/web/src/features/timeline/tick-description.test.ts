@@ -4,7 +4,7 @@ import { Timeline } from "@corridor/recording";
 import { describe, expect, it } from "vitest";
 import { en } from "../../text/en/index.ts";
 import { createI18n } from "../../text/i18n.ts";
-import { momentAt, sayMoment } from "./shown-moment.ts";
+import { momentAt, sayMoment } from "./tick-description.ts";
 
 const { t } = createI18n(en);
 
