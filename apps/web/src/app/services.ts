@@ -9,7 +9,7 @@ import { followLanguage } from "../features/program/follow-language.ts";
 import { namedAfterEdit } from "../features/program/own-program.ts";
 import { createSolvedStore, type SolvedStore } from "../features/presets/solved-presets.ts";
 import { Speech } from "../features/speech/speech.ts";
-import { LessonsGate } from "../features/lessons/lessons-entry.ts";
+import { LessonsEntry } from "../features/lessons/lessons-entry.ts";
 import { LessonsStorage } from "../features/lessons/lessons-storage.ts";
 import { createCameraStore, type CameraStore } from "../stores/camera-store.ts";
 import {
@@ -83,7 +83,7 @@ export interface Services {
   connection: RemoteConnection;
   /** the open challenge, if any */
   challenge: ChallengeStore;
-  lessons: LessonsGate;
+  lessons: LessonsEntry;
   /** camera of the stage */
   camera: CameraStore;
   /** the live region for screen readers */
@@ -205,7 +205,7 @@ export function createServices(browser: Browser): Services {
   });
   const speech = new Speech({ now, later });
   const storage = new LessonsStorage(device);
-  const lessons = new LessonsGate({
+  const lessons = new LessonsEntry({
     simulator,
     workspace,
     screen,

@@ -20,7 +20,7 @@ import { FloatingCard } from "./FloatingCard.tsx";
 import { fixText } from "./fix-text.ts";
 import { RoomBars } from "./RoomBars.tsx";
 import { runFromStart, showFixed } from "./run-from-start.ts";
-import { trailWay } from "./trail-end.ts";
+import { trailSide } from "./trail-end.ts";
 import { watchAgain } from "./watch-again.ts";
 
 /**
@@ -50,9 +50,9 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
     const event = diagnosis?.event;
     return [...(event?.kind === "bump" ? [event.contact.cell] : []), ...goals];
   }, [diagnosis, goals]);
-  const trailWays = useMemo(() => {
+  const trailSides = useMemo(() => {
     const event = diagnosis?.event;
-    return event?.kind === "bump" ? [trailWay(pose, event.contact)] : [];
+    return event?.kind === "bump" ? [trailSide(pose, event.contact)] : [];
   }, [diagnosis, pose]);
   const line = diagnosis === null ? null : causeLine(diagnosis);
   const lineId = useStore(workspace, (state) =>
@@ -78,7 +78,7 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
       view={view}
       pose={pose}
       keepClear={keepClear}
-      trailWays={trailWays}
+      trailSides={trailSides}
       tone="bad"
       icon={<BurstIcon size={18} />}
       title={diagnosisTitle(words, diagnosis)}

@@ -20,7 +20,7 @@ import { useMediaQuery } from "../../ui/use-media-query.ts";
 import type { StageViewStore } from "../stage/stage-view.ts";
 import { overlap, placeCard, placeCardAway, type CardPlace } from "./card-place.ts";
 import styles from "./cards.module.css";
-import { trailEnd, type TrailWay } from "./trail-end.ts";
+import { trailEnd, type TrailSide } from "./trail-end.ts";
 
 /** Half of the robot's width as it is drawn, in units. */
 const ROBOT_HALF = 28;
@@ -41,7 +41,7 @@ interface FloatingCardProps {
   /** cells that the card should not cover: goals, the block that was hit */
   keepClear: readonly { column: number; row: number }[];
   /** directions in which the end of the trail may leave the robot; both if it is unknown */
-  trailWays: readonly TrailWay[];
+  trailSides: readonly TrailSide[];
   tone: "bad" | "good";
   icon: ReactNode;
   title: string;
@@ -50,7 +50,7 @@ interface FloatingCardProps {
 }
 
 export function FloatingCard(props: FloatingCardProps) {
-  const { view, pose, keepClear, trailWays, tone, icon, title, onClose, children } = props;
+  const { view, pose, keepClear, trailSides, tone, icon, title, onClose, children } = props;
   const { t } = useTranslation();
   const layout = useStore(view, (state) => state.layout);
   const { cardDock } = useServices();
@@ -99,7 +99,7 @@ export function FloatingCard(props: FloatingCardProps) {
         boxOf(viewport, column * CELL + CELL / 2, row * CELL + CELL / 2, CELL / 2),
       );
       const robot = boxOf(viewport, pose.x, pose.y, ROBOT_HALF);
-      const trailEnds = trailWays.map((way) => boxAt(viewport, trailEnd(pose, way)));
+      const trailEnds = trailSides.map((side) => boxAt(viewport, trailEnd(pose, side)));
       const seen = [...trailEnds, ...squares];
       const { port } = layout;
       const inMaze = { ...port, x: area.x + port.x, y: area.y + port.y };
@@ -131,7 +131,7 @@ export function FloatingCard(props: FloatingCardProps) {
     const resize = new ResizeObserver(put);
     resize.observe(element);
     return () => resize.disconnect();
-  }, [layout, isDocked, pose, keepClear, trailWays, tone]);
+  }, [layout, isDocked, pose, keepClear, trailSides, tone]);
 
   const at = isDocked ? null : place;
   const section = (

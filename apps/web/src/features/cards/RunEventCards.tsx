@@ -6,7 +6,7 @@ import type { StageViewStore } from "../stage/stage-view.ts";
 
 const Cards = lazyPart(async () => (await import("./Cards.tsx")).Cards);
 
-export function MomentCards({ view }: { view: StageViewStore }) {
+export function RunEventCards({ view }: { view: StageViewStore }) {
   const { cards, challenge } = useServices();
   const isAny = useStore(cards, ({ bump, goal }) => bump !== null || goal !== null);
   const isMet = useStore(challenge, ({ result }) => result.state === "met");

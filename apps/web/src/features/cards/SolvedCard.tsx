@@ -23,7 +23,7 @@ import { watchAgain } from "./watch-again.ts";
 const CLOCK_FROM_TICKS = 6000;
 
 /** A robot that drives in reverse can reach the goal too. */
-const EITHER_WAY = [-1, 1] as const;
+const BOTH_SIDES = [-1, 1] as const;
 
 /** The driver, the pose of the robot, and the figures of the run. */
 export interface Solved {
@@ -67,7 +67,7 @@ export function SolvedCard({ view, solved, onClose }: SolvedCardProps) {
       view={view}
       pose={pose}
       keepClear={keepClear}
-      trailWays={EITHER_WAY}
+      trailSides={BOTH_SIDES}
       tone="good"
       icon={<Icon of={Flag} size={18} />}
       title={isPart ? t("missions:bar.here", allOf(mazes)) : t("words:cards.solved.title")}

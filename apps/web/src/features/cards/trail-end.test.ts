@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { trailEnd, trailWay } from "./trail-end.ts";
+import { trailEnd, trailSide } from "./trail-end.ts";
 
 describe("the end of the trail", () => {
   it.each([
@@ -9,7 +9,7 @@ describe("the end of the trail", () => {
     { heading: 180, touched: { x: 310, y: 320 }, box: { x: 290, y: 190, width: 20, height: 120 } },
   ])("lies away from what a robot that faces $heading touches", ({ heading, touched, box }) => {
     const pose = { x: 300, y: 300, heading };
-    const end = trailEnd(pose, trailWay(pose, touched));
+    const end = trailEnd(pose, trailSide(pose, touched));
     for (const side of ["x", "y", "width", "height"] as const) {
       expect(end[side]).toBeCloseTo(box[side], 6);
     }

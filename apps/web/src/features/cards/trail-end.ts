@@ -12,12 +12,12 @@ interface Point {
 }
 
 /** -1: behind the robot; 1: ahead of the robot, which drives in reverse */
-export type TrailWay = -1 | 1;
+export type TrailSide = -1 | 1;
 
 /** Bounding box of the end of the trail. */
-export function trailEnd({ x, y, heading }: Pose, way: TrailWay) {
+export function trailEnd({ x, y, heading }: Pose, side: TrailSide) {
   const { dx, dy } = ahead(heading);
-  const [endX, endY] = [x + way * LENGTH * dx, y + way * LENGTH * dy];
+  const [endX, endY] = [x + side * LENGTH * dx, y + side * LENGTH * dy];
   return {
     x: Math.min(x, endX) - HALF_WIDTH,
     y: Math.min(y, endY) - HALF_WIDTH,
@@ -29,7 +29,7 @@ export function trailEnd({ x, y, heading }: Pose, way: TrailWay) {
 /**
  * Returns the side on which the trail leaves a robot that touches a point: the side away from it.
  */
-export function trailWay({ x, y, heading }: Pose, touched: Point): TrailWay {
+export function trailSide({ x, y, heading }: Pose, touched: Point): TrailSide {
   const { dx, dy } = ahead(heading);
   return (touched.x - x) * dx + (touched.y - y) * dy < 0 ? 1 : -1;
 }

@@ -10,7 +10,7 @@ import { showMessage } from "../../stores/screen-store.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
 import type { LessonsService } from "./lessons-service.ts";
 
-export class LessonsGate {
+export class LessonsEntry {
   readonly #ports: LessonsPorts;
   #service: Promise<LessonsService> | null = null;
   #projectId: string;

@@ -55,7 +55,7 @@ export class LessonsService {
   #projectId: string | null = null;
   #judged: Judgement = { kind: "open" };
   /** reopens what was open before the first mission, even if it was never stored */
-  #wayHome: (() => void) | null = null;
+  #backAction: (() => void) | null = null;
 
   readonly #address: MissionAddress;
 
@@ -289,10 +289,10 @@ export class LessonsService {
   goHome(): void {
     const { projects, storage, words } = this.#ports;
     const home = projects.list().find((project) => project.id === storage.record.home);
-    const way = this.#wayHome;
-    this.#wayHome = null;
-    // `#wayHome` also restores edits that were never stored.
-    if (way !== null) way();
+    const goBack = this.#backAction;
+    this.#backAction = null;
+    // `#backAction` also restores edits that were never stored.
+    if (goBack !== null) goBack();
     else if (home !== undefined) projects.open(home);
     else {
       const { maze, program } = firstProject(words);
@@ -325,7 +325,7 @@ export class LessonsService {
   #leaveHome(): void {
     const { projects, challenge, storage } = this.#ports;
     if (challenge.getState().challenge !== null) return;
-    this.#wayHome = projects.backAction();
+    this.#backAction = projects.backAction();
     this.#reportUnlessStored(storage.add({ home: projects.currentId() }));
   }
 

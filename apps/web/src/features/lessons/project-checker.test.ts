@@ -26,7 +26,7 @@ function openPage(answer: (question: ProjectQuestion) => ProjectAnswer) {
     },
   };
   const ports = { challenge, workspace, storage, simulator } as unknown as LessonsPorts;
-  const watch = new ProjectChecker(
+  const checker = new ProjectChecker(
     ports,
     () => undefined,
     (question) => {
@@ -48,7 +48,7 @@ function openPage(answer: (question: ProjectQuestion) => ProjectAnswer) {
     open,
     emit: (message: FromWorker) => emit(message),
     best: () => storage.record.best,
-    status: () => watch.status.getState().status,
+    status: () => checker.status.getState().status,
   };
 }
 

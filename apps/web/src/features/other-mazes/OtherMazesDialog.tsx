@@ -66,7 +66,7 @@ function TrialRun({ onClose }: { onClose: () => void }) {
     .find((result) => result !== undefined && result.outcome !== "works");
   const numbers = { works: counts.works, tried: results.size, all: TRIALS };
   const sentence = t(`otherMazes:sentence.${state === "idle" ? "running" : state}`, numbers);
-  const home = opener.wayHome();
+  const home = opener.backAction();
 
   async function open(result: TrialResult): Promise<void> {
     if (isOpening) return;

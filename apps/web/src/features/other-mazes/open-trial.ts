@@ -54,7 +54,7 @@ export class TrialOpener {
       showMessage(screen, { tone: "bad", text: t("otherMazes:notOpened") });
       return false;
     }
-    const home = this.wayHome();
+    const home = this.backAction();
     const back = projects.begin(loaded.maze, loaded.program, true);
     this.#home = { trial: projects.currentId(), back: home ?? this.#takingProgram(back, program) };
     if (outcome === "works") simulator.send({ type: "seek", tick: 0 });
@@ -66,7 +66,7 @@ export class TrialOpener {
         label: t("otherMazes:back"),
         run: () => {
           dismiss(screen, id);
-          this.wayHome()?.();
+          this.backAction()?.();
         },
       },
     });
@@ -74,7 +74,7 @@ export class TrialOpener {
   }
 
   /** Returns a function that leads back to the student's own maze; null if no trial is open. */
-  wayHome(): (() => void) | null {
+  backAction(): (() => void) | null {
     const home = this.#home;
     return home?.trial === this.#services.projects.currentId() ? home.back : null;
   }

@@ -50,7 +50,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   const feed = useMemo(() => lineFeed(run, id), [run, id]);
   useLayoutEffect(() => {
     const line = element.current;
-    return line === null ? undefined : feed.watch(line);
+    return line === null ? undefined : feed.observe(line);
   }, [feed]);
   const bump = useStore(
     run,

@@ -22,7 +22,7 @@ beforeEach(() => {
   line = new EventTarget();
   received = [];
   const feed = lineFeed(run, 0);
-  feed.watch(line);
+  feed.observe(line);
   feed.subscribe(({ snapshot }) => received.push(snapshot?.tick ?? 0));
 });
 

@@ -16,7 +16,7 @@ export interface LineFeed extends StateSource<RunState> {
    * `content-visibility: auto`. Without a report, the line counts as in sight.
    * @returns a function that stops observing
    */
-  watch: (line: EventTarget) => () => void;
+  observe: (line: EventTarget) => () => void;
 }
 
 /** @param index any number; lines with neighbouring numbers take their turns one after the other */
@@ -32,7 +32,7 @@ export function lineFeed(run: StateSource<RunState>, index: number): LineFeed {
         if (!mayWait || turn % TURNS === 0) listener(state);
       });
     },
-    watch(line) {
+    observe(line) {
       const look = (event: Event): void => {
         // Elements inside the line may skip rendering as well.
         if (event.target === line && "skipped" in event) isOutOfSight = event.skipped === true;

@@ -61,7 +61,7 @@ export type LineState = "resting" | "running" | "bumped" | "notRead";
 
 export function lineStateOf(
   index: number,
-  state: Pick<RunState, "snapshot" | "hasEnded"> & { event: BumpMoment | null },
+  state: Pick<RunState, "snapshot" | "hasEnded"> & { event: BumpEvent | null },
 ): LineState {
   if (shownBump(index, state) !== null) return "bumped";
   const deciding = decidingLine(state.snapshot);
@@ -109,7 +109,7 @@ export interface ShownBump {
 }
 
 /** The part of a run event that describes a bump. */
-type BumpMoment = Pick<RunEvent, "kind" | "line" | "bumps" | "cause" | "diagnosis">;
+type BumpEvent = Pick<RunEvent, "kind" | "line" | "bumps" | "cause" | "diagnosis">;
 
 /**
  * Why the robot, driven by the program, touches a wall at the displayed tick; null if it does not,
@@ -118,7 +118,7 @@ type BumpMoment = Pick<RunEvent, "kind" | "line" | "bumps" | "cause" | "diagnosi
 export function shownDiagnosis({
   snapshot,
   event,
-}: Pick<RunState, "snapshot"> & { event: BumpMoment | null }): Diagnosis | null {
+}: Pick<RunState, "snapshot"> & { event: BumpEvent | null }): Diagnosis | null {
   if (snapshot === null || !snapshot.bumping || snapshot.driver !== "program") return null;
   // With equal counts, the displayed bump is the newest one.
   const isKnown = event?.kind === "bump" && event.bumps === snapshot.bumps;
@@ -131,7 +131,7 @@ export function shownDiagnosis({
  */
 export function shownBump(
   line: LineRef,
-  { snapshot, event }: Pick<RunState, "snapshot"> & { event: BumpMoment | null },
+  { snapshot, event }: Pick<RunState, "snapshot"> & { event: BumpEvent | null },
 ): ShownBump | null {
   const diagnosis = shownDiagnosis({ snapshot, event });
   if (event === null || diagnosis === null || causeLine(diagnosis) !== line) return null;

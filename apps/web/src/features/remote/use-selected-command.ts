@@ -1,7 +1,7 @@
 /** The command of a script at the displayed tick. */
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
-import { useShownMoment } from "../timeline/use-displayed-tick.ts";
+import { useDisplayedTick } from "../timeline/use-displayed-tick.ts";
 
 /**
  * @returns its number at the relay; null while the newest tick is displayed, or if no command runs
@@ -10,6 +10,6 @@ import { useShownMoment } from "../timeline/use-displayed-tick.ts";
 export function useSelectedCommand(): number | null {
   const { run } = useServices();
   const isNow = useStore(run, ({ view }) => view === "now");
-  const seq = useStore(useShownMoment(), ({ command }) => command?.seq ?? null);
+  const seq = useStore(useDisplayedTick(), ({ command }) => command?.seq ?? null);
   return isNow ? null : seq;
 }

@@ -6,7 +6,7 @@ import { formatSeconds } from "../../text/numbers.ts";
 import type { RunState } from "../../stores/run-store.ts";
 import type { RunEvent } from "../../worker/worker-messages.ts";
 import { diagnosisText, diagnosisTitle, diagnosisWords } from "../cards/diagnosis-text.ts";
-import { momentAt, sayMoment } from "../timeline/tick-description.ts";
+import { describeTick, tickText } from "../timeline/tick-description.ts";
 import { timelineOf } from "../timeline/timeline-of.ts";
 import { storyOf, storyText } from "../transport/story.ts";
 import { RunListener, type RunAnnouncement } from "./run-listener.ts";
@@ -34,7 +34,7 @@ export function announceRun(
   function announce(announcement: RunAnnouncement): void {
     switch (announcement.kind) {
       case "event":
-        speech.announce(eventText(announcement.event), "moment");
+        speech.announce(eventText(announcement.event), "run event");
         return;
       case "decision": {
         const about = announcement.isTurn ? null : `line ${announcement.line}`;
@@ -49,7 +49,7 @@ export function announceRun(
         announceState(
           joinSentences(words().t, [
             ...(announcement.isFirst ? [spoken(words().t)("runDetails:speech.past")] : []),
-            ...shownMoment(),
+            ...displayedTickTexts(),
           ]),
         );
         return;
@@ -89,16 +89,16 @@ export function announceRun(
    * The displayed tick in words. Empty while the timeline slider has the focus, because the slider
    * announces it.
    */
-  function shownMoment(): string[] {
+  function displayedTickTexts(): string[] {
     const { snapshot } = run.getState();
     if (snapshot === null || document.activeElement?.matches("[type=range]") === true) return [];
-    const moment = momentAt(timelineOf(timeline), snapshot.tick, snapshot);
+    const description = describeTick(timelineOf(timeline), snapshot.tick, snapshot);
     const { t, language } = words();
     const line = decision();
-    if (line === "") return [asSentence(t, sayMoment(t, moment, language))];
+    if (line === "") return [asSentence(t, tickText(t, description, language))];
     // The line already states who drives and how it turns.
-    const event = moment.event?.kind === "turn" ? null : moment.event;
-    return [asSentence(t, sayMoment(t, { ...moment, who: null, event }, language)), line];
+    const event = description.event?.kind === "turn" ? null : description.event;
+    return [asSentence(t, tickText(t, { ...description, who: null, event }, language)), line];
   }
 
   function eventText(event: RunEvent): string {

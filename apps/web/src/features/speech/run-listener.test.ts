@@ -152,7 +152,7 @@ describe("RunListener", () => {
     ).toEqual({ kind: "decision", line: 0, isTurn: true });
   });
 
-  it("notes going back, each moment that is shown, playing and coming back", () => {
+  it("announces an earlier tick, each displayed tick, playing and the return", () => {
     expect(
       noted(
         { state: "paused", tick: 500, nowTick: 500 },

@@ -11,7 +11,7 @@ import styles from "./tool-strip.module.css";
 export function FullScreenButton() {
   const { screen } = useServices();
   const { t } = useTranslation();
-  const isFull = useSyncExternalStore(watchFullScreen, () => document.fullscreenElement !== null);
+  const isFull = useSyncExternalStore(observeFullScreen, () => document.fullscreenElement !== null);
   if (!document.fullscreenEnabled) return null;
 
   function toggle(): void {
@@ -31,7 +31,7 @@ export function FullScreenButton() {
   );
 }
 
-function watchFullScreen(onChange: () => void): () => void {
+function observeFullScreen(onChange: () => void): () => void {
   document.addEventListener("fullscreenchange", onChange);
   return () => document.removeEventListener("fullscreenchange", onChange);
 }

@@ -3,7 +3,7 @@ import { useEffect, useLayoutEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../app/services.ts";
-import { MomentCards } from "../cards/RunEventCards.tsx";
+import { RunEventCards } from "../cards/RunEventCards.tsx";
 import { lazyPart } from "../../ui/lazy-part.tsx";
 import { MazeGrid } from "./MazeGrid.tsx";
 import { StageController } from "./stage-controller.ts";
@@ -51,7 +51,7 @@ export function Stage() {
         <div className={styles["content"]} style={layout?.content} data-ready={layout !== null}>
           <div ref={layers} className={styles["layers"]} style={layout?.view} aria-hidden="true" />
           <MazeGrid controller={controller} element={grid} />
-          <MomentCards view={controller.view} />
+          <RunEventCards view={controller.view} />
         </div>
       </div>
       {layout?.overflows === true && (

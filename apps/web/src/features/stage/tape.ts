@@ -61,8 +61,8 @@ export function tapeWords(t: TFunction, language: string, tape: Tape): string[] 
     }),
   ];
   if (across > 0 && down !== 0) {
-    const way = down > 0 ? "down" : "up";
-    words.push(t(`stage.measured.${way}`, { across, along: Math.abs(down) }));
+    const direction = down > 0 ? "down" : "up";
+    words.push(t(`stage.measured.${direction}`, { across, along: Math.abs(down) }));
   }
   return words;
 }

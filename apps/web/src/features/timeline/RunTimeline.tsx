@@ -13,7 +13,7 @@ import type { TimelinePicture } from "./picture.ts";
 import { Playhead } from "./Playhead.tsx";
 import { Ribbon } from "./Ribbon.tsx";
 import { Scrubber } from "./scrubber.ts";
-import { momentAt, sayMoment, type ShownMoment } from "./tick-description.ts";
+import { describeTick, tickText, type TickDescription } from "./tick-description.ts";
 import { timelineKey } from "./timeline-keys.ts";
 import { tickAt, xOf, type TimeScale } from "./time-scale.ts";
 import { createTimelineZoom } from "./timeline-zoom-store.ts";
@@ -24,7 +24,7 @@ import styles from "./timeline.module.css";
 import { classNames } from "../../ui/class-names.ts";
 import { deferredPart } from "../../ui/lazy-part.tsx";
 import { usePicture } from "./use-picture.ts";
-import { useShownMoment } from "./use-displayed-tick.ts";
+import { useDisplayedTick } from "./use-displayed-tick.ts";
 
 const TimelineZoom = deferredPart(async () => (await import("./TimelineZoom.tsx")).TimelineZoom);
 
@@ -47,8 +47,8 @@ export function RunTimeline() {
   const picture = usePicture(track, zoom);
   const isFresh = useStore(run, ({ nowTick }) => nowTick === 0);
   const isLong = useStore(run, ({ nowTick }) => nowTick >= LONG_TICKS);
-  const moment = useShownMoment();
-  const eventKind = useStore(moment, ({ event }) => event?.kind);
+  const displayed = useDisplayedTick();
+  const eventKind = useStore(displayed, ({ event }) => event?.kind);
   const isNow = useStore(run, ({ view }) => view === "now");
   const [pointed, setPointed] = useState<Tip | null>(null);
   const [isFocused, setFocused] = useState(false);
@@ -79,7 +79,7 @@ export function RunTimeline() {
     if (isHeld) show(tick);
     setPointed({
       x: xOf(picture.scale, tick),
-      text: `${sayMoment(t, momentAt(timelineOf(timeline), tick, run.getState().snapshot), i18n.language)}${moreAt(picture, tick)}`,
+      text: `${tickText(t, describeTick(timelineOf(timeline), tick, run.getState().snapshot), i18n.language)}${moreAt(picture, tick)}`,
     });
   }
 
@@ -129,7 +129,7 @@ export function RunTimeline() {
         {/* The slider receives no pointer events: the element around it handles them. */}
         <TimelineSlider
           inputRef={slider}
-          moment={moment}
+          displayed={displayed}
           endTick={picture?.endTick ?? 0}
           onMove={show}
           onKeyDown={onKey}
@@ -150,7 +150,7 @@ export function RunTimeline() {
               {pointed !== null ? (
                 <TimelineTip {...pointed} width={picture.scale.width} />
               ) : (
-                isFocused && <FocusTip moment={moment} scale={picture.scale} />
+                isFocused && <FocusTip displayed={displayed} scale={picture.scale} />
               )}
             </>
           )}
@@ -168,13 +168,19 @@ function moreAt({ marks }: TimelinePicture, tick: number): string {
 }
 
 /** Displays what the slider announces to screen readers. */
-function FocusTip({ moment, scale }: { moment: StoreApi<ShownMoment>; scale: TimeScale }) {
+function FocusTip({
+  displayed,
+  scale,
+}: {
+  displayed: StoreApi<TickDescription>;
+  scale: TimeScale;
+}) {
   const { t, i18n } = useTranslation();
-  const shown = useStore(moment);
+  const shown = useStore(displayed);
   return (
     <TimelineTip
       x={xOf(scale, shown.tick)}
-      text={sayMoment(t, shown, i18n.language)}
+      text={tickText(t, shown, i18n.language)}
       width={scale.width}
     />
   );

@@ -6,7 +6,7 @@
 import { useEffectEvent, useLayoutEffect, type ComponentProps, type RefObject } from "react";
 import { useTranslation } from "react-i18next";
 import type { StoreApi } from "zustand";
-import { sayMoment, type ShownMoment } from "./tick-description.ts";
+import { tickText, type TickDescription } from "./tick-description.ts";
 import styles from "./run-timeline.module.css";
 
 interface TimelineSliderProps extends Pick<
@@ -14,7 +14,7 @@ interface TimelineSliderProps extends Pick<
   "onKeyDown" | "onFocus" | "onBlur"
 > {
   inputRef: RefObject<HTMLInputElement | null>;
-  moment: StoreApi<ShownMoment>;
+  displayed: StoreApi<TickDescription>;
   /** the last tick of the run in the current picture */
   endTick: number;
   /** called when the user moves the slider */
@@ -23,21 +23,21 @@ interface TimelineSliderProps extends Pick<
 
 export function TimelineSlider({
   inputRef,
-  moment,
+  displayed,
   endTick,
   onMove,
   ...rest
 }: TimelineSliderProps) {
   const { t, i18n } = useTranslation();
-  const write = useEffectEvent((shown: ShownMoment) => {
+  const write = useEffectEvent((shown: TickDescription) => {
     const slider = inputRef.current;
     if (slider === null) return;
     slider.max = String(Math.max(1, shown.tick, endTick));
     slider.value = String(shown.tick);
-    slider.setAttribute("aria-valuetext", sayMoment(t, shown, i18n.language));
+    slider.setAttribute("aria-valuetext", tickText(t, shown, i18n.language));
   });
-  useLayoutEffect(() => write(moment.getState()), [moment, endTick, t]);
-  useLayoutEffect(() => moment.subscribe((shown) => write(shown)), [moment]);
+  useLayoutEffect(() => write(displayed.getState()), [displayed, endTick, t]);
+  useLayoutEffect(() => displayed.subscribe((shown) => write(shown)), [displayed]);
   return (
     <input
       ref={inputRef}

@@ -4,7 +4,7 @@ import { Timeline } from "@corridor/recording";
 import { describe, expect, it } from "vitest";
 import { en } from "../../text/en/index.ts";
 import { createI18n } from "../../text/i18n.ts";
-import { momentAt, sayMoment } from "./tick-description.ts";
+import { describeTick, tickText } from "./tick-description.ts";
 
 const { t } = createI18n(en);
 
@@ -21,7 +21,7 @@ timeline.recordDriver(480, "default");
 timeline.recordEvent({ kind: "goal", tick: 600, driver: "default" });
 timeline.advanceTo(600);
 
-describe("the words for a moment", () => {
+describe("the description of a tick", () => {
   it.each([
     [0, "0.0 s, you drive"],
     [178, "2.9 s, you drive"],
@@ -34,12 +34,12 @@ describe("the words for a moment", () => {
     [599, "9.9 s, “otherwise” drives, goal reached"],
     [600, "10.0 s, “otherwise” drives, goal reached"],
   ])("at the end of tick %i are %j", (tick, words) => {
-    expect(sayMoment(t, momentAt(timeline, tick))).toBe(words);
+    expect(tickText(t, describeTick(timeline, tick))).toBe(words);
   });
 
   it("name minutes from the first one on, with the decimal sign of the language", () => {
     const words = (tick: number, language?: string) =>
-      sayMoment(t, { tick, waited: 0, who: null, command: null, event: null }, language);
+      tickText(t, { tick, waited: 0, who: null, command: null, event: null }, language);
     expect(words(3599)).toBe("59.9 s");
     expect(words(3600)).toBe("1 min 0.0 s");
     expect(words(749_763)).toBe("208 min 16.0 s");
@@ -49,7 +49,7 @@ describe("the words for a moment", () => {
   it("name the line that every part of the page names at the displayed tick", () => {
     const displayed = snapshotOf({ tick: 600, driver: "program", line: 0 });
     const words = (tick: number, change: Partial<Snapshot> = {}) =>
-      sayMoment(t, momentAt(timeline, tick, { ...displayed, ...change }));
+      tickText(t, describeTick(timeline, tick, { ...displayed, ...change }));
     expect(words(600)).toBe("10.0 s, line 1 drives, goal reached");
     expect(words(240)).toBe("4.0 s, line 2 drives");
     expect(words(600, { driver: "me", line: null })).toBe("10.0 s, you drive, goal reached");
@@ -57,7 +57,7 @@ describe("the words for a moment", () => {
   });
 
   it("before a run are its time alone", () => {
-    expect(sayMoment(t, momentAt(new Timeline(), 0))).toBe("0.0 s");
+    expect(tickText(t, describeTick(new Timeline(), 0))).toBe("0.0 s");
   });
 
   it("of a script count driving and waiting apart, as its clock and its cards do", () => {
@@ -69,7 +69,7 @@ describe("the words for a moment", () => {
     run.commands.recordEnd(210, "collided");
     run.recordEvent({ kind: "bump", tick: 210, driver: "remote" });
     run.advanceTo(210);
-    expect(sayMoment(t, momentAt(run, 210))).toBe(
+    expect(tickText(t, describeTick(run, 210))).toBe(
       "2.5 s driving, 1.0 s waiting, command 1: move 5000, collided, bump",
     );
   });
@@ -81,7 +81,7 @@ describe("the words for a moment", () => {
     run.commands.recordEnd(120, "collided");
     run.commands.recordStart(8, { action: "left 90" }, 180);
     run.advanceTo(200);
-    const words = [30, 60, 120, 150, 190].map((tick) => sayMoment(t, momentAt(run, tick)));
+    const words = [30, 60, 120, 150, 190].map((tick) => tickText(t, describeTick(run, tick)));
     expect(words).toEqual([
       "0.5 s, the script waits",
       "1.0 s, command 7: move 50, collided",

@@ -18,7 +18,7 @@ const BEFORE = 1;
 const AFTER = 5;
 const TICKS_PER_MINUTE = 3600;
 
-export interface ShownMoment {
+export interface TickDescription {
   tick: number;
   /** ticks up to it in which the robot waited for a script, which the clock counts separately */
   waited: number;
@@ -31,17 +31,17 @@ export interface ShownMoment {
 }
 
 /**
- * The moment at the end of a tick.
+ * Describes the end of a tick.
  * @param displayed the displayed tick, whose driver and line every part of the page names; null for
  *   another tick, whose driver only the timeline knows
  */
-export function momentAt(
+export function describeTick(
   timeline: Pick<Timeline, "segmentAt" | "driverOf" | "eventsUpTo" | "eventAt"> & {
     commands: Pick<CommandLog, "countUpTo" | "at" | "waitedUpTo">;
   },
   tick: number,
   displayed: Snapshot | null = null,
-): ShownMoment {
+): TickDescription {
   const stretch = timeline.segmentAt(tick);
   const newest = timeline.eventsUpTo(tick + BEFORE) - 1;
   const event = newest < 0 ? null : timeline.eventAt(newest);
@@ -77,28 +77,28 @@ function commandAt(
  * "12.4 s, line 2 drives, right 90"; for a script "8.1 s driving, 4.3 s waiting, command 7: move
  * 50, completed"
  */
-export function sayMoment(
+export function tickText(
   t: TFunction,
-  { tick, waited, who, command, event }: ShownMoment,
+  { tick, waited, who, command, event }: TickDescription,
   language = "en",
 ): string {
-  const driven = sayTime(t, tick - waited, language);
+  const driven = timeText(t, tick - waited, language);
   const parts =
     waited === 0
       ? [driven]
       : [
           t("shell.run.driving", { time: driven }),
-          t("shell.run.waiting", { time: sayTime(t, waited, language) }),
+          t("shell.run.waiting", { time: timeText(t, waited, language) }),
         ];
-  if (command !== null) parts.push(sayCommand(t, command));
+  if (command !== null) parts.push(commandResultText(t, command));
   else if (who === "remote") parts.push(t("timeline.waits"));
-  else if (who !== null) parts.push(sayWho(t, who));
-  if (event !== null) parts.push(sayEvent(t, event));
+  else if (who !== null) parts.push(driverText(t, who));
+  if (event !== null) parts.push(eventText(t, event));
   return joinList(t, parts);
 }
 
 /** "12.4 s"; from one minute "208 min 16.0 s" */
-function sayTime(t: TFunction, tick: number, language: string): string {
+function timeText(t: TFunction, tick: number, language: string): string {
   const minutes = Math.floor(tick / TICKS_PER_MINUTE);
   const seconds = formatSeconds(tick % TICKS_PER_MINUTE, language);
   return minutes === 0
@@ -107,7 +107,7 @@ function sayTime(t: TFunction, tick: number, language: string): string {
 }
 
 /** "command 7: move 50, completed" */
-function sayCommand(t: TFunction, { seq, command, ending }: TimelineCommand): string {
+function commandResultText(t: TFunction, { seq, command, ending }: TimelineCommand): string {
   return t("timeline.command", {
     number: seq,
     command: commandText(command),
@@ -115,14 +115,14 @@ function sayCommand(t: TFunction, { seq, command, ending }: TimelineCommand): st
   });
 }
 
-function sayWho(t: TFunction, who: TimelineDriver): string {
+function driverText(t: TFunction, who: TimelineDriver): string {
   return typeof who === "number"
     ? t("timeline.drives.line", { line: who + 1 })
     : t(`timeline.drives.${who}`);
 }
 
 /** The name of an event: "right 90", "bump", "goal reached". */
-function sayEvent(t: TFunction, event: TimelineEvent): string {
+function eventText(t: TFunction, event: TimelineEvent): string {
   switch (event.kind) {
     case "turn":
       return t(`timeline.turn.${event.turn}`);

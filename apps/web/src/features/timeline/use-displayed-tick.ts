@@ -6,22 +6,22 @@
 import { useLayoutEffect, useState } from "react";
 import { createStore, type StoreApi } from "zustand";
 import { useServices } from "../../app/services.ts";
-import { momentAt, type ShownMoment } from "./tick-description.ts";
+import { describeTick, type TickDescription } from "./tick-description.ts";
 import { timelineOf } from "./timeline-of.ts";
 
 const SECOND = 60;
 
-export function useShownMoment(): StoreApi<ShownMoment> {
+export function useDisplayedTick(): StoreApi<TickDescription> {
   const { run, timeline } = useServices();
-  const [store] = useState(() => createStore<ShownMoment>(() => BEGINNING));
+  const [store] = useState(() => createStore<TickDescription>(() => BEGINNING));
   useLayoutEffect(() => {
-    let shown: ShownMoment | null = null;
+    let shown: TickDescription | null = null;
     const look = () => {
       const { snapshot } = run.getState();
       const tick = snapshot?.tick ?? 0;
       const isRunning = snapshot?.state === "running";
       if (shown !== null && isRunning && isSameSecond(tick, shown.tick)) return;
-      const next = momentAt(timelineOf(timeline), tick, snapshot);
+      const next = describeTick(timelineOf(timeline), tick, snapshot);
       if (shown !== null && isSame(shown, next)) return;
       shown = next;
       store.setState(next, true);
@@ -35,13 +35,13 @@ export function useShownMoment(): StoreApi<ShownMoment> {
   return store;
 }
 
-const BEGINNING: ShownMoment = { tick: 0, waited: 0, who: null, command: null, event: null };
+const BEGINNING: TickDescription = { tick: 0, waited: 0, who: null, command: null, event: null };
 
 function isSameSecond(one: number, other: number): boolean {
   return Math.floor(one / SECOND) === Math.floor(other / SECOND);
 }
 
-function isSame(one: ShownMoment, other: ShownMoment): boolean {
+function isSame(one: TickDescription, other: TickDescription): boolean {
   return (
     one.tick === other.tick &&
     one.waited === other.waited &&
