@@ -1,5 +1,4 @@
 /** Scripts that keep sending commands of all kinds while faults are injected. */
-import { hasEnded } from "@corridor/protocol";
 import type { SeededRandom } from "../../apps/relay/src/testing/faults/seeded-random.ts";
 import { sleep, waitUntil } from "./clock.ts";
 import { randomCommand } from "./commands.ts";
@@ -8,7 +7,6 @@ import type { Script } from "./scripts/script.ts";
 
 /** Commands that have not ended after this time never will. No goal depends on it. */
 const TIMEOUT_MS = 60_000;
-const POLL_MS = 500;
 
 export class Traffic {
   readonly #random: SeededRandom;
@@ -36,13 +34,7 @@ export class Traffic {
     // A motion without an end continues for as long as its script is connected.
     for (const script of this.#scripts) script.post({ action: "stop", ttl: TIMEOUT_MS });
     await waitUntil(isAnswered, TIMEOUT_MS);
-    for (const robot of robots) {
-      for (let waited = 0; waited < TIMEOUT_MS; waited += POLL_MS) {
-        const log = await robot.log(origin);
-        if (log.every(({ state }) => hasEnded(state))) break;
-        await sleep(POLL_MS);
-      }
-    }
+    for (const robot of robots) await robot.waitUntilEnded(origin, TIMEOUT_MS);
   }
 
   async #sendRepeatedly(script: Script, maxPauseMs: number): Promise<void> {

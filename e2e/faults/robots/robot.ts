@@ -1,12 +1,13 @@
 /** A robot of a scenario: its registration, its current page, and the history of its commands. */
-import type { CommandRecord, Registration } from "@corridor/protocol";
+import { hasEnded, type CommandRecord, type Registration } from "@corridor/protocol";
 import { History, type Fault } from "../../../apps/relay/src/testing/faults/history.ts";
 import type { RemoteSession, RemoteStatus } from "../../../apps/web/src/worker/worker-messages.ts";
-import { wallClock } from "../clock.ts";
+import { machineNow, sleep, wallClock } from "../clock.ts";
 import type { FromPages } from "./page-messages.ts";
 
 /** ms after its time to live within which a command may still start */
 const TOLERANCE_MS = 100;
+const POLL_MS = 500;
 
 export class Robot {
   readonly registration: Registration;
@@ -78,6 +79,17 @@ export class Robot {
       const { commands } = (await answer.json()) as { commands: CommandRecord[] };
       if (commands.length === 0) return all;
       all.push(...commands);
+    }
+  }
+
+  /**
+   * Waits until all commands have ended, for at most `withinMs`.
+   * @param origin of a relay that answers requests
+   */
+  async waitUntilEnded(origin: string, withinMs: number): Promise<void> {
+    for (const end = machineNow() + withinMs; machineNow() < end; await sleep(POLL_MS)) {
+      const log = await this.log(origin);
+      if (log.every(({ state }) => hasEnded(state))) return;
     }
   }
 
