@@ -10,8 +10,8 @@ import { useShallow } from "zustand/react/shallow";
 import { useServices } from "../../app/services.ts";
 import { useAnnouncement } from "../speech/use-announcement.ts";
 import { failureText, handText, liveFailureText, metText, runFailureText } from "./failure-text.ts";
-import { standingAdvice } from "./standing-advice.ts";
-import { standingRobot } from "./standing-robot.ts";
+import { standingAdvice } from "./hand-advice.ts";
+import { standingRobot } from "./stationary-robot.ts";
 import type { MissionWords } from "./mission-words.ts";
 import styles from "./lessons.module.css";
 

@@ -6,7 +6,7 @@ import { roundedSides } from "../../text/compared.ts";
 import { formatSeconds, localNumber } from "../../text/numbers.ts";
 import { diagnosisText, diagnosisWords } from "../cards/diagnosis-text.ts";
 import type { MissionWords } from "./mission-words.ts";
-import type { StandingAdvice } from "./standing-advice.ts";
+import type { StandingAdvice } from "./hand-advice.ts";
 
 /**
  * The result of a failed check.

@@ -1,7 +1,7 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { missions } from "./missions/missions.ts";
-import { standingRobot } from "./standing-robot.ts";
+import { standingRobot } from "./stationary-robot.ts";
 
 const challenges = missions.map(({ challenge }) => challenge);
 const stopMission = challenges.find(({ goal }) => goal.kind === "stop");

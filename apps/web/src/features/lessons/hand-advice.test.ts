@@ -3,7 +3,7 @@ import type { MazeDocument } from "@corridor/maze";
 import { describe, expect, it } from "vitest";
 import { missions } from "./missions/missions.ts";
 import { room, eastFrom } from "./missions/mission.ts";
-import { standingAdvice } from "./standing-advice.ts";
+import { standingAdvice } from "./hand-advice.ts";
 
 function missionOf(id: string): { goal: Goal; maze: MazeDocument } {
   const challenge = missions.find((each) => each.id === id)?.challenge;
