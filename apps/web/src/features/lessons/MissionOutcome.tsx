@@ -10,8 +10,8 @@ import { useShallow } from "zustand/react/shallow";
 import { useServices } from "../../app/services.ts";
 import { useAnnouncement } from "../speech/use-announcement.ts";
 import { failureText, handText, liveFailureText, metText, runFailureText } from "./failure-text.ts";
-import { standingAdvice } from "./hand-advice.ts";
-import { standingRobot } from "./stationary-robot.ts";
+import { handAdvice } from "./hand-advice.ts";
+import { stationaryRobot } from "./stationary-robot.ts";
 import type { MissionWords } from "./mission-words.ts";
 import styles from "./lessons.module.css";
 
@@ -26,14 +26,14 @@ export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) 
   const diagnoses = useStore(store, (state) => state.diagnoses);
   const failedRun = useStore(store, (state) => state.failedRun);
   const shown = useStore(store, (state) => state.maze);
-  const standing = useStore(
+  const stationary = useStore(
     run,
-    useShallow((state) => standingRobot(challenge, state)),
+    useShallow((state) => stationaryRobot(challenge, state)),
   );
   const maze = useStore(workspace, (state) => state.maze);
   const advice = useMemo(
-    () => standing && standingAdvice(challenge.goal, maze, standing),
-    [challenge, maze, standing],
+    () => stationary && handAdvice(challenge.goal, maze, stationary),
+    [challenge, maze, stationary],
   );
   const isMet = result.state === "met";
   const failure = verdict === null ? null : failureOf(verdict, shown);
@@ -45,8 +45,8 @@ export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) 
       ? failureText(words, challenge, failure, diagnoses[failure.maze ?? -1] ?? null)
       : failedRun !== null
         ? runFailureText(ofRun, failedRun)
-        : isOpen && standing !== null && advice !== null
-          ? handText(words, challenge, standing.reading, advice)
+        : isOpen && stationary !== null && advice !== null
+          ? handText(words, challenge, stationary.reading, advice)
           : liveFailureText(ofRun, challenge, result);
   useAnnouncement(text, "mission");
   useEffect(

@@ -6,7 +6,7 @@ import { roundedSides } from "../../text/compared.ts";
 import { formatSeconds, localNumber } from "../../text/numbers.ts";
 import { diagnosisText, diagnosisWords } from "../cards/diagnosis-text.ts";
 import type { MissionWords } from "./mission-words.ts";
-import type { StandingAdvice } from "./hand-advice.ts";
+import type { HandAdvice } from "./hand-advice.ts";
 
 /**
  * The result of a failed check.
@@ -125,7 +125,7 @@ export function handText(
   words: MissionWords,
   { goal }: Pick<ChallengeDocument, "goal">,
   reading: number | null,
-  advice: StandingAdvice,
+  advice: HandAdvice,
 ): string {
   const { t, i18n } = words;
   if (goal.kind !== "stop" || reading === null) return t(`missions:failure.atGoal.${advice}`);

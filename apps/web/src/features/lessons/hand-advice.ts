@@ -9,7 +9,7 @@ import { readingsAt, ROBOT_RADIUS } from "@corridor/simulation";
 import { pointAhead } from "../../canvas/path-ahead.ts";
 
 /** `turn`: no straight drive helps from here; `far`: not even after a turn */
-export type StandingAdvice = "ahead" | "behind" | "turn" | "far";
+export type HandAdvice = "ahead" | "behind" | "turn" | "far";
 
 /** Units between two places that are tried. */
 const STEP = 1;
@@ -24,7 +24,7 @@ const TURN = 5;
  * @param maze has the goals of a goal that is a place
  * @param pose of a robot that has not met its goal
  */
-export function standingAdvice(goal: Goal, maze: MazeDocument, pose: Pose): StandingAdvice {
+export function handAdvice(goal: Goal, maze: MazeDocument, pose: Pose): HandAdvice {
   const isMetAt = goalCheck(goal, maze);
   const ahead = distanceTo(isMetAt, maze, pose, STEP);
   const behind = distanceTo(isMetAt, maze, pose, -STEP);

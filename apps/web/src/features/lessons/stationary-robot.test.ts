@@ -1,14 +1,14 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { missions } from "./missions/missions.ts";
-import { standingRobot } from "./stationary-robot.ts";
+import { stationaryRobot } from "./stationary-robot.ts";
 
 const challenges = missions.map(({ challenge }) => challenge);
 const stopMission = challenges.find(({ goal }) => goal.kind === "stop");
 const reachMission = challenges.find(({ allowed }) => allowed.drivers[0] === "me");
 if (stopMission === undefined || reachMission === undefined) throw new Error("no such mission");
 
-const standing = (front: number) =>
+const stationary = (front: number) =>
   snapshotOf({
     tick: 60,
     driver: "me",
@@ -23,22 +23,22 @@ it.each([
   { front: 170, reading: null },
   { front: 171, reading: 171 },
 ])("calls a stop at $front cm wrong only outside of 130 to 170 cm", ({ front, reading }) => {
-  const robot = standingRobot(stopMission, { snapshot: standing(front), view: "now" });
+  const robot = stationaryRobot(stopMission, { snapshot: stationary(front), view: "now" });
   expect(robot?.reading ?? null).toBe(reading);
 });
 
 describe("a robot on its way to a place", () => {
   const at = (goal: (typeof reachMission)["goal"], changes: Parameters<typeof snapshotOf>[0]) =>
-    standingRobot(
+    stationaryRobot(
       { ...reachMission, goal },
       {
-        snapshot: snapshotOf({ ...standing(300), ...changes }),
+        snapshot: snapshotOf({ ...stationary(300), ...changes }),
         view: "now",
       },
     );
 
   it("stands before it once it has stopped", () => {
-    expect(at({ kind: "reach" }, {})).toEqual({ ...standing(300).pose, reading: null });
+    expect(at({ kind: "reach" }, {})).toEqual({ ...stationary(300).pose, reading: null });
   });
 
   it.each([

@@ -1,8 +1,8 @@
 import type { ChallengeDocument } from "@corridor/challenge";
 import type { RunState } from "../../stores/run-store.ts";
 
-/** A robot that stands still before its goal. A flat object, so that it can be compared cheaply. */
-export interface StandingRobot {
+/** A stationary robot before its goal. A flat object, so that it can be compared cheaply. */
+export interface StationaryRobot {
   x: number;
   y: number;
   heading: number;
@@ -15,10 +15,10 @@ export interface StandingRobot {
  * @returns null while the robot drives, before its first tick, when the goal check reports success,
  *   and for a goal that is not met at a place
  */
-export function standingRobot(
+export function stationaryRobot(
   { goal, allowed }: Pick<ChallengeDocument, "goal" | "allowed">,
   { snapshot, view }: Pick<RunState, "snapshot" | "view">,
-): StandingRobot | null {
+): StationaryRobot | null {
   if (snapshot === null || view === "playing" || allowed.drivers[0] !== "me") return null;
   const { driver, tick, motion, goalReached, sensors, pose } = snapshot;
   if (driver !== "me" || tick === 0 || motion !== "stop" || goalReached) return null;

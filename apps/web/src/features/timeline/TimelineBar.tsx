@@ -17,10 +17,10 @@ export function TimelineBar() {
   const hasRun = useStore(run, ({ nowTick }) => nowTick > 0);
   // A restored run can be older than the page. Its timeline loads after the first render, so that
   // it does not compete with the page.
-  const isStanding = useDeferredValue(true, false);
+  const isAfterFirstRender = useDeferredValue(true, false);
   return (
     <div className={styles["place"]}>
-      <RunTimeline isWanted={isStanding && hasRun}>
+      <RunTimeline isWanted={isAfterFirstRender && hasRun}>
         <EmptyTimeline />
       </RunTimeline>
     </div>
