@@ -59,7 +59,7 @@ describe("placeCard", () => {
     expect(place.y + place.tailAt).toBe(500);
   });
 
-  it("moves along the robot where a goal would be below it, and keeps its tail", () => {
+  it("moves along the robot where a goal would be below it, with its tail", () => {
     const goal = { x: 300, y: 380, width: 80, height: 80 };
     const place = placeCard([area], robotAt(100, 300), card, [goal]);
     expect(place).toMatchObject({ x: 136, y: 104, tail: "left", covered: 0 });
@@ -78,7 +78,7 @@ describe("placeCard", () => {
     expect(place.covered).toBe(0);
   });
 
-  it("covers as little as may be where it cannot leave all in sight, and says how much", () => {
+  it("covers as little as possible if it must cover something, and returns how much", () => {
     const low = { x: 0, y: 0, width: 500, height: 280 };
     const goal = { x: 380, y: 100, width: 80, height: 80 };
     const place = placeCard([low], robotAt(60, 140), card, [goal]);
@@ -174,7 +174,7 @@ describe("placeCardAway", () => {
     expect(touches({ ...place, ...card }, robot)).toBe(false);
   });
 
-  it("keeps its close button in a stage that is narrower than its lower shape reaches", () => {
+  it("shows its close button in a stage that is narrower than its lower shape", () => {
     const stage = { x: 0, y: 0, width: 652, height: 480 };
     const maze = { x: 70, y: 56, width: 548, height: 392 };
     const shapes = [

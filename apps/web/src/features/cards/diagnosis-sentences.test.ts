@@ -64,7 +64,7 @@ const wrongAnswers = solved.flatMap(({ id, challenge, solution }) =>
   ),
 );
 
-describe("what a mission says of a wrong answer is true of its run", () => {
+describe("the texts of a mission about a wrong answer are true of its run", () => {
   it.each(wrongAnswers)("$id, $name", ({ answer }) => {
     expect(falseIn(answer)).toEqual([]);
   });
@@ -188,7 +188,7 @@ describe("a line that turns well at one place and to a wall at the next", () => 
 });
 
 describe("two lines that undo each other", () => {
-  it("are the two that drove, though a line above them says forward as well", () => {
+  it("are the two that drove, although a line above them has forward as well", () => {
     const maze: MazeDocument = {
       format: "corridor/maze",
       version: 1,
@@ -240,7 +240,7 @@ const mazesOf = (kind: "tree" | "loops" | "rooms"): fc.Arbitrary<MazeDocument> =
     .record({ side: fc.constantFrom(5, 7, 9), seed: fc.integer({ min: 0, max: 10_000 }) })
     .map(({ side, seed }) => generateMaze({ kind, columns: side, rows: side, seed, name: "" }));
 
-describe("what free play says of any program in any maze is true of its run", () => {
+describe("the texts of free play about any program in any maze are true of its run", () => {
   it.each(["tree", "loops", "rooms"] as const)("in every sentence (%s)", (kind) => {
     fc.assert(
       fc.property(mazesOf(kind), anyProgram, (maze, program) => {

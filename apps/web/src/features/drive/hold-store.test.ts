@@ -9,7 +9,7 @@ function setUp() {
 }
 
 describe("holding drive keys", () => {
-  it("drives while a key is held and stops when it is let go", () => {
+  it("drives while a key is held and stops when it is released", () => {
     const { sent, hold } = setUp();
     hold.press("w", "forward");
     hold.release("w");
@@ -29,7 +29,7 @@ describe("holding drive keys", () => {
     expect(sent).toEqual(["forward", "stop"]);
   });
 
-  it("follows the key pressed last, and returns to the other when it is let go", () => {
+  it("follows the key pressed last, and returns to the other when it is released", () => {
     const { sent, hold } = setUp();
     hold.press("w", "forward");
     hold.press("a", "left");
@@ -38,7 +38,7 @@ describe("holding drive keys", () => {
     expect(sent).toEqual(["forward", "left", "forward", "stop"]);
   });
 
-  it("keeps on when the key pressed first is let go first", () => {
+  it("continues when the key pressed first is released first", () => {
     const { sent, hold } = setUp();
     hold.press("w", "forward");
     hold.press("a", "left");
@@ -73,7 +73,7 @@ describe("holding drive keys", () => {
     expect(sent).toEqual(["forward", "right", "stop"]);
   });
 
-  it("rests at the goal until the key is let go and pressed anew", () => {
+  it("rests at the goal until the key is released and pressed again", () => {
     const { sent, hold } = setUp();
     hold.press("w", "forward");
     hold.arrive();
@@ -86,7 +86,7 @@ describe("holding drive keys", () => {
     expect(sent).toEqual(["forward", "stop", "forward"]);
   });
 
-  it("drives on from the goal by another key, and rests when that is let go", () => {
+  it("drives on from the goal by another key, and rests when that is released", () => {
     const { sent, hold } = setUp();
     hold.press("w", "forward");
     hold.arrive();
@@ -95,7 +95,7 @@ describe("holding drive keys", () => {
     expect(sent).toEqual(["forward", "stop", "reverse", "stop"]);
   });
 
-  it("says nothing when another driver has taken over", () => {
+  it("sends nothing when another driver has taken over", () => {
     const { sent, hold } = setUp();
     hold.press("w", "forward");
     hold.clear();

@@ -71,7 +71,7 @@ it("parses a long document once", () => {
   parse.mockRestore();
 });
 
-it("reads a document that says later what it is", () => {
+it("reads a document whose type is not its first member", () => {
   const [preset] = mazePresets;
   const { format, ...rest } = preset?.maze ?? { format: "" };
   const read = readDocument(json({ ...rest, format }), "");

@@ -12,7 +12,7 @@ afterEach(() => {
   vi.restoreAllMocks();
 });
 
-it("leaves a slow browser half a minute to read the file, and then lets go of it", () => {
+it("gives a slow browser half a minute to read the file, and then releases it", () => {
   const revoke = vi.spyOn(URL, "revokeObjectURL");
   saveFile(new Blob(["maze"]), "maze.txt");
   vi.advanceTimersByTime(30_000);

@@ -27,7 +27,7 @@ describe("what the device remembers of the lessons", () => {
     expect(new LessonsStorage(device).challengeOf("w9")).toBeNull();
   });
 
-  it("keeps what two tabs do by turns, and the better of what both do", () => {
+  it("stores what two tabs add in turn, and the better of two results", () => {
     const device = new MemoryStorage();
     const a = new LessonsStorage(device);
     const b = new LessonsStorage(device);
@@ -52,7 +52,7 @@ describe("what the device remembers of the lessons", () => {
     expect(a.record.done["two"]).toEqual({ lines: 2, ticks: 199 });
   });
 
-  it("keeps the better result of an open project, number by number", () => {
+  it("stores the better result of an open project, number by number", () => {
     const device = new MemoryStorage();
     const a = new LessonsStorage(device);
     a.add({ best: { "fewest-bumps": [2, 900] } });
@@ -89,7 +89,7 @@ describe("what the device remembers of the lessons", () => {
     },
   );
 
-  it("lasts as long as the page where the device is full, and says so", () => {
+  it("lasts as long as the page if the device is full, and reports it", () => {
     const device = new MemoryStorage();
     device.isFull = true;
     const storage = new LessonsStorage(device);

@@ -53,7 +53,7 @@ describe("trying a program in other mazes", () => {
     expect(worst).toBeLessThanOrEqual(2);
   });
 
-  it("lets no worker wait for the page at the beginning", () => {
+  it("lets no worker wait for the page at the start", () => {
     const { workers, trials } = setUp(2);
     trials.start(choice, rightWall);
     expect(workers.map(({ waiting }) => waiting.length)).toEqual([25, 19]);
@@ -118,7 +118,7 @@ describe("trying a program in other mazes", () => {
     expect(Math.min(...state().results.keys())).toBe(101);
   });
 
-  it("says that it failed when a worker breaks, and starts new ones when asked again", () => {
+  it("reports a failure when a worker breaks, and starts new workers on the next try", () => {
     const { workers, trials, answerAll, state } = setUp();
     trials.start(choice, rightWall);
     workers[1]?.onerror?.({ message: "" } as ErrorEvent);

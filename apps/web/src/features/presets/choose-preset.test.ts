@@ -26,7 +26,7 @@ function choose(program: typeof firstProgram) {
 }
 
 describe("choosing a maze", () => {
-  it("opens with an empty program in place of the example, and says the goal", () => {
+  it("opens with an empty program in place of the example, and shows the goal", () => {
     const { workspace, sent, text } = choose(firstProgram);
     expect(workspace.getState()).toMatchObject({
       maze: chosen,

@@ -65,7 +65,7 @@ describe("solved presets", () => {
     expect(ids()).toEqual([]);
   });
 
-  it("keeps what another tab has marked since", async () => {
+  it("retains what another tab has marked since", async () => {
     const { report, ids, device } = open();
     device.setItem(KEY, '["tree"]');
     await report("goal");
@@ -84,7 +84,7 @@ describe("solved presets", () => {
     expect(open(device).ids()).toEqual(known);
   });
 
-  it("marks for this visit where the device keeps nothing", async () => {
+  it("marks for this visit if the device stores nothing", async () => {
     const device = new MemoryStorage();
     device.isFull = true;
     const { report, ids } = open(device);

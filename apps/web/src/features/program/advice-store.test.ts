@@ -50,7 +50,7 @@ function setUp(program = wrong, load: AdvicePorts["load"] = async () => coach) {
 }
 
 describe("advice on the lines", () => {
-  it("comes once the edits have settled, and goes at once", async () => {
+  it("appears after the edits pause, and disappears at once", async () => {
     const { settle, lines, edit } = setUp();
     expect(lines()).toEqual([]);
     await settle();
@@ -64,7 +64,7 @@ describe("advice on the lines", () => {
     expect(lines()).toEqual([1]);
   });
 
-  it("moves no line while the robot drives, and comes when it is paused", async () => {
+  it("moves no line while the robot drives, and appears when it is paused", async () => {
     const { settle, lines, drive } = setUp();
     drive("running");
     await settle();
@@ -73,7 +73,7 @@ describe("advice on the lines", () => {
     expect(lines()).toEqual([1]);
   });
 
-  it("moves no line at a bump, and comes with Reset or the next edit", async () => {
+  it("moves no line at a bump, and appears with Reset or the next edit", async () => {
     const { settle, lines, edit, drive } = setUp();
     drive("running");
     await settle();
@@ -90,7 +90,7 @@ describe("advice on the lines", () => {
     expect(lines()).toEqual([1]);
   });
 
-  it("does not come up for a number that is half typed", async () => {
+  it("does not appear for a number that is half typed", async () => {
     const { workspace, settle, lines } = setUp({ ...wrong, rules: wrong.rules.slice(0, 1) });
     await settle();
     for (const number of [6, 60]) {
@@ -100,7 +100,7 @@ describe("advice on the lines", () => {
     expect(lines()).toEqual([]);
   });
 
-  it("is that of the newest edit when the coach comes late", async () => {
+  it("is that of the newest edit when the coach loads late", async () => {
     const { settle, lines, edit } = setUp();
     const coming = settle();
     edit("left 90");
@@ -126,7 +126,7 @@ describe("advice on the lines", () => {
     expect(lines()).toEqual([0]);
   });
 
-  it("is announced once, however often it comes and goes", async () => {
+  it("is announced once, however often it appears and disappears", async () => {
     const { advice, settle, edit } = setUp();
     await settle();
     const first = advice.getState().announcement;
@@ -138,7 +138,7 @@ describe("advice on the lines", () => {
     expect(advice.getState().announcement).toBe(first);
   });
 
-  it("stays away once it was hidden, also after an undo, and comes for another line", async () => {
+  it("remains hidden once it was hidden, even after an undo, and appears for another line", async () => {
     const { workspace, advice, settle, lines, edit } = setUp();
     await settle();
     const given = adviceOn(1, advice.getState());

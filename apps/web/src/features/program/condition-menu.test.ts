@@ -7,7 +7,7 @@ describe("the condition menu", () => {
     expect(kindOfChoice(choiceOf(conditionOf(kind, 50)))).toBe(kind);
   });
 
-  it("keeps [Do nothing] apart from all conditions", () => {
+  it("separates [Do nothing] from all conditions", () => {
     expect(choiceOf(null)).toBe(DO_NOTHING);
     expect(kindOfChoice(DO_NOTHING)).toBeNull();
   });

@@ -18,7 +18,7 @@ function page() {
 }
 
 describe("the name of a ready-made program after the language changed", () => {
-  it("is in the new language, and undo still takes back the edit before", async () => {
+  it("is in the new language, and undo still reverts the edit before", async () => {
     const { words, workspace, program } = page();
     const rightWall = { ...program, name: "Right wall" };
     setProgram(workspace, rightWall);

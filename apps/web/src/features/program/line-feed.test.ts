@@ -49,7 +49,7 @@ describe("a line of the program", () => {
     expect(received).toEqual([2]);
   });
 
-  it("follows every moment again once it has come into sight", () => {
+  it("follows every tick again once it is visible", () => {
     line.dispatchEvent(new SightEvent(true));
     show(1);
     line.dispatchEvent(new SightEvent(false));

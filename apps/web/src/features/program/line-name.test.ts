@@ -27,7 +27,7 @@ describe("the name of a line that runs", () => {
     },
   );
 
-  it("says its state, its sentence and its truth", () => {
+  it("contains its state, its sentence and its truth", () => {
     expect(lineNamer(t, "en", line)("running", truths[1] ?? null)).toBe(
       "Line 2, running: if right is more than 60, delayed right 90. Right is 250.5, true.",
     );

@@ -59,7 +59,7 @@ describe("lines of the program", () => {
 });
 
 describe("deleting a line", () => {
-  it("comes back by undo when nothing else was edited", () => {
+  it("returns by undo if nothing else was edited", () => {
     const workspace = setUp();
     const bringBack = deleteLine(workspace, 1);
     expect(workspace.getState().program.rules).toHaveLength(2);
@@ -69,7 +69,7 @@ describe("deleting a line", () => {
     expect(workspace.getState().program.rules).toHaveLength(2);
   });
 
-  it("comes back into a program that was edited since, and keeps that edit", () => {
+  it("returns into a program that was edited since, without a loss of that edit", () => {
     const workspace = setUp();
     const ids = workspace.getState().lineIds;
     const bringBack = deleteLine(workspace, 1);
@@ -80,7 +80,7 @@ describe("deleting a line", () => {
     expect(workspace.getState().lineIds.slice(0, 3)).toEqual(ids);
   });
 
-  it("keeps an edit of the maze that was made since", () => {
+  it("does not change a later edit of the maze", () => {
     const workspace = setUp();
     const bringBack = deleteLine(workspace, 0);
     setMaze(workspace, { ...firstMaze, name: "Other" });
@@ -89,7 +89,7 @@ describe("deleting a line", () => {
     expect(workspace.getState().program.rules).toEqual(three.rules);
   });
 
-  it("does not come back twice", () => {
+  it("does not return twice", () => {
     const workspace = setUp();
     const bringBack = deleteLine(workspace, 1);
     bringBack();

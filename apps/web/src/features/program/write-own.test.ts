@@ -8,7 +8,7 @@ import { firstMaze, firstProgram } from "../../worker/first-project.ts";
 import { isExample } from "./example.ts";
 import { writeOwn } from "./write-own.ts";
 
-it("knows the example in every language, and no program of one's own", () => {
+it("recognizes the example in every language, and no other program", () => {
   expect(isExample(firstProgram)).toBe(true);
   expect(isExample({ ...firstProgram, name: "例：右の壁" })).toBe(true);
   expect(isExample({ ...firstProgram, name: "" })).toBe(false);
@@ -16,7 +16,7 @@ it("knows the example in every language, and no program of one's own", () => {
   expect(isExample(emptyProgram())).toBe(false);
 });
 
-it("makes an empty program, puts the robot to its start, says the goal, and is taken back", () => {
+it("makes an empty program, moves the robot to its start, shows the goal, and undo reverts it", () => {
   const workspace = createWorkspaceStore(firstMaze, firstProgram);
   const screen = createScreenStore();
   const sent: string[] = [];

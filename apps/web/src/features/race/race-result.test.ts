@@ -32,7 +32,7 @@ describe("the result of a race", () => {
     expect(of(270)).toEqual({ kind: "ghost", badge: "B", ticks: 30 });
   });
 
-  it("says when no ghost reached the goal, also while one is loading", () => {
+  it("reports that no ghost reached the goal, even while one is loading", () => {
     const loading = { ...ghost("B", null), finish: null };
     const race = { ghosts: [ghost("A", null), loading], you: finish(10) };
     expect(raceResult(race)).toEqual({ kind: "alone" });

@@ -39,16 +39,16 @@ function bench(answer: "ready" | "broken" | "silent" = "ready", tab = new Memory
       sent.push(message);
       if (message.type === "save-run") {
         const saved = { ok: true, text: JSON.stringify(runOf()), ticks: 600 } as const;
-        say({ type: "run-saved", id: message.id, saved });
+        emit({ type: "run-saved", id: message.id, saved });
       }
       if (message.type !== "add-ghost" || answer === "silent") return;
       const problems = [{ path: "digest", found: "a", expected: "b" }];
       const added =
         answer === "ready" ? ({ ok: true, finish } as const) : ({ ok: false, problems } as const);
-      say({ type: "ghost-added", id: message.id, added });
+      emit({ type: "ghost-added", id: message.id, added });
     },
   };
-  const say = (data: FromWorker) => port.onmessage?.({ data } as MessageEvent<FromWorker>);
+  const emit = (data: FromWorker) => port.onmessage?.({ data } as MessageEvent<FromWorker>);
   const ports = {
     simulator: new SimulatorClient(port),
     workspace: createWorkspaceStore(firstMaze, firstProgram),
@@ -61,7 +61,7 @@ function bench(answer: "ready" | "broken" | "silent" = "ready", tab = new Memory
     typeof RaceService
   >[1];
   const texts = () => ports.screen.getState().messages.map(({ text }) => text);
-  return { ...ports, service: new RaceService(ports, words), sent, say, texts };
+  return { ...ports, service: new RaceService(ports, words), sent, emit, texts };
 }
 
 describe("a race", () => {
@@ -73,7 +73,7 @@ describe("a race", () => {
     expect(texts()).toEqual(["race:ready"]);
   });
 
-  it("says why a run is not in it", async () => {
+  it("reports why a run is not in it", async () => {
     const { service } = bench();
     expect(await service.add(runOf({ ticks: 0 }))).toBe("empty");
     expect(await service.add(runOf({ maze: other }))).toBe("other-maze");
@@ -112,12 +112,12 @@ describe("a race", () => {
     expect(broken.sent.some(({ type }) => type === "reset")).toBe(false);
     const silent = bench("silent");
     const added = silent.service.add(runOf());
-    silent.say({ type: "fault", reason: "" });
+    silent.emit({ type: "fault", reason: "" });
     expect(await added).toBe("failed");
     expect(silent.race.getState().ghosts).toEqual([]);
   });
 
-  it("ends when the maze changes, and says so; a new name does not count", async () => {
+  it("ends with a message when the maze changes; a new name does not count", async () => {
     const { service, race, workspace, sent, texts } = bench();
     await service.add(runOf());
     setMaze(workspace, { ...firstMaze, name: "Mine" });
@@ -129,21 +129,21 @@ describe("a race", () => {
   });
 
   it("stores the time of the robot to the goal, until the run is truncated before it", async () => {
-    const { race, say } = bench();
-    say({ type: "event", event: runEventAt("goal", 540, firstProgram) });
+    const { race, emit } = bench();
+    emit({ type: "event", event: runEventAt("goal", 540, firstProgram) });
     expect(race.getState().you).toEqual({
       goalTick: 540,
       bumps: 1,
       driver: "program",
       lines: firstProgram.rules.length,
     });
-    say({ type: "truncated", after: 540 });
+    emit({ type: "truncated", after: 540 });
     expect(race.getState().you).not.toBeNull();
-    say({ type: "truncated", after: 539 });
+    emit({ type: "truncated", after: 539 });
     expect(race.getState().you).toBeNull();
   });
 
-  it("comes back after a reload, silently and with the same letters", async () => {
+  it("returns after a reload without messages, with the same letters", async () => {
     const { service, race, tab } = bench();
     await service.add(runOf());
     await service.add(runOf({ digest: "fedcba9876543210" }));
@@ -164,7 +164,7 @@ describe("a race", () => {
     expect(tab.getItem(RACE_KEY)).toBeNull();
   });
 
-  it("does not come back in another maze, or from what cannot be read", async () => {
+  it("does not return in another maze, or from an unreadable record", async () => {
     const tab = new MemoryStorage();
     await bench("ready", tab).service.add(runOf());
     const elsewhere = bench("ready", tab);

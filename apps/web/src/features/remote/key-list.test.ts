@@ -24,7 +24,7 @@ it("lists the keys that were given away, the address's own first, with their age
   ]);
 });
 
-it("knows the address's own by its id, also where paired ones are older", () => {
+it("recognizes the key of the address by its id, even if paired keys are older", () => {
   const shown = listed({ keys }, "paired", Date.parse(at(30)));
   expect(shown.map(({ id, isShown }) => [id, isShown])).toEqual([
     ["paired", true],
@@ -33,7 +33,7 @@ it("knows the address's own by its id, also where paired ones are older", () => 
   ]);
 });
 
-it("counts by the clock of the service, and keeps quiet where that does not answer", async () => {
+it("counts by the clock of the service, and shows nothing if that does not respond", async () => {
   const headers = { date: new Date(Date.parse(at(30))).toUTCString() };
   const found = await listKeys(async () => Response.json({ keys }, { headers }), owner);
   expect(found?.[0]).toMatchObject({ madeAgo: 30 * MINUTE });
@@ -64,6 +64,6 @@ it.each([
   expect(agoText(ms, language)).toBe(text);
 });
 
-it("keeps figures Latin in Arabic", () => {
+it("uses Latin digits in Arabic", () => {
   expect(agoText(15 * MINUTE, "ar")).toContain("15");
 });

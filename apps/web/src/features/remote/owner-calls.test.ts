@@ -73,7 +73,7 @@ describe("a new key for scripts", () => {
 describe("a script", () => {
   const anna = { driver: "Zx81qP", name: "Anna", client: "Python" };
 
-  it("is sent away by its key and name, and let back by its id", async () => {
+  it("is blocked by its key and name, and unblocked by its id", async () => {
     const { asked, ask } = service(() => new Response(null, { status: 204 }));
     expect(await sendAway(ask, session, anna)).toBe(true);
     expect(await letBack(ask, session, "k3J9x2aB")).toBe(true);
@@ -102,7 +102,7 @@ describe("a script", () => {
 });
 
 describe("the time that a robot has left", () => {
-  it("is what the service says", async () => {
+  it("is the response of the service", async () => {
     const { ask, asked } = service(() => Response.json({ endsInSeconds: 6_720 }));
     expect(await secondsLeft(ask, session)).toBe(6_720);
     expect(asked).toEqual([`GET /api/v1/robots/${id} Bearer own_secret`]);

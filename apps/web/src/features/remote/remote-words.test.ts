@@ -40,7 +40,7 @@ describe("the connection", () => {
     expect(viewConnection(status, false, 1_000_000 + silence)).toEqual(view);
   });
 
-  it("says that the run is paused, not that the script is quiet", () => {
+  it("reports that the run is paused, not that the script is inactive", () => {
     const connected = { kind: "connected", client: "Python", seenAt: 1_000 } as const;
     expect(viewConnection(connected, true, 10_000)).toEqual({ kind: "paused" });
     expect(viewConnection({ kind: "waiting" }, true, 10_000)).toEqual({ kind: "paused" });

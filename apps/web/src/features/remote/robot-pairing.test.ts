@@ -66,7 +66,7 @@ it("shows a code, then the question, and sends the owner's answer to the service
   ]);
 });
 
-it("says no by the button that took the code back before", async () => {
+it("refuses with the button that revoked the code before", async () => {
   const { asked, pairing, view, answer } = withService();
   void pairing.open();
   await answer(Response.json(made, { status: 201 }));
@@ -95,7 +95,7 @@ it("goes on asking over a bad moment of the network, until the code is over", as
   expect(view()).toMatchObject({ kind: "over" });
 });
 
-it("finds the question again after a reload, and lets it go when its time is over", async () => {
+it("shows the question again after a reload, and removes it when it expires", async () => {
   const { pairing, view, answer, pass } = withService();
   void pairing.resume();
   await answer(shown("asked", question));
@@ -117,7 +117,7 @@ it("still waits after a reload for the script that has the earlier code", async 
   expect(asked).toEqual(["GET ?wait=0", "GET ?wait=20"]);
 });
 
-it("shows the code that is being made, also where another part of the page comes up meanwhile", async () => {
+it("shows the code that is being created, even if another part of the page appears meanwhile", async () => {
   const { asked, pairing, view, answer } = withService();
   void pairing.open();
   void pairing.resume();
@@ -126,7 +126,7 @@ it("shows the code that is being made, also where another part of the page comes
   expect(asked).toEqual(["POST", "GET ?wait=20"]);
 });
 
-it("says so when there is no code, or nobody asks any more", async () => {
+it("reports that there is no code, or that the request has ended", async () => {
   const { pairing, view, answer } = withService();
   void pairing.open();
   await answer(new TypeError("offline"));

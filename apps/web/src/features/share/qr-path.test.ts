@@ -23,7 +23,7 @@ describe("qrPath", () => {
     },
   );
 
-  it("fits 2,953 bytes and says when a text is longer", () => {
+  it("fits 2,953 bytes and reports a longer text", () => {
     expect(qrPath("x".repeat(2_953))).not.toBeNull();
     expect(qrPath("x".repeat(2_954))).toBeNull();
     expect(qrPath("ä".repeat(1_500))).toBeNull();

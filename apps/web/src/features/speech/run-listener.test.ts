@@ -142,7 +142,7 @@ describe("RunListener", () => {
     ).toEqual([{ kind: "too-fast" }, null, null]);
   });
 
-  it("notes the line again when the speed comes down", () => {
+  it("announces the line again when the speed decreases", () => {
     expect(
       noted(
         { state: "running", tick: 1, speed: 8 },

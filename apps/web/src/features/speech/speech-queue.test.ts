@@ -100,7 +100,7 @@ describe("SpeechQueue", () => {
     expect(announcementsOf(comes)).toEqual(announced);
   });
 
-  it("says nothing while nothing comes", () => {
+  it("announces nothing while nothing is pending", () => {
     expect(announcementsOf([])).toEqual([]);
     expect(new SpeechQueue().rest(0)).toBeNull();
   });
@@ -119,7 +119,7 @@ describe("SpeechQueue", () => {
     expect(queue.take(5000)).toBe("line 1");
   });
 
-  it("never says two things within a second", () => {
+  it("never announces two texts within a second", () => {
     const utterance = fc.record({
       text: fc.constantFrom("a", "b", "c"),
       kind: fc.constantFrom("state" as const, "event" as const),

@@ -39,7 +39,7 @@ describe("moveCursor", () => {
 });
 
 describe("clampCell", () => {
-  it("comes along when the maze becomes smaller", () => {
+  it("moves along when the maze becomes smaller", () => {
     expect(clampCell(from, { columns: 1, rows: 3 })).toEqual({ column: 0, row: 2 });
   });
 });

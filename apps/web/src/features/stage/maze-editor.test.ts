@@ -33,7 +33,7 @@ function newEditor({ isFixed = false } = {}) {
   return { workspace, screen, refusals, goalsRemoved, editor, blocks };
 }
 
-it("of a maze that stays as it is says so once a press, and changes nothing", () => {
+it("of an unchanged maze reports so once per press, and changes nothing", () => {
   const { workspace, editor, refusals } = newEditor({ isFixed: true });
   editor.follow({ type: "begin", cell: at(2, 0) });
   editor.follow({ type: "paint", cells: [at(3, 0)] });
@@ -78,7 +78,7 @@ describe("a stroke of blocks", () => {
     expect(blocks()).toEqual(["....", "...."]);
   });
 
-  it("says once why squares are left out, and fills the others", () => {
+  it("reports once why squares are omitted, and fills the others", () => {
     const { editor, blocks, refusals } = newEditor();
     editor.follow({ type: "begin", cell: at(1, 0) });
     editor.follow({ type: "paint", cells: [at(0, 1), at(0, 0), at(0, 1), at(1, 1)] });
@@ -96,7 +96,7 @@ describe("a stroke of blocks", () => {
     expect(workspace.temporal.getState().pastStates).toHaveLength(0);
   });
 
-  it("says once, when it is over, how many goals it has buried", () => {
+  it("reports once, at its end, how many goals it has removed", () => {
     const { workspace, editor, goalsRemoved } = newEditor();
     workspace.setState({ maze: { ...maze, goals: [at(1, 0), at(2, 0), at(3, 0)] } });
     editor.follow({ type: "begin", cell: at(1, 0) });
@@ -106,7 +106,7 @@ describe("a stroke of blocks", () => {
     expect(goalsRemoved).toEqual([2]);
   });
 
-  it("says nothing of goals that the Goal tool takes away, or that it gives back", () => {
+  it("does not report goals that the Goal tool removes or restores", () => {
     const { workspace, screen, editor, goalsRemoved } = newEditor();
     workspace.setState({ maze: { ...maze, goals: [at(1, 0), at(2, 0)] } });
     editor.follow({ type: "begin", cell: at(1, 0) });

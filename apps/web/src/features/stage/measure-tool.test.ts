@@ -66,7 +66,7 @@ describe("a tape by keyboard", () => {
   });
 });
 
-describe("what a tape says", () => {
+describe("the text of a tape", () => {
   const { t } = createI18n(en);
   const tape = (x: number, y: number): Tape => ({
     from: { x: 50, y: 50 },
@@ -85,7 +85,7 @@ describe("what a tape says", () => {
     expect(tapeWords(t, "en", to)).toEqual(words);
   });
 
-  it("says up of one that goes up", () => {
+  it("names the direction of a tape that goes up", () => {
     const up: Tape = { from: { x: 0, y: 400 }, to: { x: 300, y: 0 }, isOpen: false };
     expect(tapeWords(t, "en", up)[1]).toBe("300 cm across, 400 cm up");
   });

@@ -24,7 +24,7 @@ describe("a side effect of an edit", () => {
     expect(screen.getState().messages).toEqual([]);
   });
 
-  it("offers no Undo any more once that would take back another edit", () => {
+  it("offers no Undo once it would revert another edit", () => {
     const { screen, workspace } = afterAnEdit();
     setProgram(workspace, { ...firstProgram, default: "stop" });
     expect(screen.getState().messages).toEqual([]);

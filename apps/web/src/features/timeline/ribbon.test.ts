@@ -49,7 +49,7 @@ describe("the ribbon", () => {
     expect(segments.map(({ who }) => who)).toEqual([4, "mixed", 2]);
   });
 
-  it("keeps one short stretch between long ones", () => {
+  it("shows one short segment between long ones", () => {
     const segments = segmentsOf(runOf([0, 600], [1, 7], [0, 600]));
     expect(segments.map(({ who }) => who)).toEqual([0, 1, 0]);
   });

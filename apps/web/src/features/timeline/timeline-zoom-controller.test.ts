@@ -53,7 +53,7 @@ describe("a timeline while the robot drives", () => {
     expect(window?.span).toBe(600);
   });
 
-  it("keeps its part where the reader looks at another", () => {
+  it("does not move while the user looks at another part", () => {
     const part = { from: 0, span: 600, step: 60 };
     const { zoom, drive } = setUp(part);
     drive(1200);

@@ -16,7 +16,7 @@ function opening(pathname: string, hash: string, tab = new MemoryStorage(), sear
 }
 
 describe("a robot's address in a browser", () => {
-  it("with a watch key shows the robot, and the key is out of sight", () => {
+  it("with a watch key shows the robot and hides the key", () => {
     const { visit, addresses } = opening(`/r/${ID}`, `#${KEY}`, undefined, "?lang=de");
     expect(visit).toEqual({ kind: "watch", robot: { id: ID, key: KEY } });
     expect(addresses).toEqual([`/r/${ID}?lang=de`]);
@@ -32,7 +32,7 @@ describe("a robot's address in a browser", () => {
     expect(opening(`/r/${ID}`, "").visit).toEqual({ kind: "broken" });
   });
 
-  it("with a key for scripts opens nothing, hides the key and keeps it nowhere", () => {
+  it("with a key for scripts opens nothing, hides the key and does not store it", () => {
     const { visit, addresses, tab } = opening(`/r/${ID}`, `#drv_${"B".repeat(22)}`);
     expect(visit).toEqual({ kind: "script" });
     expect(addresses).toEqual([`/r/${ID}`]);

@@ -19,29 +19,29 @@ function looking() {
     onerror: null,
   };
   const client = new WatchClient(port, store);
-  const say = (data: FromWatcher): void => port.onmessage?.({ data } as MessageEvent<FromWatcher>);
+  const emit = (data: FromWatcher): void => port.onmessage?.({ data } as MessageEvent<FromWatcher>);
   const state = (): string => endingOf(store.getState()) ?? robotState(store.getState());
-  return { store, client, sent, say, state, port };
+  return { store, client, sent, emit, state, port };
 }
 
 describe("an onlooker's page", () => {
-  it("says how the robot is, from the first try on", () => {
-    const { say, state } = looking();
+  it("reports the state of the robot from the first attempt on", () => {
+    const { emit, state } = looking();
     expect(state()).toBe("connecting");
-    say({ type: "watch-status", status: { kind: "connecting" } });
+    emit({ type: "watch-status", status: { kind: "connecting" } });
     expect(state()).toBe("connecting");
-    say({ type: "watch-status", status: { kind: "connected" } });
+    emit({ type: "watch-status", status: { kind: "connected" } });
     expect(state()).toBe("waiting");
     for (const each of ["running", "paused", "gone", "running"] as const) {
-      say({ type: "watch-snapshot", snapshot: snapshotOf({ state: each }) });
+      emit({ type: "watch-snapshot", snapshot: snapshotOf({ state: each }) });
       expect(state()).toBe(each);
     }
   });
 
-  it("says that a script drives once a command of one was seen, and not long after the last", () => {
-    const { say, store } = looking();
+  it("reports that a script drives from its first command until shortly after the last", () => {
+    const { emit, store } = looking();
     const driver = (change: Parameters<typeof snapshotOf>[0]) => {
-      say({ type: "watch-snapshot", snapshot: snapshotOf(change) });
+      emit({ type: "watch-snapshot", snapshot: snapshotOf(change) });
       return drivenBy(store.getState());
     };
     expect(driver({ driver: "remote", tick: 10, command: null })).toBe("waiting");
@@ -53,15 +53,15 @@ describe("an onlooker's page", () => {
     expect(driver({ driver: "remote", tick: 1_850, command: null })).toBe("waiting");
   });
 
-  it("says that a lost line is tried again, until there is one", () => {
-    const { say, state } = looking();
-    say({ type: "watch-status", status: lost });
-    say({ type: "watch-status", status: { kind: "connecting" } });
+  it("reports that a lost connection is retried until it is established", () => {
+    const { emit, state } = looking();
+    emit({ type: "watch-status", status: lost });
+    emit({ type: "watch-status", status: { kind: "connecting" } });
     expect(state()).toBe("lost");
-    say({ type: "watch-snapshot", snapshot: snapshotOf() });
-    say({ type: "watch-status", status: { kind: "connected" } });
+    emit({ type: "watch-snapshot", snapshot: snapshotOf() });
+    emit({ type: "watch-status", status: { kind: "connected" } });
     expect(state()).toBe("running");
-    say({ type: "watch-status", status: { kind: "connecting" } });
+    emit({ type: "watch-status", status: { kind: "connecting" } });
     expect(state()).toBe("lost");
   });
 
@@ -70,24 +70,24 @@ describe("an onlooker's page", () => {
     { reason: closeReasons.forbidden, ending: "revoked" },
     { reason: closeReasons.noRobot, ending: "deleted" },
     { reason: closeReasons.over, ending: "deleted" },
-  ])("says why it is over: $reason.cause", ({ reason, ending }) => {
-    const { say, state } = looking();
-    say({ type: "watch-status", status: { kind: "over", reason } });
+  ])("reports why it is over: $reason.cause", ({ reason, ending }) => {
+    const { emit, state } = looking();
+    emit({ type: "watch-status", status: { kind: "over", reason } });
     expect(state()).toBe(ending);
   });
 
-  it("says so where its worker does not come", () => {
+  it("reports a worker that fails to load", () => {
     const { port, state } = looking();
     port.onerror?.({} as ErrorEvent);
     expect(state()).toBe("failed");
   });
 
-  it("knows the maze, or that nobody knows it", () => {
-    const { store, say } = looking();
+  it("has the maze, or none if it is unknown", () => {
+    const { store, emit } = looking();
     expect(store.getState().maze).toBeUndefined();
-    say({ type: "watch-maze", maze: firstMaze });
+    emit({ type: "watch-maze", maze: firstMaze });
     expect(store.getState().maze).toBe(firstMaze);
-    say({ type: "watch-maze", maze: null });
+    emit({ type: "watch-maze", maze: null });
     expect(store.getState().maze).toBeNull();
   });
 
