@@ -74,7 +74,7 @@ export function SolvedCard({ view, solved, onClose }: SolvedCardProps) {
       onClose={onClose}
     >
       <p className={styles["sentence"]}>
-        <SolvedSentence driver={driver} lines={lines} />
+        <SolvedSentence driver={driver} lines={lines} at={ticks} />
       </p>
       <dl className={styles["figures"]}>
         <div>
@@ -119,18 +119,27 @@ export function SolvedCard({ view, solved, onClose }: SolvedCardProps) {
   );
 }
 
+interface SolvedSentenceProps {
+  driver: DriverName;
+  lines: number;
+  /** the tick at which it was solved */
+  at: number;
+}
+
 /** Describes what was solved, which depends on the challenge and the driver. */
-function SolvedSentence({ driver, lines }: { driver: DriverName; lines: number }) {
+function SolvedSentence({ driver, lines, at }: SolvedSentenceProps) {
   const { t } = useTranslation();
   const { challenge: store, run } = useServices();
   const challenge = useStore(store, (state) => state.challenge);
   const isMet = useStore(store, (state) => state.result.state === "met");
-  const snapshot = useStore(run, (state) => state.snapshot);
-  if (challenge?.goal.kind === "stop" && snapshot !== null) {
-    return t("cards.solved.stopped", {
-      reading: Math.round(snapshot.sensors[challenge.goal.sensor]),
-    });
-  }
+  const goal = challenge?.goal;
+  // The robot may have driven on since.
+  const reading = useStore(run, ({ snapshot }) =>
+    goal?.kind === "stop" && snapshot?.tick === at
+      ? Math.round(snapshot.sensors[goal.sensor])
+      : null,
+  );
+  if (reading !== null) return t("cards.solved.stopped", { reading });
   if (challenge !== null && challenge.goal.kind !== "reach") return t("cards.solved.challenge");
   const mazes = challenge?.mazes.length ?? 1;
   if (isMet && mazes > 1) return t("cards.solved.mazes", { passed: mazes });
