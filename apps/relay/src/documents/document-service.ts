@@ -29,7 +29,7 @@ export class DocumentService {
     this.#store = store;
     this.#clock = clock;
     this.#log = log;
-    this.#checks = new CheckQueue(clock, limits.linkChecks, "address");
+    this.#checks = new CheckQueue(clock, limits.codeChecks, null);
     this.#cancelTimer = clock.after(0, () => void this.#removeUnused());
   }
 

@@ -1,23 +1,19 @@
 /**
  * Slows down guessing of codes without a lockout. The codes of one address are checked one at a
- * time in order of arrival, and addresses take turns. Wrong codes delay the next check so that
- * their rate is limited. A right code adds no delay, so a class that types right codes never waits.
- * Wrong codes from the same network delay a right code but never block it.
+ * time in order of arrival, and a wrong code delays the next check. A right code adds no delay, so
+ * a class that types right codes never waits. Wrong codes from the same network delay a right code
+ * but never block it: a code that was rejected because too many waited goes first when it is sent
+ * again.
  */
 import type { Clock } from "../clock.ts";
 import { Refusal, restarting, retryAfter } from "../problems.ts";
 
 export interface CheckQueueRule {
-  /** average number of wrong codes that are checked per second */
+  /** checks per second after wrong codes */
   perSecond: number;
-  /** number of wrong codes that are checked without delay after a pause; 1: every one delays */
-  burst: number;
   /** maximum number of pending checks; further checks are rejected */
   waiting: number;
 }
-
-/** maximum number of addresses that wait for their turn; 5 s at 100 checks per second */
-const MAX_ADDRESSES = 500;
 
 /** maximum number of stored rejected codes, about 1 MB */
 const MAX_REJECTED = 10_000;
@@ -38,8 +34,6 @@ class SerialQueue {
   readonly #clock: Clock;
   readonly #rule: CheckQueueRule;
   readonly #onIdle: () => void;
-  /** time from which the next code may be checked; earlier by the unused burst */
-  #freeAt = 0;
   #isBusy = false;
 
   /** @param onIdle called when no check is pending and the delay of a wrong code has passed */
@@ -82,7 +76,11 @@ class SerialQueue {
     this.#isBusy = true;
     for (let next = this.#shift(); next !== undefined; next = this.#shift()) {
       const outcome = await next.start();
-      if (outcome === "wrong") await this.#delay();
+      if (outcome === "wrong") {
+        await new Promise<void>((resolve) => {
+          this.#clock.after(1_000 / this.#rule.perSecond, resolve);
+        });
+      }
     }
     this.#isBusy = false;
     this.#onIdle();
@@ -90,17 +88,6 @@ class SerialQueue {
 
   #shift(): PendingCheck | undefined {
     return this.#returning.shift() ?? this.#pending.shift();
-  }
-
-  /** Counts a wrong code, and waits until the next check is due. A timer that was late adds none. */
-  async #delay(): Promise<void> {
-    const interval = 1_000 / this.#rule.perSecond;
-    const now = this.#clock.now();
-    const earliest = now - interval * (this.#rule.burst - 1);
-    // A clock that was set back must not extend the delay.
-    this.#freeAt = Math.min(now, Math.max(earliest, this.#freeAt)) + interval;
-    const wait = this.#freeAt - now;
-    if (wait > 0) await new Promise<void>((resolve) => void this.#clock.after(wait, resolve));
   }
 }
 
@@ -113,20 +100,17 @@ export class CheckQueue {
   readonly #rejected = new Set<string>();
 
   /**
-   * @param rule `waiting` is for each address
-   * @param scope whether `perSecond` and `burst` are for each address or for all together
+   * @param rule limit for each address
+   * @param ruleForAll limit for all addresses together; null: no limit
    */
-  constructor(clock: Clock, rule: CheckQueueRule, scope: "address" | "total") {
+  constructor(clock: Clock, rule: CheckQueueRule, ruleForAll: CheckQueueRule | null) {
     this.#clock = clock;
-    const isTotal = scope === "total";
-    this.#rule = isTotal ? { ...rule, perSecond: Infinity } : rule;
-    // Each address has at most one check there, so addresses take turns.
-    this.#all = isTotal ? new SerialQueue(clock, { ...rule, waiting: MAX_ADDRESSES }) : null;
+    this.#rule = rule;
+    this.#all = ruleForAll && new SerialQueue(clock, ruleForAll);
   }
 
   /**
-   * Runs a check in the queue of its address. A code that is sent again after it was rejected goes
-   * first: only codes that are not sent again are rejected repeatedly.
+   * Runs a check in the queue of its address.
    * @param code the code or its hash
    * @throws Refusal too-fast with the seconds to wait if too many checks are pending; the code is
    * not checked

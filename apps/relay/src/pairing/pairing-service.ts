@@ -49,7 +49,7 @@ export class PairingService {
 
   constructor(parts: PairingServiceParts) {
     this.#parts = parts;
-    this.#checks = new CheckQueue(parts.clock, limits.pairingChecks, "total");
+    this.#checks = new CheckQueue(parts.clock, limits.codeChecks, limits.codeChecksForAll);
     this.#waits = new Waits(parts.clock);
     this.#cancelTimer = parts.clock.after(CLEANUP_MS, () => void this.#removeEnded());
   }

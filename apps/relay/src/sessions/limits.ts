@@ -27,14 +27,12 @@ export const limits = {
   /** lifetime of a pairing code */
   pairingMs: 10 * 60 * 1000,
   /**
-   * checks of wrong pairing codes, in total; networks take turns, and one network may use all that
-   * the others leave, so that a right code never waits long behind the wrong ones of its network.
+   * checks per second after a wrong code, per address (which a class of 40 may share) and in total.
    * At 100 per second, finding one of 1,000 open codes among 25,600,000,000 takes 3 days on
-   * average. Its owner must still accept. `waiting` counts for each network.
+   * average. Its owner must still accept.
    */
-  pairingChecks: { perSecond: 100, burst: 50, waiting: 50 },
-  /** checks of wrong codes of short links, per network (which a class of 40 may share) */
-  linkChecks: { perSecond: 5, burst: 1, waiting: 50 },
+  codeChecks: { perSecond: 5, waiting: 50 },
+  codeChecksForAll: { perSecond: 100, waiting: 50 },
   /** interval at which a waiting pairing request reads the changes of other relays */
   pairingLookMs: 500,
   /** waiting requests for one pairing, and for all pairings at this relay */
