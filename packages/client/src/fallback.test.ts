@@ -1,5 +1,5 @@
 /** Page and script behind filters that break WebSockets, with a real relay. */
-import { describe, expect, it, onTestFinished } from "vitest";
+import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { globalPlatform, type Platform } from "./platform.ts";
 import { registerRobot } from "./register-robot.ts";
 import { RobotClient } from "./robot-client.ts";
@@ -62,6 +62,15 @@ describe("behind a filter", () => {
     const all = await Promise.all(records);
     expect(all.map(({ seq }) => seq)).toEqual(all.map((_record, index) => index + 2));
     expect(robot.done).toHaveLength(21);
+  });
+
+  it("a script in Node 20, which has no WebSocket, drives by long polling", async () => {
+    vi.stubGlobal("WebSocket", undefined);
+    onTestFinished(() => void vi.unstubAllGlobals());
+    const { proxy, script } = await behind("none");
+    expect(await script.right90()).toMatchObject({ state: "completed" });
+    expect(await script.move(100)).toMatchObject({ state: "completed" });
+    expect(proxy.upgrades).toBe(0);
   });
 
   it("they return to WebSockets once the filter is gone", async () => {

@@ -2,7 +2,7 @@
  * Platform APIs that the client uses: WebSocket, HTTP, time and randomness. Browsers, workers and
  * Node provide them; tests replace them.
  */
-import type { SocketEvents, SocketFactory } from "@corridor/protocol";
+import type { SocketEvents, SocketFactory, SocketPort } from "@corridor/protocol";
 
 export interface Clock {
   /** ms by a monotonic clock */
@@ -66,7 +66,8 @@ interface GlobalRequest {
 interface Globals {
   fetch(url: string, request: GlobalRequest): Promise<{ status: number; text(): Promise<string> }>;
   AbortController: new () => { signal: unknown; abort(): void };
-  WebSocket: new (url: string) => GlobalWebSocket;
+  /** absent in Node 20 */
+  WebSocket?: new (url: string) => GlobalWebSocket;
   performance: { now(): number };
   setTimeout(call: () => void, ms: number): unknown;
   clearTimeout(timer: unknown): void;
@@ -74,13 +75,18 @@ interface Globals {
 }
 
 const OPEN = 1;
+/** close code of a WebSocket that was never open */
+const FAILED = 1006;
 
-/** The platform of browsers, workers and Node 22 and later. */
+/** The platform of browsers, workers and Node 20 and later. Without WebSocket, long polling works. */
 export function globalPlatform(): Platform {
   const globals = globalThis as unknown as Globals;
   const randomWord = (): number => globals.crypto.getRandomValues(new Uint32Array(1))[0] ?? 0;
   return {
-    connect: (url, events) => openSocket(new globals.WebSocket(url), events),
+    connect: (url, events) => {
+      const { WebSocket } = globals;
+      return WebSocket === undefined ? noSocket(events) : openSocket(new WebSocket(url), events);
+    },
     request: ({ method, url, key, body }) => {
       const controller = new globals.AbortController();
       const headers = {
@@ -112,6 +118,12 @@ export function globalPlatform(): Platform {
     uniqueText: () =>
       Array.from({ length: 4 }, () => randomWord().toString(36).padStart(7, "0")).join(""),
   };
+}
+
+/** A socket that fails, as if the network blocked it: the connection falls back. */
+function noSocket(events: SocketEvents): SocketPort {
+  void Promise.resolve().then(() => events.closed(FAILED));
+  return { send: () => undefined, close: () => undefined, isOpen: false, waitingBytes: 0 };
 }
 
 function openSocket(socket: GlobalWebSocket, events: SocketEvents) {
