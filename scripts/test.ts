@@ -44,7 +44,7 @@ if (check("Python test tools", requirePythonTools)) {
 } else {
   add("python", { passed: 0, failed: 1, skipped: 0 });
 }
-const isBuilt = stage("build", ["vite", "build", "apps/web"]);
+const isBuilt = stage("build", ["npm", "run", "build"]);
 if (hasRequirements && isBuilt) {
   const args = ["playwright", "test", "--config", "e2e/playwright.config.ts"];
   testStage("end to end", args, parsePlaywrightReport);

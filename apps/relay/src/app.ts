@@ -17,6 +17,7 @@ import { eventRoutes } from "./routes/events.ts";
 import { notFound, problemResponses } from "./routes/fallbacks.ts";
 import { healthRoutes } from "./routes/health.ts";
 import { pythonClientRoutes } from "./routes/python-client.ts";
+import { javascriptClientRoutes } from "./routes/javascript-client.ts";
 import { keyRoutes } from "./routes/keys.ts";
 import { longPollRoutes } from "./routes/long-poll.ts";
 import { mazeRoutes } from "./routes/maze.ts";
@@ -69,6 +70,7 @@ export function createApp(dependencies: AppDependencies): Express {
   app.use(docsRoutes());
   app.use(checkRoutes(guard, clock));
   app.use(pythonClientRoutes());
+  app.use(javascriptClientRoutes());
   const api = Router();
   api.use(openToAllSites);
   api.use(robotRoutes(hub, guard));

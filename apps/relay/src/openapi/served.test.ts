@@ -36,7 +36,12 @@ const MESSAGES = `${LINE}/messages`;
 const PAIRING = `${ROBOT}/pairing`;
 const PAIR = "/api/v1/pairing";
 /** Static files, which are not part of the API. */
-const FILES = new Set(["get /openapi.json", "get /asyncapi.json", "get /corridor.py"]);
+const FILES = new Set([
+  "get /openapi.json",
+  "get /asyncapi.json",
+  "get /corridor.py",
+  "get /corridor.js",
+]);
 
 /** Express's internal representation of a route or a mounted router. */
 interface Layer {
