@@ -1,0 +1,176 @@
+/** The libraries for scripts, installed or downloaded outside of the repository, with a page's robot. */
+import { spawnSync } from "node:child_process";
+import { once } from "node:events";
+import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { createServer, type Server } from "node:http";
+import { createRequire } from "node:module";
+import type { AddressInfo } from "node:net";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import type { Page } from "playwright/test";
+import { publint } from "publint";
+import { expect, test } from "./fixtures.ts";
+import { api, copyAddress, setSpeed } from "./support/remote-robot.ts";
+
+const CLIENT = fileURLToPath(new URL("../packages/client/", import.meta.url));
+const PACKAGE = join(CLIENT, "dist");
+const require = createRequire(import.meta.url);
+
+let folder = "";
+let otherSite: Server | undefined;
+test.beforeEach(async () => {
+  folder = await mkdtemp(join(tmpdir(), "corridor-installed-"));
+});
+test.afterEach(async () => {
+  otherSite?.close();
+  otherSite = undefined;
+  await rm(folder, { recursive: true });
+});
+
+/** Runs a command in the empty folder. @returns its standard output */
+function run(command: string, ...args: string[]): string {
+  const { status, stdout, stderr } = spawnSync(command, args, {
+    cwd: folder,
+    encoding: "utf8",
+    env: { ...process.env, FORCE_COLOR: "0" },
+  });
+  expect(status, `${command} ${args.join(" ")}\n${stdout}${stderr}`).toBe(0);
+  return stdout;
+}
+
+/** @returns the file name of the package and the files in it */
+function pack(): { tarball: string; files: string[] } {
+  const [packed] = JSON.parse(run("npm", "pack", "--json", PACKAGE));
+  return {
+    tarball: packed.filename,
+    files: packed.files.map(({ path }: { path: string }) => path),
+  };
+}
+
+/** The code block of a README that contains `excerpt`, with the robot's address. */
+async function example(readme: string, excerpt: string, address: string): Promise<string> {
+  const text = await readFile(join(CLIENT, readme), "utf8");
+  const blocks = [...text.matchAll(/^```(?:js|ts)\n([^]*?)^```$/gm)].map(([, code = ""]) => code);
+  const found = blocks.filter((code) => code.includes(excerpt));
+  expect(found).toHaveLength(1);
+  return (found[0] ?? "").replaceAll("http://HOST/r/ID#KEY", address);
+}
+
+/** A page's robot in the first maze, faster than in real time. */
+async function openRobot(page: Page): Promise<string> {
+  await page.goto("/");
+  await setSpeed(page, "16");
+  return copyAddress(page);
+}
+
+/** The actions of all commands of the robot. All of them must have completed. */
+async function completedActions(address: string): Promise<string[]> {
+  const { commands } = await (await api(address, "/commands?after=0")).json();
+  return commands.map((command: { state: string; action: string }) => {
+    expect(command).toMatchObject({ state: "completed" });
+    return command.action;
+  });
+}
+
+/** @returns the address of an empty page with another origin than the relay */
+async function serveOtherSite(): Promise<string> {
+  otherSite = createServer((_request, response) => {
+    response.setHeader("Content-Type", "text/html");
+    response.end("<title>Another site</title>");
+  });
+  await once(otherSite.listen(0, "127.0.0.1"), "listening");
+  return `http://127.0.0.1:${(otherSite.address() as AddressInfo).port}/`;
+}
+
+test("the npm package contains the built files, README and license, and tools accept it", async () => {
+  const { tarball, files } = pack();
+  expect(files.toSorted()).toEqual([
+    "LICENSE",
+    "README.md",
+    "host.d.ts",
+    "host.js",
+    "index.d.ts",
+    "index.js",
+    "package.json",
+    "watch.d.ts",
+    "watch.js",
+  ]);
+  expect((await publint({ pkgDir: PACKAGE, strict: true })).messages).toEqual([]);
+  // The package has ES modules only.
+  const checker = join(dirname(require.resolve("@arethetypeswrong/cli/package.json")), "dist");
+  run(process.execPath, join(checker, "index.js"), tarball, "--profile", "esm-only");
+});
+
+test("the README's first example drives from an empty folder with the installed package", async ({
+  page,
+}) => {
+  test.setTimeout(180_000);
+  const address = await openRobot(page);
+  await writeFile(join(folder, "package.json"), "{}");
+  run("npm", "install", "--no-audit", "--no-fund", pack().tarball);
+  const script = await example("README.md", "finally", address);
+  await writeFile(join(folder, "drive.mjs"), script);
+  expect(run(process.execPath, "drive.mjs")).toBe("");
+  const actions = await completedActions(address);
+  expect(actions[0]).toBe("move");
+  expect(actions.at(-1)).toBe("left 90");
+});
+
+test("TypeScript checks a script with the installed package", async () => {
+  test.setTimeout(180_000);
+  await writeFile(join(folder, "package.json"), "{}");
+  run("npm", "install", "--no-audit", "--no-fund", pack().tarball);
+  const script = await example("README.md", "finally", "http://HOST/r/ID#KEY");
+  await writeFile(
+    join(folder, "drive.mts"),
+    `${script}
+import { HostLink } from "@corridor/client/host";
+import { WatchLink } from "@corridor/client/watch";
+export const links = [HostLink, WatchLink];
+// @ts-expect-error: a move needs a distance in cm
+await robot.move("far");
+`,
+  );
+  const options = ["--noEmit", "--strict", "--target", "es2024", "--module", "nodenext"];
+  run(process.execPath, require.resolve("typescript/bin/tsc"), ...options, "drive.mts");
+});
+
+for (const { runtime, flags } of [
+  { runtime: "Node", flags: [] },
+  { runtime: "a Node without WebSocket, such as Node 20", flags: ["--no-experimental-websocket"] },
+]) {
+  test(`a script next to the downloaded corridor.js drives in ${runtime}`, async ({
+    page,
+    relay,
+  }) => {
+    const address = await openRobot(page);
+    run("curl", "-sSfO", `${relay}/corridor.js`);
+    const script = await example("README.md", "./corridor.js", address);
+    expect(script.trimEnd().split("\n").length).toBeLessThanOrEqual(8);
+    await writeFile(join(folder, "drive.mjs"), script);
+    expect(run(process.execPath, ...flags, "drive.mjs")).toMatch(/^\d+(\.\d+)?\n$/);
+    expect((await completedActions(address)).at(-1)).toBe("left 90");
+  });
+}
+
+test("a page of another site imports corridor.js and drives", async ({ page, relay, browser }) => {
+  const address = await openRobot(page);
+  // The relay rejects WebSockets of other sites, which the browser reports as an error in this
+  // context. The library falls back to long polling.
+  const context = await browser.newContext();
+  const other = await context.newPage();
+  await other.goto(await serveOtherSite());
+  const state = await other.evaluate(
+    async ([library = "", robotAddress = ""]) => {
+      const { RobotClient } = await import(library);
+      const robot = await RobotClient.connect(robotAddress);
+      const record = await robot.right90();
+      robot.close();
+      return record.state;
+    },
+    [`${relay}/corridor.js`, address],
+  );
+  expect(state).toBe("completed");
+  await context.close();
+});
