@@ -15,6 +15,7 @@ import { api, copyAddress, setSpeed } from "./support/remote-robot.ts";
 
 const CLIENT = fileURLToPath(new URL("../packages/client/", import.meta.url));
 const PACKAGE = join(CLIENT, "dist");
+const PYTHON_CLIENT = fileURLToPath(new URL("../packages/client-python/", import.meta.url));
 const require = createRequire(import.meta.url);
 
 let folder = "";
@@ -48,11 +49,13 @@ function pack(): { tarball: string; files: string[] } {
   };
 }
 
-/** The code block of a README that contains `excerpt`, with the robot's address. */
-async function example(readme: string, excerpt: string, address: string): Promise<string> {
-  const text = await readFile(join(CLIENT, readme), "utf8");
-  const blocks = [...text.matchAll(/^```(?:js|ts)\n([^]*?)^```$/gm)].map(([, code = ""]) => code);
-  const found = blocks.filter((code) => code.includes(excerpt));
+/** The code block of a library's README that contains `excerpt`, with the robot's address. */
+async function example(excerpt: string, address: string, library = CLIENT): Promise<string> {
+  const text = await readFile(join(library, "README.md"), "utf8");
+  const blocks = [...text.matchAll(/^( *)```(?:js|ts|python)\n([^]*?)^ *```$/gm)];
+  const found = blocks
+    .map(([, indent = "", code = ""]) => code.replaceAll(new RegExp(`^${indent}`, "gm"), ""))
+    .filter((code) => code.includes(excerpt));
   expect(found).toHaveLength(1);
   return (found[0] ?? "").replaceAll("http://HOST/r/ID#KEY", address);
 }
@@ -109,7 +112,7 @@ test("the README's first example drives from an empty folder with the installed 
   const address = await openRobot(page);
   await writeFile(join(folder, "package.json"), "{}");
   run("npm", "install", "--no-audit", "--no-fund", pack().tarball);
-  const script = await example("README.md", "finally", address);
+  const script = await example("finally", address);
   await writeFile(join(folder, "drive.mjs"), script);
   expect(run(process.execPath, "drive.mjs")).toBe("");
   const actions = await completedActions(address);
@@ -121,7 +124,7 @@ test("TypeScript checks a script with the installed package", async () => {
   test.setTimeout(180_000);
   await writeFile(join(folder, "package.json"), "{}");
   run("npm", "install", "--no-audit", "--no-fund", pack().tarball);
-  const script = await example("README.md", "finally", "http://HOST/r/ID#KEY");
+  const script = await example("finally", "http://HOST/r/ID#KEY");
   await writeFile(
     join(folder, "drive.mts"),
     `${script}
@@ -146,7 +149,7 @@ for (const { runtime, flags } of [
   }) => {
     const address = await openRobot(page);
     run("curl", "-sSfO", `${relay}/corridor.js`);
-    const script = await example("README.md", "./corridor.js", address);
+    const script = await example("./corridor.js", address);
     expect(script.trimEnd().split("\n").length).toBeLessThanOrEqual(8);
     await writeFile(join(folder, "drive.mjs"), script);
     expect(run(process.execPath, ...flags, "drive.mjs")).toMatch(/^\d+(\.\d+)?\n$/);
@@ -173,4 +176,26 @@ test("a page of another site imports corridor.js and drives", async ({ page, rel
   );
   expect(state).toBe("completed");
   await context.close();
+});
+
+test("the Python README's first example drives from an empty folder with the installed wheel", async ({
+  page,
+}) => {
+  test.setTimeout(180_000);
+  const address = await openRobot(page);
+  run("python3", "-m", "venv", "env");
+  const python = join(
+    folder,
+    "env",
+    process.platform === "win32" ? "Scripts/python" : "bin/python",
+  );
+  const pip = ["-m", "pip", "--quiet", "--disable-pip-version-check"];
+  run(python, ...pip, "wheel", "--no-deps", "--wheel-dir", "wheels", PYTHON_CLIENT);
+  run(python, ...pip, "install", "--no-index", "--find-links", "wheels", "corridor");
+  await writeFile(
+    join(folder, "drive.py"),
+    await example("robot.forward(100)\nrobot.left(90)", address, PYTHON_CLIENT),
+  );
+  expect(run(python, "drive.py")).toMatch(/^\d+\n$/);
+  expect((await completedActions(address)).at(-1)).toBe("left 90");
 });
