@@ -93,7 +93,7 @@ const allowed: Record<string, readonly string[]> = {
     "@corridor/simulation",
     "@fontsource-variable/",
     "i18next",
-    "lucide-react",
+    "lucide",
     "react",
     "react-dom",
     "react-i18next",
