@@ -4,12 +4,12 @@ import { expect, test } from "./fixtures.ts";
 
 test("reports in the browser's language that all connections pass", async ({ page }) => {
   await page.goto("/check?lang=de");
-  await expect(page.getByRole("status")).toHaveText(/Alles kommt durch/, { timeout: 50_000 });
+  await expect(page.getByRole("status")).toHaveText(/Alles funktioniert/, { timeout: 50_000 });
   await expect(page.getByRole("listitem")).toHaveCount(11);
   await expect(page.locator("[data-state=blocked]")).toHaveCount(0);
   await page.getByRole("button", { name: "Ergebnis kopieren" }).click();
   const copied = await page.evaluate(() => navigator.clipboard.readText());
-  expect(copied).toContain("WebSocket: kommt durch");
+  expect(copied).toContain("WebSocket: funktioniert");
 });
 
 test("reports what is blocked and how to fix it", async ({ page }) => {
