@@ -2,7 +2,7 @@
  * Finds commands of a robot, first in memory and then in the tables. Must be called within a step.
  */
 import type { CommandRecord } from "@corridor/protocol";
-import { isStop, recordOfRow, STOP, type CommandRow } from "./command-row.ts";
+import { isStop, recordOfRow, STOP, type CommandRow } from "../robots/commands/command-row.ts";
 import type { LiveRobot } from "./live-robot.ts";
 import { numberIn, rowsIn } from "./sqlite-rows.ts";
 import type { Statements } from "./statements.ts";

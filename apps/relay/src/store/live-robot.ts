@@ -3,8 +3,8 @@
  * tables. It holds the open commands, and the ended commands that no table holds yet.
  */
 import { hasEnded } from "@corridor/protocol";
-import type { CommandRow } from "./command-row.ts";
-import { KeyIndex } from "./key-index.ts";
+import type { CommandRow } from "../robots/commands/command-row.ts";
+import { KeyIndex } from "../robots/commands/key-index.ts";
 
 /** Looking up a key in the tables takes as long as all other work of the store for a command. */
 const MOST_LEFT = 1_000;

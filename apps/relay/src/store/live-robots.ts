@@ -11,7 +11,7 @@
  * All methods except `peek`, `due` and `tidied` must be called in steps of the file. No other code
  * may change commands in the tables.
  */
-import { entryOf, rowIn, type CommandRow } from "./command-row.ts";
+import { entryOf, rowIn, type CommandRow } from "../robots/commands/command-row.ts";
 import { EntryOwners } from "./entry-owners.ts";
 import type { Memory } from "./group-commit.ts";
 import type { Bringing, Entry, Tidying } from "./journal-writer.ts";

@@ -1,6 +1,6 @@
 /** Rows of commands in SQLite. */
 import type { SQLInputValue } from "node:sqlite";
-import { rowIn, type CommandRow } from "./command-row.ts";
+import { rowIn, type CommandRow } from "../robots/commands/command-row.ts";
 import type { Statements } from "./statements.ts";
 
 /** The column `found` of the first row; null if there is none. */

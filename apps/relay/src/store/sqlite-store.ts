@@ -8,12 +8,12 @@
  */
 import { hasEnded, type CommandRecord, type Ending } from "@corridor/protocol";
 import { z } from "zod";
-import { isStop, recordOfRow } from "./command-row.ts";
+import { isStop, recordOfRow } from "../robots/commands/command-row.ts";
 import { newestOvertaking, recordOf, recordsAfter, rowWith, withKey } from "./commands-of-robot.ts";
-import { commandIn } from "./known-commands.ts";
+import { commandIn } from "../robots/commands/known-commands.ts";
 import type { LiveRobot } from "./live-robot.ts";
 import { LiveRobots, LONG } from "./live-robots.ts";
-import * as steps from "./robot-steps.ts";
+import * as steps from "../robots/commands/state-machine.ts";
 import {
   type AddResult,
   type AwayResult,

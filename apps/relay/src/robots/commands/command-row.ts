@@ -4,7 +4,7 @@
  */
 import type { Command, CommandRecord, CommandState } from "@corridor/protocol";
 import { commandIn } from "./known-commands.ts";
-import type { TermedRecord } from "./session-store.ts";
+import type { TermedRecord } from "../../store/session-store.ts";
 
 export interface CommandRow {
   readonly seq: number;

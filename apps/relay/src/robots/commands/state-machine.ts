@@ -5,7 +5,7 @@
 import { expiredReason, type CommandRecord, type Ending } from "@corridor/protocol";
 import { isStop, recordOfRow, termedOfRow, type CommandRow } from "./command-row.ts";
 import type { KnownCommand } from "./known-commands.ts";
-import type { LiveRobot } from "./live-robot.ts";
+import type { LiveRobot } from "../../store/live-robot.ts";
 import {
   CLOCK_TOLERANCE_MS,
   type AddResult,
@@ -13,7 +13,7 @@ import {
   type NewCommand,
   type PageState,
   type TermedRecord,
-} from "./session-store.ts";
+} from "../../store/session-store.ts";
 
 /** Checks whether the sender may send commands. @returns null if it may */
 export function refusal({ standing }: LiveRobot, { driver, script }: NewCommand): AddResult | null {
