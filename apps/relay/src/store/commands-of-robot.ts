@@ -17,8 +17,9 @@ export function rowWith(
   robot: LiveRobot,
   seq: number,
 ): CommandRow | null {
-  const known = robot.row(seq);
-  if (known !== null || seq <= robot.forgotten) return known;
+  const { commands } = robot;
+  const known = commands.row(seq);
+  if (known !== null || seq <= commands.forgotten) return known;
   return rowsIn(statements, BY_SEQ, [id, seq])[0] ?? null;
 }
 
@@ -38,18 +39,18 @@ export function withKey(
   id: string,
   robot: LiveRobot,
   { driver, key }: { driver: string; key: string },
-): CommandRecord | null {
-  const atHand = robot.withKey(driver, key);
-  if (atHand !== null) return recordOfRow(atHand);
+): CommandRow | null {
+  const atHand = robot.commands.withKey(driver, key);
+  if (atHand !== null) return atHand;
   const [row] = robot.mayHaveLeft(driver, key) ? rowsIn(statements, BY_KEY, [id, driver, key]) : [];
-  return row === undefined || row.seq <= robot.forgotten ? null : recordOfRow(row);
+  return row === undefined || row.seq <= robot.commands.forgotten ? null : row;
 }
 
 /** Commands with a higher seq, in order. */
 export function recordsAfter(
   statements: Statements,
   id: string,
-  robot: LiveRobot,
+  { commands: robot }: LiveRobot,
   { seq, limit }: { seq: number; limit: number },
 ): CommandRecord[] {
   const inTable = rowsIn(statements, AFTER, [id, Math.max(seq, robot.forgotten), limit]);
@@ -63,7 +64,7 @@ export function recordsAfter(
 export function newestOvertaking(
   statements: Statements,
   id: string,
-  robot: LiveRobot,
+  { commands: robot }: LiveRobot,
   { what, after }: { what: "stop" | "replace"; after: number },
 ): number | null {
   const condition = what === "stop" ? `command = '${STOP}'` : "replaces = 1";

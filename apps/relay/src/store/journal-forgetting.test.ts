@@ -109,7 +109,7 @@ describe("the journal", () => {
     live.remove([id]);
     live.undone();
     live.deleteOrphans();
-    expect([...(live.open(id)?.open ?? [])].map(({ seq }) => seq)).toEqual([1, 2, 3]);
+    expect([...(live.open(id)?.commands.open ?? [])].map(({ seq }) => seq)).toEqual([1, 2, 3]);
   });
 
   it("forgets a robot wholly that has more in it than a call can be given", async () => {

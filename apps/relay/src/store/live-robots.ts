@@ -11,11 +11,13 @@
  * All methods except `peek`, `due` and `tidied` must be called in steps of the file. No other code
  * may change commands in the tables.
  */
-import { entryOf, rowIn, type CommandRow } from "../robots/commands/command-row.ts";
+import type { CommandRow } from "../robots/commands/command-row.ts";
+import type { Standing } from "../robots/commands/robot-commands.ts";
+import { entryOf, rowIn } from "./command-entry.ts";
 import { EntryOwners } from "./entry-owners.ts";
 import type { Memory } from "./group-commit.ts";
 import type { Bringing, Entry, Tidying } from "./journal-writer.ts";
-import { LiveRobot, type Standing } from "./live-robot.ts";
+import { LiveRobot } from "./live-robot.ts";
 import { numberIn, rowsIn } from "./sqlite-rows.ts";
 import type { Statements } from "./statements.ts";
 
@@ -95,14 +97,9 @@ export class LiveRobots implements Memory {
     return this.#load(id);
   }
 
-  /** Reads the robot's keys and blocked scripts again after a change. */
-  refresh(id: string, { standing }: LiveRobot): void {
-    Object.assign(standing, this.#whoMay(id));
-  }
-
   /** Called at the end of a step with the robot. Releases it from memory if possible. */
   done(id: string, robot: LiveRobot): void {
-    if (robot.endedCount > MOST_ENDED) this.#crowded.add(id);
+    if (robot.commands.endedCount > MOST_ENDED) this.#crowded.add(id);
     this.#release(id, robot);
   }
 
@@ -158,8 +155,9 @@ export class LiveRobots implements Memory {
       if (robot === undefined || first === undefined) continue;
       this.#unsettled.delete(id);
       this.#bringing.set(id, first);
-      const { lastSeq } = robot.standing;
-      const { openFrom, toForget: forgotten } = robot;
+      const { openFrom, standing } = robot.commands;
+      const { lastSeq } = standing;
+      const { toForget: forgotten } = robot;
       const { rows, gone } = robot.unsettled();
       const upTo = this.#next - 1;
       bringing.push({ robot: id, entries: rows, gone, upTo, lastSeq, openFrom, forgotten });

@@ -1,14 +1,6 @@
 /** The hashed keys of a session in SQLite. */
 import { z } from "zod";
-import {
-  keyKinds,
-  type KeyChange,
-  type KeysResult,
-  type KeyTimes,
-  type KeyUse,
-  type StoredKey,
-  type TermedRecord,
-} from "./session-store.ts";
+import { keyKinds, type KeyTimes, type KeyUse, type StoredKey } from "./session-store.ts";
 import type { Statements } from "./statements.ts";
 
 const keyRow = z.object({ hash: z.string(), kind: z.enum(keyKinds) });
@@ -47,28 +39,7 @@ export function noteKeyUses(writing: Statements, robot: string, uses: readonly K
   for (const { hash, at } of uses) writing.run(sql, [at, robot, hash]);
 }
 
-/**
- * Creates and revokes keys.
- * @param revoked cancels the commands of a key
- * @returns all keys that exist now
- */
-export function changeKeys(
-  writing: Statements,
-  robot: string,
-  { add, remove, removeKind, most, now }: KeyChange,
-  revoked: (driver: string) => TermedRecord[],
-): KeysResult {
-  const isGone = ({ hash, kind }: StoredKey): boolean =>
-    remove.includes(hash) || kind === removeKind;
-  const all = keysIn(writing, robot);
-  const kept = all.filter((key) => !isGone(key));
-  if (add.length > 0 && kept.length + add.length > most) return { outcome: "full" };
-  const ended: TermedRecord[] = [];
-  for (const { hash } of all.filter(isGone)) {
-    writing.run("DELETE FROM keys WHERE robot = ? AND hash = ?", [robot, hash]);
-    writing.run("DELETE FROM away WHERE robot = ? AND driver = ?", [robot, hash]);
-    ended.push(...revoked(hash));
-  }
-  addKeys(writing, robot, add, now);
-  return { outcome: "changed", keys: [...kept, ...add], ended };
+export function removeKeys(writing: Statements, robot: string, hashes: readonly string[]): void {
+  const sql = "DELETE FROM keys WHERE robot = ? AND hash = ?";
+  for (const hash of hashes) writing.run(sql, [robot, hash]);
 }

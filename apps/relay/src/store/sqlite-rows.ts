@@ -1,6 +1,7 @@
 /** Rows of commands in SQLite. */
 import type { SQLInputValue } from "node:sqlite";
-import { rowIn, type CommandRow } from "../robots/commands/command-row.ts";
+import type { CommandRow } from "../robots/commands/command-row.ts";
+import { rowIn } from "./command-entry.ts";
 import type { Statements } from "./statements.ts";
 
 /** The column `found` of the first row; null if there is none. */

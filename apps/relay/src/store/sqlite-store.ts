@@ -6,14 +6,14 @@
  * journal (`LiveRobots`). All other steps read rows of one robot by index. Only the deletion of
  * expired sessions, once a minute, reads all sessions, but not their commands.
  */
-import { hasEnded, type CommandRecord, type Ending } from "@corridor/protocol";
+import type { CommandRecord, Ending } from "@corridor/protocol";
 import { z } from "zod";
-import { isStop, recordOfRow } from "../robots/commands/command-row.ts";
+import { recordOfRow } from "../robots/commands/command-row.ts";
+import { changeAway, changeKeys } from "../robots/commands/permissions.ts";
+import * as machine from "../robots/commands/state-machine.ts";
 import { newestOvertaking, recordOf, recordsAfter, rowWith, withKey } from "./commands-of-robot.ts";
-import { commandIn } from "../robots/commands/known-commands.ts";
 import type { LiveRobot } from "./live-robot.ts";
 import { LiveRobots, LONG } from "./live-robots.ts";
-import * as steps from "../robots/commands/state-machine.ts";
 import {
   type AddResult,
   type AwayResult,
@@ -30,9 +30,9 @@ import {
   type StoredSession,
   type TermedRecord,
 } from "./session-store.ts";
-import { awayIn, changeAway } from "./sqlite-away.ts";
+import { awayIn, setAway } from "./sqlite-away.ts";
 import { SqliteFile } from "./sqlite-file.ts";
-import { addKeys, changeKeys, keysIn, keyTimesIn, noteKeyUses } from "./sqlite-keys.ts";
+import { addKeys, keysIn, keyTimesIn, noteKeyUses, removeKeys } from "./sqlite-keys.ts";
 import type { Statements } from "./statements.ts";
 
 const sessionRow = z.object({
@@ -94,29 +94,29 @@ export class SqliteStore implements SessionStore {
   }
 
   async changeKeys(id: string, change: KeyChange): Promise<KeysResult> {
-    const { reason } = change;
     const work = (): KeysResult =>
-      this.#of(id, { outcome: "no-session" }, (robot) => {
-        const result = changeKeys(this.#writing, id, change, (driver) =>
-          steps.recallAllOf(robot, { driver }, reason),
-        );
-        this.#live.refresh(id, robot);
-        return result;
+      this.#of<KeysResult>(id, { outcome: "no-session" }, ({ commands }) => {
+        const before = { keys: keysIn(this.#writing, id), away: awayIn(this.#writing, id) };
+        const changed = changeKeys(commands, before, change);
+        if (changed === null) return { outcome: "full" };
+        const { keys, away, revoked, ended } = changed;
+        removeKeys(this.#writing, id, revoked);
+        addKeys(this.#writing, id, change.add, change.now);
+        if (away.length < before.away.length) setAway(this.#writing, id, away);
+        return { outcome: "changed", keys, ended };
       });
     // Keys can be revoked on a full disk.
     return change.add.length === 0 ? this.#file.step(work) : this.#file.growingStep(work);
   }
 
   async changeAway(id: string, change: ScriptChange): Promise<AwayResult> {
-    const { reason } = change;
     // Scripts can be blocked on a full disk: their number is limited.
     return this.#file.step(() =>
-      this.#of<AwayResult>(id, { outcome: "no-session" }, (robot) => {
-        const result = changeAway(this.#writing, id, change, (script) =>
-          steps.recallAllOf(robot, { script }, reason),
-        );
-        this.#live.refresh(id, robot);
-        return result;
+      this.#of<AwayResult>(id, { outcome: "no-session" }, ({ commands }) => {
+        const changed = changeAway(commands, awayIn(this.#writing, id), change);
+        if (changed === null) return { outcome: "full" };
+        setAway(this.#writing, id, changed.away);
+        return { outcome: "changed", ...changed, away: awayIn(this.#writing, id) };
       }),
     );
   }
@@ -124,10 +124,9 @@ export class SqliteStore implements SessionStore {
   async pause(id: string, isPaused: boolean, reason: string): Promise<TermedRecord[] | null> {
     const sql = "UPDATE sessions SET paused = ? WHERE id = ?";
     return this.#file.step(() =>
-      this.#of<TermedRecord[] | null>(id, null, (robot) => {
+      this.#of<TermedRecord[] | null>(id, null, ({ commands }) => {
         this.#writing.run(sql, [isPaused ? 1 : 0, id]);
-        robot.standing.isPaused = isPaused;
-        return isPaused ? steps.recallAllOf(robot, "all", reason) : [];
+        return machine.pause(commands, isPaused, reason);
       }),
     );
   }
@@ -186,67 +185,57 @@ export class SqliteStore implements SessionStore {
   }
 
   add(id: string, command: NewCommand): Promise<AddResult> {
-    const known = commandIn(JSON.stringify(command.command));
-    const { driver, key } = command;
     const work = (): AddResult =>
-      this.#of<AddResult>(id, { outcome: "no-session" }, (robot) => {
-        const refused = steps.refusal(robot, command);
-        if (refused !== null) return refused;
-        const earlier = key === null ? null : withKey(this.#writing, id, robot, { driver, key });
-        if (earlier !== null) {
-          const same = JSON.stringify(earlier.command) === known.text;
-          return { outcome: same ? "duplicate" : "conflict", record: earlier };
-        }
-        return steps.add(robot, command, known);
-      });
+      this.#of<AddResult>(id, { outcome: "no-session" }, (robot) =>
+        machine.add(robot.commands, command, (driver, key) =>
+          withKey(this.#writing, id, robot, { driver, key }),
+        ),
+      );
     // Robots can be stopped on a full disk.
-    return isStop(known.text)
+    return command.command.action === "stop"
       ? this.#file.step(work, "memory")
       : this.#file.growingStep(work, "memory");
   }
 
   deliver(id: string, epoch: number, window: number, now: number): Promise<TermedRecord[]> {
-    return this.#decide<TermedRecord[]>(id, [], (robot) =>
-      steps.deliver(robot, { epoch, window, now }),
+    return this.#decide<TermedRecord[]>(id, [], ({ commands }) =>
+      machine.deliver(commands, { epoch, window, now }),
     );
   }
 
   hasAll(id: string, window: number): boolean {
-    return this.#file.isPrompt && this.#live.peek(id)?.hasAll(window) === true;
+    return this.#file.isPrompt && this.#live.peek(id)?.commands.hasAll(window) === true;
   }
 
   expire(id: string, now: number): Promise<{ ended: TermedRecord[]; next: number | null }> {
-    return this.#decide(id, { ended: [], next: null }, (robot) => steps.expire(robot, now));
+    return this.#decide(id, { ended: [], next: null }, ({ commands }) =>
+      machine.expire(commands, now),
+    );
   }
 
   cancel(id: string, seq: number, by: { driver: string; reason: string }) {
-    return this.#decide<CancelResult>(id, { outcome: "no-command" }, (robot) => {
-      const row = rowWith(this.#writing, id, robot, seq);
-      if (row === null) return { outcome: "no-command" };
-      if (row.driver !== by.driver) return { outcome: "not-yours" };
-      if (hasEnded(row.state)) return { outcome: "over", record: recordOfRow(row) };
-      return steps.cancel(robot, row, by.reason);
-    });
+    return this.#decide<CancelResult>(id, { outcome: "no-command" }, (robot) =>
+      machine.cancel(robot.commands, rowWith(this.#writing, id, robot, seq), by),
+    );
   }
 
   start(id: string, epoch: number, seq: number): Promise<CommandRecord | null> {
-    return this.#decide(id, null, (robot) => steps.begin(robot, epoch, seq));
+    return this.#decide(id, null, ({ commands }) => machine.start(commands, epoch, seq));
   }
 
   end(id: string, epoch: number, ending: Ending): Promise<EndResult> {
-    return this.#decide<EndResult>(id, { outcome: "over", record: null }, (robot) => {
-      const record = robot.standing.epoch === epoch ? steps.end(robot, ending) : null;
-      if (record !== null) return { outcome: "ended", record };
-      return { outcome: "over", record: recordOf(this.#writing, id, robot, ending.seq) };
-    });
+    return this.#decide<EndResult>(id, { outcome: "over", record: null }, (robot) =>
+      machine.end(robot.commands, epoch, ending, (seq) => recordOf(this.#writing, id, robot, seq)),
+    );
   }
 
   async abandon(id: string, epoch: number, reason: string): Promise<CommandRecord[]> {
     return this.#file.step(() =>
-      this.#of<CommandRecord[]>(id, [], (robot) => {
-        if (robot.standing.epoch !== epoch) return [];
-        this.#raiseEpoch(id, robot);
-        return steps.abandon(robot, reason);
+      this.#of<CommandRecord[]>(id, [], ({ commands }) => {
+        const ended = machine.abandon(commands, epoch, reason);
+        const { epoch: now } = commands.standing;
+        if (now > epoch) this.#writing.run("UPDATE sessions SET epoch = ? WHERE id = ?", [now, id]);
+        return ended;
       }),
     );
   }
@@ -254,22 +243,15 @@ export class SqliteStore implements SessionStore {
   async takeOver(id: string, page: PageState) {
     return this.#file.step(() =>
       this.#of<Awaited<ReturnType<SessionStore["takeOver"]>>>(id, null, (robot) => {
-        const { lastApplied, settled } = page;
-        const isSettled = settled !== null && settled >= robot.standing.epoch;
-        this.#raiseEpoch(id, robot);
-        // A page with later commands than this file saw a store that lost its newest rows.
+        const taken = machine.takeOver(robot.commands, page, {
+          record: (seq) => recordOf(this.#writing, id, robot, seq),
+          newest: (what, after) => newestOvertaking(this.#writing, id, robot, { what, after }),
+        });
         this.#writing.run(
-          "UPDATE sessions SET page = ?, last_seq = max(last_seq, ?) WHERE id = ?",
-          [page.page ?? "", lastApplied, id],
+          "UPDATE sessions SET epoch = ?, page = ?, last_seq = max(last_seq, ?) WHERE id = ?",
+          [taken.epoch, page.page ?? "", page.lastApplied, id],
         );
-        robot.standing.lastSeq = Math.max(robot.standing.lastSeq, lastApplied);
-        const met = steps.meetPage(
-          robot,
-          { ...page, isSettled },
-          (seq) => recordOf(this.#writing, id, robot, seq),
-          (what) => newestOvertaking(this.#writing, id, robot, { what, after: lastApplied }),
-        );
-        return { epoch: robot.standing.epoch, ...met };
+        return taken;
       }),
     );
   }
@@ -288,14 +270,12 @@ export class SqliteStore implements SessionStore {
   }
 
   openCommands(id: string): Promise<CommandRecord[]> {
-    return this.#decide(id, [], ({ open }) => [...open].map(recordOfRow));
+    return this.#decide(id, [], ({ commands }) => [...commands.open].map(recordOfRow));
   }
 
   recalled(id: string): Promise<{ seq: number; reason: string }[]> {
-    return this.#decide<{ seq: number; reason: string }[]>(id, [], ({ open }) =>
-      [...open].flatMap(({ seq, state, recalled }) =>
-        recalled === null || state === "accepted" ? [] : { seq, reason: recalled },
-      ),
+    return this.#decide<{ seq: number; reason: string }[]>(id, [], ({ commands }) =>
+      machine.recalled(commands),
     );
   }
 
@@ -336,11 +316,6 @@ export class SqliteStore implements SessionStore {
         () => true,
       );
     } while (this.#live.hasOrphans);
-  }
-
-  #raiseEpoch(id: string, { standing }: LiveRobot): void {
-    standing.epoch += 1;
-    this.#writing.run("UPDATE sessions SET epoch = ? WHERE id = ?", [standing.epoch, id]);
   }
 }
 

@@ -1,28 +1,47 @@
 /**
- * State transitions of a robot's commands; see `SessionStore` for their meaning. Each transition
- * names the states that it starts from. An ended command never changes again.
+ * State transitions of a robot's commands: the only place for these rules. `SessionStore` describes
+ * their meaning. Each transition names the states that it starts from. An ended command never
+ * changes again.
+ *
+ * A function receives what it needs of ended commands that are not in memory from its caller.
  */
-import { expiredReason, type CommandRecord, type Ending } from "@corridor/protocol";
+import { expiredReason, hasEnded, type CommandRecord, type Ending } from "@corridor/protocol";
 import { isStop, recordOfRow, termedOfRow, type CommandRow } from "./command-row.ts";
-import type { KnownCommand } from "./known-commands.ts";
-import type { LiveRobot } from "../../store/live-robot.ts";
+import { commandIn, type KnownCommand } from "./known-commands.ts";
+import type { RobotCommands } from "./robot-commands.ts";
 import {
   CLOCK_TOLERANCE_MS,
   type AddResult,
   type CancelResult,
+  type EndResult,
   type NewCommand,
   type PageState,
   type TermedRecord,
-} from "../../store/session-store.ts";
+} from "./steps.ts";
 
-/** Checks whether the sender may send commands. @returns null if it may */
-export function refusal({ standing }: LiveRobot, { driver, script }: NewCommand): AddResult | null {
+/**
+ * Stores a command, unless its sender may not send commands or its idempotency key is known.
+ * @param earlier finds the command with this idempotency key
+ */
+export function add(
+  robot: RobotCommands,
+  command: NewCommand,
+  earlier: (driver: string, key: string) => CommandRow | null,
+): AddResult {
+  const { standing } = robot;
+  const { driver, script, key } = command;
+  const known = commandIn(JSON.stringify(command.command));
   if (!standing.keys.has(driver)) return { outcome: "revoked" };
-  return script !== null && standing.away.has(script) ? { outcome: "blocked" } : null;
+  if (script !== null && standing.away.has(script)) return { outcome: "blocked" };
+  const before = key === null ? null : earlier(driver, key);
+  if (before !== null) {
+    const outcome = before.text === known.text ? "duplicate" : "conflict";
+    return { outcome, record: recordOfRow(before) };
+  }
+  return addNew(robot, command, known);
 }
 
-/** Stores a command whose idempotency key is new. @param known the interned command */
-export function add(robot: LiveRobot, command: NewCommand, known: KnownCommand): AddResult {
+function addNew(robot: RobotCommands, command: NewCommand, known: KnownCommand): AddResult {
   const { standing } = robot;
   const { driver, script, key, acceptedAt, ttl, deadline, replace, lease } = command;
   const stops = isStop(known.text);
@@ -32,7 +51,7 @@ export function add(robot: LiveRobot, command: NewCommand, known: KnownCommand):
   const ended = stops || replace ? overtake(robot, { seq, stops }) : [];
   if (!stops && robot.waitingCount >= command.maxWaiting) return { outcome: "full" };
   robot.forget(seq - command.keep);
-  const row = robot.change({
+  const row = robot.add({
     seq,
     driver,
     script,
@@ -57,7 +76,7 @@ export function add(robot: LiveRobot, command: NewCommand, known: KnownCommand):
 
 /** accepted → delivered, in order: as many as the window permits, and all that bypass it. */
 export function deliver(
-  robot: LiveRobot,
+  robot: RobotCommands,
   { epoch, window, now }: { epoch: number; window: number; now: number },
 ): TermedRecord[] {
   if (robot.standing.epoch !== epoch) return [];
@@ -75,7 +94,7 @@ export function deliver(
 
 /** accepted → expired. @returns the expired commands, and the next deadline of the waiting ones */
 export function expire(
-  robot: LiveRobot,
+  robot: RobotCommands,
   now: number,
 ): { ended: TermedRecord[]; next: number | null } {
   const ended: TermedRecord[] = [];
@@ -89,24 +108,34 @@ export function expire(
   return { ended, next };
 }
 
-/**
- * Cancels an open command: accepted → cancelled. A command that the robot has is marked as
- * recalled.
- */
-export function cancel(robot: LiveRobot, row: CommandRow, reason: string): CancelResult {
-  if (row.state !== "accepted") {
-    robot.change(row, { recalled: row.recalled ?? reason });
-    return { outcome: "delivered", record: recordOfRow(row) };
-  }
-  return {
-    outcome: "cancelled",
-    termed: termedOfRow(robot.change(row, { state: "cancelled", reason })),
-  };
+/** Cancels a command for the driver that sent it. @param row the command; null: there is none */
+export function cancel(
+  robot: RobotCommands,
+  row: CommandRow | null,
+  by: { driver: string; reason: string },
+): CancelResult {
+  if (row === null) return { outcome: "no-command" };
+  if (row.driver !== by.driver) return { outcome: "not-yours" };
+  if (hasEnded(row.state)) return { outcome: "over", record: recordOfRow(row) };
+  const termed = recall(robot, row, by.reason);
+  if (termed !== null) return { outcome: "cancelled", termed };
+  return { outcome: "delivered", record: recordOfRow(row) };
 }
 
-/** Cancels all commands of a key or a script, or all except stops. @returns those that ended */
+/**
+ * Recalls an open command: accepted → cancelled. A command that the robot has is marked as
+ * recalled. @returns the command if it has ended
+ */
+function recall(robot: RobotCommands, row: CommandRow, reason: string): TermedRecord | null {
+  if (row.state === "accepted")
+    return termedOfRow(robot.change(row, { state: "cancelled", reason }));
+  if (row.recalled === null) robot.change(row, { recalled: reason });
+  return null;
+}
+
+/** Recalls all commands of a key or a script, or all except stops. @returns those that ended */
 export function recallAllOf(
-  robot: LiveRobot,
+  robot: RobotCommands,
   whose: { driver: string } | { script: string } | "all",
   reason: string,
 ): TermedRecord[] {
@@ -114,45 +143,80 @@ export function recallAllOf(
     if (whose === "all") return !isStop(text);
     return "driver" in whose ? driver === whose.driver : script === whose.script;
   };
-  return [...robot.open].filter(isMeant).flatMap((row) => {
-    const result = cancel(robot, row, reason);
-    return result.outcome === "cancelled" ? result.termed : [];
-  });
+  const meant = [...robot.open].filter(isMeant);
+  return meant.map((row) => recall(robot, row, reason)).filter((termed) => termed !== null);
+}
+
+/** Pauses remote driving and recalls all commands except stops, or resumes it. */
+export function pause(robot: RobotCommands, isPaused: boolean, reason: string): TermedRecord[] {
+  robot.standing.isPaused = isPaused;
+  return isPaused ? recallAllOf(robot, "all", reason) : [];
+}
+
+/** Recalled commands that the robot has, in order. */
+export function recalled({ open }: RobotCommands): { seq: number; reason: string }[] {
+  return [...open].flatMap((row) =>
+    row.recalled !== null && isWithRobot(row) ? { seq: row.seq, reason: row.recalled } : [],
+  );
 }
 
 /** delivered → started. @returns null if it was not delivered or the epoch is not the newest */
-export function begin(robot: LiveRobot, epoch: number, seq: number): CommandRecord | null {
+export function start(robot: RobotCommands, epoch: number, seq: number): CommandRecord | null {
   const row = robot.row(seq);
   if (row?.state !== "delivered" || robot.standing.epoch !== epoch) return null;
   return recordOfRow(robot.change(row, { state: "started" }));
 }
 
-/** delivered or started → its ending. @returns null if it was in neither state */
-export function end(robot: LiveRobot, ending: Ending): CommandRecord | null {
+/** delivered or started → its ending. @param known finds the record of an ended command */
+export function end(
+  robot: RobotCommands,
+  epoch: number,
+  ending: Ending,
+  known: (seq: number) => CommandRecord | null,
+): EndResult {
+  const record = robot.standing.epoch === epoch ? finish(robot, ending) : null;
+  if (record !== null) return { outcome: "ended", record };
+  return { outcome: "over", record: known(ending.seq) };
+}
+
+/** @returns null if it was neither delivered nor started */
+function finish(robot: RobotCommands, ending: Ending): CommandRecord | null {
   const { seq, state, reason, pose, distance } = ending;
   const row = robot.row(seq);
   if (row === null || !isWithRobot(row)) return null;
   return recordOfRow(robot.change(row, { state, reason, pose, distance }));
 }
 
-/** Cancels all delivered and started commands, because their page does not return. */
-export function abandon(robot: LiveRobot, reason: string): CommandRecord[] {
+/**
+ * Gives up the page of this epoch, because it does not return, and cancels all delivered and
+ * started commands. Does nothing if a newer page exists.
+ */
+export function abandon(robot: RobotCommands, epoch: number, reason: string): CommandRecord[] {
+  if (robot.standing.epoch !== epoch) return [];
+  robot.standing.epoch += 1;
   const left = [...robot.open].filter(isWithRobot);
   return left.map((row) => recordOfRow(robot.change(row, { state: "cancelled", reason })));
 }
 
-/**
- * Reconciles a robot's commands with the report of the page that acquires the robot.
- * @param known finds a record in memory or in the tables
- * @param newest finds the highest seq of a stop or a replacing command in memory or in the tables
- */
-export function meetPage(
-  robot: LiveRobot,
-  page: PageState & { isSettled: boolean },
-  known: (seq: number) => CommandRecord | null,
-  newest: (what: "stop" | "replace") => number | null,
-): { changed: CommandRecord[]; refused: CommandRecord[] } {
-  const { lastApplied, fresh, isSettled, endings, pose, left } = page;
+/** Where `takeOver` finds commands that have ended. */
+export interface EndedCommands {
+  record(seq: number): CommandRecord | null;
+  /** The highest seq of a stop or a replacing command after `after`, whatever its state. */
+  newest(what: "stop" | "replace", after: number): number | null;
+}
+
+/** Makes a page the owner of the robot, and reconciles the commands with its report. */
+export function takeOver(
+  robot: RobotCommands,
+  page: PageState,
+  known: EndedCommands,
+): { epoch: number; changed: CommandRecord[]; refused: CommandRecord[] } {
+  const { standing } = robot;
+  const { lastApplied, fresh, settled, endings, pose, left } = page;
+  const isSettled = settled !== null && settled >= standing.epoch;
+  standing.epoch += 1;
+  // A page with later commands than the store saw one that lost its newest commands.
+  standing.lastSeq = Math.max(standing.lastSeq, lastApplied);
   // The new page's robot has not moved for these commands.
   const ending = { state: "cancelled", pose, distance: pose === null ? null : 0 } as const;
   const changed = new Map<number, CommandRecord>();
@@ -160,12 +224,12 @@ export function meetPage(
   const change = (row: CommandRow, how: Partial<CommandRow>): void => {
     changed.set(row.seq, recordOfRow(robot.change(row, how)));
   };
-  for (const ending of endings) {
-    const record = end(robot, ending);
+  for (const each of endings) {
+    const record = finish(robot, each);
     if (record !== null) changed.set(record.seq, record);
     else {
-      const before = known(ending.seq);
-      if (before !== null && before.state !== ending.state) refused.push(before);
+      const before = known.record(each.seq);
+      if (before !== null && before.state !== each.state) refused.push(before);
     }
   }
   for (const row of robot.open) {
@@ -183,17 +247,18 @@ export function meetPage(
   // it.
   for (const what of ["stop", "replace"] as const) {
     // The lookup is slow among ten thousand commands.
-    const seq = waiting(robot).length === 0 ? null : newest(what);
+    const seq = waiting(robot).length === 0 ? null : known.newest(what, lastApplied);
     if (seq === null) continue;
     for (const { record } of overtake(robot, { seq, stops: what === "stop" }))
       changed.set(record.seq, record);
   }
-  return { changed: [...changed.values()].toSorted((a, b) => a.seq - b.seq), refused };
+  const { epoch } = standing;
+  return { epoch, changed: [...changed.values()].toSorted((a, b) => a.seq - b.seq), refused };
 }
 
 /** Ends the accepted commands before a stop or a replacing command. */
 function overtake(
-  robot: LiveRobot,
+  robot: RobotCommands,
   { seq, stops }: { seq: number; stops: boolean },
 ): TermedRecord[] {
   const before = waiting(robot).filter((row) => row.seq < seq);
@@ -207,7 +272,7 @@ function overtake(
   );
 }
 
-function waiting(robot: LiveRobot): CommandRow[] {
+function waiting(robot: RobotCommands): CommandRow[] {
   return [...robot.open].filter(({ state }) => state === "accepted");
 }
 

@@ -1,0 +1,117 @@
+/** What the steps of a robot's commands receive and return. */
+import type { Command, CommandRecord, Ending, Pose } from "@corridor/protocol";
+
+export interface NewCommand {
+  /** hash of the key that sent it: the scope of `key` */
+  driver: string;
+  /** id of the script that sent it */
+  script: string | null;
+  /** the idempotency key, or null */
+  key: string | null;
+  command: Command;
+  acceptedAt: number;
+  /** ms within which it must start, for the text of its expiry */
+  ttl: number;
+  /** wall-clock time by which it must start */
+  deadline: number;
+  /** supersedes all accepted commands */
+  replace: boolean;
+  /** ms for which a drive continues without a renewal, if the sender chose it */
+  lease: number | null;
+  /** limit for the number of accepted commands; stops are never rejected */
+  maxWaiting: number;
+  /**
+   * number of newest commands to retain; older ones that have ended are deleted with their keys; at
+   * least 1
+   */
+  keep: number;
+}
+
+export type AddResult =
+  /** `ended`: commands that a stop or a replacing command has ended */
+  | { outcome: "stored"; record: CommandRecord; ended: TermedRecord[] }
+  | { outcome: "duplicate"; record: CommandRecord }
+  /** an earlier command has the same idempotency key and a different body */
+  | { outcome: "conflict"; record: CommandRecord }
+  | { outcome: "full" }
+  /** its deadline had passed on arrival, and its idempotency key is new */
+  | { outcome: "late" }
+  /** the key that sent it is no longer a key of this robot */
+  | { outcome: "revoked" }
+  /** the script that sent it is blocked */
+  | { outcome: "blocked" }
+  /** the owner has paused all scripts */
+  | { outcome: "paused" }
+  | { outcome: "no-session" };
+
+/** A record with the command details that only the relay and the robot need. */
+export interface TermedRecord {
+  record: CommandRecord;
+  /** hash of the key that sent it */
+  driver: string;
+  /** id of the script that sent it; null if an earlier version of Corridor stored it */
+  script: string | null;
+  ttl: number;
+  deadline: number;
+  replace: boolean;
+  lease: number | null;
+}
+
+export type CancelResult =
+  | { outcome: "cancelled"; termed: TermedRecord }
+  /** it is delivered or started, so the robot must end it */
+  | { outcome: "delivered"; record: CommandRecord }
+  | { outcome: "over"; record: CommandRecord }
+  | { outcome: "not-yours" }
+  | { outcome: "no-command" };
+
+export type EndResult =
+  | { outcome: "ended"; record: CommandRecord }
+  /** this page cannot end it, or it has ended; null: there is no such command */
+  | { outcome: "over"; record: CommandRecord | null };
+
+/** A command accepted further in the future than this shows that the clock was set back. */
+export const CLOCK_TOLERANCE_MS = 2_000;
+
+/**
+ * Reasons for ending commands of the previous page if it can neither end them nor report their
+ * start.
+ */
+export interface LeftReasons {
+  /** delivered, and not known whether it has started */
+  delivered: string;
+  started: string;
+}
+
+/** The previous page is gone, and this one was loaded in its place. */
+export const reloadReasons: LeftReasons = {
+  delivered:
+    "The robot's page was reloaded, and this command may have started. Check where the robot is, then send a new command.",
+  started: "The robot's page was reloaded and ended this command. Send a new command.",
+};
+
+/** The previous page may still exist. */
+export const replacedReasons: LeftReasons = {
+  delivered:
+    "Another page took over the robot, and this command may have started. Check where the robot is, then send a new command.",
+  started: "Another page took over the robot and ended this command. Send a new command.",
+};
+
+export interface PageState {
+  /** the page has started or ended every command up to this seq that it received */
+  lastApplied: number;
+  /** the page was reloaded, so a started command can no longer end by itself */
+  fresh: boolean;
+  endings: Ending[];
+  /** pose of the page's robot, where commands that are cancelled now end; null if unknown */
+  pose: Pose | null;
+  /** id by which the page identifies itself on each connection, if it sent one */
+  page?: string | undefined;
+  /**
+   * Epoch of the previous owner if it is known which commands that page has not started; null:
+   * unknown. Has no effect if another page has acquired the robot since.
+   */
+  settled: number | null;
+  /** reasons for ending the commands of the previous page */
+  left: LeftReasons;
+}
