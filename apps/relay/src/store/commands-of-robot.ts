@@ -2,7 +2,8 @@
  * Finds commands of a robot, first in memory and then in the tables. Must be called within a step.
  */
 import type { CommandRecord } from "@corridor/protocol";
-import { isStop, recordOfRow, STOP, type CommandRow } from "../robots/commands/command-row.ts";
+import { recordOfRow, STOP, type CommandRow } from "../robots/commands/command-row.ts";
+import { newestOvertaking as newestOf } from "../robots/commands/state-machine.ts";
 import type { LiveRobot } from "./live-robot.ts";
 import { numberIn, rowsIn } from "./sqlite-rows.ts";
 import type { Statements } from "./statements.ts";
@@ -70,8 +71,6 @@ export function newestOvertaking(
   const condition = what === "stop" ? `command = '${STOP}'` : "replaces = 1";
   const sql = `SELECT max(seq) AS found FROM commands WHERE robot = ? AND seq > ? AND ${condition}`;
   const inTable = numberIn(statements, sql, [id, Math.max(after, robot.forgotten)]);
-  const atHand = robot.rows().filter(({ seq, text, replace }) => {
-    return seq > after && (what === "stop" ? isStop(text) : replace);
-  });
-  return atHand.reduce<number | null>((most, { seq }) => Math.max(most ?? seq, seq), inTable);
+  const atHand = newestOf(robot.rows(), what, after);
+  return atHand === null ? inTable : Math.max(inTable ?? atHand, atHand);
 }

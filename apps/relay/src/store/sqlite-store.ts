@@ -225,7 +225,7 @@ export class SqliteStore implements SessionStore {
 
   end(id: string, epoch: number, ending: Ending): Promise<EndResult> {
     return this.#decide<EndResult>(id, { outcome: "over", record: null }, (robot) =>
-      machine.end(robot.commands, epoch, ending, (seq) => recordOf(this.#writing, id, robot, seq)),
+      machine.end(robot.commands, epoch, ending, (seq) => rowWith(this.#writing, id, robot, seq)),
     );
   }
 
@@ -244,7 +244,7 @@ export class SqliteStore implements SessionStore {
     return this.#file.step(() =>
       this.#of<Awaited<ReturnType<SessionStore["takeOver"]>>>(id, null, (robot) => {
         const taken = machine.takeOver(robot.commands, page, {
-          record: (seq) => recordOf(this.#writing, id, robot, seq),
+          row: (seq) => rowWith(this.#writing, id, robot, seq),
           newest: (what, after) => newestOvertaking(this.#writing, id, robot, { what, after }),
         });
         this.#writing.run(
@@ -275,7 +275,7 @@ export class SqliteStore implements SessionStore {
 
   recalled(id: string): Promise<{ seq: number; reason: string }[]> {
     return this.#decide<{ seq: number; reason: string }[]>(id, [], ({ commands }) =>
-      machine.recalled(commands),
+      machine.recalled(commands.open),
     );
   }
 

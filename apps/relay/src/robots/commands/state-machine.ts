@@ -154,7 +154,7 @@ export function pause(robot: RobotCommands, isPaused: boolean, reason: string): 
 }
 
 /** Recalled commands that the robot has, in order. */
-export function recalled({ open }: RobotCommands): { seq: number; reason: string }[] {
+export function recalled(open: Iterable<CommandRow>): { seq: number; reason: string }[] {
   return [...open].flatMap((row) =>
     row.recalled !== null && isWithRobot(row) ? { seq: row.seq, reason: row.recalled } : [],
   );
@@ -167,16 +167,17 @@ export function start(robot: RobotCommands, epoch: number, seq: number): Command
   return recordOfRow(robot.change(row, { state: "started" }));
 }
 
-/** delivered or started → its ending. @param known finds the record of an ended command */
+/** delivered or started → its ending. @param known finds a command, whatever its state */
 export function end(
   robot: RobotCommands,
   epoch: number,
   ending: Ending,
-  known: (seq: number) => CommandRecord | null,
+  known: (seq: number) => CommandRow | null,
 ): EndResult {
   const record = robot.standing.epoch === epoch ? finish(robot, ending) : null;
   if (record !== null) return { outcome: "ended", record };
-  return { outcome: "over", record: known(ending.seq) };
+  const row = known(ending.seq);
+  return { outcome: "over", record: row && recordOfRow(row) };
 }
 
 /** @returns null if it was neither delivered nor started */
@@ -198,9 +199,9 @@ export function abandon(robot: RobotCommands, epoch: number, reason: string): Co
   return left.map((row) => recordOfRow(robot.change(row, { state: "cancelled", reason })));
 }
 
-/** Where `takeOver` finds commands that have ended. */
-export interface EndedCommands {
-  record(seq: number): CommandRecord | null;
+/** Where `takeOver` finds commands that may not be in memory. */
+export interface KnownCommands {
+  row(seq: number): CommandRow | null;
   /** The highest seq of a stop or a replacing command after `after`, whatever its state. */
   newest(what: "stop" | "replace", after: number): number | null;
 }
@@ -209,7 +210,7 @@ export interface EndedCommands {
 export function takeOver(
   robot: RobotCommands,
   page: PageState,
-  known: EndedCommands,
+  known: KnownCommands,
 ): { epoch: number; changed: CommandRecord[]; refused: CommandRecord[] } {
   const { standing } = robot;
   const { lastApplied, fresh, settled, endings, pose, left } = page;
@@ -228,8 +229,8 @@ export function takeOver(
     const record = finish(robot, each);
     if (record !== null) changed.set(record.seq, record);
     else {
-      const before = known.record(each.seq);
-      if (before !== null && before.state !== each.state) refused.push(before);
+      const before = known.row(each.seq);
+      if (before !== null && before.state !== each.state) refused.push(recordOfRow(before));
     }
   }
   for (const row of robot.open) {
@@ -254,6 +255,18 @@ export function takeOver(
   }
   const { epoch } = standing;
   return { epoch, changed: [...changed.values()].toSorted((a, b) => a.seq - b.seq), refused };
+}
+
+/** The highest seq of a stop or a replacing command among these; null: there is none. */
+export function newestOvertaking(
+  rows: readonly CommandRow[],
+  what: "stop" | "replace",
+  after: number,
+): number | null {
+  const isMeant = ({ text, replace }: CommandRow): boolean =>
+    what === "stop" ? isStop(text) : replace;
+  const seqs = rows.filter((row) => row.seq > after && isMeant(row)).map(({ seq }) => seq);
+  return seqs.reduce<number | null>((most, seq) => Math.max(most ?? seq, seq), null);
 }
 
 /** Ends the accepted commands before a stop or a replacing command. */

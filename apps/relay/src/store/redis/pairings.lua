@@ -1,6 +1,6 @@
 -- Pairing codes. Each step is one run of this script.
 -- KEYS: 1 robots by the expiry of their code. The script builds the names of the other keys.
--- sessions.lua deletes the code of a deleted robot and uses the same names.
+-- deletion.lua deletes the code of a deleted robot and uses the same names.
 local step, given = ARGV[1], cjson.decode(ARGV[2])
 local ENDS = KEYS[1]
 

@@ -20,9 +20,26 @@ export function postOf(relay: string): string {
   return `corridor:relay:${relay}`;
 }
 
-/** The keys that sessions.lua expects, in order. */
-export function keysOf(id: string): string[] {
-  const session = sessionOf(id);
-  const parts = ["open", "ended", "keys"].map((part) => `${session}:${part}`);
-  return [session, ...parts, "corridor:uses", "corridor:births", lineOf(id), RELAYS];
+/** Sessions by last use, and by creation. */
+export const USES = "corridor:uses";
+export const BIRTHS = "corridor:births";
+
+/** Open commands by seq. */
+export function openOf(id: string): string {
+  return `${sessionOf(id)}:open`;
+}
+
+/** Ended commands by seq. */
+export function endedOf(id: string): string {
+  return `${sessionOf(id)}:ended`;
+}
+
+/** Seq of ended commands by idempotency key. */
+export function keysOf(id: string): string {
+  return `${sessionOf(id)}:keys`;
+}
+
+/** The keys that commit.lua expects, in order. */
+export function commitKeys(id: string): string[] {
+  return [sessionOf(id), openOf(id), keysOf(id), endedOf(id), USES, BIRTHS, lineOf(id)];
 }

@@ -1,101 +1,56 @@
 /**
- * Robot sessions in Redis or Valkey, which several relays can share. Each step is a run of
- * `sessions.lua`, which also publishes its changes on the robot's channel, in order.
+ * Robot sessions in Redis or Valkey, which several relays can share. A step applies the rules to
+ * the robot in memory and commits the changes, together with the messages on the robot's channel,
+ * by `commit.lua`, if no other relay has changed the robot since.
  */
 import type { CommandRecord, Ending } from "@corridor/protocol";
 import { z } from "zod";
+import { recordOfRow, type CommandRow } from "../../robots/commands/command-row.ts";
+import { changeAway, changeKeys } from "../../robots/commands/permissions.ts";
+import * as machine from "../../robots/commands/state-machine.ts";
 import { StoreFull } from "../disk-full.ts";
-import {
-  CLOCK_TOLERANCE_MS,
-  keyKinds,
-  type AddResult,
-  type AwayResult,
-  type CancelResult,
-  type EndResult,
-  type KeyChange,
-  type KeysResult,
-  type KeyTimes,
-  type KeyUse,
-  type NewCommand,
-  type PageState,
-  type ScriptChange,
-  type SessionStore,
-  type StoredSession,
-  type TermedRecord,
+import type {
+  AddResult,
+  AwayResult,
+  CancelResult,
+  EndResult,
+  KeyChange,
+  KeysResult,
+  KeyTimes,
+  KeyUse,
+  NewCommand,
+  PageState,
+  ScriptChange,
+  SessionStore,
+  StoredSession,
+  TermedRecord,
 } from "../session-store.ts";
 import { asked, type Redis } from "./connection.ts";
+import {
+  endedForPage,
+  endedRow,
+  endedWithKey,
+  storedAfter,
+  storedOpen,
+  storedRow,
+} from "./ended-commands.ts";
 import type { ForgottenBytes } from "./forgotten-bytes.ts";
-import { keysOf, sessionOf } from "./redis-keys.ts";
-import { endingOf, recordRow, rowOf, termedRow } from "./rows.ts";
+import { keyMember } from "./loaded-robot.ts";
+import { BIRTHS, sessionOf, USES } from "./redis-keys.ts";
+import { RobotCommits } from "./robot-commits.ts";
 import { Script } from "./script.ts";
+import { isHeldElsewhere, keyTimesIn, madeAt, sessionIn, usedAt, usesIn } from "./sessions.ts";
 
 /** Sessions to delete per step, because each step blocks Redis. */
 const MOST_AT_ONCE = 200;
 
-const keysText = z
-  .string()
-  .transform((text): unknown => JSON.parse(text))
-  .pipe(z.array(z.object({ kind: z.enum(keyKinds), hash: z.string() })));
-const awayText = z
-  .string()
-  .transform((text): unknown => JSON.parse(text))
-  .pipe(
-    z.array(
-      z.object({
-        id: z.string(),
-        driver: z.string(),
-        name: z.string().nullable(),
-        client: z.string(),
-      }),
-    ),
-  );
-const keyTimes = z.object({
-  hash: z.string(),
-  createdAt: z.number(),
-  lastUsedAt: z.number().nullable(),
-});
-const sessionAnswer = z
-  .object({
-    epoch: z.int(),
-    page: z.string(),
-    createdAt: z.number(),
-    lastUsedAt: z.number(),
-    keys: keysText,
-    away: awayText,
-    isPaused: z.boolean(),
-  })
-  .nullable();
-const changeAnswer = z.discriminatedUnion("outcome", [
-  z.object({ outcome: z.literal("changed"), keys: keysText, ended: z.array(termedRow) }),
-  z.object({ outcome: z.enum(["full", "no-session"]) }),
-]);
-const awayAnswer = z.discriminatedUnion("outcome", [
-  z.object({ outcome: z.literal("changed"), away: awayText, ended: z.array(termedRow) }),
-  z.object({ outcome: z.enum(["full", "no-session"]) }),
-]);
-const recalledAnswer = z.array(z.object({ seq: z.int(), reason: z.string() }));
-const addAnswer = z.discriminatedUnion("outcome", [
-  z.object({ outcome: z.literal("stored"), row: recordRow, ended: z.array(termedRow) }),
-  z.object({ outcome: z.enum(["duplicate", "conflict"]), row: recordRow }),
-  z.object({ outcome: z.enum(["full", "late", "revoked", "blocked", "paused", "no-session"]) }),
-]);
-const expireAnswer = z.object({ ended: z.array(termedRow), next: z.number().nullable() });
-const cancelAnswer = z.discriminatedUnion("outcome", [
-  z.object({ outcome: z.literal("cancelled"), row: termedRow }),
-  z.object({ outcome: z.enum(["delivered", "over"]), row: recordRow }),
-  z.object({ outcome: z.enum(["not-yours", "no-command"]) }),
-]);
-const endAnswer = z.discriminatedUnion("outcome", [
-  z.object({ outcome: z.literal("ended"), row: recordRow }),
-  z.object({ outcome: z.literal("over"), row: recordRow.nullable() }),
-]);
-const takeAnswer = z
-  .object({ epoch: z.int(), changed: z.array(recordRow), refused: z.array(recordRow) })
-  .nullable();
+type Taken = Awaited<ReturnType<SessionStore["takeOver"]>>;
 
 export class RedisSessionStore implements SessionStore {
   readonly #redis: Redis;
-  readonly #script: Script;
+  readonly #relay: string;
+  readonly #robots: RobotCommits;
+  readonly #deletion: Script;
   readonly #forgotten: ForgottenBytes;
 
   /**
@@ -104,7 +59,9 @@ export class RedisSessionStore implements SessionStore {
    */
   constructor(redis: Redis, forgotten: ForgottenBytes, relay: string) {
     this.#redis = redis;
-    this.#script = new Script(redis, "sessions.lua", [relay]);
+    this.#relay = relay;
+    this.#robots = new RobotCommits(redis, relay);
+    this.#deletion = new Script(redis, "deletion.lua", [relay]);
     this.#forgotten = forgotten;
   }
 
@@ -113,34 +70,74 @@ export class RedisSessionStore implements SessionStore {
     createdAt,
     keys,
   }: Omit<StoredSession, "epoch" | "page" | "lastUsedAt" | "away" | "isPaused">) {
-    await this.#step("create", id, { id, createdAt, keys: JSON.stringify(keys) });
+    const at = String(createdAt);
+    const made = keys.flatMap(({ hash }) => [madeAt(hash), at]);
+    const fields = ["epoch", "0", "seq", "0", "createdAt", at, "keys", JSON.stringify(keys)];
+    await this.#robots.create(id, [
+      ["HSET", sessionOf(id), ...fields, ...made],
+      ["ZADD", USES, at, id],
+      ["ZADD", BIRTHS, at, id],
+    ]);
   }
 
   async find(id: string): Promise<StoredSession | null> {
-    const found = sessionAnswer.parse(await this.#step("find", id, { id }));
-    return found === null ? null : { id, ...found };
+    return sessionIn(this.#redis, id);
   }
 
-  async changeKeys(id: string, change: KeyChange): Promise<KeysResult> {
-    return changeAnswer.parse(await this.#step("changeKeys", id, change));
+  changeKeys(id: string, change: KeyChange): Promise<KeysResult> {
+    return this.#robots.run<KeysResult>(id, {
+      none: { outcome: "no-session" },
+      work: (robot) => {
+        const before = robot.permissions;
+        const changed = changeKeys(robot.commands, before, change);
+        if (changed === null) return { outcome: "full" };
+        const { keys, away, revoked, ended } = changed;
+        robot.permissions = { keys, away };
+        const made = change.add.map(({ hash }) => [madeAt(hash), String(change.now)]);
+        const texts = { keys: JSON.stringify(keys), away: JSON.stringify(away) };
+        robot.set({ ...texts, ...Object.fromEntries(made) });
+        const times = revoked.flatMap((hash) => [madeAt(hash), usedAt(hash)]);
+        const isAdded = (field: string): boolean => made.some(([added]) => added === field);
+        const gone = times.filter((field) => !isAdded(field));
+        if (gone.length > 0) robot.also("HDEL", sessionOf(id), ...gone);
+        robot.tell({ kind: "keys" });
+        return { outcome: "changed", keys, ended };
+      },
+    });
   }
 
-  async changeAway(id: string, { add, remove, ...rest }: ScriptChange): Promise<AwayResult> {
-    // As text, because Lua encodes an empty list as an object.
-    const script = add === null ? null : JSON.stringify(add);
-    const values = { add: script, id: add?.id ?? remove, ...rest };
-    return awayAnswer.parse(await this.#step("changeAway", id, values));
+  changeAway(id: string, change: ScriptChange): Promise<AwayResult> {
+    return this.#robots.run<AwayResult>(id, {
+      none: { outcome: "no-session" },
+      work: (robot) => {
+        const changed = changeAway(robot.commands, robot.permissions.away, change);
+        if (changed === null) return { outcome: "full" };
+        robot.permissions = { ...robot.permissions, away: changed.away };
+        robot.set({ away: JSON.stringify(changed.away) });
+        robot.tell({ kind: "keys" });
+        return { outcome: "changed", ...changed };
+      },
+    });
   }
 
-  async pause(id: string, isPaused: boolean, reason: string): Promise<TermedRecord[] | null> {
-    return z
-      .array(termedRow)
-      .nullable()
-      .parse(await this.#step("pause", id, { isPaused, reason }));
+  pause(id: string, isPaused: boolean, reason: string): Promise<TermedRecord[] | null> {
+    return this.#robots.run<TermedRecord[] | null>(id, {
+      none: null,
+      work: (robot) => {
+        robot.tell({ kind: "keys" });
+        return machine.pause(robot.commands, isPaused, reason);
+      },
+    });
   }
 
-  async keepMaze(id: string, text: string): Promise<boolean> {
-    return z.boolean().parse(await this.#step("keepMaze", id, { text }));
+  keepMaze(id: string, text: string): Promise<boolean> {
+    return this.#robots.run(id, {
+      none: false,
+      work: (robot) => {
+        robot.set({ maze: text });
+        return true;
+      },
+    });
   }
 
   async maze(id: string): Promise<string | null> {
@@ -148,15 +145,27 @@ export class RedisSessionStore implements SessionStore {
   }
 
   async keyTimes(id: string): Promise<KeyTimes[]> {
-    return z.array(keyTimes).parse(await this.#step("keyTimes", id, {}));
+    return keyTimesIn(this.#redis, id);
   }
 
-  async touch(id: string, now: number, keys: readonly KeyUse[]): Promise<void> {
-    await this.#step("touch", id, { id, now, keys });
+  touch(id: string, now: number, keys: readonly KeyUse[]): Promise<void> {
+    const hashes = keys.map(({ hash }) => hash);
+    return this.#robots.run(id, {
+      none: undefined,
+      read: () => (hashes.length === 0 ? null : usesIn(this.#redis, id, hashes)),
+      work: (robot, used) => {
+        robot.also("ZADD", USES, "XX", "GT", String(now), id);
+        for (const { hash, at } of keys) {
+          const isKey = robot.commands.standing.keys.has(hash);
+          if (isKey && at > (used?.get(hash) ?? 0)) robot.set({ [usedAt(hash)]: String(at) });
+        }
+      },
+    });
   }
 
   async remove(id: string): Promise<boolean> {
-    const removed = z.boolean().parse(await this.#step("remove", id, { id }));
+    const removed = z.boolean().parse(await this.#delete("remove", { id }));
+    this.#robots.drop([id]);
     if (removed) await this.#forgotten.sweep();
     return removed;
   }
@@ -165,26 +174,36 @@ export class RedisSessionStore implements SessionStore {
     const all: string[] = [];
     for (;;) {
       const values = { ...before, most: MOST_AT_ONCE };
-      const ids = z.array(z.string()).parse(await this.#step("removeExpired", "", values));
+      const ids = z.array(z.string()).parse(await this.#delete("removeExpired", values));
       all.push(...ids);
       if (ids.length < MOST_AT_ONCE) break;
     }
+    this.#robots.drop(all);
     if (all.length > 0) await this.#forgotten.sweep();
     return all;
   }
 
-  async add(id: string, command: NewCommand): Promise<AddResult> {
-    const { maxWaiting, keep } = command;
-    const values = { row: rowOf(command), maxWaiting, keep };
-    const answer = addAnswer.parse(await this.#step("add", id, values));
-    if (!("row" in answer)) return answer;
-    const { row: record, ...rest } = answer;
-    return { ...rest, record };
+  add(id: string, command: NewCommand): Promise<AddResult> {
+    const { driver, key } = command;
+    return this.#robots.run<AddResult, CommandRow>(id, {
+      none: { outcome: "no-session" },
+      // Most keys are new, which the commit checks.
+      read: (_robot, isPresent) =>
+        key !== null && isPresent ? endedWithKey(this.#redis, id, { driver, key }) : null,
+      absent: ({ commands }, earlier) =>
+        key === null || earlier !== null || commands.withKey(driver, key) !== null
+          ? null
+          : keyMember(driver, key),
+      work: ({ commands }, earlier) =>
+        machine.add(commands, command, (...named) => commands.withKey(...named) ?? earlier),
+    });
   }
 
-  async deliver(id: string, epoch: number, window: number, now: number): Promise<TermedRecord[]> {
-    const values = { epoch, window, now, tolerance: CLOCK_TOLERANCE_MS };
-    return z.array(termedRow).parse(await this.#step("deliver", id, values));
+  deliver(id: string, epoch: number, window: number, now: number): Promise<TermedRecord[]> {
+    return this.#robots.run<TermedRecord[]>(id, {
+      none: [],
+      work: ({ commands }) => machine.deliver(commands, { epoch, window, now }),
+    });
   }
 
   /** Always false: another relay may have changed the session. */
@@ -192,60 +211,82 @@ export class RedisSessionStore implements SessionStore {
     return false;
   }
 
-  async expire(id: string, now: number): Promise<{ ended: TermedRecord[]; next: number | null }> {
-    const values = { now, tolerance: CLOCK_TOLERANCE_MS };
-    return expireAnswer.parse(await this.#step("expire", id, values));
+  expire(id: string, now: number): Promise<{ ended: TermedRecord[]; next: number | null }> {
+    return this.#robots.run<{ ended: TermedRecord[]; next: number | null }>(id, {
+      none: { ended: [], next: null },
+      work: ({ commands }) => machine.expire(commands, now),
+    });
   }
 
-  async cancel(
-    id: string,
-    seq: number,
-    by: { driver: string; reason: string },
-  ): Promise<CancelResult> {
-    const answer = cancelAnswer.parse(await this.#step("cancel", id, { seq, ...by }));
-    if (answer.outcome === "cancelled") return { outcome: answer.outcome, termed: answer.row };
-    return "row" in answer ? { outcome: answer.outcome, record: answer.row } : answer;
+  cancel(id: string, seq: number, by: { driver: string; reason: string }): Promise<CancelResult> {
+    return this.#robots.run<CancelResult, CommandRow>(id, {
+      none: { outcome: "no-command" },
+      read: ({ commands }) => (commands.row(seq) === null ? endedRow(this.#redis, id, seq) : null),
+      work: ({ commands }, ended) => machine.cancel(commands, commands.row(seq) ?? ended, by),
+    });
   }
 
-  async start(id: string, epoch: number, seq: number): Promise<CommandRecord | null> {
-    return recordRow.nullable().parse(await this.#step("start", id, { epoch, seq }));
+  start(id: string, epoch: number, seq: number): Promise<CommandRecord | null> {
+    return this.#robots.run<CommandRecord | null>(id, {
+      none: null,
+      work: ({ commands }) => machine.start(commands, epoch, seq),
+    });
   }
 
-  async end(id: string, epoch: number, ending: Ending): Promise<EndResult> {
-    const values = { epoch, ending: endingOf(ending) };
-    const { row: record, outcome } = endAnswer.parse(await this.#step("finish", id, values));
-    return outcome === "ended" ? { outcome, record } : { outcome, record };
+  end(id: string, epoch: number, ending: Ending): Promise<EndResult> {
+    const { seq } = ending;
+    return this.#robots.run<EndResult, CommandRow>(id, {
+      none: { outcome: "over", record: null },
+      read: ({ commands }) => (commands.row(seq) === null ? endedRow(this.#redis, id, seq) : null),
+      work: ({ commands }, ended) =>
+        machine.end(commands, epoch, ending, () => commands.row(seq) ?? ended),
+    });
   }
 
-  async abandon(id: string, epoch: number, reason: string): Promise<CommandRecord[] | null> {
-    return z
-      .array(recordRow)
-      .nullable()
-      .parse(await this.#step("abandon", id, { epoch, reason }));
+  abandon(id: string, epoch: number, reason: string): Promise<CommandRecord[] | null> {
+    return this.#robots.run<CommandRecord[] | null, boolean>(id, {
+      none: [],
+      read: ({ commands }) =>
+        commands.standing.epoch === epoch ? isHeldElsewhere(this.#redis, id, this.#relay) : null,
+      work: ({ commands }, isHeld) =>
+        isHeld === true ? null : machine.abandon(commands, epoch, reason),
+    });
   }
 
-  async takeOver(id: string, { endings, page = "", ...state }: PageState) {
-    const { lastApplied, fresh, settled, left, pose } = state;
-    const told = { lastApplied, fresh, settled, left, page, endings: endings.map(endingOf) };
-    const where = pose === null ? null : JSON.stringify(pose);
-    return takeAnswer.parse(await this.#step("takeOver", id, { ...told, pose: where }));
+  takeOver(id: string, page: PageState): Promise<Taken> {
+    return this.#robots.run<Taken, CommandRow[]>(id, {
+      none: null,
+      read: ({ commands }) => endedForPage(this.#redis, id, { commands, page }),
+      work: (robot, ended) => {
+        const rows = (): CommandRow[] => [...robot.commands.rows(), ...(ended ?? [])];
+        const taken = machine.takeOver(robot.commands, page, {
+          row: (seq) => rows().find((row) => row.seq === seq) ?? null,
+          newest: (what, after) => machine.newestOvertaking(rows(), what, after),
+        });
+        const { epoch } = taken;
+        const { page: name = "" } = page;
+        robot.set({ page: JSON.stringify({ relay: this.#relay, epoch, name }), name });
+        robot.tell({ kind: "page", epoch, name });
+        return taken;
+      },
+    });
   }
 
   async command(id: string, seq: number): Promise<CommandRecord | null> {
-    return recordRow.nullable().parse(await this.#step("command", id, { seq }));
+    const row = await storedRow(this.#redis, id, seq);
+    return row && recordOfRow(row);
   }
 
   async commandsAfter(id: string, seq: number, limit: number): Promise<CommandRecord[]> {
-    const rows = z.array(recordRow).parse(await this.#step("after", id, { seq, limit }));
-    return rows.slice(0, limit);
+    return (await storedAfter(this.#redis, id, { seq, limit })).map(recordOfRow);
   }
 
   async openCommands(id: string): Promise<CommandRecord[]> {
-    return z.array(recordRow).parse(await this.#step("open", id, {}));
+    return (await storedOpen(this.#redis, id)).map(recordOfRow);
   }
 
   async recalled(id: string): Promise<{ seq: number; reason: string }[]> {
-    return recalledAnswer.parse(await this.#step("recalled", id, {}));
+    return machine.recalled(await storedOpen(this.#redis, id));
   }
 
   async check(): Promise<"ok" | "full"> {
@@ -262,7 +303,7 @@ export class RedisSessionStore implements SessionStore {
     // Other stores share the connection.
   }
 
-  async #step(name: string, id: string, values: unknown): Promise<unknown> {
-    return this.#script.run(name, keysOf(id), values);
+  async #delete(step: string, values: unknown): Promise<unknown> {
+    return this.#deletion.run(step, [USES, BIRTHS], values);
   }
 }

@@ -24,14 +24,19 @@ export class Script {
 
   /** Runs one step of the script. */
   async run(step: string, keys: string[], values: unknown): Promise<unknown> {
-    const options = { keys, arguments: [step, JSON.stringify(values), ...this.#always] };
-    const answer = await asked(
+    const answer = await this.call(keys, [step, JSON.stringify(values), ...this.#always]);
+    return typeof answer === "string" ? JSON.parse(answer) : answer;
+  }
+
+  /** Runs the script. Calls run in the order in which they were made. */
+  async call(keys: string[], words: string[]): Promise<unknown> {
+    const options = { keys, arguments: words };
+    return asked(
       this.#redis.evalSha(this.#hash, options).catch((error: unknown) => {
         const isUnknown = error instanceof ErrorReply && error.message.startsWith("NOSCRIPT");
         if (!isUnknown) throw error;
         return this.#redis.eval(this.#text, options);
       }),
     );
-    return typeof answer === "string" ? JSON.parse(answer) : answer;
   }
 }

@@ -1,0 +1,141 @@
+/**
+ * A robot as loaded from Redis: its state and open commands, and the changes that a step makes to
+ * them. Ended commands stay in Redis; a step that needs some reads them first.
+ */
+import { hasEnded } from "@corridor/protocol";
+import { z } from "zod";
+import type { CommandRow } from "../../robots/commands/command-row.ts";
+import { standingOf, type Permissions } from "../../robots/commands/permissions.ts";
+import { RobotCommands } from "../../robots/commands/robot-commands.ts";
+import { endedOf, keysOf, lineOf, openOf, sessionOf } from "./redis-keys.ts";
+import { rowIn, textOf } from "./rows.ts";
+import { awayText, keysText } from "./session-texts.ts";
+
+/** A Redis command. */
+export type Words = [name: string, key: string, ...rest: string[]];
+
+/** The answer of commit.lua with the current robot. */
+export const robotAnswer = z.tuple([
+  z.tuple([
+    z.string(),
+    z.coerce.number(),
+    z.coerce.number(),
+    z.coerce.number(),
+    keysText,
+    awayText.nullable(),
+    z.string().nullable(),
+  ]),
+  z.array(z.string()),
+]);
+
+/** The member of the index by idempotency key. */
+export function keyMember(driver: string, key: string): string {
+  return `${driver}:${key}`;
+}
+
+export class LoadedRobot {
+  readonly commands: RobotCommands;
+  permissions: Permissions;
+  version: string;
+  readonly #id: string;
+  readonly #relay: string;
+  /** number of the last step on the robot's channel */
+  #n: number;
+  #stored: { epoch: number; lastSeq: number; isPaused: boolean; forgotten: number };
+  readonly #rows = new Map<number, CommandRow>();
+  /** new states, for the subscribers of the channel */
+  readonly #changed = new Map<number, CommandRow>();
+  #added: CommandRow | null = null;
+  #also: Words[] = [];
+  #news: string[] = [];
+
+  constructor(id: string, relay: string, answer: z.output<typeof robotAnswer>) {
+    const [[version, epoch, lastSeq, n, keys, away, paused], open] = answer;
+    const isPaused = paused === "1";
+    this.#id = id;
+    this.#relay = relay;
+    this.version = version;
+    this.#n = n;
+    this.permissions = { keys, away: away ?? [] };
+    this.#stored = { epoch, lastSeq, isPaused, forgotten: 0 };
+    const rows = open.map(rowIn).toSorted((a, b) => a.seq - b.seq);
+    const standing = { epoch, lastSeq, isPaused, ...standingOf(this.permissions) };
+    this.commands = new RobotCommands(standing, rows, (row, before) => {
+      this.#rows.set(row.seq, row);
+      if (before === null) this.#added = row;
+      else if (before !== row.state) this.#changed.set(row.seq, row);
+    });
+  }
+
+  /** Adds fields of the session to the changes. */
+  set(fields: Record<string, string>): void {
+    this.#also.push(["HSET", sessionOf(this.#id), ...Object.entries(fields).flat()]);
+  }
+
+  /** Adds a Redis command to the changes. */
+  also(...words: Words): void {
+    this.#also.push(words);
+  }
+
+  /** Adds a message to other relays, before that of the step. */
+  tell(news: { kind: string; epoch?: number; name?: string }): void {
+    this.#news.push(JSON.stringify({ ...news, from: this.#relay }));
+  }
+
+  /** The changes of a step as Redis commands. Releases ended commands from memory. */
+  take(): Words[] {
+    const changes = [...this.#also, ...this.#ofRows(), ...this.#ofStanding()];
+    const step = this.#stepMessage();
+    if (step !== null) {
+      changes.push(["HSET", sessionOf(this.#id), "n", String(this.#n)]);
+      this.#news.push(step);
+    }
+    for (const text of this.#news) changes.push(["PUBLISH", lineOf(this.#id), text]);
+    for (const row of this.#rows.values()) if (hasEnded(row.state)) this.commands.release(row);
+    this.#rows.clear();
+    this.#changed.clear();
+    this.#added = null;
+    this.#also = [];
+    this.#news = [];
+    return changes;
+  }
+
+  #ofRows(): Words[] {
+    const [open, ended, keys] = [openOf(this.#id), endedOf(this.#id), keysOf(this.#id)];
+    const changes = [...this.#rows.values()].flatMap((row): Words[] => {
+      const seq = String(row.seq);
+      if (!hasEnded(row.state)) return [["HSET", open, seq, textOf(row)]];
+      const { driver, key } = row;
+      const ofKey: Words[] = key === null ? [] : [["ZADD", keys, seq, keyMember(driver, key)]];
+      return [["ZADD", ended, seq, textOf(row)], ["HDEL", open, seq], ...ofKey];
+    });
+    const { forgotten } = this.commands;
+    if (forgotten > this.#stored.forgotten) {
+      // Commands that end in this step may be deleted by it, too.
+      for (const key of [ended, keys])
+        changes.push(["ZREMRANGEBYSCORE", key, "-inf", String(forgotten)]);
+    }
+    return changes;
+  }
+
+  #ofStanding(): Words[] {
+    const { epoch, lastSeq, isPaused } = this.commands.standing;
+    const before = this.#stored;
+    this.#stored = { epoch, lastSeq, isPaused, forgotten: this.commands.forgotten };
+    const fields: string[] = [];
+    if (epoch !== before.epoch) fields.push("epoch", String(epoch));
+    if (lastSeq !== before.lastSeq) fields.push("seq", String(lastSeq));
+    if (isPaused !== before.isPaused) fields.push("paused", isPaused ? "1" : "0");
+    return fields.length === 0 ? [] : [["HSET", sessionOf(this.#id), ...fields]];
+  }
+
+  /** The message about the changed commands, which lists them in order; null: there are none. */
+  #stepMessage(): string | null {
+    if (this.#added === null && this.#changed.size === 0) return null;
+    this.#n += 1;
+    const rows = [...this.#changed.values()].toSorted((a, b) => a.seq - b.seq);
+    const added = this.#added === null ? "null" : textOf(this.#added);
+    const head = JSON.stringify({ kind: "step", n: this.#n, from: this.#relay }).slice(0, -1);
+    return `${head},"added":${added},"changed":[${rows.map(textOf).join(",")}]}`;
+  }
+}

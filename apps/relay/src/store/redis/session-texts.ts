@@ -1,0 +1,21 @@
+/** The keys and the blocked scripts of a session, as JSON in its hash. */
+import { z } from "zod";
+import { keyKinds } from "../../robots/commands/permissions.ts";
+
+export const keysText = z
+  .string()
+  .transform((text): unknown => JSON.parse(text))
+  .pipe(z.array(z.object({ kind: z.enum(keyKinds), hash: z.string() })));
+export const awayText = z
+  .string()
+  .transform((text): unknown => JSON.parse(text))
+  .pipe(
+    z.array(
+      z.object({
+        id: z.string(),
+        driver: z.string(),
+        name: z.string().nullable(),
+        client: z.string(),
+      }),
+    ),
+  );

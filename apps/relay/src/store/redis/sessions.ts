@@ -1,0 +1,91 @@
+/** Reads sessions and the times of their keys. */
+import { z } from "zod";
+import { asked, timeOf, type Redis } from "./connection.ts";
+import type { KeyTimes, StoredSession } from "../session-store.ts";
+import { RELAYS, sessionOf, USES } from "./redis-keys.ts";
+import { awayText, keysText } from "./session-texts.ts";
+
+const text = z.string().nullable();
+const sessionReply = z.tuple([
+  z.tuple([
+    z.string(),
+    z.coerce.number(),
+    z.coerce.number(),
+    keysText,
+    awayText.nullable(),
+    text,
+    text,
+  ]),
+  z.number(),
+]);
+const holderText = z
+  .string()
+  .transform((given): unknown => JSON.parse(given))
+  .pipe(z.object({ relay: z.string() }));
+
+/** Field with the time at which a key was created. */
+export function madeAt(hash: string): string {
+  return `made:${hash}`;
+}
+
+/** Field with the time at which a key was last used. */
+export function usedAt(hash: string): string {
+  return `used:${hash}`;
+}
+
+export async function sessionIn(redis: Redis, id: string): Promise<StoredSession | null> {
+  const fields = ["version", "epoch", "createdAt", "keys", "away", "paused", "name"];
+  const both = redis.multi().hmGet(sessionOf(id), fields).zScore(USES, id);
+  const [session, lastUsedAt] = await asked(both.exec());
+  if (z.array(text).parse(session)[0] === null) return null;
+  const [found, usedLast] = sessionReply.parse([session, lastUsedAt]);
+  const [, epoch, createdAt, keys, away, paused, page] = found;
+  return {
+    id,
+    epoch,
+    page: page ?? "",
+    createdAt,
+    lastUsedAt: usedLast,
+    keys,
+    away: away ?? [],
+    isPaused: paused === "1",
+  };
+}
+
+export async function keyTimesIn(redis: Redis, id: string): Promise<KeyTimes[]> {
+  const [keys, createdAt] = await asked(redis.hmGet(sessionOf(id), ["keys", "createdAt"]));
+  if (keys === null || keys === undefined) return [];
+  const hashes = keysText.parse(keys).map(({ hash }) => hash);
+  if (hashes.length === 0) return [];
+  const fields = hashes.flatMap((hash) => [madeAt(hash), usedAt(hash)]);
+  const times = await asked(redis.hmGet(sessionOf(id), fields));
+  return hashes.map((hash, index) => {
+    const [made, used] = times.slice(2 * index, 2 * index + 2);
+    // A key that was revoked meanwhile has no times.
+    return {
+      hash,
+      createdAt: Number(made ?? createdAt),
+      lastUsedAt: used === null || used === undefined ? null : Number(used),
+    };
+  });
+}
+
+/** When each of these keys was last used, as far as recorded. */
+export async function usesIn(
+  redis: Redis,
+  id: string,
+  hashes: readonly string[],
+): Promise<Map<string, number>> {
+  const times = await asked(redis.hmGet(sessionOf(id), hashes.map(usedAt)));
+  return new Map(hashes.map((hash, index) => [hash, Number(times[index] ?? 0)]));
+}
+
+/** Whether a running relay other than this one is connected to the robot's page. */
+export async function isHeldElsewhere(redis: Redis, id: string, relay: string): Promise<boolean> {
+  const page = await asked(redis.hGet(sessionOf(id), "page"));
+  if (page === null || page === undefined) return false;
+  const { relay: holder } = holderText.parse(page);
+  if (holder === relay) return false;
+  const [aliveUntil, now] = await Promise.all([asked(redis.zScore(RELAYS, holder)), timeOf(redis)]);
+  return aliveUntil !== null && aliveUntil >= Math.floor(now);
+}
