@@ -7,8 +7,9 @@ import { asked, type Redis } from "./connection.ts";
 import { keyMember } from "./loaded-robot.ts";
 import { endedOf, keysOf, openOf } from "./redis-keys.ts";
 import { rowIn } from "./rows.ts";
+import type { Script } from "./script.ts";
+import { counted } from "./words.ts";
 
-const reply = z.tuple([z.string().nullable(), z.array(z.string())]);
 const texts = z.array(z.string());
 
 export async function endedRow(redis: Redis, id: string, seq: number): Promise<CommandRow | null> {
@@ -31,24 +32,34 @@ export async function endedWithKey(
 }
 
 /** The command in its stored state, whether or not it has ended. */
-export async function storedRow(redis: Redis, id: string, seq: number): Promise<CommandRow | null> {
-  const both = redis.multi().hGet(openOf(id), String(seq)).zRangeByScore(endedOf(id), seq, seq);
-  const [open, [ended = null]] = reply.parse(await asked(both.exec()));
+export async function storedRow(read: Script, id: string, seq: number): Promise<CommandRow | null> {
+  const at = String(seq);
+  const replies = await read.call(
+    [openOf(id), endedOf(id)],
+    counted([
+      ["HGET", openOf(id), at],
+      ["ZRANGEBYSCORE", endedOf(id), at, at],
+    ]),
+  );
+  const [open, [ended = null]] = z.tuple([z.string().nullable(), texts]).parse(replies);
   const text = open ?? ended;
   return text === null ? null : rowIn(text);
 }
 
 /** Commands with a higher seq, in order. */
 export async function storedAfter(
-  redis: Redis,
+  read: Script,
   id: string,
   { seq, limit }: { seq: number; limit: number },
 ): Promise<CommandRow[]> {
-  const both = redis
-    .multi()
-    .hVals(openOf(id))
-    .zRangeByScore(endedOf(id), `(${seq}`, "+inf", { LIMIT: { offset: 0, count: limit } });
-  const [open, ended] = z.tuple([texts, texts]).parse(await asked(both.exec()));
+  const replies = await read.call(
+    [openOf(id), endedOf(id)],
+    counted([
+      ["HVALS", openOf(id)],
+      ["ZRANGEBYSCORE", endedOf(id), `(${seq}`, "+inf", "LIMIT", "0", String(limit)],
+    ]),
+  );
+  const [open, ended] = z.tuple([texts, texts]).parse(replies);
   const rows = [...open, ...ended].map(rowIn).filter((row) => row.seq > seq);
   return rows.toSorted((a, b) => a.seq - b.seq).slice(0, limit);
 }
@@ -72,9 +83,9 @@ export function endedForPage(
   const mayWait = [...commands.open].some(({ state }) => state !== "started");
   if (reported.length === 0 && !mayWait) return null;
   const after = Math.max(page.lastApplied, commands.openFrom);
-  const reads = [
-    ...reported.map(async (seq) => [await endedRow(redis, id, seq)]),
-    mayWait ? endedAfter(redis, id, after) : [],
-  ];
-  return Promise.all(reads).then((rows) => rows.flat().filter((row) => row !== null));
+  const reads = reported.map(async (seq) => endedRow(redis, id, seq));
+  const overtaking = mayWait ? endedAfter(redis, id, after) : Promise.resolve([]);
+  return Promise.all([overtaking, ...reads]).then(([later, ...rows]) =>
+    [...later, ...rows].filter((row) => row !== null),
+  );
 }

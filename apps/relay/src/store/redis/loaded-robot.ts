@@ -10,9 +10,7 @@ import { RobotCommands } from "../../robots/commands/robot-commands.ts";
 import { endedOf, keysOf, lineOf, openOf, sessionOf } from "./redis-keys.ts";
 import { rowIn, textOf } from "./rows.ts";
 import { awayText, keysText } from "./session-texts.ts";
-
-/** A Redis command. */
-export type Words = [name: string, key: string, ...rest: string[]];
+import type { Words } from "./words.ts";
 
 /** The answer of commit.lua with the current robot. */
 export const robotAnswer = z.tuple([

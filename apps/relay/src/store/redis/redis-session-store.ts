@@ -50,6 +50,7 @@ export class RedisSessionStore implements SessionStore {
   readonly #redis: Redis;
   readonly #relay: string;
   readonly #robots: RobotCommits;
+  readonly #read: Script;
   readonly #deletion: Script;
   readonly #forgotten: ForgottenBytes;
 
@@ -61,6 +62,7 @@ export class RedisSessionStore implements SessionStore {
     this.#redis = redis;
     this.#relay = relay;
     this.#robots = new RobotCommits(redis, relay);
+    this.#read = new Script(redis, "read.lua");
     this.#deletion = new Script(redis, "deletion.lua", [relay]);
     this.#forgotten = forgotten;
   }
@@ -81,7 +83,7 @@ export class RedisSessionStore implements SessionStore {
   }
 
   async find(id: string): Promise<StoredSession | null> {
-    return sessionIn(this.#redis, id);
+    return sessionIn(this.#read, id);
   }
 
   changeKeys(id: string, change: KeyChange): Promise<KeysResult> {
@@ -273,12 +275,12 @@ export class RedisSessionStore implements SessionStore {
   }
 
   async command(id: string, seq: number): Promise<CommandRecord | null> {
-    const row = await storedRow(this.#redis, id, seq);
+    const row = await storedRow(this.#read, id, seq);
     return row && recordOfRow(row);
   }
 
   async commandsAfter(id: string, seq: number, limit: number): Promise<CommandRecord[]> {
-    return (await storedAfter(this.#redis, id, { seq, limit })).map(recordOfRow);
+    return (await storedAfter(this.#read, id, { seq, limit })).map(recordOfRow);
   }
 
   async openCommands(id: string): Promise<CommandRecord[]> {

@@ -1,10 +1,10 @@
 /** Loads, changes and commits robots. Keeps the robots that were used last. */
-import type { Words } from "./loaded-robot.ts";
 import type { Redis } from "./connection.ts";
 import { mintId } from "../../keys.ts";
 import { commitKeys } from "./redis-keys.ts";
-import { counted, RobotQueue, type Step } from "./robot-queue.ts";
+import { RobotQueue, type Step } from "./robot-queue.ts";
 import { Script } from "./script.ts";
+import { counted, type Words } from "./words.ts";
 
 /** Robots in memory. The first step of any other robot costs one more round trip. */
 const MOST_ROBOTS = 2_048;
@@ -23,7 +23,7 @@ export class RobotCommits {
   }
 
   async create(id: string, changes: Words[]): Promise<void> {
-    const words = ["", this.#newVersion(), "", ...changes.flatMap(counted)];
+    const words = ["", this.#newVersion(), "", ...counted(changes)];
     await this.#script.call(commitKeys(id), words);
   }
 

@@ -7,9 +7,10 @@
  */
 import { z } from "zod";
 import { StoreAway } from "../store-away.ts";
-import { LoadedRobot, robotAnswer, type Words } from "./loaded-robot.ts";
+import { LoadedRobot, robotAnswer } from "./loaded-robot.ts";
 import { commitKeys } from "./redis-keys.ts";
 import type { Script } from "./script.ts";
+import { counted } from "./words.ts";
 
 /** Attempts per step. Each time, another relay has changed the robot. */
 const MOST_TRIES = 32;
@@ -162,7 +163,7 @@ export class RobotQueue {
     const changes = robot.take();
     if (changes.length > 0) robot.version = this.#parts.newVersion();
     this.#sent += 1;
-    const words = [expected, robot.version, absent ?? "", ...changes.flatMap(counted)];
+    const words = [expected, robot.version, absent ?? "", ...counted(changes)];
     this.#call(words)
       .then(
         (answer) => this.#answered(task, answer),
@@ -208,9 +209,4 @@ export class RobotQueue {
     if (!("robot" in answer) || answer.robot[0][0] === null) return null;
     return new LoadedRobot(this.#id, this.#parts.relay, robotAnswer.parse(answer.robot));
   }
-}
-
-/** A change as arguments of commit.lua. */
-export function counted(words: Words): string[] {
-  return [String(words.length), ...words];
 }

@@ -3,9 +3,12 @@ import { z } from "zod";
 import { asked, timeOf, type Redis } from "./connection.ts";
 import type { KeyTimes, StoredSession } from "../session-store.ts";
 import { RELAYS, sessionOf, USES } from "./redis-keys.ts";
+import type { Script } from "./script.ts";
 import { awayText, keysText } from "./session-texts.ts";
+import { counted } from "./words.ts";
 
 const text = z.string().nullable();
+const isThere = z.tuple([z.tuple([z.string()], z.unknown())], z.unknown());
 const sessionReply = z.tuple([
   z.tuple([
     z.string(),
@@ -16,7 +19,7 @@ const sessionReply = z.tuple([
     text,
     text,
   ]),
-  z.number(),
+  z.coerce.number(),
 ]);
 const holderText = z
   .string()
@@ -33,19 +36,24 @@ export function usedAt(hash: string): string {
   return `used:${hash}`;
 }
 
-export async function sessionIn(redis: Redis, id: string): Promise<StoredSession | null> {
+export async function sessionIn(read: Script, id: string): Promise<StoredSession | null> {
   const fields = ["version", "epoch", "createdAt", "keys", "away", "paused", "name"];
-  const both = redis.multi().hmGet(sessionOf(id), fields).zScore(USES, id);
-  const [session, lastUsedAt] = await asked(both.exec());
-  if (z.array(text).parse(session)[0] === null) return null;
-  const [found, usedLast] = sessionReply.parse([session, lastUsedAt]);
+  const replies = await read.call(
+    [sessionOf(id), USES],
+    counted([
+      ["HMGET", sessionOf(id), ...fields],
+      ["ZSCORE", USES, id],
+    ]),
+  );
+  if (!isThere.safeParse(replies).success) return null;
+  const [found, lastUsedAt] = sessionReply.parse(replies);
   const [, epoch, createdAt, keys, away, paused, page] = found;
   return {
     id,
     epoch,
     page: page ?? "",
     createdAt,
-    lastUsedAt: usedLast,
+    lastUsedAt,
     keys,
     away: away ?? [],
     isPaused: paused === "1",
