@@ -1,0 +1,173 @@
+/** Several relays at one Redis: what a step costs, and what happens if another relay came first. */
+import { describe, expect, it, onTestFinished } from "vitest";
+import { hasRedis, startTestRedis } from "../../testing/test-redis.ts";
+import { completed } from "../../testing/messages.ts";
+import { ID, keyChange, LEFT, NOW, nothingDone, sent, STOP } from "../testing/robot-in-store.ts";
+import { connectRedis, type Redis } from "./connection.ts";
+import { ForgottenBytes } from "./forgotten-bytes.ts";
+import { lineOf } from "./redis-keys.ts";
+import { RedisSessionStore } from "./redis-session-store.ts";
+import { StoreFull } from "../disk-full.ts";
+
+async function connected(url: string): Promise<Redis> {
+  const redis = await connectRedis(url, () => undefined);
+  onTestFinished(() => redis.destroy());
+  return redis;
+}
+
+/** A store, and the number of requests that it has sent. */
+async function relayAt(url: string, name: string) {
+  const redis = await connected(url);
+  let requests = 0;
+  const counting = new Proxy(redis, {
+    get(target, property) {
+      const part: unknown = Reflect.get(target, property);
+      if (typeof part !== "function") return part;
+      return (...values: unknown[]): unknown => {
+        requests += 1;
+        return Reflect.apply(part, target, values);
+      };
+    },
+  });
+  const store = new RedisSessionStore(counting, new ForgottenBytes(redis), name);
+  const cost = async (step: () => Promise<unknown>): Promise<number> => {
+    const before = requests;
+    await step();
+    return requests - before;
+  };
+  return { redis, store, cost };
+}
+
+async function withRelays() {
+  const { url } = await startTestRedis(["--appendfsync", "always"]);
+  const a = await relayAt(url, "relay-a");
+  const b = await relayAt(url, "relay-b");
+  const subscriber = await connected(url);
+  const heard: unknown[] = [];
+  await subscriber.subscribe(lineOf(ID), (text) => heard.push(JSON.parse(text)));
+  const keys = [{ kind: "drive" as const, hash: sent.driver }];
+  await a.store.create({ id: ID, createdAt: 1_000, keys });
+  const taken = await a.store.takeOver(ID, nothingDone);
+  return { a, b, heard, epoch: taken?.epoch ?? 0 };
+}
+
+describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
+  it("cost one request each while one relay serves the robot", async () => {
+    const { a, epoch } = await withRelays();
+    // The first command makes Redis load the scripts.
+    await a.store.add(ID, sent);
+    const costs = [
+      await a.cost(() => a.store.add(ID, { ...sent, key: "key-0001" })),
+      await a.cost(() => a.store.deliver(ID, epoch, 8, NOW)),
+      await a.cost(() => a.store.start(ID, epoch, 1)),
+      await a.cost(() => a.store.end(ID, epoch, completed(1))),
+      await a.cost(() => a.store.expire(ID, NOW)),
+      await a.cost(() => a.store.cancel(ID, 2, { driver: sent.driver, reason: "no" })),
+    ];
+    expect(costs).toEqual([1, 1, 1, 1, 1, 1]);
+  });
+
+  it("cost two requests each if another relay has changed the robot", async () => {
+    const { a, b } = await withRelays();
+    await a.store.add(ID, sent);
+    await b.store.add(ID, sent);
+    expect(await a.cost(() => a.store.add(ID, sent))).toBe(2);
+    expect(await b.cost(() => b.store.add(ID, sent))).toBe(2);
+  });
+
+  it("are sent without waiting for each other, and keep their order if another relay came first", async () => {
+    const { a, b, epoch } = await withRelays();
+    await b.store.add(ID, sent);
+    const [added, due] = await Promise.all([
+      a.store.add(ID, { ...sent, key: "key-0001" }),
+      a.store.deliver(ID, epoch, 8, NOW),
+    ]);
+    expect(added).toMatchObject({ outcome: "stored", record: { seq: 2 } });
+    expect(due.map(({ record }) => record.seq)).toEqual([1, 2]);
+  });
+
+  it("of two relays at once lose and repeat nothing, and every step is published once, in order", async () => {
+    const { a, b, heard, epoch } = await withRelays();
+    const count = 40;
+    const add = async (n: number) =>
+      (n % 2 === 0 ? a : b).store.add(ID, { ...sent, key: `key-${1_000 + n}` });
+    const twice = [...Array(count).keys()].flatMap((n) => [add(n), add(n)]);
+    const results = await Promise.all(twice);
+    const outcomes = results.map(({ outcome }) => outcome);
+    expect(outcomes.filter((outcome) => outcome === "stored")).toHaveLength(count);
+    expect(outcomes.filter((outcome) => outcome === "duplicate")).toHaveLength(count);
+    await Promise.all([a.store.deliver(ID, epoch, 8, NOW), b.store.deliver(ID, epoch, 8, NOW)]);
+    const open = await a.store.openCommands(ID);
+    expect(open.map(({ seq }) => seq)).toEqual([...Array(count).keys()].map((n) => n + 1));
+    expect(open.filter(({ state }) => state === "delivered")).toHaveLength(8);
+    const steps = heard.filter((message) => Object(message).kind === "step");
+    expect(steps.map((message) => Object(message).n)).toEqual(
+      [...Array(count + 1).keys()].map((n) => n + 1),
+    );
+  });
+
+  it("know the idempotency key of a command that ended at another relay", async () => {
+    const { a, b, epoch } = await withRelays();
+    const command = { ...sent, key: "key-0001" };
+    await a.store.add(ID, command);
+    await a.store.deliver(ID, epoch, 8, NOW);
+    await a.store.end(ID, epoch, completed(1));
+    for (const { store } of [a, b]) {
+      expect(await store.add(ID, command)).toMatchObject({
+        outcome: "duplicate",
+        record: { seq: 1, state: "completed" },
+      });
+      expect(await store.add(ID, { ...command, command: STOP })).toMatchObject({
+        outcome: "conflict",
+      });
+    }
+  });
+
+  it("publish a page before the commands that it changes, with what readers and pages show", async () => {
+    const { a, heard, epoch } = await withRelays();
+    await a.store.add(ID, sent);
+    await a.store.deliver(ID, epoch, 8, NOW);
+    await a.store.takeOver(ID, { ...nothingDone, page: "page-two" });
+    await a.store.changeKeys(ID, keyChange({ remove: [sent.driver] }));
+    await a.store.remove(ID);
+    expect(heard).toMatchObject([
+      { kind: "page", from: "relay-a", epoch: 1, name: "" },
+      { kind: "step", n: 1, from: "relay-a", added: { seq: 1, state: "accepted" }, changed: [] },
+      { kind: "step", n: 2, added: null, changed: [{ seq: 1, state: "delivered" }] },
+      { kind: "page", epoch: 2, name: "page-two" },
+      { kind: "step", n: 3, added: null, changed: [{ seq: 1, state: "accepted" }] },
+      { kind: "keys", from: "relay-a" },
+      { kind: "step", n: 4, changed: [{ seq: 1, state: "cancelled", reason: "revoked" }] },
+      { kind: "over", from: "relay-a" },
+    ]);
+  });
+
+  it("change nothing at all while the memory of Redis is full, and work again afterwards", async () => {
+    const { a, heard, epoch } = await withRelays();
+    await a.store.add(ID, sent);
+    await a.redis.configSet("maxmemory", "100kb");
+    const steps = await Promise.allSettled([
+      a.store.add(ID, { ...sent, replace: true }),
+      a.store.deliver(ID, epoch, 8, NOW),
+      a.store.add(ID, sent),
+    ]);
+    for (const step of steps)
+      expect(step).toMatchObject({ status: "rejected", reason: expect.any(StoreFull) });
+    expect(await a.store.openCommands(ID)).toMatchObject([{ seq: 1, state: "accepted" }]);
+    expect(heard).toHaveLength(2);
+    await a.redis.configSet("maxmemory", "0");
+    expect(await a.store.add(ID, { ...sent, command: LEFT })).toMatchObject({
+      record: { seq: 2 },
+    });
+  });
+
+  it("bring nothing back of a robot that another relay has deleted", async () => {
+    const { a, b } = await withRelays();
+    await a.store.add(ID, sent);
+    await b.store.remove(ID);
+    expect(await a.store.add(ID, sent)).toEqual({ outcome: "no-session" });
+    await a.store.touch(ID, 9_000, [{ hash: sent.driver, at: 9_000 }]);
+    expect(await a.store.keepMaze(ID, "{}")).toBe(false);
+    expect(await a.redis.keys("corridor:*")).toEqual([]);
+  });
+});
