@@ -1,0 +1,235 @@
+import { commandRecordSchema, hasEnded, type CommandState } from "@corridor/protocol";
+import { describe, expect, it } from "vitest";
+import type { RobotCommands } from "./robot-commands.ts";
+import * as machine from "./state-machine.ts";
+import { replacedReasons, type PageState } from "./steps.ts";
+import {
+  DRIVER,
+  endingOf,
+  EPOCH,
+  newCommand,
+  NOW,
+  pageWith,
+  robotWith,
+  rowOf,
+  statesOf,
+  STOP,
+} from "./testing/robot-with.ts";
+
+const commandStates = commandRecordSchema.shape.state.options;
+const endingStates = commandStates.filter(hasEnded);
+const by = { driver: DRIVER, reason: "cancelled by its sender" };
+const none = (): null => null;
+const takeOver = (robot: RobotCommands, page: Partial<PageState>) =>
+  machine.takeOver(robot, pageWith(page), {
+    row: (seq) => robot.row(seq),
+    newest: (what, after) => machine.newestOvertaking(robot.rows(), what, after),
+  });
+const end = (robot: RobotCommands, epoch: number, state: "completed" | "collided" = "completed") =>
+  machine.end(robot, epoch, endingOf(1, state), (seq) => robot.row(seq));
+
+type Next = CommandState | "-";
+/**
+ * Every event that may change command 1, and its state afterwards if it was accepted, delivered or
+ * started before. "-": unchanged.
+ */
+const events: Record<
+  string,
+  [happens: (robot: RobotCommands) => unknown, next: [Next, Next, Next]]
+> = {
+  "the page may have it": [
+    (robot) => machine.deliver(robot, { epoch: EPOCH, window: 8, now: NOW }),
+    ["delivered", "-", "-"],
+  ],
+  "an earlier page may have it": [
+    (robot) => machine.deliver(robot, { epoch: EPOCH - 1, window: 8, now: NOW }),
+    ["-", "-", "-"],
+  ],
+  "its deadline passes": [(robot) => machine.expire(robot, NOW + 10_000), ["expired", "-", "-"]],
+  "its sender cancels it": [
+    (robot) => machine.cancel(robot, robot.row(1), by),
+    ["cancelled", "-", "-"],
+  ],
+  "another sender cancels it": [
+    (robot) => machine.cancel(robot, robot.row(1), { ...by, driver: "another" }),
+    ["-", "-", "-"],
+  ],
+  "its key is revoked": [
+    (robot) => machine.recallAllOf(robot, { driver: DRIVER }, "revoked"),
+    ["cancelled", "-", "-"],
+  ],
+  "remote driving is paused": [
+    (robot) => machine.pause(robot, true, "paused"),
+    ["cancelled", "-", "-"],
+  ],
+  "a stop arrives": [
+    (robot) => machine.add(robot, newCommand({ command: { action: "stop" } }), none),
+    ["cancelled", "-", "-"],
+  ],
+  "a replacing command arrives": [
+    (robot) => machine.add(robot, newCommand({ replace: true }), none),
+    ["superseded", "-", "-"],
+  ],
+  "another command arrives": [(robot) => machine.add(robot, newCommand(), none), ["-", "-", "-"]],
+  "the page starts it": [(robot) => machine.start(robot, EPOCH, 1), ["-", "started", "-"]],
+  "an earlier page starts it": [(robot) => machine.start(robot, EPOCH - 1, 1), ["-", "-", "-"]],
+  "the page completes it": [(robot) => end(robot, EPOCH), ["-", "completed", "completed"]],
+  "an earlier page completes it": [(robot) => end(robot, EPOCH - 1), ["-", "-", "-"]],
+  "the page is given up": [
+    (robot) => machine.abandon(robot, EPOCH, "gone"),
+    ["-", "cancelled", "cancelled"],
+  ],
+  "an earlier page is given up": [
+    (robot) => machine.abandon(robot, EPOCH - 1, "gone"),
+    ["-", "-", "-"],
+  ],
+  "the page returns without it": [(robot) => takeOver(robot, {}), ["-", "accepted", "-"]],
+  "the page returns with it": [
+    (robot) => takeOver(robot, { lastApplied: 1 }),
+    ["-", "started", "-"],
+  ],
+  "the page returns and completed it": [
+    (robot) => takeOver(robot, { lastApplied: 1, endings: [endingOf(1)] }),
+    ["-", "completed", "completed"],
+  ],
+  "the page was reloaded without it": [
+    (robot) => takeOver(robot, { fresh: true }),
+    ["-", "accepted", "cancelled"],
+  ],
+  "the page was reloaded with it": [
+    (robot) => takeOver(robot, { fresh: true, lastApplied: 1 }),
+    ["-", "cancelled", "cancelled"],
+  ],
+  "another page comes": [
+    (robot) => takeOver(robot, { settled: null, left: replacedReasons }),
+    ["-", "cancelled", "cancelled"],
+  ],
+};
+
+describe("a command", () => {
+  const cases = Object.entries(events).flatMap(([event, [happens, states]]) =>
+    commandStates.map((before, at) => {
+      const next = states[at] ?? "-";
+      return { event, happens, before, after: next === "-" ? before : next };
+    }),
+  );
+
+  it.each(cases)("that is $before is $after when $event", ({ happens, before, after }) => {
+    const robot = robotWith([rowOf({ state: before })]);
+    happens(robot);
+    expect(robot.row(1)?.state).toBe(after);
+  });
+
+  it.each(endingStates)("that is %s stays as it is in every detail", (state) => {
+    const row = rowOf({ state, reason: "first", pose: null, distance: 5 });
+    const robot = robotWith([row], (changed) => expect(changed).not.toBe(row));
+    const before = { ...row };
+    for (const [happens] of Object.values(events)) happens(robot);
+    expect(row).toEqual(before);
+  });
+
+  it("that the robot has is marked by the first request to end it, and not delivered again", () => {
+    const robot = robotWith([rowOf({ state: "delivered" })]);
+    machine.cancel(robot, robot.row(1), { ...by, reason: "first" });
+    machine.recallAllOf(robot, "all", "second");
+    expect(machine.recalled(robot.open)).toEqual([{ seq: 1, reason: "first" }]);
+    takeOver(robot, {});
+    expect(robot.row(1)).toMatchObject({ state: "cancelled", reason: "first" });
+  });
+
+  it("that was accepted in the future expires, because the clock was set back", () => {
+    const robot = robotWith([rowOf({ acceptedAt: NOW + 2_001 })]);
+    expect(machine.deliver(robot, { epoch: EPOCH, window: 8, now: NOW })).toEqual([]);
+    expect(machine.expire(robot, NOW).ended).toMatchObject([{ record: { state: "expired" } }]);
+  });
+});
+
+describe("a new command", () => {
+  it.each([
+    { name: "of an unknown key", change: { driver: "another" }, outcome: "revoked" },
+    { name: "of a blocked script", change: { script: "blocked" }, outcome: "blocked" },
+    { name: "after its deadline", change: { deadline: NOW }, outcome: "late" },
+    { name: "beyond the limit", change: { maxWaiting: 1 }, outcome: "full" },
+    {
+      name: "that replaces, beyond the limit",
+      change: { maxWaiting: 1, replace: true },
+      outcome: "stored",
+    },
+  ])("$name is $outcome", ({ change, outcome }) => {
+    const robot = robotWith([rowOf()]);
+    robot.standing.away = new Set(["blocked"]);
+    expect(machine.add(robot, newCommand(change), none)).toMatchObject({ outcome });
+  });
+
+  it("with a known idempotency key is a duplicate, whatever else would refuse it", () => {
+    const earlier = rowOf({ state: "completed", key: "key-0001" });
+    const robot = robotWith([earlier]);
+    robot.standing.isPaused = true;
+    const again = newCommand({ key: "key-0001", deadline: NOW, maxWaiting: 0 });
+    expect(machine.add(robot, again, () => earlier)).toMatchObject({
+      outcome: "duplicate",
+      record: { seq: 1, state: "completed" },
+    });
+    const other = { ...again, command: { action: "right 90" } as const };
+    expect(machine.add(robot, other, () => earlier)).toMatchObject({ outcome: "conflict" });
+  });
+
+  it("is refused while remote driving is paused, but a stop is not", () => {
+    const robot = robotWith([]);
+    robot.standing.isPaused = true;
+    expect(machine.add(robot, newCommand(), none)).toEqual({ outcome: "paused" });
+    const stop = newCommand({ command: { action: "stop" }, maxWaiting: 0 });
+    expect(machine.add(robot, stop, none)).toMatchObject({ outcome: "stored" });
+  });
+});
+
+describe("delivery", () => {
+  it("fills the window in order, and lets stops and replacing commands pass it", () => {
+    const robot = robotWith([
+      rowOf({ seq: 1, state: "delivered" }),
+      rowOf({ seq: 2 }),
+      rowOf({ seq: 3 }),
+      rowOf({ seq: 4, replace: true }),
+      rowOf({ seq: 5, text: STOP }),
+    ]);
+    machine.deliver(robot, { epoch: EPOCH, window: 2, now: NOW });
+    expect(statesOf(robot)).toEqual([
+      [1, "delivered"],
+      [2, "delivered"],
+      [3, "accepted"],
+      [4, "delivered"],
+      [5, "delivered"],
+    ]);
+    expect(robot.hasAll(2)).toBe(true);
+  });
+});
+
+describe("a page that takes the robot", () => {
+  it("gets nothing that a stop or a replacement has overtaken meanwhile, even if that has ended", () => {
+    const robot = robotWith([
+      rowOf({ seq: 1, state: "delivered" }),
+      rowOf({ seq: 2, replace: true, state: "completed" }),
+      rowOf({ seq: 3 }),
+    ]);
+    takeOver(robot, {});
+    expect(statesOf(robot)).toEqual([
+      [1, "superseded"],
+      [2, "completed"],
+      [3, "accepted"],
+    ]);
+  });
+
+  it("raises the epoch, so that reports of the page before count no more", () => {
+    const robot = robotWith([rowOf({ state: "delivered" })]);
+    expect(takeOver(robot, { lastApplied: 1 })).toMatchObject({ epoch: EPOCH + 1 });
+    expect(end(robot, EPOCH)).toMatchObject({ outcome: "over", record: { state: "started" } });
+  });
+
+  it("learns which of its endings came too late", () => {
+    const robot = robotWith([rowOf({ state: "cancelled" })]);
+    const { refused } = takeOver(robot, { lastApplied: 1, endings: [endingOf(1)] });
+    expect(refused).toMatchObject([{ seq: 1, state: "cancelled" }]);
+    const same = takeOver(robot, { lastApplied: 1, endings: [endingOf(1, "cancelled")] });
+    expect(same.refused).toEqual([]);
+  });
+});
