@@ -1,6 +1,6 @@
 /**
- * Message bus over Redis: a channel for each robot that this relay holds. The store's Lua scripts
- * publish numbered steps there, in the same transaction. A missing number or a broken connection
+ * Message bus over Redis: a channel for each robot that this relay holds. The store
+ * publishes numbered steps there, in the same transaction. A missing number or a broken connection
  * makes the bus call `missed`. A relay without a heartbeat for three seconds counts as dead, and
  * its pages as disconnected. If it was only stalled, it lets its pages reconnect.
  */
@@ -159,7 +159,7 @@ export class RedisSwitchboard implements Switchboard {
       ears.heard({ kind: "page", epoch: holder.epoch, name: holder.name });
     }
     return {
-      // The store's Lua script has published it.
+      // The store has published it.
       stepped: () => undefined,
       tell: (news) => this.#publish(robot, news),
       // Uses the same connection as the steps, which preserves the order.
@@ -182,7 +182,7 @@ export class RedisSwitchboard implements Switchboard {
 
   #publish(robot: string, news: News): void {
     const { redis, relay, log } = this.#options;
-    // The store's Lua script has published it, for a page with the new epoch.
+    // The store has published it, for a page with the new epoch.
     if (news.kind === "page" || news.kind === "keys" || news.kind === "over") return;
     if (news.kind === "snapshot") return this.#publishSnapshot(robot, news.snapshot);
     const published =

@@ -20,7 +20,7 @@ export function rowWith(
 ): CommandRow | null {
   const { commands } = robot;
   const known = commands.row(seq);
-  if (known !== null || seq <= commands.forgotten) return known;
+  if (known !== null || seq <= commands.deletedUpTo) return known;
   return rowsIn(statements, BY_SEQ, [id, seq])[0] ?? null;
 }
 
@@ -44,7 +44,7 @@ export function withKey(
   const atHand = robot.commands.withKey(driver, key);
   if (atHand !== null) return atHand;
   const [row] = robot.mayHaveLeft(driver, key) ? rowsIn(statements, BY_KEY, [id, driver, key]) : [];
-  return row === undefined || row.seq <= robot.commands.forgotten ? null : row;
+  return row === undefined || row.seq <= robot.commands.deletedUpTo ? null : row;
 }
 
 /** Commands with a higher seq, in order. */
@@ -54,7 +54,7 @@ export function recordsAfter(
   { commands: robot }: LiveRobot,
   { seq, limit }: { seq: number; limit: number },
 ): CommandRecord[] {
-  const inTable = rowsIn(statements, AFTER, [id, Math.max(seq, robot.forgotten), limit]);
+  const inTable = rowsIn(statements, AFTER, [id, Math.max(seq, robot.deletedUpTo), limit]);
   const bySeq = new Map(inTable.map((row) => [row.seq, row]));
   for (const row of robot.rows()) if (row.seq > seq) bySeq.set(row.seq, row);
   const rows = [...bySeq.values()].toSorted((a, b) => a.seq - b.seq);
@@ -70,7 +70,7 @@ export function newestOvertaking(
 ): number | null {
   const condition = what === "stop" ? `command = '${STOP}'` : "replaces = 1";
   const sql = `SELECT max(seq) AS found FROM commands WHERE robot = ? AND seq > ? AND ${condition}`;
-  const inTable = numberIn(statements, sql, [id, Math.max(after, robot.forgotten)]);
+  const inTable = numberIn(statements, sql, [id, Math.max(after, robot.deletedUpTo)]);
   const atHand = newestOf(robot.rows(), what, after);
   return atHand === null ? inTable : Math.max(inTable ?? atHand, atHand);
 }

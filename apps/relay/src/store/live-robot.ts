@@ -17,7 +17,7 @@ export class LiveRobot {
   readonly #unsettled = new Map<number, number>();
   /** keys of ended commands that only the tables hold; null: not all are known */
   #left: KeyIndex<true> | null;
-  /** value of `commands.forgotten` that an entry records, and that entry; 0: the tables have it */
+  /** value of `commands.deletedUpTo` that an entry records, and that entry; 0: the tables have it */
   #recorded = 0;
   #recordedAt = 0;
 
@@ -34,8 +34,8 @@ export class LiveRobot {
     this.#keep = keep;
     this.#left = standing.lastSeq > open.length ? null : new KeyIndex();
     this.commands = new RobotCommands(standing, open, (row) => {
-      const { forgotten } = this.commands;
-      this.#note(row.seq, this.#keep(row, forgotten > this.#recorded ? forgotten : 0));
+      const { deletedUpTo } = this.commands;
+      this.#note(row.seq, this.#keep(row, deletedUpTo > this.#recorded ? deletedUpTo : 0));
     });
   }
 
@@ -56,7 +56,7 @@ export class LiveRobot {
 
   /** Restores a row from the journal. */
   restore({ row, forgotten }: { row: CommandRow; forgotten: number }, entry: number): void {
-    this.commands.forget(forgotten);
+    this.commands.deleteEnded(forgotten);
     this.commands.restore(row);
     this.#note(row.seq, entry);
   }
@@ -79,9 +79,9 @@ export class LiveRobot {
       if (entry > upTo) continue;
       this.#unsettled.delete(seq);
       const row = this.commands.endedRow(seq);
-      // Lookups ignore ended rows in the tables up to `forgotten`, so a row below it stays in
+      // Lookups ignore ended rows in the tables up to `deletedUpTo`, so a row below it stays in
       // memory.
-      if (row !== null && seq > this.commands.forgotten) this.#leave(row);
+      if (row !== null && seq > this.commands.deletedUpTo) this.#leave(row);
     }
     if (this.#recordedAt <= upTo) this.#recordedAt = 0;
   }
@@ -94,8 +94,8 @@ export class LiveRobot {
 
   #note(seq: number, entry: number): void {
     this.#unsettled.set(seq, entry);
-    if (this.commands.forgotten <= this.#recorded) return;
-    this.#recorded = this.commands.forgotten;
+    if (this.commands.deletedUpTo <= this.#recorded) return;
+    this.#recorded = this.commands.deletedUpTo;
     this.#recordedAt = entry;
   }
 }

@@ -26,7 +26,7 @@ export class RobotCommands {
   readonly #open = new Map<number, CommandRow>();
   readonly #ended = new Map<number, CommandRow>();
   readonly #byKey = new KeyIndex<CommandRow>();
-  #forgotten = 0;
+  #deletedUpTo = 0;
   #delivered = 0;
   readonly #waiting = { overtaking: 0, others: 0 };
 
@@ -57,9 +57,9 @@ export class RobotCommands {
     return this.#ended.size;
   }
 
-  /** Commands up to this seq that had ended at the last `forget` count as deleted. */
-  get forgotten(): number {
-    return this.#forgotten;
+  /** Commands up to this seq that had ended at the last `deleteEnded` count as deleted. */
+  get deletedUpTo(): number {
+    return this.#deletedUpTo;
   }
 
   row(seq: number): CommandRow | null {
@@ -123,9 +123,9 @@ export class RobotCommands {
   }
 
   /** Deletes the commands up to this seq that have ended by now. */
-  forget(seq: number): void {
-    if (seq <= this.#forgotten) return;
-    this.#forgotten = seq;
+  deleteEnded(seq: number): void {
+    if (seq <= this.#deletedUpTo) return;
+    this.#deletedUpTo = seq;
     for (const row of this.#ended.values()) if (row.seq <= seq) this.release(row);
   }
 

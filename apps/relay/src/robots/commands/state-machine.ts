@@ -50,7 +50,7 @@ function addNew(robot: RobotCommands, command: NewCommand, known: KnownCommand):
   const seq = standing.lastSeq + 1;
   const ended = stops || replace ? overtake(robot, { seq, stops }) : [];
   if (!stops && robot.waitingCount >= command.maxWaiting) return { outcome: "full" };
-  robot.forget(seq - command.keep);
+  robot.deleteEnded(seq - command.keep);
   const row = robot.add({
     seq,
     driver,

@@ -39,13 +39,13 @@ export class LoadedRobot {
   readonly #relay: string;
   /** number of the last step on the robot's channel */
   #n: number;
-  #stored: { epoch: number; lastSeq: number; isPaused: boolean; forgotten: number };
+  #stored: { epoch: number; lastSeq: number; isPaused: boolean; deletedUpTo: number };
   readonly #rows = new Map<number, CommandRow>();
   /** new states, for the subscribers of the channel */
   readonly #changed = new Map<number, CommandRow>();
   #added: CommandRow | null = null;
   #also: Words[] = [];
-  #news: string[] = [];
+  #messages: string[] = [];
 
   constructor(id: string, relay: string, answer: z.output<typeof robotAnswer>) {
     const [[version, epoch, lastSeq, n, keys, away, paused], open] = answer;
@@ -55,7 +55,7 @@ export class LoadedRobot {
     this.version = version;
     this.#n = n;
     this.permissions = { keys, away: away ?? [] };
-    this.#stored = { epoch, lastSeq, isPaused, forgotten: 0 };
+    this.#stored = { epoch, lastSeq, isPaused, deletedUpTo: 0 };
     const rows = open.map(rowIn).toSorted((a, b) => a.seq - b.seq);
     const standing = { epoch, lastSeq, isPaused, ...standingOf(this.permissions) };
     this.commands = new RobotCommands(standing, rows, (row, before) => {
@@ -76,8 +76,8 @@ export class LoadedRobot {
   }
 
   /** Adds a message to other relays, before that of the step. */
-  tell(news: { kind: string; epoch?: number; name?: string }): void {
-    this.#news.push(JSON.stringify({ ...news, from: this.#relay }));
+  publish(message: { kind: string; epoch?: number; name?: string }): void {
+    this.#messages.push(JSON.stringify({ ...message, from: this.#relay }));
   }
 
   /** The changes of a step as Redis commands. Releases ended commands from memory. */
@@ -86,15 +86,15 @@ export class LoadedRobot {
     const step = this.#stepMessage();
     if (step !== null) {
       changes.push(["HSET", sessionOf(this.#id), "n", String(this.#n)]);
-      this.#news.push(step);
+      this.#messages.push(step);
     }
-    for (const text of this.#news) changes.push(["PUBLISH", lineOf(this.#id), text]);
+    for (const text of this.#messages) changes.push(["PUBLISH", lineOf(this.#id), text]);
     for (const row of this.#rows.values()) if (hasEnded(row.state)) this.commands.release(row);
     this.#rows.clear();
     this.#changed.clear();
     this.#added = null;
     this.#also = [];
-    this.#news = [];
+    this.#messages = [];
     return changes;
   }
 
@@ -107,11 +107,11 @@ export class LoadedRobot {
       const ofKey: Words[] = key === null ? [] : [["ZADD", keys, seq, keyMember(driver, key)]];
       return [["ZADD", ended, seq, textOf(row)], ["HDEL", open, seq], ...ofKey];
     });
-    const { forgotten } = this.commands;
-    if (forgotten > this.#stored.forgotten) {
+    const { deletedUpTo } = this.commands;
+    if (deletedUpTo > this.#stored.deletedUpTo) {
       // Commands that end in this step may be deleted by it, too.
       for (const key of [ended, keys])
-        changes.push(["ZREMRANGEBYSCORE", key, "-inf", String(forgotten)]);
+        changes.push(["ZREMRANGEBYSCORE", key, "-inf", String(deletedUpTo)]);
     }
     return changes;
   }
@@ -119,7 +119,7 @@ export class LoadedRobot {
   #ofStanding(): Words[] {
     const { epoch, lastSeq, isPaused } = this.commands.standing;
     const before = this.#stored;
-    this.#stored = { epoch, lastSeq, isPaused, forgotten: this.commands.forgotten };
+    this.#stored = { epoch, lastSeq, isPaused, deletedUpTo: this.commands.deletedUpTo };
     const fields: string[] = [];
     if (epoch !== before.epoch) fields.push("epoch", String(epoch));
     if (lastSeq !== before.lastSeq) fields.push("seq", String(lastSeq));

@@ -57,11 +57,12 @@ export class RedisSessionStore implements SessionStore {
   /**
    * @param redis closed by the caller
    * @param relay name of this relay, by which it recognises its own steps on the channel
+   * @param most robots to keep in memory
    */
-  constructor(redis: Redis, forgotten: ForgottenBytes, relay: string) {
+  constructor(redis: Redis, forgotten: ForgottenBytes, relay: string, most?: number) {
     this.#redis = redis;
     this.#relay = relay;
-    this.#robots = new RobotCommits(redis, relay);
+    this.#robots = new RobotCommits(redis, relay, most);
     this.#read = new Script(redis, "read.lua");
     this.#deletion = new Script(redis, "deletion.lua", [relay]);
     this.#forgotten = forgotten;
@@ -102,7 +103,7 @@ export class RedisSessionStore implements SessionStore {
         const isAdded = (field: string): boolean => made.some(([added]) => added === field);
         const gone = times.filter((field) => !isAdded(field));
         if (gone.length > 0) robot.also("HDEL", sessionOf(id), ...gone);
-        robot.tell({ kind: "keys" });
+        robot.publish({ kind: "keys" });
         return { outcome: "changed", keys, ended };
       },
     });
@@ -116,7 +117,7 @@ export class RedisSessionStore implements SessionStore {
         if (changed === null) return { outcome: "full" };
         robot.permissions = { ...robot.permissions, away: changed.away };
         robot.set({ away: JSON.stringify(changed.away) });
-        robot.tell({ kind: "keys" });
+        robot.publish({ kind: "keys" });
         return { outcome: "changed", ...changed };
       },
     });
@@ -126,7 +127,7 @@ export class RedisSessionStore implements SessionStore {
     return this.#robots.run<TermedRecord[] | null>(id, {
       none: null,
       work: (robot) => {
-        robot.tell({ kind: "keys" });
+        robot.publish({ kind: "keys" });
         return machine.pause(robot.commands, isPaused, reason);
       },
     });
@@ -268,7 +269,7 @@ export class RedisSessionStore implements SessionStore {
         const { epoch } = taken;
         const { page: name = "" } = page;
         robot.set({ page: JSON.stringify({ relay: this.#relay, epoch, name }), name });
-        robot.tell({ kind: "page", epoch, name });
+        robot.publish({ kind: "page", epoch, name });
         return taken;
       },
     });

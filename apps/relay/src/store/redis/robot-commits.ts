@@ -1,10 +1,13 @@
 /** Loads, changes and commits robots. Keeps the robots that were used last. */
+import { z } from "zod";
 import type { Redis } from "./connection.ts";
 import { mintId } from "../../keys.ts";
 import { commitKeys } from "./redis-keys.ts";
 import { RobotQueue, type Step } from "./robot-queue.ts";
 import { Script } from "./script.ts";
 import { counted, type Words } from "./words.ts";
+
+const created = z.tuple([z.literal("done")]);
 
 /** Robots in memory. The first step of any other robot costs one more round trip. */
 const MOST_ROBOTS = 2_048;
@@ -14,17 +17,21 @@ export class RobotCommits {
   readonly #relay: string;
   /** by their last use */
   readonly #queues = new Map<string, RobotQueue>();
+  readonly #most: number;
   readonly #writer = mintId();
   #commits = 0;
 
-  constructor(redis: Redis, relay: string) {
+  /** @param most robots to keep in memory */
+  constructor(redis: Redis, relay: string, most = MOST_ROBOTS) {
+    this.#most = most;
     this.#script = new Script(redis, "commit.lua");
     this.#relay = relay;
   }
 
   async create(id: string, changes: Words[]): Promise<void> {
     const words = ["", this.#newVersion(), "", ...counted(changes)];
-    await this.#script.call(commitKeys(id), words);
+    const answer = await this.#script.call(commitKeys(id), words);
+    if (!created.safeParse(answer).success) throw new Error("a session with this id exists");
   }
 
   /** Runs a step after all earlier steps of this robot. */
@@ -33,8 +40,10 @@ export class RobotCommits {
     const queue = known ?? new RobotQueue(id, this.#parts);
     if (known !== undefined) this.#queues.delete(id);
     this.#queues.set(id, queue);
-    if (this.#queues.size > MOST_ROBOTS) this.#dropOldest();
-    return queue.run(step);
+    const result = queue.run(step);
+    // Not before the step: an idle queue could be the one that runs it.
+    if (this.#queues.size > this.#most) this.#dropOldest();
+    return result;
   }
 
   /** Called after robots were deleted. */

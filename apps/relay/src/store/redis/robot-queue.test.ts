@@ -7,7 +7,10 @@ import { connectRedis, type Redis } from "./connection.ts";
 import { ForgottenBytes } from "./forgotten-bytes.ts";
 import { lineOf } from "./redis-keys.ts";
 import { RedisSessionStore } from "./redis-session-store.ts";
+import { RobotQueue } from "./robot-queue.ts";
+import * as machine from "../../robots/commands/state-machine.ts";
 import { StoreFull } from "../disk-full.ts";
+import { StoreAway } from "../store-away.ts";
 
 async function connected(url: string): Promise<Redis> {
   const redis = await connectRedis(url, () => undefined);
@@ -43,13 +46,34 @@ async function withRelays() {
   const a = await relayAt(url, "relay-a");
   const b = await relayAt(url, "relay-b");
   const subscriber = await connected(url);
-  const heard: unknown[] = [];
-  await subscriber.subscribe(lineOf(ID), (text) => heard.push(JSON.parse(text)));
+  const published: unknown[] = [];
+  await subscriber.subscribe(lineOf(ID), (text) => published.push(JSON.parse(text)));
   const keys = [{ kind: "drive" as const, hash: sent.driver }];
   await a.store.create({ id: ID, createdAt: 1_000, keys });
   const taken = await a.store.takeOver(ID, nothingDone);
-  return { a, b, heard, epoch: taken?.epoch ?? 0 };
+  return { a, b, published, epoch: taken?.epoch ?? 0 };
 }
+
+describe("a step", () => {
+  it("fails if other relays change the robot at each attempt, and does not hold up the next one", async () => {
+    let calls = 0;
+    const state = ["a version", "1", "0", "0", "[]", null, null];
+    const script = {
+      call: async () => {
+        calls += 1;
+        return calls < 100 ? ["stale", state, []] : ["done"];
+      },
+    };
+    const queue = new RobotQueue(ID, { script, relay: "relay-a", newVersion: () => String(calls) });
+    const pause = async () =>
+      queue.run({ none: null, work: ({ commands }) => machine.pause(commands, true, "paused") });
+    await expect(pause()).rejects.toBeInstanceOf(StoreAway);
+    expect(calls).toBeLessThan(40);
+    calls = 100;
+    expect(await pause()).toEqual([]);
+    expect(queue.isIdle).toBe(true);
+  });
+});
 
 describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
   it("cost one request each while one relay serves the robot", async () => {
@@ -87,7 +111,7 @@ describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
   });
 
   it("of two relays at once lose and repeat nothing, and every step is published once, in order", async () => {
-    const { a, b, heard, epoch } = await withRelays();
+    const { a, b, published, epoch } = await withRelays();
     const count = 40;
     const add = async (n: number) =>
       (n % 2 === 0 ? a : b).store.add(ID, { ...sent, key: `key-${1_000 + n}` });
@@ -100,7 +124,7 @@ describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
     const open = await a.store.openCommands(ID);
     expect(open.map(({ seq }) => seq)).toEqual([...Array(count).keys()].map((n) => n + 1));
     expect(open.filter(({ state }) => state === "delivered")).toHaveLength(8);
-    const steps = heard.filter((message) => Object(message).kind === "step");
+    const steps = published.filter((message) => Object(message).kind === "step");
     expect(steps.map((message) => Object(message).n)).toEqual(
       [...Array(count + 1).keys()].map((n) => n + 1),
     );
@@ -124,13 +148,13 @@ describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
   });
 
   it("publish a page before the commands that it changes, with what readers and pages show", async () => {
-    const { a, heard, epoch } = await withRelays();
+    const { a, published, epoch } = await withRelays();
     await a.store.add(ID, sent);
     await a.store.deliver(ID, epoch, 8, NOW);
     await a.store.takeOver(ID, { ...nothingDone, page: "page-two" });
     await a.store.changeKeys(ID, keyChange({ remove: [sent.driver] }));
     await a.store.remove(ID);
-    expect(heard).toMatchObject([
+    expect(published).toMatchObject([
       { kind: "page", from: "relay-a", epoch: 1, name: "" },
       { kind: "step", n: 1, from: "relay-a", added: { seq: 1, state: "accepted" }, changed: [] },
       { kind: "step", n: 2, added: null, changed: [{ seq: 1, state: "delivered" }] },
@@ -143,7 +167,7 @@ describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
   });
 
   it("change nothing at all while the memory of Redis is full, and work again afterwards", async () => {
-    const { a, heard, epoch } = await withRelays();
+    const { a, published, epoch } = await withRelays();
     await a.store.add(ID, sent);
     await a.redis.configSet("maxmemory", "100kb");
     const steps = await Promise.allSettled([
@@ -154,7 +178,7 @@ describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
     for (const step of steps)
       expect(step).toMatchObject({ status: "rejected", reason: expect.any(StoreFull) });
     expect(await a.store.openCommands(ID)).toMatchObject([{ seq: 1, state: "accepted" }]);
-    expect(heard).toHaveLength(2);
+    expect(published).toHaveLength(2);
     await a.redis.configSet("maxmemory", "0");
     expect(await a.store.add(ID, { ...sent, command: LEFT })).toMatchObject({
       record: { seq: 2 },

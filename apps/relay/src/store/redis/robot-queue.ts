@@ -44,7 +44,7 @@ interface Task {
 }
 
 export interface RobotQueueParts {
-  script: Script;
+  script: Pick<Script, "call">;
   relay: string;
   /** a version that no commit has used */
   newVersion(): string;

@@ -1,0 +1,68 @@
+/** Both stores apply the same rules: any steps have the same results, at any number of relays. */
+import { join } from "node:path";
+import fc from "fast-check";
+import { describe, expect, it, onTestFinished } from "vitest";
+import { hasRedis, startTestRedis } from "../../testing/test-redis.ts";
+import { testFolder } from "../../testing/test-relay.ts";
+import { SqliteStore } from "../sqlite-store.ts";
+import { steps, told, type StepOfRobot } from "../testing/random-steps.ts";
+import { ROBOTS, withRobots } from "../testing/robot-in-store.ts";
+import { connectRedis } from "./connection.ts";
+import { ForgottenBytes } from "./forgotten-bytes.ts";
+import { RedisSessionStore } from "./redis-session-store.ts";
+
+interface Turn extends StepOfRobot {
+  relay: 0 | 1;
+  /** the next step is at the same relay, and does not wait for this one */
+  isHurried: boolean;
+}
+
+const turns = fc.array(
+  fc.record<Turn>({
+    step: steps,
+    robot: fc.constantFrom(...ROBOTS),
+    relay: fc.constantFrom(0, 1),
+    isHurried: fc.boolean(),
+  }),
+  { minLength: 10, maxLength: 60 },
+);
+
+describe.skipIf(!hasRedis)("a store in Redis", () => {
+  it("has the same results as SQLite, though several relays share it and release robots", async () => {
+    const { url } = await startTestRedis(["--appendonly", "no"]);
+    const redis = await connectRedis(url, () => undefined);
+    onTestFinished(() => redis.destroy());
+    const folder = testFolder();
+    let runs = 0;
+    await fc.assert(
+      fc.asyncProperty(turns, fc.constantFrom(1, 2, 8), async (all, most) => {
+        await redis.flushAll();
+        const relays = ["relay-a", "relay-b"].map(
+          (name) => new RedisSessionStore(redis, new ForgottenBytes(redis), name, most),
+        );
+        const sqlite = new SqliteStore(join(folder, `${runs++}.sqlite`), 1_000_000);
+        const [first] = relays;
+        if (first === undefined) return;
+        await Promise.all([withRobots(sqlite), withRobots(first)]);
+        let pairs: Promise<unknown>[][] = [];
+        const answered = async (): Promise<void> => {
+          const results = await Promise.all(pairs.map(async (pair) => Promise.all(pair)));
+          for (const [got, expected] of results) expect(got).toEqual(expected);
+          pairs = [];
+        };
+        let at = 0;
+        for (const { step, robot, relay, isHurried } of all) {
+          const store = relays[at] ?? first;
+          pairs.push([step(store, robot), step(sqlite, robot)]);
+          if (isHurried) continue;
+          await answered();
+          at = relay;
+        }
+        await answered();
+        for (const store of relays) expect(await told(store)).toEqual(await told(sqlite));
+        await sqlite.close();
+      }),
+      { numRuns: 40 },
+    );
+  });
+});
