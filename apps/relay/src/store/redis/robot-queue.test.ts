@@ -102,12 +102,17 @@ describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
   it("are sent without waiting for each other, and keep their order if another relay came first", async () => {
     const { a, b, epoch } = await withRelays();
     await b.store.add(ID, sent);
-    const [added, due] = await Promise.all([
-      a.store.add(ID, { ...sent, key: "key-0001" }),
-      a.store.deliver(ID, epoch, 8, NOW),
-    ]);
-    expect(added).toMatchObject({ outcome: "stored", record: { seq: 2 } });
-    expect(due.map(({ record }) => record.seq)).toEqual([1, 2]);
+    const both = () =>
+      Promise.all([
+        a.store.add(ID, { ...sent, key: "key-0001" }),
+        a.store.deliver(ID, epoch, 8, NOW),
+      ]);
+    const requests = await a.cost(async () => {
+      const [added, due] = await both();
+      expect(added).toMatchObject({ outcome: "stored", record: { seq: 2 } });
+      expect(due.map(({ record }) => record.seq)).toEqual([1, 2]);
+    });
+    expect(requests).toBe(4);
   });
 
   it("of two relays at once lose and repeat nothing, and every step is published once, in order", async () => {

@@ -164,16 +164,25 @@ export class RobotQueue {
     if (changes.length > 0) robot.version = this.#parts.newVersion();
     this.#sent += 1;
     const words = [expected, robot.version, absent ?? "", ...counted(changes)];
-    this.#call(words)
-      .then(
-        (answer) => this.#answered(task, answer),
-        (error: unknown) => this.#fail(task, error),
-      )
-      .finally(() => {
-        this.#sent -= 1;
-        if (this.#sent === 0) this.#repeat();
-      })
-      .catch(() => undefined);
+    this.#call(words).then(
+      (answer) => this.#settle(() => this.#answered(task, answer)),
+      (error: unknown) => this.#settle(() => this.#fail(task, error)),
+    );
+  }
+
+  /** Handles the end of a commit. Once all have ended, continues with those that were refused. */
+  #settle(work: () => void): void {
+    this.#sent -= 1;
+    try {
+      work();
+    } catch {
+      // The robot cannot be read. Loading it again reports why.
+      this.#robot = undefined;
+    }
+    if (this.#sent > 0) return;
+    this.#waiting = [...this.#refused, ...this.#waiting];
+    this.#refused = [];
+    this.#advance();
   }
 
   #answered(task: Task, answer: Answer): void {
@@ -182,16 +191,8 @@ export class RobotQueue {
     if (answer.outcome === "present") task.found();
     if (task.tries < MOST_TRIES) this.#refused.push(task);
     else task.reject(new StoreAway(new Error("other relays changed the robot at each attempt")));
-    this.#robot = undefined;
     // All later commits are refused, too. The last refusal has the newest robot.
-    if (this.#sent === 1) this.#robot = this.#robotIn(answer);
-  }
-
-  /** Continues with the refused steps, once all commits are answered. */
-  #repeat(): void {
-    this.#waiting = [...this.#refused, ...this.#waiting];
-    this.#refused = [];
-    this.#advance();
+    this.#robot = this.#sent > 0 ? undefined : this.#robotIn(answer);
   }
 
   #fail(task: Task, error: unknown): void {
