@@ -75,6 +75,40 @@ describe("a step", () => {
   });
 });
 
+describe("a step that another relay's change has delayed", () => {
+  const robotNow = (version: string) => [[version, "1", "0", "0", "[]", null, null], []];
+
+  it.each([...Array(12).keys()])(
+    "stays before a step that arrives %i promises after the refusal",
+    async (promises) => {
+      let version = "theirs";
+      const stored: string[] = [];
+      const refusal = Promise.withResolvers<null>();
+      const script = {
+        call: async (_keys: string[], [expected = "", next = "", , ...changes]: string[]) => {
+          if (expected === "*") return ["stale", ...robotNow("old")];
+          if (expected === "old") await refusal.promise;
+          if (expected !== version) return ["stale", ...robotNow(version)];
+          version = next;
+          stored.push(changes.at(-1) ?? "");
+          return ["done"];
+        },
+      };
+      let versions = 0;
+      const newVersion = () => `version ${(versions += 1)}`;
+      const queue = new RobotQueue(ID, { script, relay: "relay-a", newVersion });
+      const keep = async (maze: string) =>
+        queue.run({ none: undefined, work: (robot) => robot.set({ maze }) });
+      const first = keep("first");
+      await new Promise(setImmediate);
+      refusal.resolve(null);
+      for (let n = 0; n < promises; n++) await Promise.resolve();
+      await Promise.all([first, keep("second")]);
+      expect(stored).toEqual(["first", "second"]);
+    },
+  );
+});
+
 describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
   it("cost one request each while one relay serves the robot", async () => {
     const { a, epoch } = await withRelays();

@@ -31,6 +31,8 @@ export interface Step<T, Read> {
 }
 
 interface Task {
+  /** position in the order of the steps */
+  number: number;
   /** Reads; null: there is nothing to read, or it was read for this robot. */
   read(robot: LoadedRobot): Promise<void> | null;
   /** Applies the step. @returns the member that must be absent; null: none */
@@ -67,6 +69,7 @@ export class RobotQueue {
   readonly #parts: RobotQueueParts;
   /** null: there is none; undefined: it must be loaded */
   #robot: LoadedRobot | null | undefined;
+  #steps = 0;
   #waiting: Task[] = [];
   /** sent and not answered yet */
   #sent = 0;
@@ -93,6 +96,7 @@ export class RobotQueue {
     let isPresent = false;
     let result = step.none;
     this.#waiting.push({
+      number: (this.#steps += 1),
       read: (robot) => {
         if (read?.robot === robot) return null;
         read = null;
@@ -180,8 +184,11 @@ export class RobotQueue {
       this.#robot = undefined;
     }
     if (this.#sent > 0) return;
-    this.#waiting = [...this.#refused, ...this.#waiting];
-    this.#refused = [];
+    if (this.#refused.length > 0) {
+      const refused = this.#refused.toSorted((a, b) => a.number - b.number);
+      this.#waiting = [...refused, ...this.#waiting];
+      this.#refused = [];
+    }
     this.#advance();
   }
 
