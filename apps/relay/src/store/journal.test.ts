@@ -11,7 +11,7 @@ import type { SessionStore } from "./session-store.ts";
 import { SqliteFile } from "./sqlite-file.ts";
 import { SqliteStore } from "./sqlite-store.ts";
 import { NOW, ROBOTS, sent, withRobots } from "./testing/robot-in-store.ts";
-import { steps, told, type StepOfRobot } from "./testing/random-steps.ts";
+import { stepsKeeping, told, type StepOfRobot } from "./testing/random-steps.ts";
 
 /** A step, its robot, and an event in the store after it. */
 interface Turn extends StepOfRobot {
@@ -20,7 +20,7 @@ interface Turn extends StepOfRobot {
 
 const turns = fc.array(
   fc.record<Turn>({
-    step: steps,
+    step: stepsKeeping(2, 100),
     robot: fc.constantFrom(...ROBOTS),
     after: fc.constantFrom("nothing", "nothing", "nothing", "nothing", "restart", "undone", "idle"),
   }),

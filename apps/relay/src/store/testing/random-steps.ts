@@ -19,22 +19,23 @@ const epochs = fc.integer({ min: 1, max: 3 });
 const times = fc.integer({ min: NOW, max: NOW + 1_200 });
 const drivers = fc.constantFrom(...DRIVERS);
 
-const added = fc
-  .record({
-    driver: drivers,
-    script: fc.constantFrom(null, "s", "t"),
-    key: fc.option(fc.constantFrom("key-0001", "key-0002", "key-0003")),
-    command: fc.constantFrom(...COMMANDS),
-    replace: fc.boolean(),
-    deadline: fc.integer({ min: NOW, max: NOW + 1_000 }),
-    keep: fc.constantFrom(2, 100),
-    maxWaiting: fc.constantFrom(2, 64),
-  })
-  .map(
-    (command): Step =>
-      (store, robot) =>
-        store.add(robot, { ...sent, ...command }),
-  );
+const added = (...keep: number[]): fc.Arbitrary<Step> =>
+  fc
+    .record({
+      driver: drivers,
+      script: fc.constantFrom(null, "s", "t"),
+      key: fc.option(fc.constantFrom("key-0001", "key-0002", "key-0003")),
+      command: fc.constantFrom(...COMMANDS),
+      replace: fc.boolean(),
+      deadline: fc.integer({ min: NOW, max: NOW + 1_000 }),
+      keep: fc.constantFrom(...keep),
+      maxWaiting: fc.constantFrom(2, 64),
+    })
+    .map(
+      (command): Step =>
+        (store, robot) =>
+          store.add(robot, { ...sent, ...command }),
+    );
 const done = fc.oneof(
   fc.tuple(epochs, fc.constantFrom(1, 8), times).map(
     ([epoch, window, now]): Step =>
@@ -108,11 +109,9 @@ const rare = fc.oneof(
   ),
 );
 
-export const steps: fc.Arbitrary<Step> = fc.oneof(
-  { weight: 4, arbitrary: added },
-  { weight: 6, arbitrary: done },
-  rare,
-);
+/** @param keep numbers of newest commands to retain */
+export const stepsKeeping = (...keep: number[]): fc.Arbitrary<Step> =>
+  fc.oneof({ weight: 4, arbitrary: added(...keep) }, { weight: 6, arbitrary: done }, rare);
 
 /** All commands of all robots, in each form in which they can be read. */
 export async function told(store: SessionStore): Promise<unknown> {
