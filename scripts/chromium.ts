@@ -44,7 +44,8 @@ export function findChromium(): string | null {
  * @throws Error with installation instructions
  */
 export function requireHeadlessChromium(): string {
-  return process.env["CHROMIUM_PATH"] ?? inPath(HEADLESS_SHELL)[0] ?? requireChromium();
+  const isConfigured = process.env["CHROMIUM_PATH"] !== undefined;
+  return (isConfigured ? undefined : inPath(HEADLESS_SHELL)[0]) ?? requireChromium();
 }
 
 /** Installs the headless shell if the machine allows that. */

@@ -1,4 +1,4 @@
-/** Downloads the single-file client. `e2e/javascript-library.spec.ts` drives a robot with it. */
+/** Downloads the single-file client. `e2e/installed-libraries.spec.ts` drives a robot with it. */
 import { once } from "node:events";
 import { writeFileSync } from "node:fs";
 import { get } from "node:http";

@@ -241,17 +241,19 @@ function isEnough(found: readonly Found[], { solvesAll, newSolvedCheck }: Diagno
 /**
  * Sorts the changes, the most plausible first, and leaves out those that only happen to help.
  *
- * 1. Another order of the lines that solves every maze of the task.
- * 2. A missing delay at the edge of an opening, because two mistakes need two changes; any change
- *    that solves every maze.
- * 3. What the run itself shows: the line drove into the wall, or its readings contradict its action.
- * 4. A missing line.
- * 5. Another action that solves this maze but not every maze: with two wrong lines, each maze may
- *    show one of them.
+ * - 0: another order of the lines that solves every maze of the task
+ * - 1: any other change that solves every maze, and a missing delay at the edge of an opening,
+ *   because two mistakes need two changes
+ * - 2, 3: what the run itself shows: the line drove straight into the wall, or its readings
+ *   contradict its action
+ * - 4: an action that solves every maze although the line did not drive into the wall and the run
+ *   shows nothing wrong about it: it only avoids the place of the bump
+ * - 5: a missing or extra line, or another order; in free play, every change that lasts
+ * - 6: another action that solves this maze but not every maze: with two wrong lines, each maze may
+ *   show one of them; in free play, a change after which another failure occurs
+ * - 7: a missing delay with which the robot only gets further
  *
- * An action of another line about which the run shows nothing wrong comes after these even if it
- * solves every maze: it only avoids the place of the bump. A sign, a sensor or a number that does
- * not solve every maze is left out.
+ * In a task, a sign, a sensor or a number that does not solve every maze is left out.
  */
 function ranked(
   trace: RunTrace,
