@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { expect, test } from "./fixtures.ts";
 import { runScript } from "./support/script.ts";
 
-const KIT = join(import.meta.dirname, "../apps/conformance/src/main.ts");
+const KIT = join(import.meta.dirname, "../packages/conformance/src/main.ts");
 
 /** the pen of docs/conformance.md, with the goal in its far right corner */
 const pen = encodeLink({
