@@ -1,25 +1,27 @@
 import { globSync, readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import { violations, type Sources } from "../scripts/boundaries.ts";
+import { layerViolations } from "../scripts/layers.ts";
 
 const root = new URL("../", import.meta.url).pathname;
 
-function sourcesOnDisk(): Sources {
-  const files = globSync(
-    ["packages/*/src/**/*.ts", "apps/*/src/**/*.{ts,tsx}", "examples/**/*.ts"],
-    {
-      cwd: root,
-      exclude: ["**/*.test.ts", "**/*.cases.ts", "**/testing/**", "**/node_modules/**"],
-    },
-  );
+const sourceFiles = ["packages/*/src/**/*.ts", "apps/*/src/**/*.{ts,tsx}", "examples/**/*.ts"];
+const testFiles = ["**/*.test.ts", "**/*.cases.ts", "**/testing/**"];
+
+function sourcesOnDisk(...exclude: string[]): Sources {
+  const files = globSync(sourceFiles, { cwd: root, exclude: ["**/node_modules/**", ...exclude] });
   return new Map(files.map((file) => [file, readFileSync(root + file, "utf8")]));
 }
 
 describe("the house", () => {
   it("keeps every import going down and every package pure", () => {
-    const sources = sourcesOnDisk();
+    const sources = sourcesOnDisk(...testFiles);
     expect(sources.size).toBeGreaterThan(50);
     expect(violations(sources)).toEqual([]);
+  });
+
+  it("keeps the folders of an app in layers, tests included", () => {
+    expect(layerViolations(sourcesOnDisk())).toEqual([]);
   });
 });
 
@@ -82,4 +84,75 @@ describe("a planted violation", () => {
   ])("is found: $name", ({ files, says }) => {
     expect(violations(new Map(Object.entries(files))).join("\n")).toContain(says);
   });
+});
+
+describe("a planted violation of an app's layers", () => {
+  const layers = [["main.ts"], ["rooms/*"], ["base", "words"]];
+  const app = "apps/web";
+  it.each<{ name: string; files: Record<string, string>; says: string }>([
+    {
+      name: "an import that goes up",
+      files: { "base/a.ts": 'import { b } from "../rooms/one/b.ts";' },
+      says: "base must not import rooms/one",
+    },
+    {
+      name: "an import that goes up in a test",
+      files: { "base/a.test.ts": 'import { b } from "../rooms/one/b.ts";' },
+      says: "base must not import rooms/one",
+    },
+    {
+      name: "an import that goes up from a testing folder",
+      files: { "base/testing/a.ts": 'import { b } from "../../main.ts";' },
+      says: "base must not import main.ts",
+    },
+    {
+      name: "an import of a neighbour",
+      files: { "rooms/one/a.ts": 'import { b } from "../two/b.ts";' },
+      says: "rooms/one must not import rooms/two",
+    },
+    {
+      name: "an import of another unit of the layer",
+      files: { "base/a.ts": 'import { b } from "../words/b.ts";' },
+      says: "base must not import words",
+    },
+    {
+      name: "the address of a worker in a higher layer",
+      files: { "base/a.ts": 'new Worker(new URL("../rooms/one/b.ts", import.meta.url));' },
+      says: "base must not import rooms/one",
+    },
+    {
+      name: "a folder without a layer",
+      files: { "other/a.ts": 'import { b } from "../base/b.ts";' },
+      says: "lists no layer for other",
+    },
+    {
+      name: "folders in a circle",
+      files: {
+        "base/a.ts": 'import { b } from "./inner/b.ts";',
+        "base/inner/b.ts": 'import { c } from "../c.ts";',
+      },
+      says: "the folder base/inner is in a circle of imports",
+    },
+  ])("is found: $name", ({ files, says }) => {
+    const found = layerViolations(sourcesIn(files), { [app]: { layers } });
+    expect(found.join("\n")).toContain(says);
+  });
+
+  it("allows imports that go down", () => {
+    const files = {
+      "main.ts": 'import { a } from "./rooms/one/a.ts"; import { b } from "./base/b.ts";',
+      "rooms/one/a.ts": 'import { b } from "../../base/b.ts"; import { c } from "./c.ts";',
+    };
+    expect(layerViolations(sourcesIn(files), { [app]: { layers } })).toEqual([]);
+  });
+
+  it("reports exceptions that are no longer needed", () => {
+    const exceptions = { imports: ["base -> words"], circles: ["base"] };
+    const found = layerViolations(new Map(), { [app]: { layers, exceptions } });
+    expect(found).toHaveLength(2);
+  });
+
+  function sourcesIn(files: Record<string, string>): Sources {
+    return new Map(Object.entries(files).map(([file, source]) => [`${app}/src/${file}`, source]));
+  }
 });

@@ -161,7 +161,7 @@ function isEngine(name: string): boolean {
   return name === "matter-js" || name.startsWith("matter-js/");
 }
 
-function workspaceOf(path: string): string {
+export function workspaceOf(path: string): string {
   const [top = "", name = ""] = path.split("/");
   return top === "packages" || top === "apps" ? `${top}/${name}` : top;
 }
@@ -177,17 +177,17 @@ function isEntryOf(name: string, rule: string): boolean {
   return !rule.startsWith("@corridor/") && name.startsWith(`${rule}/`);
 }
 
-function importsOf(source: string): string[] {
+export function importsOf(source: string): string[] {
   return [...withoutComments(source).matchAll(importPattern)].map(
     (match) => match[1] ?? match[2] ?? match[3] ?? "",
   );
 }
 
-function withoutComments(source: string): string {
+export function withoutComments(source: string): string {
   return source.replaceAll(/\/\*[\s\S]*?\*\//g, "").replaceAll(/(^|\s)\/\/.*$/gm, "$1");
 }
 
-function resolve(from: string, relative: string): string {
+export function resolve(from: string, relative: string): string {
   const parts = from.split("/").slice(0, -1);
   for (const part of relative.split("/")) {
     if (part === "..") parts.pop();
