@@ -4,12 +4,12 @@
  */
 import { join } from "node:path";
 import type { Logger } from "pino";
-import type { Clock } from "./clock.ts";
+import type { Clock } from "./platform/time/clock.ts";
 import { LocalSwitchboard } from "./cluster/local-switchboard.ts";
 import { RedisSwitchboard } from "./cluster/redis-switchboard.ts";
 import type { Switchboard } from "./cluster/switchboard.ts";
 import type { Config } from "./config.ts";
-import { mintId } from "./keys.ts";
+import { mintId } from "./platform/keys.ts";
 import type { DocumentStore } from "./store/document-store.ts";
 import type { PairingStore } from "./store/pairing-store.ts";
 import { connectRedis, timeOf, type Redis } from "./store/redis/connection.ts";

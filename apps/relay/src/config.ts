@@ -1,8 +1,8 @@
 /** Settings of the relay, read from the environment and validated once at startup. */
 import { describeProblem, readValue, type FieldProblem } from "@corridor/protocol";
 import { z } from "zod";
-import { misspeltSettings } from "./misspelt-settings.ts";
-import { readNetwork, type TrustedProxies } from "./request-guard/trusted-proxies.ts";
+import { misspeltSettings } from "./platform/process/misspelt-settings.ts";
+import { readNetwork, type TrustedProxies } from "./platform/http/trusted-proxies.ts";
 
 const DEFAULT_PORT = 8080;
 const portError = "a port number from 0 to 65535 (0: any free port)";

@@ -1,7 +1,7 @@
 import { problemSchema, type Registration } from "@corridor/protocol";
 import { expect, it, vi } from "vitest";
-import { completed } from "./testing/messages.ts";
-import { realSmallDisk } from "./testing/small-disk.ts";
+import { completed } from "./platform/testing/messages.ts";
+import { realSmallDisk } from "./platform/testing/small-disk.ts";
 import { startTestRelay, type TestRelay } from "./testing/test-relay.ts";
 import { TestSocket } from "./testing/test-socket.ts";
 

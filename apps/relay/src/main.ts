@@ -1,11 +1,11 @@
 /**
  * Entry point of the relay: reads settings from the environment, starts, and shuts down cleanly.
  */
-import "./gc-flags.ts";
-import "./compiled-schemas.ts";
+import "./platform/process/gc-flags.ts";
+import "./platform/process/compiled-schemas.ts";
 import { join } from "node:path";
 import { pino } from "pino";
-import { steadyClock } from "./clock.ts";
+import { steadyClock } from "./platform/time/clock.ts";
 import { addressToOpen, describeConfigProblems, readConfig, type Config } from "./config.ts";
 import { startRelay, type Relay } from "./relay.ts";
 

@@ -5,7 +5,7 @@
  * load balancer that removes the relay would stop that too.
  */
 import type { Logger } from "pino";
-import type { Clock } from "./clock.ts";
+import type { Clock } from "./platform/time/clock.ts";
 import type { SessionStore } from "./store/session-store.ts";
 
 /** A check costs a commit, so its result is reused for this time. */

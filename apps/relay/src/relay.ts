@@ -1,20 +1,20 @@
 /** A complete relay: store, sessions, HTTP and WebSockets on one port, from start to shutdown. */
-import "./schema-messages.ts";
+import "./platform/process/schema-messages.ts";
 import { createServer } from "node:http";
 import { join } from "node:path";
 import type { Router } from "express";
 import type { Logger } from "pino";
 import { createApp } from "./app.ts";
 import { openBackend } from "./backend.ts";
-import type { Clock } from "./clock.ts";
+import type { Clock } from "./platform/time/clock.ts";
 import type { Config } from "./config.ts";
 import { DocumentService } from "./documents/document-service.ts";
-import { RequestGuard } from "./request-guard/request-guard.ts";
-import { answerBrokenRequests } from "./gateways/broken-requests.ts";
+import { RequestGuard } from "./platform/http/request-guard.ts";
+import { answerBrokenRequests } from "./platform/http/broken-requests.ts";
 import { CheckSocket } from "./gateways/check-socket.ts";
 import { LongPollConnections } from "./gateways/long-poll-connections.ts";
 import { WebSocketGateway } from "./gateways/websocket-gateway.ts";
-import { closeServer, listen, portOf } from "./listening.ts";
+import { closeServer, listen, portOf } from "./platform/http/listening.ts";
 import { metricsServer } from "./metrics/metrics-server.ts";
 import { Metrics } from "./metrics/metrics.ts";
 import { PairingService } from "./pairing/pairing-service.ts";

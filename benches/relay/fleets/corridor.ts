@@ -6,7 +6,7 @@
  */
 import type { Registration } from "@corridor/protocol";
 import { DelayedAcknowledgements } from "../../../packages/client/src/delayed-acknowledgements.ts";
-import { limits } from "../../../apps/relay/src/sessions/limits.ts";
+import { limits } from "../../../apps/relay/src/platform/limits/limits.ts";
 import { openAll, type Fleet, type FleetOptions } from "./fleet.ts";
 import { commandText, parseSeq, snapshotText } from "./messages.ts";
 import { TextSocket } from "./text-socket.ts";

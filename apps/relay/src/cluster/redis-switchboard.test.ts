@@ -1,11 +1,11 @@
 import { pino } from "pino";
 import { describe, expect, it, onTestFinished, vi } from "vitest";
-import { systemClock, type Clock } from "../clock.ts";
+import { systemClock, type Clock } from "../platform/time/clock.ts";
 import { connectRedis } from "../store/redis/connection.ts";
 import { ForgottenBytes } from "../store/redis/forgotten-bytes.ts";
 import { RedisSessionStore } from "../store/redis/redis-session-store.ts";
-import { swallowingNet } from "../testing/swallowing-net.ts";
-import { hasRedis, startTestRedis } from "../testing/test-redis.ts";
+import { swallowingNet } from "../platform/testing/swallowing-net.ts";
+import { hasRedis, startTestRedis } from "../platform/testing/test-redis.ts";
 import { RedisSwitchboard } from "./redis-switchboard.ts";
 import { subscribe, switchboardCases } from "./testing/switchboard.cases.ts";
 

@@ -13,9 +13,9 @@ import {
 } from "@corridor/protocol";
 import type { Logger } from "pino";
 import { z } from "zod";
-import type { Clock } from "../clock.ts";
+import type { Clock } from "../platform/time/clock.ts";
 import type { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
-import { limits } from "../sessions/limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import { asked, type Redis } from "../store/redis/connection.ts";
 import { lineOf, postOf, RELAYS, sessionOf } from "../store/redis/redis-keys.ts";
 import { termedRow } from "../store/redis/rows.ts";

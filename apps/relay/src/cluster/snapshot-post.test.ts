@@ -2,7 +2,7 @@ import type { Snapshot } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { expect, it } from "vitest";
 import { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
-import { FakeClock } from "../testing/fake-clock.ts";
+import { FakeClock } from "../platform/testing/fake-clock.ts";
 import { readPost, SnapshotPost } from "./snapshot-post.ts";
 
 const [ONE, TWO] = ["AAAAAAAAAAAAAAAAAAAAAA", "BBBBBBBBBBBBBBBBBBBBBB"];

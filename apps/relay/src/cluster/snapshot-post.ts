@@ -8,7 +8,7 @@
  */
 import { findSnapshot, snapshotSchema } from "@corridor/protocol";
 import { z } from "zod";
-import type { Clock } from "../clock.ts";
+import type { Clock } from "../platform/time/clock.ts";
 import { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
 
 const BATCH_MS = 15;

@@ -2,7 +2,7 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { expect, it } from "vitest";
-import { problemKinds } from "../problem-kinds.ts";
+import { problemKinds } from "../platform/errors/problem-kinds.ts";
 
 const WORDS = join(import.meta.dirname, "../../../web/src/text/en");
 

@@ -4,12 +4,12 @@
  */
 import { readShortCode, type ShortLink } from "@corridor/protocol";
 import type { Logger } from "pino";
-import type { Clock } from "../clock.ts";
-import { canBeKey, hashKey, mintKey, mintLinkIds } from "../keys.ts";
-import { CheckQueue } from "../pairing/check-queue.ts";
-import { notAuthorised, Refusal, retryAfter } from "../problems.ts";
-import { limits } from "../sessions/limits.ts";
-import { TokenBucket } from "../sessions/token-bucket.ts";
+import type { Clock } from "../platform/time/clock.ts";
+import { canBeKey, hashKey, mintKey, mintLinkIds } from "../platform/keys.ts";
+import { CheckQueue } from "../platform/limits/check-queue.ts";
+import { notAuthorised, Refusal, retryAfter } from "../platform/errors/problems.ts";
+import { limits } from "../platform/limits/limits.ts";
+import { TokenBucket } from "../platform/limits/token-bucket.ts";
 import type { DocumentStore } from "../store/document-store.ts";
 import type { SharedDocument } from "./document-schema.ts";
 

@@ -8,7 +8,7 @@ import {
   messages,
   openedConnection,
 } from "../testing/endpoints.ts";
-import { completed } from "../testing/messages.ts";
+import { completed } from "../platform/testing/messages.ts";
 
 const KIB = 1024;
 const STOP = '{"action":"stop"}';

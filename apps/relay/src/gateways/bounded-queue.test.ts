@@ -1,8 +1,8 @@
 /** A connection whose messages wait for the store, and one that exceeds its limit. */
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import { limits } from "../sessions/limits.ts";
-import { completed } from "../testing/messages.ts";
+import { limits } from "../platform/limits/limits.ts";
+import { completed } from "../platform/testing/messages.ts";
 import { startTestRelay } from "../testing/test-relay.ts";
 import { TestSocket } from "../testing/test-socket.ts";
 import { withBoundedQueue } from "./bounded-queue.ts";

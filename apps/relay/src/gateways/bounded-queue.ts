@@ -3,7 +3,7 @@
  * sends without waiting could exhaust the relay's memory.
  */
 import { closeReasons } from "@corridor/protocol";
-import { limits } from "../sessions/limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import { closeWith, type Conversation } from "./conversation.ts";
 import type { ReaderConnection } from "./reader-connection.ts";
 

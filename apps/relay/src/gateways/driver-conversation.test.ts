@@ -3,8 +3,8 @@ import { decodeFrame, relayToDriverSchema, type RelayToDriver } from "@corridor/
 import { expect, it } from "vitest";
 import { RightsVersion } from "../sessions/rights.ts";
 import { callerOf, unknownScript } from "../sessions/script.ts";
-import { limits } from "../sessions/limits.ts";
-import { FakeClock } from "../testing/fake-clock.ts";
+import { limits } from "../platform/limits/limits.ts";
+import { FakeClock } from "../platform/testing/fake-clock.ts";
 import type { Session } from "../sessions/session.ts";
 import { DriverConversation } from "./driver-conversation.ts";
 

@@ -15,11 +15,11 @@ import {
   type StateEvent,
 } from "@corridor/protocol";
 import { z } from "zod";
-import type { Clock } from "../clock.ts";
-import type { ProblemKind } from "../problem-kinds.ts";
-import { asRefusal, badRequest, Refusal, retryAfter } from "../problems.ts";
+import type { Clock } from "../platform/time/clock.ts";
+import type { ProblemKind } from "../platform/errors/problem-kinds.ts";
+import { asRefusal, badRequest, Refusal, retryAfter } from "../platform/errors/problems.ts";
 import type { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
-import { limits } from "../sessions/limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import type { OverReason, ReaderSink, ReaderStart } from "../sessions/reader-feed.ts";
 import type { Grant } from "../sessions/session-hub.ts";
 import type { JoinedReader } from "../sessions/readers.ts";

@@ -5,9 +5,9 @@ import {
 } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import { limits } from "../sessions/limits.ts";
-import { FakeClock } from "../testing/fake-clock.ts";
-import { completed } from "../testing/messages.ts";
+import { limits } from "../platform/limits/limits.ts";
+import { FakeClock } from "../platform/testing/fake-clock.ts";
+import { completed } from "../platform/testing/messages.ts";
 import { startTestRelay, type TestRelay } from "../testing/test-relay.ts";
 import { TestSocket } from "../testing/test-socket.ts";
 

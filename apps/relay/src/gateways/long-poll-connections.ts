@@ -10,12 +10,12 @@ import {
   type SentMessages,
   type TakenMessages,
 } from "@corridor/protocol";
-import { canBeKey, hashKey, markOf, mintKey } from "../keys.ts";
-import { notAuthorised, Refusal, retryAfter } from "../problems.ts";
+import { canBeKey, hashKey, markOf, mintKey } from "../platform/keys.ts";
+import { notAuthorised, Refusal, retryAfter } from "../platform/errors/problems.ts";
 import type { Patience } from "../sessions/audience.ts";
-import { limits } from "../sessions/limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import { verbOfRole } from "../sessions/rights.ts";
-import { StaggeredInterval } from "../staggered-interval.ts";
+import { StaggeredInterval } from "../platform/time/staggered-interval.ts";
 import { closeWith } from "./conversation.ts";
 import { closeOnError, startConversation, introductionOf } from "./start-conversation.ts";
 import { LongPollConnection } from "./long-poll-connection.ts";

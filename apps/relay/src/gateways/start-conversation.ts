@@ -1,10 +1,10 @@
 /** Creates the conversation for a hello and closes connections on errors, on every transport. */
 import { closeReasons, scriptName, type CloseReason, type Hello } from "@corridor/protocol";
 import type { Logger } from "pino";
-import type { Clock } from "../clock.ts";
+import type { Clock } from "../platform/time/clock.ts";
 import type { Metrics } from "../metrics/metrics.ts";
-import type { ProblemKind } from "../problem-kinds.ts";
-import { asRefusal } from "../problems.ts";
+import type { ProblemKind } from "../platform/errors/problem-kinds.ts";
+import { asRefusal } from "../platform/errors/problems.ts";
 import type { Introduction } from "../sessions/script.ts";
 import type { Grant } from "../sessions/session-hub.ts";
 import { withBoundedQueue } from "./bounded-queue.ts";

@@ -1,10 +1,10 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { WebSocket } from "ws";
-import { limits } from "../sessions/limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import { badCommands } from "../testing/bad-commands.ts";
-import { FakeClock } from "../testing/fake-clock.ts";
-import { completed } from "../testing/messages.ts";
+import { FakeClock } from "../platform/testing/fake-clock.ts";
+import { completed } from "../platform/testing/messages.ts";
 import { startTestRelay } from "../testing/test-relay.ts";
 import { TestSocket } from "../testing/test-socket.ts";
 

@@ -18,20 +18,20 @@ import {
 import type { Logger } from "pino";
 import { WebSocketServer, type WebSocket } from "ws";
 import { clientName } from "../client-name.ts";
-import type { Clock } from "../clock.ts";
-import { markOf } from "../keys.ts";
-import type { RequestGuard } from "../request-guard/request-guard.ts";
+import type { Clock } from "../platform/time/clock.ts";
+import { markOf } from "../platform/keys.ts";
+import type { RequestGuard } from "../platform/http/request-guard.ts";
 import type { Metrics } from "../metrics/metrics.ts";
-import { asRefusal, Refusal } from "../problems.ts";
-import { limits } from "../sessions/limits.ts";
+import { asRefusal, Refusal } from "../platform/errors/problems.ts";
+import { limits } from "../platform/limits/limits.ts";
 import { verbOfRole } from "../sessions/rights.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
-import { StaggeredInterval } from "../staggered-interval.ts";
+import { StaggeredInterval } from "../platform/time/staggered-interval.ts";
 import { closeWith, handleMessage, type Conversation } from "./conversation.ts";
 import { closeOnError, startConversation, introductionOf } from "./start-conversation.ts";
 import { readPlainTexts } from "./plain-text-reader.ts";
 import type { ReaderConnection } from "./reader-connection.ts";
-import { refuseUpgrade } from "./refuse-upgrade.ts";
+import { refuseUpgrade } from "../platform/http/refuse-upgrade.ts";
 import { SocketWithReasons } from "./socket-with-reasons.ts";
 import { WsPort } from "./ws-port.ts";
 

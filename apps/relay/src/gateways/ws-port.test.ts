@@ -7,8 +7,8 @@ import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { WebSocket, WebSocketServer } from "ws";
 import { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
-import { limits } from "../sessions/limits.ts";
-import { FakeClock } from "../testing/fake-clock.ts";
+import { limits } from "../platform/limits/limits.ts";
+import { FakeClock } from "../platform/testing/fake-clock.ts";
 import { WsPort } from "./ws-port.ts";
 
 /** A port and its client, with everything that the client received in order. */

@@ -12,9 +12,9 @@
 import type { Duplex } from "node:stream";
 import { closeReasons } from "@corridor/protocol";
 import type { WebSocket } from "ws";
-import type { Clock } from "../clock.ts";
-import { limits } from "../sessions/limits.ts";
-import { textFrame } from "../text-frame.ts";
+import type { Clock } from "../platform/time/clock.ts";
+import { limits } from "../platform/limits/limits.ts";
+import { textFrame } from "../platform/text-frame.ts";
 import type { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
 import type { ReaderFlow } from "../sessions/reader-feed.ts";
 import { closeWith } from "./conversation.ts";

@@ -4,8 +4,8 @@
  */
 import { createServer, type Server } from "node:http";
 import type { Logger } from "pino";
-import { requireOneHost } from "../request-guard/request-guard.ts";
-import { Refusal } from "../problems.ts";
+import { requireOneHost } from "../platform/http/request-guard.ts";
+import { Refusal } from "../platform/errors/problems.ts";
 import type { Metrics } from "./metrics.ts";
 
 /** @returns a server that does not listen yet */

@@ -2,7 +2,7 @@ import { once } from "node:events";
 import { createServer } from "node:net";
 import type { AddressInfo } from "node:net";
 import { describe, expect, it, onTestFinished } from "vitest";
-import { completed } from "../testing/messages.ts";
+import { completed } from "../platform/testing/messages.ts";
 import { startRelayProcess } from "../testing/relay-process.ts";
 import { startTestRelay, type TestRelay } from "../testing/test-relay.ts";
 import { TestSocket } from "../testing/test-socket.ts";

@@ -4,7 +4,7 @@
  */
 import { closeReasons, type CommandRecord } from "@corridor/protocol";
 import { collectDefaultMetrics, Counter, Gauge, Histogram, Registry } from "prom-client";
-import type { ProblemKind } from "../problem-kinds.ts";
+import type { ProblemKind } from "../platform/errors/problem-kinds.ts";
 import type { Census } from "../sessions/session-hub.ts";
 import type { Witness } from "../sessions/witness.ts";
 

@@ -5,7 +5,7 @@
 import { PROTOCOL_VERSION } from "@corridor/protocol";
 import { createDocument, type oas31 } from "zod-openapi";
 import { calls } from "./calls.ts";
-import { describeByExpectation } from "./describe-by-expectation.ts";
+import { describeByExpectation } from "../platform/openapi/describe-by-expectation.ts";
 import { withReadingAids } from "./reading-aids.ts";
 import { describeCondition, schemas } from "./schemas.ts";
 

@@ -1,7 +1,7 @@
 /** Operations for operators. */
 import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { healthSchema, readySchema } from "../routes/answers.ts";
-import { answer, refusals } from "./parts.ts";
+import { answer, refusals } from "../platform/openapi/parts.ts";
 
 export const healthCalls: ZodOpenApiPathsObject = {
   "/healthz": {

@@ -8,7 +8,7 @@ import {
 } from "@corridor/protocol";
 import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { fetchQuery } from "../routes/reading.ts";
-import { answer, asScript, parameters, refusals, robot } from "./parts.ts";
+import { answer, asScript, parameters, refusals, robot } from "../platform/openapi/parts.ts";
 
 const connection = [{ connectionKey: [] }];
 

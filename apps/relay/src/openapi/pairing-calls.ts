@@ -9,7 +9,15 @@ import {
 } from "@corridor/protocol";
 import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { nameHeader, waitQuery } from "../routes/reading.ts";
-import { answer, keyed, location, owner, parameters, refusals, robot } from "./parts.ts";
+import {
+  answer,
+  keyed,
+  location,
+  owner,
+  parameters,
+  refusals,
+  robot,
+} from "../platform/openapi/parts.ts";
 
 export const pairingCalls: ZodOpenApiPathsObject = {
   "/api/v1/robots/{id}/pairing": {

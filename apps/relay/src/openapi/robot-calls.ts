@@ -12,7 +12,15 @@ import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { heldSessionSchema } from "../routes/answers.ts";
 import { keyPath } from "../routes/keys.ts";
 import { scriptPath } from "../routes/scripts.ts";
-import { answer, keyed, location, owner, parameters, refusals, robot } from "./parts.ts";
+import {
+  answer,
+  keyed,
+  location,
+  owner,
+  parameters,
+  refusals,
+  robot,
+} from "../platform/openapi/parts.ts";
 
 export const robotCalls: ZodOpenApiPathsObject = {
   "/api/v1/robots": {

@@ -41,7 +41,7 @@ import {
   heldSessionSchema,
   readySchema,
 } from "../routes/answers.ts";
-import { describeByExpectation } from "./describe-by-expectation.ts";
+import { describeByExpectation } from "../platform/openapi/describe-by-expectation.ts";
 import { streamedEventSchema } from "./streamed-event.ts";
 
 const { gap, states } = eventPageSchema.shape;

@@ -33,7 +33,7 @@ import {
   parameters,
   refusals,
   robot,
-} from "./parts.ts";
+} from "../platform/openapi/parts.ts";
 import { streamedEventSchema } from "./streamed-event.ts";
 
 const idempotencyKey = parameters("header", idempotencyHeader);

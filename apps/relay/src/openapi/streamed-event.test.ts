@@ -3,7 +3,7 @@ import type { z } from "zod";
 import type { oas31 } from "zod-openapi";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { DescribedRelay } from "../testing/described-relay.ts";
-import { maze } from "../testing/sample-documents.ts";
+import { maze } from "../platform/testing/sample-documents.ts";
 import { TestSocket } from "../testing/test-socket.ts";
 
 /** Parses the events of a stream. */

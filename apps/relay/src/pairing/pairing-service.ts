@@ -5,15 +5,15 @@
  */
 import type { Pairing, PairingAnswer, RequestedPairing, CreatedPairing } from "@corridor/protocol";
 import type { Logger } from "pino";
-import type { Clock } from "../clock.ts";
-import { hashKey, isSameHash, keyId, mintCode, mintKey } from "../keys.ts";
-import { noRobot, Refusal } from "../problems.ts";
+import type { Clock } from "../platform/time/clock.ts";
+import { hashKey, isSameHash, keyId, mintCode, mintKey } from "../platform/keys.ts";
+import { noRobot, Refusal } from "../platform/errors/problems.ts";
 import type { Patience } from "../sessions/audience.ts";
 import type { KeyRing } from "../sessions/key-ring.ts";
-import { limits } from "../sessions/limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import type { PairingStore, StoredPairing } from "../store/pairing-store.ts";
 import type { SessionStore } from "../store/session-store.ts";
-import { CheckQueue } from "./check-queue.ts";
+import { CheckQueue } from "../platform/limits/check-queue.ts";
 import { Waits } from "./waits.ts";
 
 const CLEANUP_MS = 60_000;

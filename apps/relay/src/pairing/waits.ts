@@ -1,8 +1,8 @@
 /** Waits for changes in the store, which this relay or another one may write. */
-import type { Clock } from "../clock.ts";
-import { Refusal, retryAfter } from "../problems.ts";
+import type { Clock } from "../platform/time/clock.ts";
+import { Refusal, retryAfter } from "../platform/errors/problems.ts";
 import type { Patience } from "../sessions/audience.ts";
-import { limits } from "../sessions/limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 
 export class Waits {
   readonly #clock: Clock;

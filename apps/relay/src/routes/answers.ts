@@ -10,7 +10,7 @@ import {
   snapshotSchema,
 } from "@corridor/protocol";
 import { z } from "zod";
-import { limits } from "../sessions/limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 
 export const healthSchema = z.strictObject({ status: z.literal("ok") });
 export type Health = z.infer<typeof healthSchema>;

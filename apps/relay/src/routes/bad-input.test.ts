@@ -1,5 +1,5 @@
 /** Responses to HTTP requests with an invalid body, header, path or query. */
-import { sendBare } from "../testing/bare-http.ts";
+import { sendBare } from "../platform/testing/bare-http.ts";
 import { testEndpoints } from "../testing/bad-input.cases.ts";
 import {
   requesting,
@@ -9,7 +9,7 @@ import {
   type Attempt,
   type Target,
 } from "../testing/endpoints.ts";
-import { maze } from "../testing/sample-documents.ts";
+import { maze } from "../platform/testing/sample-documents.ts";
 
 const KIB = 1024;
 const STOP = '{"action":"stop"}';

@@ -7,12 +7,12 @@ import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import express, { Router, type RequestHandler } from "express";
 import { checkPage, checkWords } from "../check/check-words.ts";
-import type { Clock } from "../clock.ts";
-import type { RequestGuard } from "../request-guard/request-guard.ts";
-import { Refusal, retryAfter } from "../problems.ts";
-import { limits } from "../sessions/limits.ts";
-import { methodNotAllowed } from "./fallbacks.ts";
-import { listedFiles } from "./listed-files.ts";
+import type { Clock } from "../platform/time/clock.ts";
+import type { RequestGuard } from "../platform/http/request-guard.ts";
+import { Refusal, retryAfter } from "../platform/errors/problems.ts";
+import { limits } from "../platform/limits/limits.ts";
+import { methodNotAllowed } from "../platform/http/fallbacks.ts";
+import { listedFiles } from "../platform/http/listed-files.ts";
 import { patienceOf, readWaitSeconds } from "./reading.ts";
 
 const FOLDER = join(import.meta.dirname, "../check");

@@ -3,7 +3,7 @@ import { termsOf, type CommandRecord } from "@corridor/protocol";
 import { Router, type Request, type Response } from "express";
 import type { SessionHub } from "../sessions/session-hub.ts";
 import type { CommandLog } from "./answers.ts";
-import { methodNotAllowed } from "./fallbacks.ts";
+import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 import { authoriseScript, type AuthorisedRequest } from "./authorise-script.ts";
 import {
   jsonText,

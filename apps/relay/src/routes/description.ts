@@ -5,8 +5,8 @@
 import { Router } from "express";
 import { describeMessages } from "../asyncapi/document.ts";
 import { describeApi } from "../openapi/document.ts";
-import { methodNotAllowed } from "./fallbacks.ts";
-import { openToAllSites } from "./security-headers.ts";
+import { methodNotAllowed } from "../platform/http/fallbacks.ts";
+import { openToAllSites } from "../platform/http/security-headers.ts";
 
 export function descriptionRoutes(): Router {
   const router = Router();

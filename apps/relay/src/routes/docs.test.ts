@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { problemKinds } from "../problem-kinds.ts";
+import { problemKinds } from "../platform/errors/problem-kinds.ts";
 import { startTestRelay } from "../testing/test-relay.ts";
 
 /** Crawls all pages that /docs links to. Returns their HTML. */

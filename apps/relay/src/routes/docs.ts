@@ -7,9 +7,9 @@ import { fileURLToPath } from "node:url";
 import { Router } from "express";
 import { renderPage } from "../docs/frame.ts";
 import { pagesOfSite } from "../docs/site.ts";
-import { methodNotAllowed } from "./fallbacks.ts";
-import { listedFiles } from "./listed-files.ts";
-import { allowPolicy } from "./security-headers.ts";
+import { methodNotAllowed } from "../platform/http/fallbacks.ts";
+import { listedFiles } from "../platform/http/listed-files.ts";
+import { allowPolicy } from "../platform/http/security-headers.ts";
 
 const FOLDER = join(import.meta.dirname, "../docs");
 

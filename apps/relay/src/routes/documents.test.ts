@@ -3,8 +3,8 @@ import { join } from "node:path";
 import { MAX_DOCUMENT_BYTES, problemSchema, shortLinkSchema } from "@corridor/protocol";
 import { describe, expect, it, vi } from "vitest";
 import { badDocuments } from "../testing/bad-documents.ts";
-import { FakeClock } from "../testing/fake-clock.ts";
-import { challenge, maze, program } from "../testing/sample-documents.ts";
+import { FakeClock } from "../platform/testing/fake-clock.ts";
+import { challenge, maze, program } from "../platform/testing/sample-documents.ts";
 import { startTestRelay, testFolder, type TestRelay } from "../testing/test-relay.ts";
 
 function post({ origin }: TestRelay, body: unknown, headers: Record<string, string> = {}) {

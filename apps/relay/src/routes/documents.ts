@@ -3,8 +3,8 @@ import { MAX_DOCUMENT_BYTES } from "@corridor/protocol";
 import { Router } from "express";
 import { documentSchema } from "../documents/document-schema.ts";
 import type { DocumentService } from "../documents/document-service.ts";
-import type { RequestGuard } from "../request-guard/request-guard.ts";
-import { methodNotAllowed } from "./fallbacks.ts";
+import type { RequestGuard } from "../platform/http/request-guard.ts";
+import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 import { jsonText, readBearer, readBody } from "./reading.ts";
 
 export function documentRoutes(service: DocumentService, guard: RequestGuard): Router {

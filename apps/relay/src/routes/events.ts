@@ -4,12 +4,12 @@
  */
 import { sinceOf } from "@corridor/protocol";
 import { Router, type Response } from "express";
-import type { Clock } from "../clock.ts";
-import { limits } from "../sessions/limits.ts";
+import type { Clock } from "../platform/time/clock.ts";
+import { limits } from "../platform/limits/limits.ts";
 import type { OverReason, ReaderSink } from "../sessions/reader-feed.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
 import type { JoinedReader } from "../sessions/readers.ts";
-import { methodNotAllowed } from "./fallbacks.ts";
+import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 import { authoriseScript } from "./authorise-script.ts";
 import { patienceOf, readEvents } from "./reading.ts";
 

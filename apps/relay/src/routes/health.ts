@@ -1,9 +1,9 @@
 /** Liveness (`/healthz`) and readiness (`/readyz`) of the relay. */
 import { Router, type RequestHandler } from "express";
-import { Refusal, restarting, retryAfter } from "../problems.ts";
+import { Refusal, restarting, retryAfter } from "../platform/errors/problems.ts";
 import type { Readiness } from "../readiness.ts";
 import type { Health, Ready } from "./answers.ts";
-import { methodNotAllowed } from "./fallbacks.ts";
+import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 
 const noStore: RequestHandler = (_request, response, next) => {
   response.set("Cache-Control", "no-store");

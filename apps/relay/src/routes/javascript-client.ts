@@ -5,9 +5,9 @@
 import { existsSync } from "node:fs";
 import { basename, dirname, join } from "node:path";
 import { Router } from "express";
-import { Refusal } from "../problems.ts";
-import { methodNotAllowed } from "./fallbacks.ts";
-import { openToAllSites } from "./security-headers.ts";
+import { Refusal } from "../platform/errors/problems.ts";
+import { methodNotAllowed } from "../platform/http/fallbacks.ts";
+import { openToAllSites } from "../platform/http/security-headers.ts";
 
 const FILE = join(import.meta.dirname, "../../dist/corridor.js");
 

@@ -8,9 +8,9 @@ import {
 } from "@corridor/protocol";
 import { Router } from "express";
 import { z } from "zod";
-import type { RequestGuard } from "../request-guard/request-guard.ts";
+import type { RequestGuard } from "../platform/http/request-guard.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
-import { methodNotAllowed } from "./fallbacks.ts";
+import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 import { jsonText, read, readBearer, readBody } from "./reading.ts";
 
 /** The id of a key, as the last segment of a path. */

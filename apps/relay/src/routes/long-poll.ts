@@ -1,9 +1,9 @@
 /** Long-poll connections: the messages of the WebSocket over plain HTTPS requests. */
 import { helloSchema, MAX_FRAME_BYTES, sentMessagesSchema } from "@corridor/protocol";
 import { Router } from "express";
-import type { RequestGuard } from "../request-guard/request-guard.ts";
+import type { RequestGuard } from "../platform/http/request-guard.ts";
 import type { LongPollConnections } from "../gateways/long-poll-connections.ts";
-import { methodNotAllowed } from "./fallbacks.ts";
+import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 import { jsonText, patienceOf, readBearer, readBody, readClient, readFetch } from "./reading.ts";
 
 export function longPollRoutes(connections: LongPollConnections, guard: RequestGuard): Router {

@@ -1,8 +1,8 @@
 import { createdKeySchema, problemSchema, type Registration } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { limits } from "../sessions/limits.ts";
-import { FakeClock } from "../testing/fake-clock.ts";
-import { maze, program } from "../testing/sample-documents.ts";
+import { limits } from "../platform/limits/limits.ts";
+import { FakeClock } from "../platform/testing/fake-clock.ts";
+import { maze, program } from "../platform/testing/sample-documents.ts";
 import { startTestRelay, testFolder, type TestRelay } from "../testing/test-relay.ts";
 import { TestSocket } from "../testing/test-socket.ts";
 

@@ -3,9 +3,9 @@ import { mazeSchema } from "@corridor/maze";
 import { MAX_DOCUMENT_BYTES } from "@corridor/protocol";
 import { Router } from "express";
 import { z } from "zod";
-import { Refusal } from "../problems.ts";
+import { Refusal } from "../platform/errors/problems.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
-import { methodNotAllowed } from "./fallbacks.ts";
+import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 import { authoriseScript } from "./authorise-script.ts";
 import { jsonText, readBearer, readBody } from "./reading.ts";
 

@@ -3,10 +3,10 @@ import { join } from "node:path";
 import { keyListSchema, PAIRING_LETTERS } from "@corridor/protocol";
 import { pino } from "pino";
 import { describe, expect, it, vi } from "vitest";
-import { hashKey } from "../keys.ts";
-import { FakeClock } from "../testing/fake-clock.ts";
+import { hashKey } from "../platform/keys.ts";
+import { FakeClock } from "../platform/testing/fake-clock.ts";
 import { ownerOf, scriptAt } from "../testing/pairing-parties.ts";
-import { hasRedis, startTestRedis } from "../testing/test-redis.ts";
+import { hasRedis, startTestRedis } from "../platform/testing/test-redis.ts";
 import { startTestRelay, testFolder } from "../testing/test-relay.ts";
 
 const MINUTE = 60_000;

@@ -6,12 +6,12 @@ import {
   scriptName,
 } from "@corridor/protocol";
 import { Router } from "express";
-import type { RequestGuard } from "../request-guard/request-guard.ts";
-import { canBeKey } from "../keys.ts";
+import type { RequestGuard } from "../platform/http/request-guard.ts";
+import { canBeKey } from "../platform/keys.ts";
 import type { PairingService } from "../pairing/pairing-service.ts";
-import { notAuthorised } from "../problems.ts";
+import { notAuthorised } from "../platform/errors/problems.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
-import { methodNotAllowed } from "./fallbacks.ts";
+import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 import {
   jsonText,
   patienceOf,

@@ -16,8 +16,8 @@ import {
 import express, { type Request, type RequestHandler, type Response } from "express";
 import { z } from "zod";
 import { clientName } from "../client-name.ts";
-import { badRequest, Refusal } from "../problems.ts";
-import { limits } from "../sessions/limits.ts";
+import { badRequest, Refusal } from "../platform/errors/problems.ts";
+import { limits } from "../platform/limits/limits.ts";
 import type { Caller, Introduction } from "../sessions/script.ts";
 import type { ScriptTime } from "../sessions/script-clocks.ts";
 import type { Patience } from "../sessions/audience.ts";

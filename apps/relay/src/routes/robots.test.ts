@@ -3,8 +3,8 @@ import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { commandRecordSchema, snapshotSchema } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { FakeClock } from "../testing/fake-clock.ts";
-import { completed } from "../testing/messages.ts";
+import { FakeClock } from "../platform/testing/fake-clock.ts";
+import { completed } from "../platform/testing/messages.ts";
 import { startTestRelay, testFolder } from "../testing/test-relay.ts";
 import { TestSocket } from "../testing/test-socket.ts";
 

@@ -1,9 +1,9 @@
 /** Registers, shows and deletes robots. */
 import { Router } from "express";
-import type { RequestGuard } from "../request-guard/request-guard.ts";
+import type { RequestGuard } from "../platform/http/request-guard.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
 import type { HeldSession } from "./answers.ts";
-import { methodNotAllowed } from "./fallbacks.ts";
+import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 import { readBearer } from "./reading.ts";
 
 export function robotRoutes(hub: SessionHub, guard: RequestGuard): Router {

@@ -8,9 +8,9 @@ import {
 } from "@corridor/protocol";
 import { Router } from "express";
 import { z } from "zod";
-import { keyId } from "../keys.ts";
+import { keyId } from "../platform/keys.ts";
 import type { SessionHub } from "../sessions/session-hub.ts";
-import { methodNotAllowed } from "./fallbacks.ts";
+import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 import { jsonText, read, readBearer, readBody } from "./reading.ts";
 
 /** The id of a script, as the last segment of a path. */

@@ -3,13 +3,13 @@
  * (long polls). They receive all changes in order.
  */
 import type { CommandRecord, StateEvent } from "@corridor/protocol";
-import type { Clock } from "../clock.ts";
-import { Refusal, retryAfter } from "../problems.ts";
+import type { Clock } from "../platform/time/clock.ts";
+import { Refusal, retryAfter } from "../platform/errors/problems.ts";
 import type { CarriedSnapshot } from "./carried-snapshot.ts";
 import type { EventLog } from "./event-log.ts";
-import { StoreAway } from "../store/store-away.ts";
+import { StoreAway } from "../platform/errors/store-away.ts";
 import { keyRevoked } from "./key-ring.ts";
-import { limits } from "./limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import type { Caller } from "./script.ts";
 import { scriptIsAway } from "./script-gate.ts";
 

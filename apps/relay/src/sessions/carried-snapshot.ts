@@ -4,7 +4,7 @@
  * the object.
  */
 import { findSnapshotMessage, type Snapshot, type SnapshotSpan } from "@corridor/protocol";
-import { emptyFrame, messageIn } from "../text-frame.ts";
+import { emptyFrame, messageIn } from "../platform/text-frame.ts";
 
 /** Bytes of a reader's message before and after the snapshot. */
 const BEFORE = Buffer.from('{"type":"snapshot","snapshot":');

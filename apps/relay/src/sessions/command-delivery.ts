@@ -3,9 +3,9 @@
  * sent. The page is shown the commands that it may not have yet.
  */
 import { closeReasons, type CommandRecord } from "@corridor/protocol";
-import type { Clock } from "../clock.ts";
+import type { Clock } from "../platform/time/clock.ts";
 import type { SessionStore, TermedRecord } from "../store/session-store.ts";
-import { limits } from "./limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import { commandFrame } from "./page-frames.ts";
 import type { PageDisplay } from "./page-display.ts";
 import type { PageHandover } from "./page-handover.ts";

@@ -16,10 +16,10 @@ import {
   type PageToRelay,
   type Resume,
 } from "@corridor/protocol";
-import type { Clock } from "../clock.ts";
+import type { Clock } from "../platform/time/clock.ts";
 import type { Step } from "../cluster/switchboard.ts";
-import { noRobot, restarting } from "../problems.ts";
-import type { CoalescedTimers } from "../coalesced-timers.ts";
+import { noRobot, restarting } from "../platform/errors/problems.ts";
+import type { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
 import type { SessionStore, TermedRecord } from "../store/session-store.ts";
 import type { Audience } from "./audience.ts";
 import { CommandDelivery, type Due } from "./command-delivery.ts";
@@ -28,7 +28,7 @@ import { CommandRecall } from "./command-recall.ts";
 import { notStored } from "./command-refusals.ts";
 import { DeadlineTimer } from "./deadline-timer.ts";
 import { DriverAllowance } from "./driver-allowance.ts";
-import { limits } from "./limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import { OrderedWork } from "./ordered-work.ts";
 import { PageHandover, type Settled } from "./page-handover.ts";
 import { PageDisplay } from "./page-display.ts";

@@ -3,7 +3,7 @@ import { hasEnded, type CommandRecord, type EventGap } from "@corridor/protocol"
 import type { SessionStore } from "../store/session-store.ts";
 import type { Audience, Patience } from "./audience.ts";
 import { noCommand } from "./command-refusals.ts";
-import { limits } from "./limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import type { OrderedWork } from "./ordered-work.ts";
 
 export class CommandLog {

@@ -1,9 +1,9 @@
 /** Error responses for commands that the relay does not store. */
 import { PAUSED_REASON, type CommandTerms } from "@corridor/protocol";
-import { noRobot, Refusal, retryAfter } from "../problems.ts";
+import { noRobot, Refusal, retryAfter } from "../platform/errors/problems.ts";
 import type { AddResult } from "../store/session-store.ts";
 import { keyRevoked } from "./key-ring.ts";
-import { limits } from "./limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import { scriptIsAway } from "./script-gate.ts";
 
 /** Results of the store for a command that is neither stored nor a duplicate. */

@@ -1,5 +1,5 @@
 /** Timer for the earliest of many deadlines. */
-import type { Clock } from "../clock.ts";
+import type { Clock } from "../platform/time/clock.ts";
 
 export class DeadlineTimer {
   readonly #clock: Clock;

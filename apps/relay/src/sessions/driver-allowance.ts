@@ -1,7 +1,7 @@
 /** Rate limiter by driver key. Stops have a separate bucket, so they never wait behind commands. */
-import { Refusal, retryAfter } from "../problems.ts";
-import { limits } from "./limits.ts";
-import { TokenBucket } from "./token-bucket.ts";
+import { Refusal, retryAfter } from "../platform/errors/problems.ts";
+import { limits } from "../platform/limits/limits.ts";
+import { TokenBucket } from "../platform/limits/token-bucket.ts";
 
 export class DriverAllowance {
   readonly #buckets = new Map<string, { commands: TokenBucket; stops: TokenBucket }>();

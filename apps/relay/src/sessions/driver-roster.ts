@@ -5,10 +5,10 @@
  * and request proves activity, and so does a request that waits for its response.
  */
 import type { AliveDriver, CommandRecord, Drivers, ScriptView } from "@corridor/protocol";
-import type { Clock } from "../clock.ts";
-import { keyId } from "../keys.ts";
+import type { Clock } from "../platform/time/clock.ts";
+import { keyId } from "../platform/keys.ts";
 import type { StoredScript } from "../store/session-store.ts";
-import { limits } from "./limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import { ScriptList } from "./script-list.ts";
 
 /** A script that is silent for longer than this holds no motion. */

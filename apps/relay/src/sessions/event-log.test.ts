@@ -1,7 +1,7 @@
 import { EVENT_RETENTION_MS, MAX_STORED_EVENTS, type CommandRecord } from "@corridor/protocol";
 import fc from "fast-check";
 import { expect, it } from "vitest";
-import type { Clock } from "../clock.ts";
+import type { Clock } from "../platform/time/clock.ts";
 import { EventLog } from "./event-log.ts";
 
 /** Every field has a different value, and most differ for each seq. */

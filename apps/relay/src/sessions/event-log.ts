@@ -10,8 +10,8 @@ import {
   type CommandRecord,
   type StateEvent,
 } from "@corridor/protocol";
-import type { Clock } from "../clock.ts";
-import { mintStream } from "../keys.ts";
+import type { Clock } from "../platform/time/clock.ts";
+import { mintStream } from "../platform/keys.ts";
 import { PackedTexts } from "./packed-texts.ts";
 
 export class EventLog {

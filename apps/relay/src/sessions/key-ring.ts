@@ -1,8 +1,8 @@
 /** The keys of one robot: validates, creates and revokes them. */
 import { MAX_KEYS, type KeyList, type KeyRequest, type CreatedKey } from "@corridor/protocol";
-import { hashKey, keyId, matchKey, mintKey } from "../keys.ts";
-import { noRobot, notAuthorised, Refusal } from "../problems.ts";
-import type { Clock } from "../clock.ts";
+import { hashKey, keyId, matchKey, mintKey } from "../platform/keys.ts";
+import { noRobot, notAuthorised, Refusal } from "../platform/errors/problems.ts";
+import type { Clock } from "../platform/time/clock.ts";
 import type {
   KeyChange,
   KeysResult,
@@ -11,8 +11,8 @@ import type {
   StoredKey,
   StoredSession,
 } from "../store/session-store.ts";
-import { StoreAway } from "../store/store-away.ts";
-import { limits } from "./limits.ts";
+import { StoreAway } from "../platform/errors/store-away.ts";
+import { limits } from "../platform/limits/limits.ts";
 import { checkRight, type RightsVersion, type Verb } from "./rights.ts";
 
 export interface KeyRingParts {

@@ -3,12 +3,12 @@
  * pose but not the blocks. Readers can request it and are notified of changes.
  */
 import type { MazeDocument } from "@corridor/maze";
-import type { Clock } from "../clock.ts";
-import { hashKey } from "../keys.ts";
-import { noRobot, Refusal, retryAfter } from "../problems.ts";
+import type { Clock } from "../platform/time/clock.ts";
+import { hashKey } from "../platform/keys.ts";
+import { noRobot, Refusal, retryAfter } from "../platform/errors/problems.ts";
 import type { SessionStore } from "../store/session-store.ts";
-import { limits } from "./limits.ts";
-import { TokenBucket } from "./token-bucket.ts";
+import { limits } from "../platform/limits/limits.ts";
+import { TokenBucket } from "../platform/limits/token-bucket.ts";
 
 /** Length of a version, which is the start of the maze's hash. */
 const VERSION_LENGTH = 22;

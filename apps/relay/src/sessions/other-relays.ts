@@ -1,12 +1,12 @@
 /** Handles the messages of other relays for one robot's session. */
 import { closeReasons } from "@corridor/protocol";
-import type { Clock } from "../clock.ts";
+import type { Clock } from "../platform/time/clock.ts";
 import type { News } from "../cluster/switchboard.ts";
 import type { CarriedSnapshot } from "./carried-snapshot.ts";
 import type { CommandLife } from "./command-life.ts";
 import type { DriverRoster } from "./driver-roster.ts";
 import type { KeyRing } from "./key-ring.ts";
-import { limits } from "./limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import type { MazeBoard } from "./maze-board.ts";
 import type { PageLink } from "./page-link.ts";
 import type { PageSeat } from "./page-seat.ts";

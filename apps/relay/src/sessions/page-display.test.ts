@@ -1,10 +1,10 @@
 import type { RelayToPage } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { CoalescedTimers } from "../coalesced-timers.ts";
+import { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
 import type { TermedRecord } from "../store/session-store.ts";
-import { FakeClock } from "../testing/fake-clock.ts";
-import { completed } from "../testing/messages.ts";
-import { limits } from "./limits.ts";
+import { FakeClock } from "../platform/testing/fake-clock.ts";
+import { completed } from "../platform/testing/messages.ts";
+import { limits } from "../platform/limits/limits.ts";
 import { PageDisplay } from "./page-display.ts";
 import { PageSeat } from "./page-seat.ts";
 import { LEFT, page, withRobot, type Host } from "./testing/robot-at-relay.ts";

@@ -3,10 +3,10 @@
  * The display is for people. It is immediate at low rates, and batched once a second at high rates.
  */
 import type { RelayToPage } from "@corridor/protocol";
-import type { Clock } from "../clock.ts";
-import type { CoalescedTimers, Waiter } from "../coalesced-timers.ts";
+import type { Clock } from "../platform/time/clock.ts";
+import type { CoalescedTimers, Waiter } from "../platform/time/coalesced-timers.ts";
 import type { TermedRecord } from "../store/session-store.ts";
-import { limits } from "./limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import type { PageLink } from "./page-link.ts";
 import type { PageSeat, SeatedPage } from "./page-seat.ts";
 

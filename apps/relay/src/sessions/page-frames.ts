@@ -1,6 +1,6 @@
 /** Converts stored commands to messages for the page. */
 import type { RelayToPage } from "@corridor/protocol";
-import { keyId } from "../keys.ts";
+import { keyId } from "../platform/keys.ts";
 import type { TermedRecord } from "../store/session-store.ts";
 
 /** The message that delivers a command, with the time left to start it. */

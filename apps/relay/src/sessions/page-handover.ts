@@ -4,9 +4,9 @@
  * last report. Without a confirmation in time, it is unknown which commands it has started.
  */
 import { closeReasons, type Resume } from "@corridor/protocol";
-import type { Clock } from "../clock.ts";
+import type { Clock } from "../platform/time/clock.ts";
 import { reloadReasons, replacedReasons, type LeftReasons } from "../store/session-store.ts";
-import { limits } from "./limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import type { PageLink } from "./page-link.ts";
 import type { PageSeat } from "./page-seat.ts";
 import type { RobotLine } from "./robot-line.ts";

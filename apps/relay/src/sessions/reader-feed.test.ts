@@ -1,11 +1,11 @@
 import { EVENT_RETENTION_MS, MAX_STORED_EVENTS, type CommandRecord } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import { CoalescedTimers } from "../coalesced-timers.ts";
-import { FakeClock, settled } from "../testing/fake-clock.ts";
+import { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
+import { FakeClock, settled } from "../platform/testing/fake-clock.ts";
 import { CarriedSnapshot } from "./carried-snapshot.ts";
 import { EventLog } from "./event-log.ts";
-import { limits } from "./limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import { ReaderFeed } from "./reader-feed.ts";
 
 function recordOf(seq: number): CommandRecord {

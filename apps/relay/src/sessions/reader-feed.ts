@@ -7,12 +7,12 @@
  * A reader that sleeps for longer than the log lasts receives a gap.
  */
 import { hasEnded, type EventGap, type StateEvent } from "@corridor/protocol";
-import type { Clock } from "../clock.ts";
-import { dueAfter, type CoalescedTimers, type Waiter } from "../coalesced-timers.ts";
+import type { Clock } from "../platform/time/clock.ts";
+import { dueAfter, type CoalescedTimers, type Waiter } from "../platform/time/coalesced-timers.ts";
 import type { AwayReason, ReaderDoor } from "./audience.ts";
 import type { CarriedSnapshot } from "./carried-snapshot.ts";
 import type { EventLog } from "./event-log.ts";
-import { limits } from "./limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 
 /** Progress of a reader, in bytes of its connection. */
 export interface ReaderFlow {

@@ -1,7 +1,7 @@
 /** Ways to read one robot: subscribe on a connection, or request the next events. */
 import type { EventPage, Snapshot } from "@corridor/protocol";
-import type { Clock } from "../clock.ts";
-import type { CoalescedTimers } from "../coalesced-timers.ts";
+import type { Clock } from "../platform/time/clock.ts";
+import type { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
 import type { Audience, Patience, ReaderDoor } from "./audience.ts";
 import type { DriverRoster } from "./driver-roster.ts";
 import { nextEvents, type WantedEvents } from "./next-events.ts";

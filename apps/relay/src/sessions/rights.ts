@@ -1,6 +1,6 @@
 /** Permissions for a robot: each request and message requires one of these verbs. */
 import type { Hello } from "@corridor/protocol";
-import { Refusal } from "../problems.ts";
+import { Refusal } from "../platform/errors/problems.ts";
 import type { KeyKind } from "../store/session-store.ts";
 
 export const rights = {

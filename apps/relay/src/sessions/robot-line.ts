@@ -3,12 +3,12 @@
  * relays. Without other relays it costs next to nothing.
  */
 import type { AliveDriver, RecallCause } from "@corridor/protocol";
-import type { Clock } from "../clock.ts";
+import type { Clock } from "../platform/time/clock.ts";
 import type { Ears, Line, Step, Switchboard } from "../cluster/switchboard.ts";
 import type { CarriedSnapshot } from "./carried-snapshot.ts";
-import { dueAfter, type CoalescedTimers, type Waiter } from "../coalesced-timers.ts";
+import { dueAfter, type CoalescedTimers, type Waiter } from "../platform/time/coalesced-timers.ts";
 import { MOST_TOLD, type Scripts } from "./driver-roster.ts";
-import { limits } from "./limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import { mergedScripts } from "./script-list.ts";
 
 export class RobotLine implements Waiter {

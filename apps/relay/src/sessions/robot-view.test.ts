@@ -1,7 +1,7 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { expect, it } from "vitest";
 import { readSnapshotMessage, type CarriedSnapshot } from "./carried-snapshot.ts";
-import { limits } from "./limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import { RobotView } from "./robot-view.ts";
 
 function reported(seq: number, tick: number): CarriedSnapshot {

@@ -7,7 +7,7 @@
  * ticks stop while it reports `running`. A disconnected page counts as gone.
  */
 import type { CarriedSnapshot } from "./carried-snapshot.ts";
-import { limits } from "./limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 
 /** Upper bound for the snapshots that a page sends in a second. */
 const MOST_A_SECOND = 100;

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { limits } from "./limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import { ScriptClocks } from "./script-clocks.ts";
 
 const AT = Date.UTC(2026, 0, 1);

@@ -2,7 +2,7 @@
  * Clocks of scripts that send single requests. Scripts that share a key may run on different
  * computers, so each one names its clock with an id.
  */
-import { limits } from "./limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import { TransitEstimate } from "./transit-estimate.ts";
 
 /** A time of a script's own monotonic clock, from the header `Script-Clock`. */

@@ -4,8 +4,8 @@
  * of several scripts until the owner unblocks it. Only a new key ends the access of all.
  */
 import { MAX_BLOCKED_SCRIPTS, type ScriptRef } from "@corridor/protocol";
-import { keyId } from "../keys.ts";
-import { noRobot, Refusal } from "../problems.ts";
+import { keyId } from "../platform/keys.ts";
+import { noRobot, Refusal } from "../platform/errors/problems.ts";
 import type {
   AwayResult,
   ScriptChange,

@@ -3,8 +3,8 @@
  * ones. The number of scripts is bounded, whatever names they send.
  */
 import { MAX_SCRIPTS, type CommandRecord, type ScriptView } from "@corridor/protocol";
-import type { Clock } from "../clock.ts";
-import { keyId } from "../keys.ts";
+import type { Clock } from "../platform/time/clock.ts";
+import { keyId } from "../platform/keys.ts";
 import type { StoredScript } from "../store/session-store.ts";
 
 /** A disconnected script is no longer listed after this much silence. */

@@ -1,7 +1,7 @@
 import { closeReasons, termsOf, type RelayToPage, type Resume } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { completed } from "../testing/messages.ts";
-import { limits } from "./limits.ts";
+import { completed } from "../platform/testing/messages.ts";
+import { limits } from "../platform/limits/limits.ts";
 import type { PageLink } from "./page-link.ts";
 import { deafReader, LEFT, withRobot, page } from "./testing/robot-at-relay.ts";
 

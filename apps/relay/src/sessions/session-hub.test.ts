@@ -7,9 +7,9 @@ import { pino } from "pino";
 import { expect, it, onTestFinished } from "vitest";
 import type { SessionStore } from "../store/session-store.ts";
 import { SqliteStore } from "../store/sqlite-store.ts";
-import { FakeClock } from "../testing/fake-clock.ts";
+import { FakeClock } from "../platform/testing/fake-clock.ts";
 import { testFolder } from "../testing/test-relay.ts";
-import { limits } from "./limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import type { PageLink } from "./page-link.ts";
 import { SessionHub, type Grant } from "./session-hub.ts";
 

@@ -4,20 +4,26 @@
  */
 import type { Registration } from "@corridor/protocol";
 import type { Logger } from "pino";
-import type { Clock } from "../clock.ts";
+import type { Clock } from "../platform/time/clock.ts";
 import { LocalSwitchboard } from "../cluster/local-switchboard.ts";
 import type { Switchboard } from "../cluster/switchboard.ts";
-import { canBeKey, hashKey, mintId, mintKey } from "../keys.ts";
-import { noRobot, notAuthorised, Refusal, retryAfter, restarting } from "../problems.ts";
+import { canBeKey, hashKey, mintId, mintKey } from "../platform/keys.ts";
+import {
+  noRobot,
+  notAuthorised,
+  Refusal,
+  retryAfter,
+  restarting,
+} from "../platform/errors/problems.ts";
 import type { SessionStore, StoredKey } from "../store/session-store.ts";
 import type { ReaderDoor } from "./audience.ts";
-import { CoalescedTimers } from "../coalesced-timers.ts";
-import { StaggeredInterval } from "../staggered-interval.ts";
-import { limits } from "./limits.ts";
+import { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
+import { StaggeredInterval } from "../platform/time/staggered-interval.ts";
+import { limits } from "../platform/limits/limits.ts";
 import { checkRight, type Verb } from "./rights.ts";
 import { callerOf, unknownScript, type Caller, type Introduction } from "./script.ts";
 import { Session } from "./session.ts";
-import { TokenBucket } from "./token-bucket.ts";
+import { TokenBucket } from "../platform/limits/token-bucket.ts";
 import { noWitness, type Witness } from "./witness.ts";
 
 const LIFE_CHECK_MS = 1_000;

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import type { Refusal } from "../problems.ts";
-import { completed } from "../testing/messages.ts";
+import type { Refusal } from "../platform/errors/problems.ts";
+import { completed } from "../platform/testing/messages.ts";
 import { LEFT, withRobot, page, type Robot, type Host } from "./testing/robot-at-relay.ts";
 
 describe("a robot session: limits", () => {

@@ -1,8 +1,8 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import { settled } from "../testing/fake-clock.ts";
-import { completed } from "../testing/messages.ts";
-import { limits } from "./limits.ts";
+import { settled } from "../platform/testing/fake-clock.ts";
+import { completed } from "../platform/testing/messages.ts";
+import { limits } from "../platform/limits/limits.ts";
 import { deafReader, LEFT, patience, withRobot, page } from "./testing/robot-at-relay.ts";
 
 describe("a robot session: what scripts see", () => {

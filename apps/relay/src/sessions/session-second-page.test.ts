@@ -1,10 +1,10 @@
 import type { Resume } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { completed } from "../testing/messages.ts";
-import { settled } from "../testing/fake-clock.ts";
+import { completed } from "../platform/testing/messages.ts";
+import { settled } from "../platform/testing/fake-clock.ts";
 import { reloadReasons, replacedReasons } from "../store/session-store.ts";
-import { StoreAway } from "../store/store-away.ts";
-import { limits } from "./limits.ts";
+import { StoreAway } from "../platform/errors/store-away.ts";
+import { limits } from "../platform/limits/limits.ts";
 import type { PageLink } from "./page-link.ts";
 import { LEFT, page, withRobot, type Robot } from "./testing/robot-at-relay.ts";
 

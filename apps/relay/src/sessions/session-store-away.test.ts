@@ -1,7 +1,7 @@
 import { closeReasons } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { StoreAway } from "../store/store-away.ts";
-import { limits } from "./limits.ts";
+import { StoreAway } from "../platform/errors/store-away.ts";
+import { limits } from "../platform/limits/limits.ts";
 import { LEFT, withRobot, page } from "./testing/robot-at-relay.ts";
 
 describe("a robot session: while its store does not answer", () => {

@@ -1,6 +1,6 @@
 import { REVOKED_REASON } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { completed } from "../testing/messages.ts";
+import { completed } from "../platform/testing/messages.ts";
 import { LEFT, withRobot, page } from "./testing/robot-at-relay.ts";
 
 describe("a robot session: replacing and cancelling", () => {

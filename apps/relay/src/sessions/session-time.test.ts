@@ -1,6 +1,6 @@
 import { expiredReason } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { completed } from "../testing/messages.ts";
+import { completed } from "../platform/testing/messages.ts";
 import { LEFT, patience, withRobot, page } from "./testing/robot-at-relay.ts";
 
 describe("a robot session: time to live", () => {

@@ -12,8 +12,8 @@ import {
   type Resume,
   type ScriptView,
 } from "@corridor/protocol";
-import type { Clock } from "../clock.ts";
-import type { CoalescedTimers } from "../coalesced-timers.ts";
+import type { Clock } from "../platform/time/clock.ts";
+import type { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
 import type { Switchboard } from "../cluster/switchboard.ts";
 import type {
   SessionStore,
@@ -27,7 +27,7 @@ import { CommandLife } from "./command-life.ts";
 import { DriverRoster } from "./driver-roster.ts";
 import { EventLog } from "./event-log.ts";
 import { KeyRing } from "./key-ring.ts";
-import { limits } from "./limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import { MazeBoard } from "./maze-board.ts";
 import { OtherRelays } from "./other-relays.ts";
 import type { PageLink } from "./page-link.ts";

@@ -17,13 +17,13 @@ import { describe, expect, it, onTestFinished } from "vitest";
 import { LocalSwitchboard } from "../cluster/local-switchboard.ts";
 import type { Ears, News } from "../cluster/switchboard.ts";
 import { SqliteStore } from "../store/sqlite-store.ts";
-import { StoreAway } from "../store/store-away.ts";
+import { StoreAway } from "../platform/errors/store-away.ts";
 import { cutStore } from "../testing/cut-store.ts";
-import { FakeClock, settled } from "../testing/fake-clock.ts";
-import { completed } from "../testing/messages.ts";
-import { maze } from "../testing/sample-documents.ts";
+import { FakeClock, settled } from "../platform/testing/fake-clock.ts";
+import { completed } from "../platform/testing/messages.ts";
+import { maze } from "../platform/testing/sample-documents.ts";
 import { testFolder } from "../testing/test-relay.ts";
-import { limits } from "./limits.ts";
+import { limits } from "../platform/limits/limits.ts";
 import type { PageLink } from "./page-link.ts";
 import { SessionHub } from "./session-hub.ts";
 

@@ -11,7 +11,7 @@ import {
 } from "node:fs";
 import { join } from "node:path";
 import { describe, expect, it, onTestFinished, vi } from "vitest";
-import { completed } from "../testing/messages.ts";
+import { completed } from "../platform/testing/messages.ts";
 import { testFolder } from "../testing/test-relay.ts";
 import { LONG } from "./live-robots.ts";
 import { SqliteDocumentStore } from "./sqlite-document-store.ts";

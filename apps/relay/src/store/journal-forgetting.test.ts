@@ -3,7 +3,7 @@ import { join } from "node:path";
 import { DatabaseSync } from "node:sqlite";
 import { setTimeout as wait } from "node:timers/promises";
 import { describe, expect, it, onTestFinished } from "vitest";
-import { completed } from "../testing/messages.ts";
+import { completed } from "../platform/testing/messages.ts";
 import { testFolder } from "../testing/test-relay.ts";
 import { LiveRobots } from "./live-robots.ts";
 import { openDatabase } from "./sqlite-schema.ts";

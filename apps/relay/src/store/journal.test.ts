@@ -5,7 +5,7 @@ import { DatabaseSync } from "node:sqlite";
 import { setTimeout as wait } from "node:timers/promises";
 import fc from "fast-check";
 import { describe, expect, it, onTestFinished } from "vitest";
-import { completed } from "../testing/messages.ts";
+import { completed } from "../platform/testing/messages.ts";
 import { testFolder } from "../testing/test-relay.ts";
 import type { SessionStore } from "./session-store.ts";
 import { SqliteFile } from "./sqlite-file.ts";

@@ -1,5 +1,5 @@
 /** Documents behind short links in the relay's SQLite file. */
-import { isDiskFull } from "./disk-full.ts";
+import { isDiskFull } from "../platform/errors/disk-full.ts";
 import type { DocumentStore, NewDocument, RemoveResult } from "./document-store.ts";
 import { SqliteFile } from "./sqlite-file.ts";
 import type { Statements } from "./statements.ts";

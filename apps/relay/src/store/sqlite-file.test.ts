@@ -1,11 +1,11 @@
 import { join } from "node:path";
 import type { Command } from "@corridor/protocol";
 import { describe, expect, it, onTestFinished } from "vitest";
-import { completed } from "../testing/messages.ts";
-import { realSmallDisk, withPageLimit } from "../testing/small-disk.ts";
+import { completed } from "../platform/testing/messages.ts";
+import { realSmallDisk, withPageLimit } from "../platform/testing/small-disk.ts";
 import { testFolder } from "../testing/test-relay.ts";
 import type { Ballast } from "./ballast.ts";
-import { isDiskFull } from "./disk-full.ts";
+import { isDiskFull } from "../platform/errors/disk-full.ts";
 import { SqliteFile, withRoom } from "./sqlite-file.ts";
 import { SqliteStore } from "./sqlite-store.ts";
 import { ID, NOW, pageState, sent } from "./testing/robot-in-store.ts";

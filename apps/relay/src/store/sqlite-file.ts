@@ -8,7 +8,7 @@
 import type { DatabaseSync } from "node:sqlite";
 import { BallastFile, type Ballast } from "./ballast.ts";
 import { openIntactDatabase, preparePrivateFile } from "./database-file.ts";
-import { isDiskFull, StoreFull, takeRoom } from "./disk-full.ts";
+import { isDiskFull, StoreFull, takeRoom } from "../platform/errors/disk-full.ts";
 import { FileLock } from "./file-lock.ts";
 import { GroupCommit, type Memory } from "./group-commit.ts";
 import { InlineJournal } from "./journal.ts";

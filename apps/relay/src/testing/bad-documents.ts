@@ -1,5 +1,5 @@
 /** Invalid documents for a short link, each with the field that the error must name. */
-import { challenge, maze, program } from "./sample-documents.ts";
+import { challenge, maze, program } from "../platform/testing/sample-documents.ts";
 
 const text = (document: object, change: object): string =>
   JSON.stringify({ ...document, ...change });

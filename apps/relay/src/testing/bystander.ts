@@ -1,7 +1,7 @@
 /** A page and a script with their own robot, which requests of other clients must not affect. */
 import type { Registration } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
-import { completed } from "./messages.ts";
+import { completed } from "../platform/testing/messages.ts";
 import type { Requests } from "./test-relay.ts";
 import { TestSocket } from "./test-socket.ts";
 

@@ -1,6 +1,6 @@
 /** A store with simulated failures: before a step, or after it, so that its result is lost. */
 import type { SessionStore } from "../store/session-store.ts";
-import { StoreAway } from "../store/store-away.ts";
+import { StoreAway } from "../platform/errors/store-away.ts";
 
 export interface CutStore {
   store: SessionStore;

@@ -1,6 +1,6 @@
 /** Invalid input of every kind, as each endpoint of a relay receives it, and the outcome. */
 import { problemSchema, type Registration } from "@corridor/protocol";
-import { askBare, type BareAnswer, type BareRequest } from "./bare-http.ts";
+import { askBare, type BareAnswer, type BareRequest } from "../platform/testing/bare-http.ts";
 import type { TestRelay } from "./test-relay.ts";
 import { TestSocket } from "./test-socket.ts";
 

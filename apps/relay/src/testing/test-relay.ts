@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { registrationSchema, type Registration } from "@corridor/protocol";
 import { pino, type Logger } from "pino";
 import { onTestFinished } from "vitest";
-import { systemClock, type Clock } from "../clock.ts";
+import { systemClock, type Clock } from "../platform/time/clock.ts";
 import { readConfig, type Config } from "../config.ts";
 import { startRelay } from "../relay.ts";
 

@@ -16,7 +16,7 @@ import { pino } from "pino";
 import { onTestFinished } from "vitest";
 import { SqliteStore } from "../../store/sqlite-store.ts";
 import { cutStore } from "../../testing/cut-store.ts";
-import { FakeClock } from "../../testing/fake-clock.ts";
+import { FakeClock } from "../../platform/testing/fake-clock.ts";
 import { testFolder } from "../../testing/test-relay.ts";
 import type { PageLink } from "../page-link.ts";
 import { SessionHub } from "../session-hub.ts";

@@ -1,9 +1,9 @@
 /** The connection to Redis through a network that drops all data silently. */
 import { describe, expect, it, onTestFinished, vi } from "vitest";
-import { hasRedis, startTestRedis } from "../../testing/test-redis.ts";
-import { swallowingNet } from "../../testing/swallowing-net.ts";
+import { hasRedis, startTestRedis } from "../../platform/testing/test-redis.ts";
+import { swallowingNet } from "../../platform/testing/swallowing-net.ts";
 import { asked, connectRedis } from "./connection.ts";
-import { StoreAway } from "../store-away.ts";
+import { StoreAway } from "../../platform/errors/store-away.ts";
 
 const SOON = { timeout: 15_000, interval: 100 };
 

@@ -1,8 +1,8 @@
 /** The connection to Redis or Valkey, and the mapping of its errors to store errors. */
 import { createClient, ErrorReply } from "@redis/client";
 import { z } from "zod";
-import { StoreFull } from "../disk-full.ts";
-import { StoreAway } from "../store-away.ts";
+import { StoreFull } from "../../platform/errors/disk-full.ts";
+import { StoreAway } from "../../platform/errors/store-away.ts";
 
 const CONNECT_MS = 5_000;
 /** Interval between pings, and timeout for a response. A disk may block Redis for two seconds. */

@@ -2,7 +2,7 @@
 import { join } from "node:path";
 import fc from "fast-check";
 import { describe, expect, it, onTestFinished } from "vitest";
-import { hasRedis, startTestRedis } from "../../testing/test-redis.ts";
+import { hasRedis, startTestRedis } from "../../platform/testing/test-redis.ts";
 import { testFolder } from "../../testing/test-relay.ts";
 import { SqliteStore } from "../sqlite-store.ts";
 import { stepsKeeping, told, type StepOfRobot } from "../testing/random-steps.ts";

@@ -1,6 +1,6 @@
 import { pino } from "pino";
 import { expect, it } from "vitest";
-import { FakeClock } from "../../testing/fake-clock.ts";
+import { FakeClock } from "../../platform/testing/fake-clock.ts";
 import { RedisClock } from "./redis-clock.ts";
 
 /** A relay's clock, and a Redis whose clock is ahead by `aheadMs`. */

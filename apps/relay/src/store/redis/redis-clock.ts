@@ -9,7 +9,7 @@
  */
 import type { Logger } from "pino";
 import { CLOCK_TOLERANCE_MS } from "../session-store.ts";
-import type { Clock } from "../../clock.ts";
+import type { Clock } from "../../platform/time/clock.ts";
 
 const LOOK_MS = 5_000;
 /** Maximum decrease of the offset per measurement: less than a thousandth of the interval. */

@@ -1,5 +1,5 @@
 import { describe, expect, it, onTestFinished } from "vitest";
-import { hasRedis, startTestRedis } from "../../testing/test-redis.ts";
+import { hasRedis, startTestRedis } from "../../platform/testing/test-redis.ts";
 import { documentStoreCases } from "../testing/document-store.cases.ts";
 import { connectRedis } from "./connection.ts";
 import { ForgottenBytes } from "./forgotten-bytes.ts";

@@ -1,6 +1,6 @@
 /** Documents behind short links in Redis or Valkey. */
 import { z } from "zod";
-import { isDiskFull } from "../disk-full.ts";
+import { isDiskFull } from "../../platform/errors/disk-full.ts";
 import type { DocumentStore, NewDocument, RemoveResult } from "../document-store.ts";
 import { asked, type Redis } from "./connection.ts";
 import type { ForgottenBytes } from "./forgotten-bytes.ts";

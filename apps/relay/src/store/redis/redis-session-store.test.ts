@@ -1,5 +1,5 @@
 import { describe, expect, it, onTestFinished } from "vitest";
-import { hasRedis, startTestRedis } from "../../testing/test-redis.ts";
+import { hasRedis, startTestRedis } from "../../platform/testing/test-redis.ts";
 import { storeCases } from "../testing/store.cases.ts";
 import { connectRedis } from "./connection.ts";
 import { requireDurable } from "./durability.ts";

@@ -8,7 +8,7 @@ import { z } from "zod";
 import { recordOfRow, type CommandRow } from "../../robots/commands/command-row.ts";
 import { changeAway, changeKeys } from "../../robots/commands/permissions.ts";
 import * as machine from "../../robots/commands/state-machine.ts";
-import { StoreFull } from "../disk-full.ts";
+import { StoreFull } from "../../platform/errors/disk-full.ts";
 import type {
   AddResult,
   AwayResult,

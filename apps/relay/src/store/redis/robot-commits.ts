@@ -1,7 +1,7 @@
 /** Loads, changes and commits robots. Keeps the robots that were used last. */
 import { z } from "zod";
 import type { Redis } from "./connection.ts";
-import { mintId } from "../../keys.ts";
+import { mintId } from "../../platform/keys.ts";
 import { commitKeys } from "./redis-keys.ts";
 import { RobotQueue, type Step } from "./robot-queue.ts";
 import { Script } from "./script.ts";

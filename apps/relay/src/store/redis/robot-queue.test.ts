@@ -1,7 +1,7 @@
 /** Several relays at one Redis: what a step costs, and what happens if another relay came first. */
 import { describe, expect, it, onTestFinished } from "vitest";
-import { hasRedis, startTestRedis } from "../../testing/test-redis.ts";
-import { completed } from "../../testing/messages.ts";
+import { hasRedis, startTestRedis } from "../../platform/testing/test-redis.ts";
+import { completed } from "../../platform/testing/messages.ts";
 import { ID, keyChange, LEFT, NOW, nothingDone, sent, STOP } from "../testing/robot-in-store.ts";
 import { connectRedis, type Redis } from "./connection.ts";
 import { ForgottenBytes } from "./forgotten-bytes.ts";
@@ -9,8 +9,8 @@ import { lineOf } from "./redis-keys.ts";
 import { RedisSessionStore } from "./redis-session-store.ts";
 import { RobotQueue } from "./robot-queue.ts";
 import * as machine from "../../robots/commands/state-machine.ts";
-import { StoreFull } from "../disk-full.ts";
-import { StoreAway } from "../store-away.ts";
+import { StoreFull } from "../../platform/errors/disk-full.ts";
+import { StoreAway } from "../../platform/errors/store-away.ts";
 
 async function connected(url: string): Promise<Redis> {
   const redis = await connectRedis(url, () => undefined);

@@ -1,6 +1,6 @@
 /** Requirements for every store: a page that acquires a robot. */
 import { describe, expect, it } from "vitest";
-import { completed } from "../../testing/messages.ts";
+import { completed } from "../../platform/testing/messages.ts";
 import { reloadReasons, replacedReasons } from "../session-store.ts";
 import {
   ID,

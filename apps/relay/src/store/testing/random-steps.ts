@@ -1,7 +1,7 @@
 /** Random steps of a store, for property tests. */
 import type { Command, EndingState } from "@corridor/protocol";
 import fc from "fast-check";
-import { completed } from "../../testing/messages.ts";
+import { completed } from "../../platform/testing/messages.ts";
 import type { SessionStore } from "../session-store.ts";
 import { DRIVERS, keyChange, NOW, pageState, ROBOTS, sent } from "./robot-in-store.ts";
 

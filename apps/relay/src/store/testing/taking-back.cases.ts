@@ -1,6 +1,6 @@
 /** Requirements for every store: commands that replace others or are cancelled. */
 import { describe, expect, it } from "vitest";
-import { completed } from "../../testing/messages.ts";
+import { completed } from "../../platform/testing/messages.ts";
 import {
   ID,
   LEFT,

@@ -1,7 +1,7 @@
 /** Requirements for every store: deadlines. */
 import { expiredReason } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { completed } from "../../testing/messages.ts";
+import { completed } from "../../platform/testing/messages.ts";
 import { ID, LEFT, NOW, EPOCH, sent, type OpenStore, robotIn } from "./robot-in-store.ts";
 
 export function timeCases(name: string, open: () => Promise<OpenStore>): void {

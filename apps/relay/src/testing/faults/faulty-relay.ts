@@ -1,7 +1,7 @@
 /** A relay without sockets, on a real SQLite file, that can be killed and restarted at any time. */
 import { decodeFrame, helloSchema, type SocketPort } from "@corridor/protocol";
 import { pino } from "pino";
-import type { Clock } from "../../clock.ts";
+import type { Clock } from "../../platform/time/clock.ts";
 import { LocalSwitchboard } from "../../cluster/local-switchboard.ts";
 import type { Line, Switchboard } from "../../cluster/switchboard.ts";
 import type { Conversation } from "../../gateways/conversation.ts";

@@ -4,7 +4,7 @@ import { rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { DatabaseSync } from "node:sqlite";
 import { onTestFinished, vi } from "vitest";
-import { testFolder } from "./test-relay.ts";
+import { testFolder } from "../../testing/test-relay.ts";
 
 const PLENTY = 100_000;
 

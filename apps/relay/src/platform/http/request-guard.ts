@@ -3,8 +3,8 @@
  * addresses and the Host and Origin checks use them.
  */
 import type { IncomingMessage } from "node:http";
-import type { Config } from "../config.ts";
-import { Refusal } from "../problems.ts";
+import type { Config } from "../../config.ts";
+import { Refusal } from "../errors/problems.ts";
 import { visitorReader, type Visitor } from "./trusted-proxies.ts";
 
 export class RequestGuard {

@@ -1,8 +1,8 @@
 /** Responses without a route: unknown paths, unsupported methods and errors. */
 import type { ErrorRequestHandler, RequestHandler, Response } from "express";
 import type { Logger } from "pino";
-import type { ProblemKind } from "../problem-kinds.ts";
-import { asRefusal, Refusal } from "../problems.ts";
+import type { ProblemKind } from "../errors/problem-kinds.ts";
+import { asRefusal, Refusal } from "../errors/problems.ts";
 
 /** @param allowed supported methods, such as "GET, DELETE" */
 export function methodNotAllowed(allowed: string): RequestHandler {

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { CoalescedTimers } from "./coalesced-timers.ts";
-import { FakeClock } from "./testing/fake-clock.ts";
+import { FakeClock } from "../testing/fake-clock.ts";
 
 it("wakes each waiter once, at most 5 ms late and never early, and groups those of the same 5 ms", async () => {
   const clock = new FakeClock();

@@ -1,7 +1,7 @@
 /** Rejects an upgrade request with an ordinary HTTP response on the raw connection. */
 import { STATUS_CODES } from "node:http";
 import type { Duplex } from "node:stream";
-import type { Refusal } from "../problems.ts";
+import type { Refusal } from "../errors/problems.ts";
 
 export function refuseUpgrade(socket: Duplex, { problem }: Refusal): void {
   const body = JSON.stringify(problem);

@@ -3,8 +3,8 @@ import { createServer, type RequestListener } from "node:http";
 import { connect, type AddressInfo } from "node:net";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { sendBare } from "../testing/bare-http.ts";
-import { outcomeOf } from "../testing/endpoints.ts";
-import { startTestRelay } from "../testing/test-relay.ts";
+import { outcomeOf } from "../../testing/endpoints.ts";
+import { startTestRelay } from "../../testing/test-relay.ts";
 import { answerBrokenRequests } from "./broken-requests.ts";
 
 /** Starts a server with short timeouts. @returns its origin and the problems it reported */

@@ -2,8 +2,8 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { onTestFinished } from "vitest";
-import { findRedis, startRedis } from "../../../../scripts/redis-server.ts";
-import { testFolder } from "./test-relay.ts";
+import { findRedis, startRedis } from "../../../../../scripts/redis-server.ts";
+import { testFolder } from "../../testing/test-relay.ts";
 
 /** Whether Redis is installed. Tests that need it are skipped otherwise. */
 export const hasRedis = findRedis() !== null;

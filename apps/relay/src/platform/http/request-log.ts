@@ -5,9 +5,9 @@
  */
 import type { RequestHandler } from "express";
 import type { Logger } from "pino";
-import type { Clock } from "../clock.ts";
+import type { Clock } from "../time/clock.ts";
 import { markOf } from "../keys.ts";
-import { readBearer, readClient } from "./reading.ts";
+import { readBearer, readClient } from "../../routes/reading.ts";
 
 export function requestLog(log: Logger, clock: Clock): RequestHandler {
   return (request, response, next) => {

@@ -5,8 +5,8 @@
  * but never block it: a code that was rejected because too many waited goes first when it is sent
  * again.
  */
-import type { Clock } from "../clock.ts";
-import { Refusal, restarting, retryAfter } from "../problems.ts";
+import type { Clock } from "../time/clock.ts";
+import { Refusal, restarting, retryAfter } from "../errors/problems.ts";
 
 export interface CheckQueueRule {
   /** checks per second after wrong codes */

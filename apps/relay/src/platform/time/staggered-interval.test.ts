@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { StaggeredInterval } from "./staggered-interval.ts";
-import { FakeClock, settled } from "./testing/fake-clock.ts";
+import { FakeClock, settled } from "../testing/fake-clock.ts";
 
 function withMembers(count: number) {
   const clock = new FakeClock();

@@ -5,8 +5,8 @@
  */
 import type { RequestListener, Server, ServerResponse } from "node:http";
 import type { Duplex } from "node:stream";
-import type { ProblemKind } from "../problem-kinds.ts";
-import { Refusal } from "../problems.ts";
+import type { ProblemKind } from "../errors/problem-kinds.ts";
+import { Refusal } from "../errors/problems.ts";
 import { refuseUpgrade } from "./refuse-upgrade.ts";
 
 /**

@@ -4,8 +4,8 @@
  */
 import { describeProblem, type FieldProblem, type ProblemDocument } from "@corridor/protocol";
 import { problemKinds, type ProblemKind } from "./problem-kinds.ts";
-import { isDiskFull } from "./store/disk-full.ts";
-import { StoreAway } from "./store/store-away.ts";
+import { isDiskFull } from "./disk-full.ts";
+import { StoreAway } from "./store-away.ts";
 
 export interface RefusalOptions {
   errors?: FieldProblem[];

@@ -1,5 +1,5 @@
 /** A clock that advances only on request. */
-import type { Clock } from "../clock.ts";
+import type { Clock } from "../time/clock.ts";
 
 interface Timer {
   at: number;

@@ -7,7 +7,7 @@ import {
   type ZodOpenApiResponseObject,
   type ZodOpenApiResponsesObject,
 } from "zod-openapi";
-import { problemKinds, type ProblemKind } from "../problem-kinds.ts";
+import { problemKinds, type ProblemKind } from "../errors/problem-kinds.ts";
 import { describeByExpectation } from "./describe-by-expectation.ts";
 
 const retryAfter: oas31.HeadersObject = {

@@ -1,10 +1,10 @@
 import { request } from "node:http";
 import { problemSchema, registrationSchema } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { limits } from "../sessions/limits.ts";
+import { limits } from "../limits/limits.ts";
 import { sendBare } from "../testing/bare-http.ts";
 import { FakeClock } from "../testing/fake-clock.ts";
-import { startTestRelay, type TestRelay } from "../testing/test-relay.ts";
+import { startTestRelay, type TestRelay } from "../../testing/test-relay.ts";
 
 type Headers = Record<string, string>;
 
