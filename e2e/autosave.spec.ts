@@ -82,7 +82,7 @@ test("shows that the device stores nothing, and remains usable", async ({ openWi
   await corridor.open();
   await corridor.maze.click(square);
   await expect(corridor.saveState).toHaveText("Not saved");
-  await expect(corridor.message("Your work is not saved")).toBeVisible();
+  await expect(corridor.message("Your maze and program are not saved")).toBeVisible();
   await corridor.maze.expectSquare(square, "block");
   await corridor.maze.click(square);
   await corridor.speed.selectOption("max");

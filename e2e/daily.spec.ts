@@ -13,10 +13,10 @@ test("opens the maze of the day, the same for everyone, and stores the best run"
   const daily = dialog.getByRole("region", { name: "Maze of the day" });
   await expect(daily).toContainText("Maze of January 5, 2026");
   await expect(daily).toContainText("You have not solved it yet.");
-  await expect(daily.getByRole("button", { name: "Day after" })).toBeDisabled();
-  await daily.getByRole("button", { name: "Day before" }).click();
+  await expect(daily.getByRole("button", { name: "Next day" })).toBeDisabled();
+  await daily.getByRole("button", { name: "Previous day" }).click();
   await expect(daily).toContainText("Maze of January 4, 2026");
-  await daily.getByRole("button", { name: "Day after" }).click();
+  await daily.getByRole("button", { name: "Next day" }).click();
   await daily.getByRole("button", { name: "Open this maze" }).click();
   await expect(corridor.mazeMenu).toHaveAccessibleName("Maze of January 5, 2026, Maze menu");
   const link = await corridor.shareLink({ withProgram: false });

@@ -65,7 +65,7 @@ test("opens a link before an edit is saved, and returns to the edit", async ({
   // Immediately, before autosave runs.
   await page.evaluate((address) => (location.hash = new URL(address).hash), link);
   await expect(corridor.program.name).toHaveValue("Example: right wall");
-  await expect(corridor.message("Your own work is saved.")).toBeVisible();
+  await expect(corridor.message("Your own maze and program are saved.")).toBeVisible();
   await corridor.messages.getByRole("button", { name: "Back to my maze" }).click();
   await expect(corridor.program.name).toHaveValue("Mine, and not saved yet");
 });

@@ -171,7 +171,7 @@ for (const key of ["w", "ArrowUp"]) {
     page,
   }) => {
     const takeoverMessage = corridor.messages.getByText(
-      "You drive now. Press Run to let the program drive",
+      "You are driving now. Press Run to let the program drive",
     );
     const before = await corridor.robotPose.textContent();
     await page.keyboard.press(key, { delay: 120 });

@@ -78,7 +78,7 @@ test("opens a maze by dropping its file", async ({ corridor, page }) => {
   await expect(corridor.message("“Spiral” is open, with your program.")).toBeVisible();
   await expect(corridor.program.name).toHaveValue("Mine");
   // The previous maze is stored with its edit.
-  await corridor.messages.getByRole("button", { name: "Go back to it" }).click();
+  await corridor.messages.getByRole("button", { name: "Back to my maze" }).click();
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
   await corridor.maze.expectSquare({ column: 2, row: 6 }, "block");
 });

@@ -85,7 +85,7 @@ for (const { name, tag, texts, isPseudolocale } of languages) {
       } else {
         await checkOverlay("presets", () => button("presets.presets").click());
         await checkOverlay("keys", () => button("shell.keys.title").click());
-        await checkOverlay("theme", () => button("projects.theme").click());
+        await checkOverlay("theme", () => button("theme.label").click());
         for (const change of ["stage.resize", "stage.clear"]) {
           await checkOverlay(change, async () => {
             await button("stage.view").click();

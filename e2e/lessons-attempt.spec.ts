@@ -63,7 +63,7 @@ test("disables Run in a mission for manual driving, and drives with a key after 
   const lessons = new LessonsPanel(page);
   await lessons.openMission(2);
   await expect(corridor.run).toBeDisabled();
-  await expect(corridor.runNote).toHaveText("Here you drive. Hold a drive key.");
+  await expect(corridor.runNote).toHaveText("You drive here. Hold a drive key.");
   await corridor.reset.click();
   await expect(corridor.clock).toHaveText("Time 0:00.0");
   const start = await corridor.robotPose.textContent();

@@ -100,7 +100,7 @@ test("does not display the user's own project before that of a link", async ({ o
   release();
   await expect(corridor.mazeMenu).toHaveAccessibleName("From my teacher, Maze menu");
   await expect(page.getByText("Opening", { exact: true })).toHaveCount(0);
-  await expect(corridor.message("Your own work is saved.")).toBeVisible();
+  await expect(corridor.message("Your own maze and program are saved.")).toBeVisible();
   // The link contains no program, so the user's program stays.
   await expect(corridor.program.name).toHaveValue("Mine alone");
   expect(await hasDisplayedOwn(page)).toBe(false);

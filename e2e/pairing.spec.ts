@@ -162,7 +162,7 @@ test.describe("asks the owner wherever they are on the page:", () => {
     await expect(page.getByRole("button", yes)).toBeHidden();
     await expect(page.getByText(question)).toHaveCount(0);
     await expect(corridor.messages).toContainText(
-      "Right wall (Python script) can drive now. It has its own key. Remote does not drive: choose Remote first.",
+      "Right wall (Python script) can drive now. It has its own key. Remote is not driving: choose Remote first.",
     );
     const { output } = await running;
     expect(output).toContain("cancelled");

@@ -14,7 +14,7 @@ test("checks a program in all ready-made mazes as it changes, and stores the bes
   await corridor.open("/#mission/all-mazes");
   const { page } = corridor;
   const lessons = new LessonsPanel(page);
-  await expect(lessons.card).toContainText("Open project 1 of 3");
+  await expect(lessons.card).toContainText("Bonus mission 1 of 3");
   await expect(lessons.outcome).toHaveText(/^Solved: 1 of 7 mazes/);
   await corridor.program.addLine("right >", "60", "delayed right 90");
   await corridor.program.addLine("front <", "50", "left 90");

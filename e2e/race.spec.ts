@@ -44,7 +44,7 @@ test("races a friend's linked run on one clock, and compares time, bumps and lin
   await expect(card).toContainText(
     /You were first, \d+\.\d s before ghost A\.|Ghost A was first, \d+\.\d s before you\./,
   );
-  await card.getByRole("button", { name: "Compare all" }).click();
+  await card.getByRole("button", { name: "Show all results" }).click();
   const dialog = corridor.dialog("Race");
   const rows = dialog.getByRole("row");
   await expect(rows).toHaveCount(3);

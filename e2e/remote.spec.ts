@@ -229,12 +229,12 @@ test("a new key revokes the old one, and the page continues with the new address
   expect(await page.evaluate(() => sessionStorage.getItem("corridor.remote"))).toContain(next);
 });
 
-test("a watch address can read the robot but not drive it", async ({ page }) => {
+test("a watch link can read the robot but not drive it", async ({ page }) => {
   await page.goto("/");
   await copyAddress(page);
   await openMoreSection(page);
-  await page.getByRole("button", { name: "Make a watch address" }).click();
-  await expect(page.getByRole("button", { name: "Copy address to watch" })).toBeFocused();
+  await page.getByRole("button", { name: "Make a watch link" }).click();
+  await expect(page.getByRole("button", { name: "Copy watch link" })).toBeFocused();
   await page.keyboard.press("Enter");
   const copied = () => page.evaluate(() => navigator.clipboard.readText());
   await expect.poll(copied).toContain("#wch_");
@@ -320,7 +320,7 @@ test("switches from a script to manual driving and back without running old comm
   const refused = await (await api(address, "/commands/32?wait=20")).json();
   expect(refused).toMatchObject({
     state: "cancelled",
-    reason: "Remote does not drive: choose Remote on the robot's page.",
+    reason: "Remote is not driving: choose Remote on the robot's page.",
   });
 });
 

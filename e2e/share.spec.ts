@@ -114,7 +114,7 @@ test("opens a link, stores the user's own project, and returns to it", async ({
   await recipient.open(link);
   await expect(recipient.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
   await expect(
-    recipient.message("You opened a shared maze. Your own work is saved."),
+    recipient.message("You opened a shared maze. Your own maze and program are saved."),
   ).toBeVisible();
   await recipient.messages.getByRole("button", { name: "Back to my maze" }).click();
   await expect(recipient.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");

@@ -26,7 +26,7 @@ test("creates a short link, from which another user opens the maze", async ({
   await recipient.open(link);
   await expect(recipient.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
   await expect(
-    recipient.message("You opened a shared maze. Your own work is saved."),
+    recipient.message("You opened a shared maze. Your own maze and program are saved."),
   ).toBeVisible();
   expect(new URL(recipient.page.url()).pathname).toBe("/");
   await recipient.messages.getByRole("button", { name: "Back to my maze" }).click();

@@ -96,7 +96,7 @@ async function scriptsOfDocs(page: Page, address: string): Promise<string[]> {
   );
 }
 
-const CHOOSE_REMOTE = "Remote does not drive: choose Remote on the robot's page.";
+const CHOOSE_REMOTE = "Remote is not driving: choose Remote on the robot's page.";
 
 const states = [
   {

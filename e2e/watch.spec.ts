@@ -21,8 +21,8 @@ async function copyAddresses({ page }: CorridorPage): Promise<Addresses> {
   await expect.poll(copied).toContain("#drv_");
   const drive = await copied();
   await openMoreSection(page);
-  await page.getByRole("button", { name: "Make a watch address" }).click();
-  await page.getByRole("button", { name: "Copy address to watch" }).click();
+  await page.getByRole("button", { name: "Make a watch link" }).click();
+  await page.getByRole("button", { name: "Copy watch link" }).click();
   await expect.poll(copied).toContain("#wch_");
   return { drive, watch: await copied() };
 }

@@ -22,7 +22,7 @@ export class ProgramPanel {
 
   /** The note below the running line. */
   get runningLineNote(): Locator {
-    return this.region.locator("[data-said]");
+    return this.region.locator("[data-displayed]");
   }
 
   condition(line: number): Locator {

@@ -51,7 +51,7 @@ export class TimelinePanel {
   }
 
   get zoomIn(): Locator {
-    return this.#transport.getByRole("button", { name: "Zoom the timeline in" });
+    return this.#transport.getByRole("button", { name: "Zoom in on the timeline" });
   }
 
   get wholeRun(): Locator {

@@ -53,7 +53,7 @@ describe("the language at the start", () => {
     const page = openPage({ search: "?lang=tlh&x=1", preferred: ["en"] });
     await page.choice.start();
     expect(page.messages()).toEqual([
-      "The link asks for the language “tlh”, but Corridor does not have it.",
+      "Corridor is not available in the language of this link: “tlh”.",
     ]);
     expect(page.location).toMatchObject({ search: "?x=1", hash: "#1maze" });
   });

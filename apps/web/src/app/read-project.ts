@@ -18,7 +18,7 @@ export const readProject: ReadProject = (text, id) => {
     return refusal("", [{ path: "", found: "unreadable text", expected: "a JSON document" }]);
   }
   if (typeof input !== "object" || input === null) {
-    return refusal("", [{ path: "", found: "no object", expected: "a saved work" }]);
+    return refusal("", [{ path: "", found: "no object", expected: "a saved project" }]);
   }
   const { savedAt, revision, edited, maze, program } = input as Record<string, unknown>;
   const readMaze = parseMaze(maze);

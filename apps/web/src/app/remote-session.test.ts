@@ -67,7 +67,7 @@ describe("RemoteConnection", () => {
   ] as const)("$name when a network that was lost is back", ({ driver, opened }) => {
     const page = openPage();
     page.drive("remote");
-    page.remote.setState({ status: { kind: "lost", reason: "lineLost" } });
+    page.remote.setState({ status: { kind: "lost", reason: "connectionLost" } });
     page.drive(driver);
     page.connection.reconnect();
     expect(page.sent.filter(({ type }) => type === "remote-open")).toHaveLength(opened);

@@ -141,7 +141,9 @@ describe("opening a shared link", () => {
     expect(page.shown()).toBe("Shared");
     expect(page.workspace.getState().program.name).toBe("Shared rules");
     expect(page.names()).toEqual(["Mine", "Shared"]);
-    expect(page.message()?.text).toBe("You opened a shared maze. Your own work is saved.");
+    expect(page.message()?.text).toBe(
+      "You opened a shared maze. Your own maze and program are saved.",
+    );
     page.message()?.action?.run();
     expect(page.shown()).toBe("Mine");
     expect(page.screen.getState().messages).toEqual([]);
@@ -162,7 +164,7 @@ describe("opening a shared link", () => {
     page.rename("Changed");
     await page.go("/", `#${fullLink}`);
     const message = page.message();
-    expect(message?.text).toBe("You opened a shared maze. Your own work is saved.");
+    expect(message?.text).toBe("You opened a shared maze. Your own maze and program are saved.");
     message?.action?.run();
     expect(page.shown()).toBe("Changed");
   });
@@ -311,7 +313,9 @@ describe("opening the link of a run", () => {
     expect(page.message()?.text).toBe("You opened a shared challenge.");
     page.rename("Mine");
     await page.go("/", `#${linkOf({ challenge, program: sharedProgram })}`);
-    expect(page.message()?.text).toBe("You opened a shared challenge. Your own work is saved.");
+    expect(page.message()?.text).toBe(
+      "You opened a shared challenge. Your own maze and program are saved.",
+    );
     expect(page.challenges).toEqual([
       ["Find the way", null],
       ["Find the way", "Shared rules"],

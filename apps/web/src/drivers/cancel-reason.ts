@@ -5,14 +5,14 @@
 import { BLOCKED_REASON, PAUSED_REASON, REVOKED_REASON } from "@corridor/protocol";
 
 export const cancelReasons = {
-  notRemote: "Remote does not drive: choose Remote on the robot's page.",
-  handedOver: "The robot's page took over: choose Remote there to let scripts drive.",
+  notRemote: "Remote is not driving: choose Remote on the robot's page.",
+  takenOver: "The robot's page took over: choose Remote there to let scripts drive.",
   reset: "The robot was put back to its start.",
   mazeChanged: "The maze changed and the robot was put back to its start.",
   movedInTime: "The robot's page opened another run, or another time in the run.",
   stopped: "The robot was stopped.",
   replaced: "A newer command replaced this command.",
-  takenBack: "The script cancelled this command. To run it, send a new command.",
+  cancelledByScript: "The script cancelled this command. To run it, send a new command.",
   keyRevoked: REVOKED_REASON,
   blocked: BLOCKED_REASON,
   paused: PAUSED_REASON,
@@ -31,7 +31,7 @@ export const RELOADED = "The robot's page was reloaded and ended this command. S
  */
 export const pageReasons: ReadonlySet<CancelReason> = new Set([
   "notRemote",
-  "handedOver",
+  "takenOver",
   "reset",
   "mazeChanged",
   "movedInTime",

@@ -146,7 +146,7 @@ export class RemoteDriver {
   }
 
   /** Ends one command, and stops the robot if it is running. */
-  cancelOne(seq: number, reason: CancelReason = "takenBack"): void {
+  cancelOne(seq: number, reason: CancelReason = "cancelledByScript"): void {
     if (this.#running?.seq === seq) return this.#stop(reason);
     const others = this.#queue.filter(({ delivery }) => delivery.seq !== seq);
     if (others.length === this.#queue.length) return;

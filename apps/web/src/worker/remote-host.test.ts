@@ -196,7 +196,7 @@ describe("reconnecting after the connection was lost", () => {
     for (const seq of [1, 2, 3]) relay.accept("A", seq);
     drive(100);
     relay.cut(1006);
-    expect(view().status).toEqual({ kind: "lost", reason: "lineLost" });
+    expect(view().status).toEqual({ kind: "lost", reason: "connectionLost" });
     drive(150);
     host.open({ ...session, lastApplied: 1 }, false);
     expect(relay.lines).toBe(2);
@@ -253,7 +253,7 @@ describe("disconnecting while the connection is lost", () => {
 
 describe("a command that is queued at the relay when the page takes the robot", () => {
   it.each([
-    { what: "is handed over", reason: "handedOver", act: (loop: RunLoop) => loop.setDriver("me") },
+    { what: "is handed over", reason: "takenOver", act: (loop: RunLoop) => loop.setDriver("me") },
     { what: "is reset", reason: "reset", act: (loop: RunLoop) => loop.reset() },
   ])("never runs if the robot $what, although Remote drives when it arrives", async (row) => {
     const { relay, loop, states, drive } = await openRobot();
@@ -372,7 +372,7 @@ describe("another robot", () => {
 
 describe("a robot that is not registered", () => {
   it.each([
-    { name: "nothing answers", isReachable: false, status: 0, reason: "lineLost" },
+    { name: "nothing answers", isReachable: false, status: 0, reason: "connectionLost" },
     { name: "only files are served", isReachable: true, status: 405, reason: "noService" },
     { name: "too many were registered", isReachable: true, status: 429, reason: "tooManyRobots" },
     { name: "the service is in trouble", isReachable: true, status: 503, reason: "refused" },

@@ -35,7 +35,7 @@ import type {
 const noDrivers: Drivers = { connected: 0, client: null, silentMs: null };
 
 const recallReasons = {
-  sender: "takenBack",
+  sender: "cancelledByScript",
   revoked: "keyRevoked",
   blocked: "blocked",
   paused: "paused",
@@ -272,7 +272,7 @@ export class RemoteHost implements RemoteDriverEvents {
           break;
         }
       }
-      this.#setStatus({ kind: "lost", reason: "lineLost" });
+      this.#setStatus({ kind: "lost", reason: "connectionLost" });
       const pause = Promise.withResolvers<void>();
       clock.after(backoff.next(clock.now(), random()), pause.resolve);
       await pause.promise;

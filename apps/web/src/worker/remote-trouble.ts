@@ -6,5 +6,5 @@ import type { RemoteTrouble } from "./worker-messages.ts";
 
 export function troubleOf({ code }: CloseReason): RemoteTrouble {
   const names = Object.keys(closeReasons) as (keyof typeof closeReasons)[];
-  return names.find((name) => closeReasons[name].code === code) ?? "lineLost";
+  return names.find((name) => closeReasons[name].code === code) ?? "connectionLost";
 }

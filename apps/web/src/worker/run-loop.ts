@@ -146,7 +146,7 @@ export class RunLoop {
   setDriver(driver: DriverName): void {
     this.now();
     if (driver === this.driver) return;
-    if (this.driver === "remote") this.#remote?.cancel("handedOver");
+    if (this.driver === "remote") this.#remote?.cancel("takenOver");
     this.recording.addInput({ do: "driver", driver });
     this.pause();
     if (driver === "remote") this.#start();

@@ -57,7 +57,7 @@ function withRemote(use: (host: RemoteHost) => void): void {
     () => {
       // The file did not load: the connection is lost, and the next attempt loads it again.
       remoteLoading = null;
-      const status = { kind: "lost", reason: "lineLost" } as const;
+      const status = { kind: "lost", reason: "connectionLost" } as const;
       post({
         type: "remote",
         remote: { status, session: null, commands: [], scripts: [], isPaused: false },

@@ -244,7 +244,7 @@ export type RemoteTrouble =
   | keyof typeof closeReasons
   | Exclude<RegistrationError["code"], "noAnswer">
   /** the connection broke without a close code, or nothing responds */
-  | "lineLost";
+  | "connectionLost";
 
 /** A command for this page's robot, and its state. */
 export interface ListedCommand extends Omit<CommandRecord, "reason"> {

@@ -116,7 +116,7 @@ describe("a number that is wrong", () => {
     {
       why: "is no matter of its size where the line asks the wrong side",
       answer: changed("every-maze", 0, number("left", ">", 60)),
-      says: "Line 1 asks about left. Another sensor is needed at 3.5 s (front: 100 cm, left: 250 cm, right: 50 cm).",
+      says: "Line 1 uses left. Another sensor is needed at 3.5 s (front: 100 cm, left: 250 cm, right: 50 cm).",
     },
   ])("$why", ({ answer, says }) => {
     const { verdict, diagnoses } = checkProgram(answer);
@@ -150,7 +150,7 @@ describe("a corner", () => {
       const { verdict, diagnoses } = checkProgram(answer);
       if (verdict.failure === null) throw new Error("no failure");
       const text = failureText(words, answer.challenge, verdict.failure, diagnoses[0] ?? null);
-      expect(text.includes("It touched the corner of a block.")).toBe(isBesideBeam);
+      expect(text.includes("The robot touched the corner of a block.")).toBe(isBesideBeam);
     },
   );
 });

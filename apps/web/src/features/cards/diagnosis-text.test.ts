@@ -82,7 +82,7 @@ describe("the words of a diagnosis", () => {
       contact: { ...contact, isCorner: true },
     };
     expect(diagnosisText(words, { event, cause: null, fixes: [] })).toBe(
-      "Bump at 2.1 s. The robot drove forward from 1.6 s on. The wall was 250 cm ahead then. It touched the corner of a block. The robot is 50 cm wide, and its beam is thin.",
+      "Bump at 2.1 s. The robot started to drive forward at 1.6 s. The wall was 250 cm ahead then. The robot touched the corner of a block. The robot is 50 cm wide, and its beam is thin.",
     );
   });
 });

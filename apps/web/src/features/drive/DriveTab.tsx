@@ -34,7 +34,7 @@ export function DriveTab({ hold }: { hold: HoldStore }) {
         <DrivePad hold={hold} caps="words" />
       )}
       <div className={styles["foot"]}>
-        <p className={styles["says"]}>{t(`drive.says.${driver}`)}</p>
+        <p className={styles["status"]}>{t(`drive.status.${driver}`)}</p>
         {/* The transport has its own button in the past; some missions refuse the program. */}
         {isNow && rights?.drivers.includes("program") !== false && <RunProgram />}
       </div>

@@ -39,7 +39,7 @@ export function ChallengeLine() {
         {isHere
           ? t("missions:bar.here", allOf(challenge.mazes.length))
           : project !== null
-            ? t(`missions:projects.${project}.short`)
+            ? t(`missions:bonusMissions.${project}.short`)
             : id === undefined
               ? challenge.words.short
               : t(`missions:missions.${id}.short`)}

@@ -160,9 +160,9 @@ function Projects({ best, open, onOpen }: ProjectsProps) {
     <section className={styles["chapter"]} aria-labelledby={titleId}>
       <div className={styles["chapterHead"]}>
         <h3 id={titleId} className={styles["chapterName"]}>
-          {t("missions:project.all")}
+          {t("missions:bonus.all")}
         </h3>
-        <p className={styles["count"]}>{t("missions:project.note")}</p>
+        <p className={styles["count"]}>{t("missions:bonus.note")}</p>
       </div>
       <ol className={styles["path"]}>
         {projects.map(({ id, challenge: { mazes } }) => {
@@ -179,7 +179,9 @@ function Projects({ best, open, onOpen }: ProjectsProps) {
                 <span className={styles["picture"]}>
                   <MissionPicture mazes={mazes} ideas={projectIdeas[id]} />
                 </span>
-                <span className={styles["missionName"]}>{t(`missions:projects.${id}.name`)}</span>
+                <span className={styles["missionName"]}>
+                  {t(`missions:bonusMissions.${id}.name`)}
+                </span>
                 <span className={styles["state"]} data-state={state}>
                   <StateIcon state={state} />
                   {result === undefined ? t(`missions:path.${state}`) : bestText(words, id, result)}

@@ -55,7 +55,7 @@ function OpenMission({ service }: { service: LessonsService }) {
   const project = projectOf(mission);
   const hints =
     project !== null
-      ? Object.values(t(`missions:projects.${project}.hints`, { returnObjects: true }))
+      ? Object.values(t(`missions:bonusMissions.${project}.hints`, { returnObjects: true }))
       : id === undefined
         ? challenge.words.hints
         : Object.values(t(`missions:missions.${id}.hints`, { returnObjects: true }));
@@ -65,7 +65,7 @@ function OpenMission({ service }: { service: LessonsService }) {
         <div className={styles["title"]}>
           <p className={styles["number"]}>
             {project !== null
-              ? t("missions:project.number", {
+              ? t("missions:bonus.number", {
                   number: projectIds.indexOf(project) + 1,
                   all: projectIds.length,
                 })
@@ -75,7 +75,7 @@ function OpenMission({ service }: { service: LessonsService }) {
           </p>
           <h2 className={styles["name"]}>
             {project !== null
-              ? t(`missions:projects.${project}.name`)
+              ? t(`missions:bonusMissions.${project}.name`)
               : id === undefined
                 ? challenge.name
                 : t(`missions:missions.${id}.name`)}

@@ -191,11 +191,11 @@ export class LessonsService {
     simulator.send({ type: "reset" });
     if (doesTheSame(program, start)) {
       store.setState({ ...nothingSaid, result: { state: "open" } });
-      showMessage(screen, { tone: "info", text: words.t("missions:card.begunAsItWas") });
+      showMessage(screen, { tone: "info", text: words.t("missions:card.restartedUnchanged") });
       return;
     }
     setProgram(workspace, start, newLineIds(start.rules.length));
-    showUndoable({ screen, workspace }, words, words.t("missions:card.begun"));
+    showUndoable({ screen, workspace }, words, words.t("missions:card.restarted"));
   }
 
   /**

@@ -15,7 +15,7 @@ export function missionDocument(
   const key =
     project === null
       ? (`missions:missions.${mission.id as Mission["id"]}` as const)
-      : (`missions:projects.${project}` as const);
+      : (`missions:bonusMissions.${project}` as const);
   return challengeOf(mission, t(`${key}.name`), {
     task: t(`${key}.task`),
     short: t(`${key}.short`),

@@ -17,11 +17,11 @@ export function statusText({ t, i18n }: MissionWords, status: ProjectStatus): st
     case "mazes": {
       const { solved, all, ticks } = status.result;
       const seconds = formatSeconds(ticks, i18n.language);
-      return t("missions:project.mazes", { solved, all, seconds });
+      return t("missions:bonus.mazes", { solved, all, seconds });
     }
     case "hand": {
       const seconds = formatSeconds(status.ticks, i18n.language);
-      return t("missions:project.hand", { bumps: status.bumps, seconds });
+      return t("missions:bonus.hand", { bumps: status.bumps, seconds });
     }
     case "defeat":
       return defeatText({ t, i18n }, status.result);
@@ -31,13 +31,13 @@ export function statusText({ t, i18n }: MissionWords, status: ProjectStatus): st
 function defeatText({ t, i18n }: MissionWords, result: ProjectAnswers["defeat"]): string {
   switch (result.state) {
     case "no-goal":
-      return t("missions:project.noGoal");
+      return t("missions:bonus.noGoal");
     case "no-path":
-      return t("missions:project.noPath");
+      return t("missions:bonus.noPath");
     case "reached":
-      return t("missions:project.reached", { seconds: formatSeconds(result.ticks, i18n.language) });
+      return t("missions:bonus.reached", { seconds: formatSeconds(result.ticks, i18n.language) });
     case "defeated":
-      return t("missions:project.defeated", {
+      return t("missions:bonus.defeated", {
         seconds: PROJECT_SECONDS,
         squares: result.squares,
       });
@@ -71,11 +71,11 @@ export function bestText(
   switch (project) {
     case "all-mazes": {
       const all = projects.find(({ id }) => id === project)?.challenge.mazes.length ?? 0;
-      return t("missions:project.best.all-mazes", { solved: all - first, all, seconds });
+      return t("missions:bonus.best.all-mazes", { solved: all - first, all, seconds });
     }
     case "fewest-bumps":
-      return t("missions:project.best.fewest-bumps", { bumps: first, seconds });
+      return t("missions:bonus.best.fewest-bumps", { bumps: first, seconds });
     case "beat-right-wall":
-      return t("missions:project.best.beat-right-wall", { squares: first });
+      return t("missions:bonus.best.beat-right-wall", { squares: first });
   }
 }

@@ -16,7 +16,7 @@ export function useTask(): string {
   const id = useStore(store, ({ mission }) => missionIds.find((each) => each === mission));
   const hasKeyboard = useMediaQuery("(hover: hover) and (pointer: fine)");
   const project = useStore(store, ({ mission }) => projectOf(mission));
-  if (project !== null) return t(`missions:projects.${project}.task`);
+  if (project !== null) return t(`missions:bonusMissions.${project}.task`);
   if (id === undefined) return challenge?.words.task ?? "";
   return t(`missions:missions.${id}.task`, hasKeyboard ? { context: "keyboard" } : {});
 }

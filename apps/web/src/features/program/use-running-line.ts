@@ -103,5 +103,5 @@ async function load(list: RefObject<HTMLOListElement | null>): Promise<LineFollo
  */
 function toggleNoteBelow(line: HTMLElement | null, isShown: boolean): void {
   const below = line?.nextElementSibling;
-  if (below?.tagName === "LI") below.toggleAttribute("data-said", isShown);
+  if (below?.tagName === "LI") below.toggleAttribute("data-displayed", isShown);
 }

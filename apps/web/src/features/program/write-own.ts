@@ -14,5 +14,5 @@ export function writeOwn(
 ): void {
   loadProgram(services.workspace, emptyProgram());
   services.simulator.send({ type: "reset" });
-  showUndoable(services, words, words.t("program.begun"));
+  showUndoable(services, words, words.t("program.emptied"));
 }

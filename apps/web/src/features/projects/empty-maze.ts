@@ -30,7 +30,7 @@ export function openEmptyMaze(
   const back = projects.begin(emptyMaze(words.t("projects.newMazeName")), program);
   const id = showMessage(screen, {
     tone: "info",
-    text: words.t("projects.begun"),
+    text: words.t("projects.created"),
     action: {
       label: words.t("projects.back"),
       run: () => {

@@ -39,7 +39,7 @@ export function KeyList({ session }: { session: RemoteSession }) {
       <p className={styles["note"]}>
         <output>
           {outcome === "done" && t("remote.keys.revoked")}
-          {outcome === "failed" && t("remote.watchFailed")}
+          {outcome === "failed" && t("remote.actionFailed")}
         </output>
         {outcome === null && keys.length > 1 && t("remote.keys.note")}
       </p>

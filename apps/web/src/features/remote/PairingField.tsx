@@ -64,7 +64,7 @@ export function PairingField({ session }: { session: RemoteSession }) {
               size={view.kind === "asked" ? "large" : "small"}
               onClick={() => void press(pairing.decline())}
             >
-              {view.kind === "asked" ? t("remote.pair.no") : t("remote.pair.takeBack")}
+              {view.kind === "asked" ? t("remote.pair.no") : t("remote.pair.cancel")}
             </Button>
           </div>
         ) : (

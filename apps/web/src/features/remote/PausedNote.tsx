@@ -23,7 +23,7 @@ export function PausedNote({ session }: { session: RemoteSession }) {
       <Button size="small" kind="primary" className={styles["long"]} onClick={() => void resume()}>
         {t("remote.letDrive")}
       </Button>
-      <output className={styles["note"]}>{isFailed && t("remote.watchFailed")}</output>
+      <output className={styles["note"]}>{isFailed && t("remote.actionFailed")}</output>
     </div>
   );
 }

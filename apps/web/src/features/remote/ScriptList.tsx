@@ -11,7 +11,7 @@ import { Button } from "../../ui/Button.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import type { ListedScript, RemoteSession } from "../../worker/worker-messages.ts";
 import { quietSeconds, shownScripts } from "./listed-scripts.ts";
-import { letBack, pauseDriving, sendAway } from "./owner-calls.ts";
+import { unblockScript, pauseDriving, blockScript } from "./owner-calls.ts";
 import { useNow } from "./use-now.ts";
 import styles from "./remote.module.css";
 
@@ -28,8 +28,8 @@ export function ScriptList({ session }: { session: RemoteSession }) {
   };
   const change = async (script: ListedScript): Promise<void> => {
     const isDone = script.isBlocked
-      ? await letBack(fetch, session, script.id)
-      : await sendAway(fetch, session, script);
+      ? await unblockScript(fetch, session, script.id)
+      : await blockScript(fetch, session, script);
     setFailed(!isDone);
   };
   return (
@@ -61,7 +61,7 @@ export function ScriptList({ session }: { session: RemoteSession }) {
         ))}
       </ul>
       <p className={styles["note"]}>
-        <output>{isFailed && t("remote.watchFailed")}</output>
+        <output>{isFailed && t("remote.actionFailed")}</output>
         {!isFailed && shown.length > 0 && t("remote.scriptsNote")}
       </p>
     </section>
@@ -90,7 +90,7 @@ function ScriptRow({ script, now, onChange }: ScriptRowProps) {
         </p>
       </div>
       <Button size="small" aria-describedby={id} onClick={onChange}>
-        {script.isBlocked ? t("remote.letBack") : t("remote.sendAway")}
+        {script.isBlocked ? t("remote.unblock") : t("remote.block")}
       </Button>
     </li>
   );
@@ -105,7 +105,7 @@ function useDetails(script: ListedScript, now: number): string[] {
     remote,
     ({ commands }) => commands.find(({ seq }) => seq === last?.seq)?.state ?? null,
   );
-  if (isBlocked) return [t("remote.away")];
+  if (isBlocked) return [t("remote.blocked")];
   const seconds = quietSeconds(script, now);
   const did = last === null ? t("remote.readsOnly") : t("remote.last", { action: last.action });
   return [

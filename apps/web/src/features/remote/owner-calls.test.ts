@@ -1,10 +1,10 @@
 import { describe, expect, it } from "vitest";
 import { keyIdOf } from "./key-id.ts";
 import {
-  letBack,
+  unblockScript,
   pauseDriving,
   secondsLeft,
-  sendAway,
+  blockScript,
   watchAddress,
   withNewKey,
   type Ask,
@@ -75,8 +75,8 @@ describe("a script", () => {
 
   it("is blocked by its key and name, and unblocked by its id", async () => {
     const { asked, ask } = service(() => new Response(null, { status: 204 }));
-    expect(await sendAway(ask, session, anna)).toBe(true);
-    expect(await letBack(ask, session, "k3J9x2aB")).toBe(true);
+    expect(await blockScript(ask, session, anna)).toBe(true);
+    expect(await unblockScript(ask, session, "k3J9x2aB")).toBe(true);
     expect(asked).toEqual([
       `POST /api/v1/robots/${id}/blocked Bearer own_secret {"driver":"Zx81qP","name":"Anna","client":"Python"}`,
       `DELETE /api/v1/robots/${id}/blocked/k3J9x2aB Bearer own_secret`,
@@ -95,9 +95,9 @@ describe("a script", () => {
 
   it("stays as it is where nothing answers or the service refuses", async () => {
     const refused = service(() => Response.json({}, { status: 409 }));
-    expect(await sendAway(refused.ask, session, anna)).toBe(false);
+    expect(await blockScript(refused.ask, session, anna)).toBe(false);
     const silent = service(() => Promise.reject(new TypeError("offline")));
-    expect(await letBack(silent.ask, session, "k3J9x2aB")).toBe(false);
+    expect(await unblockScript(silent.ask, session, "k3J9x2aB")).toBe(false);
   });
 });
 

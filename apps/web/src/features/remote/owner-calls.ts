@@ -59,7 +59,7 @@ export async function watchAddress(ask: Ask, session: RemoteSession): Promise<st
 }
 
 /** Blocks a script until it is unblocked. @returns whether the service did so */
-export async function sendAway(
+export async function blockScript(
   ask: Ask,
   session: RemoteSession,
   { driver, name, client }: ScriptRef,
@@ -71,7 +71,11 @@ export async function sendAway(
 }
 
 /** Unblocks a script. @param script its id @returns whether the service did so */
-export async function letBack(ask: Ask, session: RemoteSession, script: string): Promise<boolean> {
+export async function unblockScript(
+  ask: Ask,
+  session: RemoteSession,
+  script: string,
+): Promise<boolean> {
   return isDone(ask, session, `/blocked/${script}`, { method: "DELETE" });
 }
 

@@ -68,7 +68,7 @@ export async function replyToPairing(
 }
 
 /** @returns whether the service deleted the code */
-export async function takeBackCode(ask: Ask, owner: Owner): Promise<boolean> {
+export async function cancelCode(ask: Ask, owner: Owner): Promise<boolean> {
   return isDone(ask, owner, "/pairing", { method: "DELETE" });
 }
 

@@ -10,7 +10,7 @@ export function questionText(t: TFunction, question: PairingQuestion): string {
 /** The outcome in a sentence; empty while there is none. */
 export function newsText(t: TFunction, view: PairingView): string {
   if (view.trouble === "tooManyKeys") return t("remote.pair.tooManyKeys");
-  if (view.trouble === "failed") return t("remote.watchFailed");
+  if (view.trouble === "failed") return t("remote.actionFailed");
   if (view.kind === "over") return t("remote.pair.over");
   if (view.kind !== "accepted" && view.kind !== "refused") return "";
   return t(`remote.pair.${view.kind}`, { script: scriptText(t, view.question) });

@@ -9,7 +9,7 @@ import {
   lookAtPairing,
   makeCode,
   replyToPairing,
-  takeBackCode,
+  cancelCode,
   type Owner,
 } from "./pairing-calls.ts";
 
@@ -90,7 +90,7 @@ export class RobotPairing {
     const { view } = this.store.getState();
     if (view.kind === "asked") return this.#reply(view.question, false);
     const turn = this.#begin();
-    const isDone = await takeBackCode(this.#parts.ask, this.#parts.owner);
+    const isDone = await cancelCode(this.#parts.ask, this.#parts.owner);
     if (turn !== this.#turn) return;
     if (isDone) this.#show({ kind: "none" });
     else this.#trouble("failed");

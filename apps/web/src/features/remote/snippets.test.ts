@@ -34,8 +34,8 @@ const endings = [
   { name: "was done", record: { state: "completed", reason: null }, prints: "completed" },
   {
     name: "was cancelled",
-    record: { state: "cancelled", reason: "Remote does not drive: choose Remote." },
-    prints: "Remote does not drive: choose Remote.",
+    record: { state: "cancelled", reason: "Remote is not driving: choose Remote." },
+    prints: "Remote is not driving: choose Remote.",
   },
   { name: "was refused", detail: "The owner has paused.", prints: "The owner has paused." },
 ];

@@ -105,7 +105,7 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
           <ShortLinkChoice short={short} isMore={isMore} />
         </div>
         <fieldset className={styles["choices"]}>
-          <legend className={styles["label"]}>{t("share.carries")}</legend>
+          <legend className={styles["label"]}>{t("share.contents")}</legend>
           <Checkbox
             label={t("share.maze")}
             note={t("share.mazeNote", { ...sizeOf(maze), count: maze.goals.length })}

@@ -67,7 +67,7 @@ export function describeText(
   ];
   const line = decidingLine(snapshot);
   const rule = typeof line === "number" ? rules[line] : undefined;
-  if (driver !== "program") sentences.push(t(`drive.says.${driver}`));
+  if (driver !== "program") sentences.push(t(`drive.status.${driver}`));
   else if (line === null) sentences.push(spoken(t)("runDetails:speech.describe.noLine"));
   else if (line === "default" || rule === undefined) {
     const action = t(`program.action.${otherwise}`);

@@ -43,14 +43,14 @@ function openInWorker(
   canvases: LayerCanvases<HTMLCanvasElement>,
   follow: (scroll: Scroll) => void,
 ): StageScreen {
-  const handedOver = {
+  const transferred = {
     maze: canvases.maze.transferControlToOffscreen(),
     trail: canvases.trail.transferControlToOffscreen(),
     live: canvases.live.transferControlToOffscreen(),
   };
   simulator.send(
-    { type: "stage-mount", canvases: handedOver, font: new URL(interFont, location.href).href },
-    Object.values(handedOver),
+    { type: "stage-mount", canvases: transferred, font: new URL(interFont, location.href).href },
+    Object.values(transferred),
   );
   const stop = simulator.listen((message) => {
     if (message.type === "stage-scroll-to") follow(message.scroll);

@@ -22,10 +22,10 @@ export function ThemeButton({ screen }: { screen: ScreenStore }) {
   const menu = usePopover();
   return (
     <>
-      <IconButton label={t("projects.theme")} size="medium" {...menu.trigger}>
+      <IconButton label={t("theme.label")} size="medium" {...menu.trigger}>
         {themeIcons[theme]}
       </IconButton>
-      <Popover {...menu.panel} label={t("projects.theme")} align="end">
+      <Popover {...menu.panel} label={t("theme.label")} align="end">
         <ThemeChoice screen={screen} />
       </Popover>
     </>

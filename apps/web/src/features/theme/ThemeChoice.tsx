@@ -15,18 +15,18 @@ export function ThemeChoice({ screen }: { screen: ScreenStore }) {
   return (
     <div className={styles["choice"]}>
       <Segmented
-        label={t("projects.theme")}
+        label={t("theme.label")}
         value={theme}
         options={[
-          { value: "system", label: t("projects.themeSystem") },
-          { value: "light", label: t("projects.themeLight") },
-          { value: "dark", label: t("projects.themeDark") },
+          { value: "system", label: t("theme.system") },
+          { value: "light", label: t("theme.light") },
+          { value: "dark", label: t("theme.dark") },
         ]}
         onChange={(choice) => screen.setState({ theme: choice })}
       />
       <Checkbox
-        label={t("projects.contrast")}
-        note={t(isAsked ? "projects.contrastSystem" : "projects.contrastNote")}
+        label={t("theme.contrast")}
+        note={t(isAsked ? "theme.contrastSystem" : "theme.contrastNote")}
         checked={isAsked || contrast === "more"}
         disabled={isAsked}
         onChange={(isOn) => screen.setState({ contrast: isOn ? "more" : "system" })}

@@ -14,6 +14,7 @@ import share from "./share.json" with { type: "json" };
 import shell from "./shell.json" with { type: "json" };
 import speech from "./speech.json" with { type: "json" };
 import stage from "./stage.json" with { type: "json" };
+import theme from "./theme.json" with { type: "json" };
 import timeline from "./timeline.json" with { type: "json" };
 
 export const en = {
@@ -32,5 +33,6 @@ export const en = {
   shell,
   speech,
   stage,
+  theme,
   timeline,
 };

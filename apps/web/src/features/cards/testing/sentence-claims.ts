@@ -41,7 +41,7 @@ const OPEN = 125;
 const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
   ["Bump at (?<at>[\\d.]+) s\\.", ({ moments, end }, { at: time }) => bumpAt(moments, end, time)],
   [
-    `The robot drove (?<way>forward|back) from (?<at>[\\d.]+) s on\\. The wall was ${reading} (?:ahead|behind) then\\.`,
+    `The robot started to drive (?<way>forward|back) at (?<at>[\\d.]+) s\\. The wall was ${reading} (?:ahead|behind) then\\.`,
     (evidence, found) => drovePlainly(evidence, found),
   ],
   [
@@ -59,7 +59,7 @@ const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
       Number(found["reading"]) < Number(found["needs"]),
   ],
   [
-    "It touched the corner of a block\\. The robot is 50 cm wide, and its beam is thin\\.",
+    "The robot touched the corner of a block\\. The robot is 50 cm wide, and its beam is thin\\.",
     ({ maze, moments, end }) => touchesCorner(maze, moments[end]) && beamPasses(moments, end),
   ],
   [
@@ -249,7 +249,7 @@ const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
     (evidence, found) => momentsOf(evidence, found).length > 0,
   ],
   [
-    `${who} asks about ${sensor}\\. Another sensor is needed ${at} ${sides}\\.`,
+    `${who} uses ${sensor}\\. Another sensor is needed ${at} ${sides}\\.`,
     ({ program, moments }, { who: line, sensor: asked, ...found }) =>
       conditionOf(program, lineOf(line))?.sensor === asked &&
       ticksAt(found["at"]).some((tick) => isRead(moments[tick], found)),
