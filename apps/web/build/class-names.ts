@@ -12,13 +12,13 @@ const source = (path: string): string =>
 
 /** The stylesheets that index.html may use. */
 const shellStyles: Readonly<Record<string, string>> = {
-  app: source("app/app"),
-  bar: source("app/top-bar"),
-  brand: source("app/brand"),
-  failure: source("app/failure"),
-  loading: source("app/loading-page"),
-  panel: source("app/side-panel"),
-  sheet: source("app/phone-sheet"),
+  app: source("shell/app"),
+  bar: source("shell/top-bar"),
+  brand: source("ui/brand"),
+  failure: source("ui/failure"),
+  loading: source("shell/loading-page"),
+  panel: source("shell/side-panel"),
+  sheet: source("shell/phone-sheet"),
   transport: source("features/transport/transport"),
   button: source("ui/button"),
   field: source("ui/field"),

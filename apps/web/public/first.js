@@ -1,7 +1,7 @@
 // Runs before the page's own script: sets theme, contrast and language before the first paint, and
 // starts the simulator worker. On a first visit it also connects the Run button of the static page
 // in index.html. It is a separate file because the Content-Security-Policy forbids inline scripts.
-// src/app/theme.ts, language.ts and simulator-start.ts take over.
+// src/model/preferences and src/shell/boot take over.
 (() => {
   // The default Trusted Types policy: the browser calls it for each script address, and it permits
   // only Corridor's own scripts.

@@ -3,22 +3,22 @@ import type { i18n } from "i18next";
 import { startTransition } from "react";
 import { createRoot } from "react-dom/client";
 import { I18nextProvider } from "react-i18next";
-import { App } from "./app/App.tsx";
-import { flushWhenHidden, type PageLife } from "./app/autosave.ts";
-import { browserLanguage } from "./app/browser-language.ts";
-import type { LanguageChoice } from "./app/language.ts";
-import { LanguageProvider } from "./app/language-context.ts";
-import { guardLeaving } from "./app/guard-leaving.ts";
-import { storeSwitches } from "./app/stored-switches.ts";
-import { createServices, ServicesProvider, type Services } from "./app/services.ts";
-import { whenIdle } from "./app/page-idle.ts";
-import { earlyMessages, onSimulatorFailure, startSimulator } from "./app/simulator-start.ts";
-import { replaceStaticPage } from "./app/replace-static-page.ts";
-import { startTheme } from "./app/theme.ts";
-import { ProjectReader } from "./app/project-reader.ts";
-import { storageOrNone, ProjectStorage } from "./app/project-storage.ts";
-import { RACE_KEY } from "./stores/race-store.ts";
-import { createScreenStore, showMessage } from "./stores/screen-store.ts";
+import { App } from "./shell/App.tsx";
+import { flushWhenHidden, type PageLife } from "./model/projects/autosave.ts";
+import { browserLanguage } from "./shell/boot/browser-language.ts";
+import type { LanguageChoice } from "./model/preferences/language.ts";
+import { LanguageProvider } from "./model/language-context.ts";
+import { guardLeaving } from "./shell/boot/guard-leaving.ts";
+import { storeSwitches } from "./model/preferences/stored-switches.ts";
+import { createServices, ServicesProvider, type Services } from "./shell/services.ts";
+import { whenIdle } from "./shell/boot/page-idle.ts";
+import { earlyMessages, onSimulatorFailure, startSimulator } from "./shell/boot/simulator-start.ts";
+import { replaceStaticPage } from "./shell/boot/replace-static-page.ts";
+import { startTheme } from "./model/preferences/theme.ts";
+import { ProjectReader } from "./model/projects/project-reader.ts";
+import { storageOrNone, ProjectStorage } from "./model/projects/project-storage.ts";
+import { RACE_KEY } from "./model/run/race-store.ts";
+import { createScreenStore, showMessage } from "./model/screen/screen-store.ts";
 import { englishWords } from "./text/english-words.ts";
 import { createI18n } from "./text/i18n.ts";
 import { preloadParts } from "./ui/lazy-part.tsx";
@@ -112,7 +112,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   const isAsked = () => location.hash.length > 1 || location.pathname.startsWith("/m/");
   const follow = async (isLoad: boolean): Promise<void> => {
     if (!isAsked()) return;
-    const { followPageAddress } = await import("./app/follow-page-address.ts");
+    const { followPageAddress } = await import("./shell/follow-page-address.ts");
     await followPageAddress(services, words, isLoad);
   };
   const followOrTell = (isLoad: boolean) =>
@@ -159,7 +159,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
 
 /** Sounds and a race that were on when the page was left. Files that do not come leave the page without them. */
 async function resume(services: Services, words: i18n): Promise<void> {
-  const extras = await import("./app/resume-extras.ts").catch(() => null);
+  const extras = await import("./shell/boot/resume-extras.ts").catch(() => null);
   await extras?.resumeExtras(services, words, tab);
 }
 

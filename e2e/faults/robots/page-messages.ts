@@ -1,5 +1,8 @@
 /** Messages between the runner and a process of pages. */
-import type { RemoteSession, RemoteStatus } from "../../../apps/web/src/worker/worker-messages.ts";
+import type {
+  RemoteSession,
+  RemoteStatus,
+} from "../../../apps/web/src/simulator/protocol/worker-messages.ts";
 import type { CommandState } from "@corridor/protocol";
 
 /** transports to the relay that a client tries */

@@ -3,10 +3,10 @@
  * real timers and sockets.
  */
 import { decodeFrame, relayToPageSchema } from "@corridor/protocol";
-import { RemoteDriver } from "../../../apps/web/src/drivers/remote-driver.ts";
-import { firstMaze, firstProgram } from "../../../apps/web/src/worker/first-project.ts";
-import { RemoteHost } from "../../../apps/web/src/worker/remote-host.ts";
-import { RunLoop } from "../../../apps/web/src/worker/run-loop.ts";
+import { RemoteDriver } from "../../../apps/web/src/simulator/drivers/remote-driver.ts";
+import { firstMaze, firstProgram } from "../../../apps/web/src/simulator/protocol/first-project.ts";
+import { RemoteHost } from "../../../apps/web/src/simulator/worker/remote-host.ts";
+import { RunLoop } from "../../../apps/web/src/simulator/worker/run-loop.ts";
 import { machineNow } from "../clock.ts";
 import { withListener, platformFor } from "../platforms.ts";
 import type { FromPages, ToPages } from "./page-messages.ts";

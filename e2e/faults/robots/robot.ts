@@ -1,7 +1,10 @@
 /** A robot of a scenario: its registration, its current page, and the history of its commands. */
 import { hasEnded, type CommandRecord, type Registration } from "@corridor/protocol";
 import { History, type Fault } from "../../../apps/relay/src/testing/faults/history.ts";
-import type { RemoteSession, RemoteStatus } from "../../../apps/web/src/worker/worker-messages.ts";
+import type {
+  RemoteSession,
+  RemoteStatus,
+} from "../../../apps/web/src/simulator/protocol/worker-messages.ts";
 import { machineNow, sleep, wallClock } from "../clock.ts";
 import type { FromPages } from "./page-messages.ts";
 

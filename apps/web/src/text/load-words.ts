@@ -4,7 +4,7 @@
  */
 import type { LanguageTag } from "./languages.ts";
 import type { Namespace } from "./namespaces.ts";
-import type { Words } from "./words.ts";
+import type { Words } from "./en/words.ts";
 
 type Loader = () => Promise<Words>;
 

@@ -1,7 +1,7 @@
 /** Where the parts of the words are that only some readers need: a chunk for each language and each part. */
 import type { LanguageTag } from "./languages.ts";
 import type { Namespace } from "./namespaces.ts";
-import type { Words } from "./words.ts";
+import type { Words } from "./en/words.ts";
 
 /** The compiler asks for a line here for each language and each part. */
 export const partLoaders: Record<

@@ -6,11 +6,11 @@ import type { SocketEvents, SocketPort } from "@corridor/protocol";
 import {
   RemoteDriver,
   type RemoteDriverEvents,
-} from "../../../../web/src/drivers/remote-driver.ts";
-import { firstMaze, firstProgram } from "../../../../web/src/worker/first-project.ts";
-import { RemoteHost } from "../../../../web/src/worker/remote-host.ts";
-import { RunLoop } from "../../../../web/src/worker/run-loop.ts";
-import type { RemoteSession } from "../../../../web/src/worker/worker-messages.ts";
+} from "../../../../web/src/simulator/drivers/remote-driver.ts";
+import { firstMaze, firstProgram } from "../../../../web/src/simulator/protocol/first-project.ts";
+import { RemoteHost } from "../../../../web/src/simulator/worker/remote-host.ts";
+import { RunLoop } from "../../../../web/src/simulator/worker/run-loop.ts";
+import type { RemoteSession } from "../../../../web/src/simulator/protocol/worker-messages.ts";
 import type { VirtualTime } from "./virtual-time.ts";
 
 const noop = (): void => undefined;

@@ -4,24 +4,29 @@ import { History, Play } from "lucide";
 import { useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
-import { useWaited } from "../../app/use-waited.ts";
-import type { Explanation } from "../../stores/card-store.ts";
+import { useServices } from "../../shell/services.ts";
+import { useWaited } from "../../model/use-waited.ts";
+import type { Explanation } from "../../model/run/card-store.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Badge } from "../../ui/Badge.tsx";
 import { Button } from "../../ui/Button.tsx";
-import { focusLine } from "../program/focus-line.ts";
-import { setFixedProgram } from "../program/set-fixed-program.ts";
-import type { StageViewStore } from "../stage/stage-view.ts";
-import { BurstIcon } from "../timeline/BurstIcon.tsx";
+import { focusLine } from "../../model/workspace/focus-line.ts";
+import { setFixedProgram } from "../../model/workspace/set-fixed-program.ts";
+import type { StageViewStore } from "../../stage/page/stage-view.ts";
+import { BurstIcon } from "../../ui/BurstIcon.tsx";
 import styles from "./cards.module.css";
-import { diagnosisText, diagnosisTitle, diagnosisWords, roomText } from "./diagnosis-text.ts";
+import {
+  diagnosisText,
+  diagnosisTitle,
+  diagnosisWords,
+  roomText,
+} from "../../model/diagnosis/diagnosis-text.ts";
 import { FloatingCard } from "./FloatingCard.tsx";
 import { fixText } from "./fix-text.ts";
 import { RoomBars } from "./RoomBars.tsx";
 import { runFromStart, showFixed } from "./run-from-start.ts";
 import { trailSide } from "./trail-end.ts";
-import { watchAgain } from "./watch-again.ts";
+import { watchAgain } from "../../model/run/watch-again.ts";
 
 /**
  * Watch again starts at least 240 ticks (4 s) before the bump, or earlier if the cause is earlier.

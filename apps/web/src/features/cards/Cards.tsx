@@ -1,14 +1,14 @@
 /** The card for the displayed tick: why the robot bumped, or that the maze is solved. */
 import { useEffect, useState } from "react";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
-import type { Explanation } from "../../stores/card-store.ts";
+import { useServices } from "../../shell/services.ts";
+import type { Explanation } from "../../model/run/card-store.ts";
 import {
   challengeResult,
   isJudgedByRun,
   type ChallengeResult,
-} from "../../stores/challenge-store.ts";
-import type { StageViewStore } from "../stage/stage-view.ts";
+} from "../../model/challenge/challenge-store.ts";
+import type { StageViewStore } from "../../stage/page/stage-view.ts";
 import { BumpCard } from "./BumpCard.tsx";
 import { shownCard } from "./shown-card.ts";
 import { SolvedCard, type Solved } from "./SolvedCard.tsx";

@@ -7,13 +7,13 @@ import { ArrowRight, ImageDown, ListChecks } from "lucide";
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
+import { useServices } from "../../shell/services.ts";
 import { allOf } from "../../text/all-of.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
-import type { LessonsService } from "../lessons/lessons-service.ts";
-import { missionIds, nextMission } from "../lessons/missions/mission.ts";
-import { chooseMaze } from "../presets/choose-preset.ts";
+import type { LessonsService } from "../../model/lessons/lessons-service.ts";
+import { missionIds, nextMission } from "../../model/lessons/missions/mission.ts";
+import { chooseMaze } from "../../model/presets/choose-preset.ts";
 import styles from "./cards.module.css";
 
 interface OnwardProps {

@@ -1,8 +1,8 @@
 /** Mounts the cards on the stage. Their code is a separate chunk. */
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
+import { useServices } from "../../shell/services.ts";
 import { lazyPart } from "../../ui/lazy-part.tsx";
-import type { StageViewStore } from "../stage/stage-view.ts";
+import type { StageViewStore } from "../../stage/page/stage-view.ts";
 
 const Cards = lazyPart(async () => (await import("./Cards.tsx")).Cards);
 

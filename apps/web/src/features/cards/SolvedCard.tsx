@@ -4,8 +4,8 @@ import { Flag, History, Share } from "lucide";
 import { useMemo, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
-import { useWaited } from "../../app/use-waited.ts";
+import { useServices } from "../../shell/services.ts";
+import { useWaited } from "../../model/use-waited.ts";
 import { allOf } from "../../text/all-of.ts";
 import { formatClock, formatSeconds } from "../../text/numbers.ts";
 import { Icon } from "../../ui/Icon.tsx";
@@ -13,11 +13,11 @@ import { Button } from "../../ui/Button.tsx";
 import { RaceButton } from "../race/RaceButton.tsx";
 import { RaceOutcome } from "../race/RaceOutcome.tsx";
 import { ShareDialog } from "../share/lazy-share-dialog.ts";
-import type { StageViewStore } from "../stage/stage-view.ts";
+import type { StageViewStore } from "../../stage/page/stage-view.ts";
 import styles from "./cards.module.css";
 import { FloatingCard } from "./FloatingCard.tsx";
 import { Onward } from "./Onward.tsx";
-import { watchAgain } from "./watch-again.ts";
+import { watchAgain } from "../../model/run/watch-again.ts";
 
 /** From 100 s on, times are displayed with minutes, as on the clock of the run. */
 const CLOCK_FROM_TICKS = 6000;

@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import type { Box } from "../../canvas/viewport.ts";
+import type { Box } from "../../stage/drawing/viewport.ts";
 import * as cardPlace from "./card-place.ts";
 
 const area: Box = { x: 0, y: 0, width: 960, height: 600 };

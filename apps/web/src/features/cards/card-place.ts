@@ -3,7 +3,7 @@
  * that it hit or a goal only if no other place exists. Pure functions; all lengths are in CSS
  * pixels of the stage's drawing area.
  */
-import type { Box } from "../../canvas/viewport.ts";
+import type { Box } from "../../stage/drawing/viewport.ts";
 
 export interface CardPlace<Shape extends Size = Size> {
   x: number;

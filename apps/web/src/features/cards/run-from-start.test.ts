@@ -1,8 +1,8 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { expect, it } from "vitest";
-import { createRunStore } from "../../stores/run-store.ts";
-import { createScreenStore } from "../../stores/screen-store.ts";
-import type { ToWorker } from "../../worker/worker-messages.ts";
+import { createRunStore } from "../../model/run/run-store.ts";
+import { createScreenStore } from "../../model/screen/screen-store.ts";
+import type { ToWorker } from "../../simulator/protocol/worker-messages.ts";
 import { showFixed } from "./run-from-start.ts";
 
 /** A page whose robot stands where it bumped, and whose program was fixed. */

@@ -1,8 +1,8 @@
 /** Restarts a run after a bump and a fix. Run alone would resume at the wall. */
 import type { i18n } from "i18next";
-import type { RunStore } from "../../stores/run-store.ts";
-import { dismiss, showMessage, type ScreenStore } from "../../stores/screen-store.ts";
-import type { SimulatorClient } from "../../worker/simulator-client.ts";
+import type { RunStore } from "../../model/run/run-store.ts";
+import { dismiss, showMessage, type ScreenStore } from "../../model/screen/screen-store.ts";
+import type { SimulatorClient } from "../../simulator/simulator-client.ts";
 
 type Simulator = Pick<SimulatorClient, "send">;
 

@@ -1,9 +1,13 @@
 import type { Diagnosis } from "@corridor/coach";
 import { describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "../../worker/first-project.ts";
-import { createRunStore } from "../../stores/run-store.ts";
-import { createScreenStore } from "../../stores/screen-store.ts";
-import { createWorkspaceStore, setMaze, setProgram } from "../../stores/workspace-store.ts";
+import { firstMaze, firstProgram } from "../../simulator/protocol/first-project.ts";
+import { createRunStore } from "../../model/run/run-store.ts";
+import { createScreenStore } from "../../model/screen/screen-store.ts";
+import {
+  createWorkspaceStore,
+  setMaze,
+  setProgram,
+} from "../../model/workspace/workspace-store.ts";
 import { showDiagnosis } from "./show-diagnosis.ts";
 
 const diagnosis: Diagnosis = {

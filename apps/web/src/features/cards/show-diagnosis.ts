@@ -5,12 +5,12 @@
  */
 import { causeLine, type Diagnosis } from "@corridor/coach";
 import type { i18n } from "i18next";
-import type { RunStore } from "../../stores/run-store.ts";
-import type { TimelineStore } from "../../stores/timeline-store.ts";
-import { dismiss, showMessage, type ScreenStore } from "../../stores/screen-store.ts";
-import type { WorkspaceStore } from "../../stores/workspace-store.ts";
-import { focusLine } from "../program/focus-line.ts";
-import { diagnosisText, diagnosisWords } from "./diagnosis-text.ts";
+import type { RunStore } from "../../model/run/run-store.ts";
+import type { TimelineStore } from "../../model/run/timeline-store.ts";
+import { dismiss, showMessage, type ScreenStore } from "../../model/screen/screen-store.ts";
+import type { WorkspaceStore } from "../../model/workspace/workspace-store.ts";
+import { focusLine } from "../../model/workspace/focus-line.ts";
+import { diagnosisText, diagnosisWords } from "../../model/diagnosis/diagnosis-text.ts";
 
 interface Ports {
   screen: ScreenStore;

@@ -1,7 +1,7 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import { firstProgram } from "../../worker/first-project.ts";
-import type { RunEvent } from "../../worker/worker-messages.ts";
+import { firstProgram } from "../../simulator/protocol/first-project.ts";
+import type { RunEvent } from "../../simulator/protocol/worker-messages.ts";
 import { shownCard } from "./shown-card.ts";
 
 function explained(kind: RunEvent["kind"], tick: number) {

@@ -1,8 +1,8 @@
 /** Selects the card for the displayed tick. */
 import type { Snapshot } from "@corridor/protocol";
-import type { CardState } from "../../stores/card-store.ts";
-import type { ChallengeResult } from "../../stores/challenge-store.ts";
-import type { RunEvent, RunView } from "../../worker/worker-messages.ts";
+import type { CardState } from "../../model/run/card-store.ts";
+import type { ChallengeResult } from "../../model/challenge/challenge-store.ts";
+import type { RunEvent, RunView } from "../../simulator/protocol/worker-messages.ts";
 
 /** The state of the open challenge. */
 export interface ShownAttempt {

@@ -4,9 +4,9 @@
  */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
+import { useServices } from "../../shell/services.ts";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
-import { useRights } from "../lessons/use-rights.ts";
+import { useRights } from "../../model/use-rights.ts";
 import { DrivePad } from "./DrivePad.tsx";
 import { isHandRefused } from "./hand-control.ts";
 import styles from "./drive-foot.module.css";

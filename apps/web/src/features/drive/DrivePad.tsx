@@ -5,7 +5,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { Icon } from "../../ui/Icon.tsx";
 import { classNames } from "../../ui/class-names.ts";
-import type { DriveKey } from "../../worker/worker-messages.ts";
+import type { DriveKey } from "../../simulator/protocol/worker-messages.ts";
 import styles from "./drive-pad.module.css";
 import { activeKey, isHeldBy, type HoldStore } from "./hold-store.ts";
 

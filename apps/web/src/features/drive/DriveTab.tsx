@@ -4,11 +4,11 @@
 import { Pause, Play } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
+import { useServices } from "../../shell/services.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
-import { useRights } from "../lessons/use-rights.ts";
-import { runButton } from "../transport/run-button.ts";
+import { useRights } from "../../model/use-rights.ts";
+import { runButton } from "../../model/run/run-button.ts";
 import { DrivePad } from "./DrivePad.tsx";
 import { isHandRefused } from "./hand-control.ts";
 import styles from "./drive-tab.module.css";

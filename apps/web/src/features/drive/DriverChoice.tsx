@@ -2,8 +2,8 @@
 import { List, RadioTower, User } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
-import { useRights } from "../lessons/use-rights.ts";
+import { useServices } from "../../shell/services.ts";
+import { useRights } from "../../model/use-rights.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Segmented } from "../../ui/Segmented.tsx";
 

@@ -3,8 +3,8 @@
  * share this rule, so that all of them take over in the same states. Pure.
  */
 import type { Rights } from "@corridor/challenge";
-import type { RunState } from "../../stores/run-store.ts";
-import type { DriveKey } from "../../worker/worker-messages.ts";
+import type { RunState } from "../../model/run/run-store.ts";
+import type { DriveKey } from "../../simulator/protocol/worker-messages.ts";
 
 /** The parts of the run store that decide. */
 export type HandRun = Pick<RunState, "snapshot" | "view" | "nowDriver" | "fault">;

@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { activeKey, createHoldStore } from "./hold-store.ts";
-import type { DriveKey } from "../../worker/worker-messages.ts";
+import type { DriveKey } from "../../simulator/protocol/worker-messages.ts";
 
 function setUp() {
   const sent: DriveKey[] = [];

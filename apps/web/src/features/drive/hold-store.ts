@@ -5,7 +5,7 @@
  * and touch use it.
  */
 import { createStore } from "zustand/vanilla";
-import type { DriveKey } from "../../worker/worker-messages.ts";
+import type { DriveKey } from "../../simulator/protocol/worker-messages.ts";
 
 interface Held {
   /**

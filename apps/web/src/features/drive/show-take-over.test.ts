@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { createScreenStore, showMessage } from "../../stores/screen-store.ts";
+import { createScreenStore, showMessage } from "../../model/screen/screen-store.ts";
 import { showTakeOver } from "./show-take-over.ts";
 
 const words = {

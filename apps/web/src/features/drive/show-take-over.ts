@@ -4,7 +4,7 @@
  */
 import type { i18n } from "i18next";
 import type { DriverName } from "@corridor/protocol";
-import { dismiss, showMessage, type ScreenStore } from "../../stores/screen-store.ts";
+import { dismiss, showMessage, type ScreenStore } from "../../model/screen/screen-store.ts";
 
 const events = ["refused", "fromScript", "fromProgram"] as const;
 

@@ -2,8 +2,8 @@
 import { FileDown } from "lucide";
 import { useCallback, useEffect, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../app/services.ts";
-import { showMessage } from "../../stores/screen-store.ts";
+import { useServices } from "../../shell/services.ts";
+import { showMessage } from "../../model/screen/screen-store.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { lazyDialog } from "../../ui/lazy-part.tsx";
 import { FileActionsProvider } from "./file-actions.ts";

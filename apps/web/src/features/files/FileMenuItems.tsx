@@ -2,12 +2,12 @@
 import { FileBraces, FileInput, FileText, Film, Image, ListOrdered } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
+import { useServices } from "../../shell/services.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { MenuItem } from "../../ui/Popover.tsx";
 import { RaceMenuItem } from "../race/RaceButton.tsx";
 import { useFileActions } from "./file-actions.ts";
-import { saveDocument, saveTextMaze } from "./save-file.ts";
+import { saveDocument, saveTextMaze } from "../../ui/save-file.ts";
 import { saveRun } from "./save-run.ts";
 
 export function FileMenuItems() {

@@ -1,9 +1,9 @@
 import { mazePresets } from "@corridor/maze";
 import { emptyProgram, programPresets } from "@corridor/program";
 import { describe, expect, it, vi } from "vitest";
-import type { ProjectService } from "../../app/project-service.ts";
-import { createScreenStore } from "../../stores/screen-store.ts";
-import { createWorkspaceStore } from "../../stores/workspace-store.ts";
+import type { ProjectService } from "../../model/projects/project-service.ts";
+import { createScreenStore } from "../../model/screen/screen-store.ts";
+import { createWorkspaceStore } from "../../model/workspace/workspace-store.ts";
 import { en } from "../../text/en/index.ts";
 import { createI18n } from "../../text/i18n.ts";
 import { openFiles, type TextFile } from "./open-files.ts";

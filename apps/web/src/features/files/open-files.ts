@@ -7,11 +7,11 @@ import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { FieldProblem } from "@corridor/protocol";
 import type { i18n } from "i18next";
-import type { Services } from "../../app/services.ts";
-import { dismiss, showMessage } from "../../stores/screen-store.ts";
+import type { Services } from "../../shell/services.ts";
+import { dismiss, showMessage } from "../../model/screen/screen-store.ts";
 import { joinList } from "../../text/joined.ts";
-import { programForMaze } from "../program/own-program.ts";
-import { openRun } from "../timeline/open-run.ts";
+import { programForMaze } from "../../model/workspace/own-program.ts";
+import { openRun } from "../../model/projects/open-run.ts";
 import { readDocument, titleOf, type OpenedDocument } from "./read-document.ts";
 
 /** The part of `File` that is used. */

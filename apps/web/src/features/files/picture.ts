@@ -1,8 +1,8 @@
 /** Draws what is open as an SVG picture, and converts it to a PNG. */
-import { faceOf } from "../../canvas/layers/robot.ts";
-import { readPalette, type Palette } from "../../canvas/palette.ts";
-import type { Services } from "../../app/services.ts";
-import { mazeSvg, type PictureScene } from "./maze-svg.ts";
+import { faceOf } from "../../stage/layers/robot.ts";
+import { readPalette, type Palette } from "../../stage/drawing/palette.ts";
+import type { Services } from "../../shell/services.ts";
+import { mazeSvg, type PictureScene } from "../../stage/svg/maze-svg.ts";
 
 /** PNG pixels for one pixel of the picture, and the longest side that every browser can draw. */
 const PNG_SCALE = 2;

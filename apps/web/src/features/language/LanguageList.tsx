@@ -1,7 +1,7 @@
 /** The list of all languages, each in its own words. */
 import { Check } from "lucide";
 import { useTranslation } from "react-i18next";
-import { useLanguageChoice } from "../../app/language-context.ts";
+import { useLanguageChoice } from "../../model/language-context.ts";
 import { shownLanguage } from "../../text/i18n.ts";
 import { listedLanguages } from "../../text/languages.ts";
 import { Icon } from "../../ui/Icon.tsx";

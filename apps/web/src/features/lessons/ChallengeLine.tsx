@@ -5,14 +5,14 @@
 import { Check, Target } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
-import { challengeResult } from "../../stores/challenge-store.ts";
+import { useServices } from "../../shell/services.ts";
+import { challengeResult } from "../../model/challenge/challenge-store.ts";
 import { allOf } from "../../text/all-of.ts";
-import { metText } from "./failure-text.ts";
+import { metText } from "../../model/lessons/failure-text.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import styles from "./lessons.module.css";
-import { missionIds } from "./missions/mission.ts";
-import { projectOf } from "./missions/projects.ts";
+import { missionIds } from "../../model/lessons/missions/mission.ts";
+import { projectOf } from "../../model/lessons/missions/projects.ts";
 
 export function ChallengeLine() {
   const { t, i18n } = useTranslation(["missions", "words"], { useSuspense: false });

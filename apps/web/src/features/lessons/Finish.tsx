@@ -1,19 +1,19 @@
 /** End of the path: a picture to save with the trail of the student's own program. */
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../app/services.ts";
+import { useServices } from "../../shell/services.ts";
 import { formatClock } from "../../text/numbers.ts";
 import { Button } from "../../ui/Button.tsx";
 import { FieldError } from "../../ui/FieldError.tsx";
-import type { SolvedTrail } from "../../worker/project-request.ts";
-import { fileName } from "../files/file-name.ts";
+import type { SolvedTrail } from "../../simulator/protocol/project-request.ts";
+import { fileName } from "../../ui/file-name.ts";
 import { lightPalette, pngOf } from "../files/picture.ts";
-import { saveFile } from "../files/save-file.ts";
+import { saveFile } from "../../ui/save-file.ts";
 import { finishPicture } from "./finish-picture.ts";
-import type { LessonsRecord } from "./lessons-storage.ts";
-import type { LessonsService } from "./lessons-service.ts";
+import type { LessonsRecord } from "../../model/lessons/lessons-storage.ts";
+import type { LessonsService } from "../../model/lessons/lessons-service.ts";
 import styles from "./lessons.module.css";
-import { missionIds } from "./missions/mission.ts";
+import { missionIds } from "../../model/lessons/missions/mission.ts";
 
 interface FinishProps {
   service: LessonsService;

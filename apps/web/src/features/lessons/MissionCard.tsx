@@ -3,19 +3,19 @@ import { ArrowRight, ChevronDown, ChevronUp, House, ListChecks, ListRestart } fr
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
-import { isJudgedByRun } from "../../stores/challenge-store.ts";
+import { useServices } from "../../shell/services.ts";
+import { isJudgedByRun } from "../../model/challenge/challenge-store.ts";
 import { allOf } from "../../text/all-of.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button, IconButton } from "../../ui/Button.tsx";
-import type { LessonsService } from "./lessons-service.ts";
+import type { LessonsService } from "../../model/lessons/lessons-service.ts";
 import { HintButton, HintList } from "./MissionHints.tsx";
 import { MissionMazes } from "./MissionMazes.tsx";
 import { MissionOutcome } from "./MissionOutcome.tsx";
 import { ProjectOutcome } from "./ProjectOutcome.tsx";
 import styles from "./lessons.module.css";
-import { missionIds, nextMission } from "./missions/mission.ts";
-import { projectIds, projectOf } from "./missions/projects.ts";
+import { missionIds, nextMission } from "../../model/lessons/missions/mission.ts";
+import { projectIds, projectOf } from "../../model/lessons/missions/projects.ts";
 import { useTask } from "./use-task.ts";
 
 export interface MissionCardProps {

@@ -2,10 +2,10 @@
 import { Check, X } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
+import { useServices } from "../../shell/services.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
-import type { LessonsService } from "./lessons-service.ts";
+import type { LessonsService } from "../../model/lessons/lessons-service.ts";
 import styles from "./lessons.module.css";
 
 export function MissionMazes({ service }: { service: LessonsService }) {

@@ -7,12 +7,18 @@ import { useEffect, useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useShallow } from "zustand/react/shallow";
-import { useServices } from "../../app/services.ts";
-import { useAnnouncement } from "../speech/use-announcement.ts";
-import { failureText, handText, liveFailureText, metText, runFailureText } from "./failure-text.ts";
-import { handAdvice } from "./hand-advice.ts";
+import { useServices } from "../../shell/services.ts";
+import { useAnnouncement } from "../../model/use-announcement.ts";
+import {
+  failureText,
+  handText,
+  liveFailureText,
+  metText,
+  runFailureText,
+} from "../../model/lessons/failure-text.ts";
+import { handAdvice } from "../../model/lessons/hand-advice.ts";
 import { stationaryRobot } from "./stationary-robot.ts";
-import type { MissionWords } from "./mission-words.ts";
+import type { MissionWords } from "../../model/lessons/mission-words.ts";
 import styles from "./lessons.module.css";
 
 export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) {

@@ -2,9 +2,9 @@
  * Thumbnail of a mission: its maze, the robot and the idea. Decoration beside the mission's name.
  */
 import { sizeOf, type MazeDocument } from "@corridor/maze";
-import { MazeDrawing } from "../presets/MazePicture.tsx";
+import { MazeDrawing } from "../../ui/MazePicture.tsx";
 import styles from "./mission-picture.module.css";
-import type { Idea, Mark, Point } from "./missions/ideas.ts";
+import type { Idea, Mark, Point } from "../../model/lessons/missions/ideas.ts";
 
 /** Space of a thumbnail in the dialog, in px. Marks have the same size in small and large mazes. */
 const ROOM = { width: 144, height: 72 };

@@ -1,10 +1,10 @@
 /** Current state of the open project, and the best result on this device. Announces each change. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useAnnouncement } from "../speech/use-announcement.ts";
-import type { LessonsService } from "./lessons-service.ts";
+import { useAnnouncement } from "../../model/use-announcement.ts";
+import type { LessonsService } from "../../model/lessons/lessons-service.ts";
 import styles from "./lessons.module.css";
-import type { ProjectId } from "./missions/projects.ts";
+import type { ProjectId } from "../../model/lessons/missions/projects.ts";
 import { bestText, isReached, statusText } from "./project-text.ts";
 
 interface ProjectOutcomeProps {

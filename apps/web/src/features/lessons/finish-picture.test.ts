@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, it, vi } from "vitest";
-import type { Palette } from "../../canvas/palette.ts";
-import { firstMaze } from "../../worker/first-project.ts";
+import type { Palette } from "../../stage/drawing/palette.ts";
+import { firstMaze } from "../../simulator/protocol/first-project.ts";
 import { finishPicture } from "./finish-picture.ts";
 
 /** Returns the same colour for every key. */

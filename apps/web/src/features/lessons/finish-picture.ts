@@ -2,12 +2,12 @@
  * The picture of a student who finished all missions: the robot's trail, the date and the counts.
  * It contains no name.
  */
-import type { PlaceWords } from "../../canvas/layers/places.ts";
-import type { Palette } from "../../canvas/palette.ts";
-import type { SolvedTrail } from "../../worker/project-request.ts";
-import { mazeSvg } from "../files/maze-svg.ts";
+import type { PlaceWords } from "../../stage/layers/places.ts";
+import type { Palette } from "../../stage/drawing/palette.ts";
+import type { SolvedTrail } from "../../simulator/protocol/project-request.ts";
+import { mazeSvg } from "../../stage/svg/maze-svg.ts";
 import type { Picture } from "../files/picture.ts";
-import { escapeText, SvgPen } from "../files/svg-pen.ts";
+import { escapeText, SvgPen } from "../../stage/svg/svg-pen.ts";
 
 export interface FinishScene extends PlaceWords {
   trail: SolvedTrail;

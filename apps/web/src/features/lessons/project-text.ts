@@ -1,9 +1,13 @@
 /** Texts of an open project: its current state and the best result. */
-import type { ProjectAnswers } from "../../worker/project-request.ts";
+import type { ProjectAnswers } from "../../simulator/protocol/project-request.ts";
 import { formatSeconds } from "../../text/numbers.ts";
-import type { MissionWords } from "./mission-words.ts";
-import { PROJECT_SECONDS, projects, type ProjectId } from "./missions/projects.ts";
-import type { ProjectStatus } from "./project-checker.ts";
+import type { MissionWords } from "../../model/lessons/mission-words.ts";
+import {
+  PROJECT_SECONDS,
+  projects,
+  type ProjectId,
+} from "../../model/lessons/missions/projects.ts";
+import type { ProjectStatus } from "../../model/lessons/project-checker.ts";
 
 /** @returns null if there is nothing to report yet */
 export function statusText({ t, i18n }: MissionWords, status: ProjectStatus): string | null {

@@ -1,6 +1,6 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import { missions } from "./missions/missions.ts";
+import { missions } from "../../model/lessons/missions/missions.ts";
 import { stationaryRobot } from "./stationary-robot.ts";
 
 const challenges = missions.map(({ challenge }) => challenge);

@@ -1,5 +1,5 @@
 import type { ChallengeDocument } from "@corridor/challenge";
-import type { RunState } from "../../stores/run-store.ts";
+import type { RunState } from "../../model/run/run-store.ts";
 
 /** A stationary robot before its goal. A flat object, so that it can be compared cheaply. */
 export interface StationaryRobot {

@@ -4,10 +4,10 @@
  */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
+import { useServices } from "../../shell/services.ts";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
-import { missionIds } from "./missions/mission.ts";
-import { projectOf } from "./missions/projects.ts";
+import { missionIds } from "../../model/lessons/missions/mission.ts";
+import { projectOf } from "../../model/lessons/missions/projects.ts";
 
 export function useTask(): string {
   const { t } = useTranslation(["missions", "words"], { useSuspense: false });

@@ -3,8 +3,8 @@
  * progress.
  */
 import type { i18n } from "i18next";
-import type { Services } from "../../app/services.ts";
-import { dismiss, showMessage } from "../../stores/screen-store.ts";
+import type { Services } from "../../shell/services.ts";
+import { dismiss, showMessage } from "../../model/screen/screen-store.ts";
 import { startServiceWorker } from "./service-worker.ts";
 
 /**

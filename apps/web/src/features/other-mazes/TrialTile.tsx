@@ -7,8 +7,8 @@ import { Check, Clock, X } from "lucide";
 import { memo, useDeferredValue } from "react";
 import { useTranslation } from "react-i18next";
 import { formatClock } from "../../text/numbers.ts";
-import type { TrialResult } from "../../worker/maze-trial.ts";
-import { MazePicture } from "../presets/MazePicture.tsx";
+import type { TrialResult } from "../../simulator/trial-worker/maze-trial.ts";
+import { MazePicture } from "../../ui/MazePicture.tsx";
 import { Icon } from "../../ui/Icon.tsx";
 import styles from "./other-mazes.module.css";
 

@@ -5,12 +5,12 @@
 import type { ProgramDocument } from "@corridor/program";
 import { TICKS_PER_SECOND } from "@corridor/simulation";
 import type { i18n } from "i18next";
-import { loadRun } from "../../app/run-requests.ts";
-import type { Services } from "../../app/services.ts";
-import { dismiss, showMessage } from "../../stores/screen-store.ts";
-import { setProgram } from "../../stores/workspace-store.ts";
-import type { TrialMazes, TrialResult } from "../../worker/maze-trial.ts";
-import { watchAgain } from "../cards/watch-again.ts";
+import { loadRun } from "../../model/run/run-requests.ts";
+import type { Services } from "../../shell/services.ts";
+import { dismiss, showMessage } from "../../model/screen/screen-store.ts";
+import { setProgram } from "../../model/workspace/workspace-store.ts";
+import type { TrialMazes, TrialResult } from "../../simulator/trial-worker/maze-trial.ts";
+import { watchAgain } from "../../model/run/watch-again.ts";
 import type { TrialPool } from "./trial-pool.ts";
 
 /** Ticks of the run that are played before it fails. */

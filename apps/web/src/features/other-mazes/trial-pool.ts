@@ -5,8 +5,8 @@
  */
 import type { ProgramDocument } from "@corridor/program";
 import type { WrittenRun } from "@corridor/recording";
-import type { TrialMazes, TrialResult } from "../../worker/maze-trial.ts";
-import type { FromTrialWorker, ToTrialWorker } from "../../worker/trial-messages.ts";
+import type { TrialMazes, TrialResult } from "../../simulator/trial-worker/maze-trial.ts";
+import type { FromTrialWorker, ToTrialWorker } from "../../simulator/protocol/trial-messages.ts";
 
 /** The part of `Worker` that is used. */
 export interface TrialPort {
@@ -150,7 +150,7 @@ export function createTrialPool(): TrialPool {
   const cores = Math.max(1, Math.min(MOST_WORKERS, navigator.hardwareConcurrency || 1));
   return new TrialPool(
     () =>
-      new Worker(new URL("../../worker/maze-trial.worker.ts", import.meta.url), {
+      new Worker(new URL("../../simulator/trial-worker/maze-trial.worker.ts", import.meta.url), {
         type: "module",
       }),
     cores,

@@ -1,6 +1,6 @@
 import { programPresets } from "@corridor/program";
 import { describe, expect, it } from "vitest";
-import { mazeOf } from "../../worker/maze-trial.ts";
+import { mazeOf } from "../../simulator/trial-worker/maze-trial.ts";
 import { FakeTrialWorker } from "./testing/fake-trial-worker.ts";
 import { TrialPool } from "./trial-pool.ts";
 import { countOutcomes, Trials, type TrialChoice } from "./trials.ts";

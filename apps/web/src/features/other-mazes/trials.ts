@@ -1,7 +1,11 @@
 /** The trials of the open program: which mazes, the progress, and the outcome of each. */
 import type { ProgramDocument } from "@corridor/program";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import type { TrialMazes, TrialOutcome, TrialResult } from "../../worker/maze-trial.ts";
+import type {
+  TrialMazes,
+  TrialOutcome,
+  TrialResult,
+} from "../../simulator/trial-worker/maze-trial.ts";
 import type { TrialPool } from "./trial-pool.ts";
 
 /** Mazes of one set. */

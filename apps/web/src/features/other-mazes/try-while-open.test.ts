@@ -1,8 +1,8 @@
 import { mazePresets } from "@corridor/maze";
 import { programPresets } from "@corridor/program";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { createScreenStore } from "../../stores/screen-store.ts";
-import { createWorkspaceStore } from "../../stores/workspace-store.ts";
+import { createScreenStore } from "../../model/screen/screen-store.ts";
+import { createWorkspaceStore } from "../../model/workspace/workspace-store.ts";
 import { FakeTrialWorker } from "./testing/fake-trial-worker.ts";
 import { TrialPool } from "./trial-pool.ts";
 import { Trials } from "./trials.ts";

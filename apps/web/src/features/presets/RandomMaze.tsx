@@ -13,7 +13,7 @@ import { FieldError } from "../../ui/FieldError.tsx";
 import { NumberInput } from "../../ui/NumberInput.tsx";
 import { Segmented } from "../../ui/Segmented.tsx";
 import { useNumberDraft } from "../../ui/use-number-draft.ts";
-import { MazePicture } from "./MazePicture.tsx";
+import { MazePicture } from "../../ui/MazePicture.tsx";
 import { drawSeed, LEAST_SIDE, MOST_SEED, MOST_SIDE, randomChoice } from "./random-choice.ts";
 import styles from "./random-maze.module.css";
 

@@ -2,8 +2,8 @@
 import { FilePlus2 } from "lucide";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../app/services.ts";
-import type { Project } from "../../app/project-storage.ts";
+import { useServices } from "../../shell/services.ts";
+import type { Project } from "../../model/projects/project-storage.ts";
 import { FileMenuItems } from "../files/FileMenuItems.tsx";
 import { Icon } from "../../ui/Icon.tsx";
 import { MenuItem } from "../../ui/Popover.tsx";

@@ -2,11 +2,11 @@
 import { sizeOf } from "@corridor/maze";
 import { Trash2 } from "lucide";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../app/services.ts";
-import type { Project } from "../../app/project-storage.ts";
+import { useServices } from "../../shell/services.ts";
+import type { Project } from "../../model/projects/project-storage.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { IconButton } from "../../ui/Button.tsx";
-import { MazePicture } from "../presets/MazePicture.tsx";
+import { MazePicture } from "../../ui/MazePicture.tsx";
 import styles from "./maze-menu.module.css";
 
 interface ProjectListProps {

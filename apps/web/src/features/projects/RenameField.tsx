@@ -3,8 +3,8 @@ import { MAX_NAME_LENGTH, rename } from "@corridor/maze";
 import { useEffect, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
-import { beginStroke, setMaze } from "../../stores/workspace-store.ts";
+import { useServices } from "../../shell/services.ts";
+import { beginStroke, setMaze } from "../../model/workspace/workspace-store.ts";
 import { TextField } from "../../ui/TextField.tsx";
 import styles from "./maze-menu.module.css";
 

@@ -1,9 +1,9 @@
 /** Opens a new empty maze as its own project. */
 import type { MazeDocument } from "@corridor/maze";
 import type { i18n } from "i18next";
-import type { Services } from "../../app/services.ts";
-import { dismiss, showMessage } from "../../stores/screen-store.ts";
-import { programForMaze } from "../program/own-program.ts";
+import type { Services } from "../../shell/services.ts";
+import { dismiss, showMessage } from "../../model/screen/screen-store.ts";
+import { programForMaze } from "../../model/workspace/own-program.ts";
 
 const COLUMNS = 11;
 const ROWS = 7;

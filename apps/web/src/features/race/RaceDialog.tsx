@@ -2,13 +2,13 @@
 import { Ghost, X } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
+import { useServices } from "../../shell/services.ts";
 import { formatSeconds } from "../../text/numbers.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
-import type { RaceGhost } from "../../stores/race-store.ts";
-import type { Finish } from "../../worker/worker-messages.ts";
+import type { RaceGhost } from "../../model/run/race-store.ts";
+import type { Finish } from "../../simulator/protocol/worker-messages.ts";
 import { AddGhost } from "./AddGhost.tsx";
 import { raceService } from "./race-service.ts";
 import styles from "./race.module.css";

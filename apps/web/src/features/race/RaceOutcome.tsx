@@ -5,7 +5,7 @@
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
+import { useServices } from "../../shell/services.ts";
 import { Button } from "../../ui/Button.tsx";
 import styles from "./race.module.css";
 import { RaceDialog } from "./RaceDialog.tsx";

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import type { RaceGhost } from "../../stores/race-store.ts";
-import type { Finish } from "../../worker/worker-messages.ts";
+import type { RaceGhost } from "../../model/run/race-store.ts";
+import type { Finish } from "../../simulator/protocol/worker-messages.ts";
 import { raceResult } from "./race-result.ts";
 
 const finish = (goalTick: number | null): Finish => ({

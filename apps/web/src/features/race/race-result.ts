@@ -1,5 +1,5 @@
 /** The winner of a race, by the time to the goal. */
-import type { RaceState } from "../../stores/race-store.ts";
+import type { RaceState } from "../../model/run/race-store.ts";
 
 export type RaceResult =
   /** the robot has not reached the goal */

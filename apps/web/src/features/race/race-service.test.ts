@@ -1,15 +1,15 @@
 import { generateMaze } from "@corridor/maze";
 import type { RunDocument } from "@corridor/recording";
 import { describe, expect, it } from "vitest";
-import { MemoryStorage } from "../../app/testing/memory-storage.ts";
-import { createRaceStore, RACE_KEY } from "../../stores/race-store.ts";
-import { createRunStore } from "../../stores/run-store.ts";
-import { createScreenStore } from "../../stores/screen-store.ts";
-import { createWorkspaceStore, setMaze } from "../../stores/workspace-store.ts";
-import { firstMaze, firstProgram } from "../../worker/first-project.ts";
-import { SimulatorClient, type WorkerPort } from "../../worker/simulator-client.ts";
-import { runEventAt } from "../../worker/testing/run-event-at.ts";
-import type { FromWorker, ToWorker } from "../../worker/worker-messages.ts";
+import { MemoryStorage } from "../../model/storage/testing/memory-storage.ts";
+import { createRaceStore, RACE_KEY } from "../../model/run/race-store.ts";
+import { createRunStore } from "../../model/run/run-store.ts";
+import { createScreenStore } from "../../model/screen/screen-store.ts";
+import { createWorkspaceStore, setMaze } from "../../model/workspace/workspace-store.ts";
+import { firstMaze, firstProgram } from "../../simulator/protocol/first-project.ts";
+import { SimulatorClient, type WorkerPort } from "../../simulator/simulator-client.ts";
+import { runEventAt } from "../../simulator/worker/testing/run-event-at.ts";
+import type { FromWorker, ToWorker } from "../../simulator/protocol/worker-messages.ts";
 import { RaceService } from "./race-service.ts";
 
 const other = generateMaze({ kind: "tree", columns: 9, rows: 9, seed: 3, name: "Other" });

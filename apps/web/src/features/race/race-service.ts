@@ -5,18 +5,18 @@
 import type { MazeDocument } from "@corridor/maze";
 import type { RunDocument } from "@corridor/recording";
 import type { i18n } from "i18next";
-import { saveRun } from "../../app/run-requests.ts";
-import type { Services } from "../../app/services.ts";
-import { storageOrNone, type KeyValueStorage } from "../../app/project-storage.ts";
-import type { RaceGhost } from "../../stores/race-store.ts";
-import { showMessage } from "../../stores/screen-store.ts";
+import { saveRun } from "../../model/run/run-requests.ts";
+import type { Services } from "../../shell/services.ts";
+import { storageOrNone, type KeyValueStorage } from "../../model/projects/project-storage.ts";
+import type { RaceGhost } from "../../model/run/race-store.ts";
+import { showMessage } from "../../model/screen/screen-store.ts";
 import { readGhosts, storeGhosts } from "./race-storage.ts";
 import {
   MAX_GHOSTS,
   type AddedGhost,
   type Finish,
   type FromWorker,
-} from "../../worker/worker-messages.ts";
+} from "../../simulator/protocol/worker-messages.ts";
 
 export type RacePorts = Pick<Services, "race" | "run" | "screen" | "simulator" | "workspace">;
 

@@ -1,7 +1,7 @@
 /** The ghosts of a race in the storage of this tab, so that they survive a reload. */
 import { readRun, type RunDocument } from "@corridor/recording";
-import type { KeyValueStorage } from "../../app/project-storage.ts";
-import { RACE_KEY } from "../../stores/race-store.ts";
+import type { KeyValueStorage } from "../../model/projects/project-storage.ts";
+import { RACE_KEY } from "../../model/run/race-store.ts";
 
 export interface StoredGhost {
   /** A to D */

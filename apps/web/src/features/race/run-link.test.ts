@@ -1,7 +1,7 @@
 import { encodeLink } from "@corridor/link";
 import { Recording } from "@corridor/recording";
 import { describe, expect, it } from "vitest";
-import { firstMaze, firstProgram } from "../../worker/first-project.ts";
+import { firstMaze, firstProgram } from "../../simulator/protocol/first-project.ts";
 import { readRunLink } from "./run-link.ts";
 
 function linkOf(content: Parameters<typeof encodeLink>[0]): string {

@@ -1,7 +1,7 @@
 /** Decodes the run from a link that a student pastes. */
 import { decodeLink } from "@corridor/link";
 import type { RunDocument } from "@corridor/recording";
-import { missionOfHash } from "../lessons/mission-address.ts";
+import { missionOfHash } from "../../model/address/mission-address.ts";
 
 export type RunLink =
   | { ok: true; run: RunDocument }

@@ -4,8 +4,8 @@
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { joinSentences } from "../../text/joined.ts";
-import { CopyButton } from "../share/CopyButton.tsx";
-import type { RemoteSession } from "../../worker/worker-messages.ts";
+import { CopyButton } from "../../ui/CopyButton.tsx";
+import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { useMinutesLeft } from "./use-minutes-left.ts";
 import type { RobotAddress } from "./robot-address.ts";
 import styles from "./remote.module.css";

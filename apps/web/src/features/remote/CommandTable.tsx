@@ -16,7 +16,7 @@ import { useTranslation } from "react-i18next";
 import { Icon } from "../../ui/Icon.tsx";
 import { Chip } from "../../ui/Chip.tsx";
 import { classNames } from "../../ui/class-names.ts";
-import type { ListedCommand } from "../../worker/worker-messages.ts";
+import type { ListedCommand } from "../../simulator/protocol/worker-messages.ts";
 import { commandText, cutShortAfter } from "../../text/command-text.ts";
 import { useSelectedCommand } from "./use-selected-command.ts";
 import styles from "./remote.module.css";

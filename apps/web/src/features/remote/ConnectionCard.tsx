@@ -1,10 +1,10 @@
 /** The state of the connection in words, and the button that changes it. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
+import { useServices } from "../../shell/services.ts";
 import { Button } from "../../ui/Button.tsx";
 import { classNames } from "../../ui/class-names.ts";
-import { useOnline } from "../offline/use-online.ts";
+import { useOnline } from "../../ui/use-online.ts";
 import { viewConnection, type ConnectionView } from "./connection-view.ts";
 import { useNow } from "./use-now.ts";
 import styles from "./remote.module.css";

@@ -2,10 +2,10 @@
 import { useEffect, useId, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
+import { useServices } from "../../shell/services.ts";
 import { joinList } from "../../text/joined.ts";
 import { Button } from "../../ui/Button.tsx";
-import type { RemoteSession } from "../../worker/worker-messages.ts";
+import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { agoText } from "./ago-text.ts";
 import { listKeys, revokeKey, type ListedKey } from "./key-calls.ts";
 import { pairingOf } from "./robot-pairing.ts";

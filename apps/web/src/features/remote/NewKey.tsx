@@ -4,10 +4,10 @@
  */
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../app/services.ts";
+import { useServices } from "../../shell/services.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
-import type { RemoteSession } from "../../worker/worker-messages.ts";
+import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { withNewKey } from "./owner-calls.ts";
 import styles from "./remote.module.css";
 

@@ -7,7 +7,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { Button } from "../../ui/Button.tsx";
 import { classNames } from "../../ui/class-names.ts";
-import type { RemoteSession } from "../../worker/worker-messages.ts";
+import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { groupedCode, timeText } from "./pairing-text.ts";
 import { newsText, questionText } from "./pairing-words.ts";
 import { pairingOf } from "./robot-pairing.ts";

@@ -2,9 +2,9 @@
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
+import { useServices } from "../../shell/services.ts";
 import { Button } from "../../ui/Button.tsx";
-import type { RemoteSession } from "../../worker/worker-messages.ts";
+import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { pauseDriving } from "./owner-calls.ts";
 import styles from "./remote.module.css";
 

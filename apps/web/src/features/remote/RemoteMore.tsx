@@ -5,7 +5,7 @@
 import { ChevronRight } from "lucide";
 import { useEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
-import type { RemoteSession } from "../../worker/worker-messages.ts";
+import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { CommandLog } from "./CommandLog.tsx";
 import { KeyField } from "./KeyField.tsx";
 import { KeyList } from "./KeyList.tsx";

@@ -5,11 +5,11 @@
 import { useId, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
+import { useServices } from "../../shell/services.ts";
 import { joinList } from "../../text/joined.ts";
 import { Button } from "../../ui/Button.tsx";
 import { classNames } from "../../ui/class-names.ts";
-import type { ListedScript, RemoteSession } from "../../worker/worker-messages.ts";
+import type { ListedScript, RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { quietSeconds, shownScripts } from "./listed-scripts.ts";
 import { unblockScript, pauseDriving, blockScript } from "./owner-calls.ts";
 import { useNow } from "./use-now.ts";

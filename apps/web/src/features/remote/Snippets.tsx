@@ -4,7 +4,7 @@
  */
 import { useId, useState } from "react";
 import { useTranslation } from "react-i18next";
-import { CopyButton } from "../share/CopyButton.tsx";
+import { CopyButton } from "../../ui/CopyButton.tsx";
 import { maskKey, type RobotAddress } from "./robot-address.ts";
 import { snippet, snippetLanguages, type SnippetLanguage } from "./snippets.ts";
 import styles from "./remote.module.css";

@@ -5,7 +5,7 @@
 import { Download } from "lucide";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
-import { CopyButton } from "../share/CopyButton.tsx";
+import { CopyButton } from "../../ui/CopyButton.tsx";
 import { maskKey, type RobotAddress } from "./robot-address.ts";
 import { starterLines, starterScript } from "./snippets.ts";
 import { Icon } from "../../ui/Icon.tsx";

@@ -2,8 +2,8 @@
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { Button } from "../../ui/Button.tsx";
-import type { RemoteSession } from "../../worker/worker-messages.ts";
-import { CopyButton } from "../share/CopyButton.tsx";
+import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
+import { CopyButton } from "../../ui/CopyButton.tsx";
 import { watchAddress } from "./owner-calls.ts";
 import { maskKey } from "./robot-address.ts";
 import styles from "./remote.module.css";

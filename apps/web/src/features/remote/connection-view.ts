@@ -1,5 +1,5 @@
 /** The state of the connection that the panel displays. */
-import type { RemoteStatus, RemoteTrouble } from "../../worker/worker-messages.ts";
+import type { RemoteStatus, RemoteTrouble } from "../../simulator/protocol/worker-messages.ts";
 
 /** ms since the last message of a script, after which it counts as quiet instead of connected. */
 const QUIET_AFTER_MS = 5_000;

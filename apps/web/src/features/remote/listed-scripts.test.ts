@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { ListedScript } from "../../worker/worker-messages.ts";
+import type { ListedScript } from "../../simulator/protocol/worker-messages.ts";
 import { quietSeconds, shownScripts } from "./listed-scripts.ts";
 
 const NOW = 1_000_000;

@@ -1,7 +1,7 @@
 /**
  * Which scripts the panel lists. Their order is stable, so that no row moves away from the pointer.
  */
-import type { ListedScript } from "../../worker/worker-messages.ts";
+import type { ListedScript } from "../../simulator/protocol/worker-messages.ts";
 
 /** ms of silence after which a script without a connection is no longer listed. */
 const SHOWN_MS = 120_000;

@@ -9,7 +9,7 @@ import {
   type CreatedKey,
   type ScriptRef,
 } from "@corridor/protocol";
-import type { RemoteSession } from "../../worker/worker-messages.ts";
+import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { keyIdOf } from "./key-id.ts";
 
 const MAX_ANSWER = 4_096;

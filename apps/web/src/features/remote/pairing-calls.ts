@@ -7,7 +7,7 @@ import {
   type Pairing,
   type CreatedPairing,
 } from "@corridor/protocol";
-import type { RemoteSession } from "../../worker/worker-messages.ts";
+import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { bearer, isDone, type Ask } from "./owner-calls.ts";
 
 export type Owner = Pick<RemoteSession, "id" | "ownerKey">;

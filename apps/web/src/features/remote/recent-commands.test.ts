@@ -1,6 +1,6 @@
 import type { CommandState } from "@corridor/protocol";
 import { expect, it } from "vitest";
-import type { ListedCommand } from "../../worker/worker-messages.ts";
+import type { ListedCommand } from "../../simulator/protocol/worker-messages.ts";
 import { recentCommands } from "./recent-commands.ts";
 
 const list = (...states: CommandState[]) =>

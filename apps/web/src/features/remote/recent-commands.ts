@@ -1,5 +1,5 @@
 /** The commands that the first view of the Remote panel lists. */
-import type { ListedCommand } from "../../worker/worker-messages.ts";
+import type { ListedCommand } from "../../simulator/protocol/worker-messages.ts";
 
 /** Maximum number of listed commands that have ended. */
 const RECENT = 5;

@@ -1,5 +1,5 @@
 /** The parts of a robot's address, `https://HOST/r/ID#KEY`, and a masked key. */
-import type { RemoteSession } from "../../worker/worker-messages.ts";
+import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 
 export interface RobotAddress {
   /** the address with the key, which is all that a script needs */

@@ -1,6 +1,6 @@
 /** The remaining lifetime of a robot's address, requested from the service periodically. */
 import { useEffect, useState } from "react";
-import type { RemoteSession } from "../../worker/worker-messages.ts";
+import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { secondsLeft } from "./owner-calls.ts";
 
 const ASK_EVERY_MS = 60_000;

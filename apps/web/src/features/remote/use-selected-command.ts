@@ -1,7 +1,7 @@
 /** The command of a script at the displayed tick. */
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
-import { useDisplayedTick } from "../timeline/use-displayed-tick.ts";
+import { useServices } from "../../shell/services.ts";
+import { useDisplayedTick } from "../../model/use-displayed-tick.ts";
 
 /**
  * @returns its number at the relay; null while the newest tick is displayed, or if no command runs

@@ -2,7 +2,7 @@
 import { useId, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { FieldError } from "../../ui/FieldError.tsx";
-import { CopyButton } from "./CopyButton.tsx";
+import { CopyButton } from "../../ui/CopyButton.tsx";
 import styles from "./share.module.css";
 
 interface LinkFieldProps {

@@ -3,11 +3,11 @@ import type { WrittenRun } from "@corridor/recording";
 import { Download } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
+import { useServices } from "../../shell/services.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { Checkbox } from "../../ui/Checkbox.tsx";
-import { saveDocument } from "../files/save-file.ts";
+import { saveDocument } from "../../ui/save-file.ts";
 import styles from "./share.module.css";
 
 interface RunChoiceProps {

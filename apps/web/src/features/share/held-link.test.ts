@@ -1,6 +1,10 @@
 import { describe, expect, it } from "vitest";
-import { createWorkspaceStore, setMaze, setProgram } from "../../stores/workspace-store.ts";
-import { firstMaze, firstProgram } from "../../worker/first-project.ts";
+import {
+  createWorkspaceStore,
+  setMaze,
+  setProgram,
+} from "../../model/workspace/workspace-store.ts";
+import { firstMaze, firstProgram } from "../../simulator/protocol/first-project.ts";
 import { holdAgain, holdLink, type LinkBar } from "./held-link.ts";
 
 /** An address bar that retains the state of its entry, as a browser does across a reload. */

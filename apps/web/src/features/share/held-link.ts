@@ -2,7 +2,7 @@
  * After sharing, the address bar holds the link, so that students can copy it from there. Any
  * change of the shared content removes the link from the address.
  */
-import type { WorkspaceStore } from "../../stores/workspace-store.ts";
+import type { WorkspaceStore } from "../../model/workspace/workspace-store.ts";
 
 /**
  * The content of a held link, stored in the history entry. A reload must not open it as another

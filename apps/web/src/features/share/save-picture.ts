@@ -1,5 +1,5 @@
-import { fileName } from "../files/file-name.ts";
-import { saveFile } from "../files/save-file.ts";
+import { fileName } from "../../ui/file-name.ts";
+import { saveFile } from "../../ui/save-file.ts";
 
 /**
  * Saves a drawing as an SVG file.

@@ -1,7 +1,7 @@
 import { useEffect, useState } from "react";
 import type { RunDocument, WrittenRun } from "@corridor/recording";
-import { useServices } from "../../app/services.ts";
-import { saveRun } from "../../app/run-requests.ts";
+import { useServices } from "../../shell/services.ts";
+import { saveRun } from "../../model/run/run-requests.ts";
 
 /**
  * The run so far as a document. The hook requests it from the simulator on demand.

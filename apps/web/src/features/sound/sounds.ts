@@ -5,8 +5,8 @@
  */
 import type { SensorName } from "@corridor/protocol";
 import { createStore } from "zustand/vanilla";
-import { storageOrNone } from "../../app/project-storage.ts";
-import type { RunStore } from "../../stores/run-store.ts";
+import { storageOrNone } from "../../model/projects/project-storage.ts";
+import type { RunStore } from "../../model/run/run-store.ts";
 import { readSoundChoice, SOUND_KEY, type SoundChoice } from "./sound-choice.ts";
 import { SoundPlan } from "./sound-plan.ts";
 import { Synth } from "./synth.ts";

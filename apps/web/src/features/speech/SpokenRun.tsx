@@ -4,8 +4,8 @@
  */
 import { useEffect, useRef } from "react";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../app/services.ts";
-import type { Announcement } from "./speech.ts";
+import { useServices } from "../../shell/services.ts";
+import type { Announcement } from "../../model/speech/speech.ts";
 
 export function SpokenRun() {
   const services = useServices();

@@ -1,14 +1,18 @@
 /** Connects the run to the announcements: puts the announcements of `RunListener` into words. */
 import { causeLine, type Diagnosis } from "@corridor/coach";
-import type { Services } from "../../app/services.ts";
+import type { Services } from "../../shell/services.ts";
 import { asSentence, joinSentences } from "../../text/joined.ts";
 import { formatSeconds } from "../../text/numbers.ts";
-import type { RunState } from "../../stores/run-store.ts";
-import type { RunEvent } from "../../worker/worker-messages.ts";
-import { diagnosisText, diagnosisTitle, diagnosisWords } from "../cards/diagnosis-text.ts";
-import { describeTick, tickText } from "../timeline/tick-description.ts";
-import { timelineOf } from "../timeline/timeline-of.ts";
-import { storyOf, storyText } from "../transport/story.ts";
+import type { RunState } from "../../model/run/run-store.ts";
+import type { RunEvent } from "../../simulator/protocol/worker-messages.ts";
+import {
+  diagnosisText,
+  diagnosisTitle,
+  diagnosisWords,
+} from "../../model/diagnosis/diagnosis-text.ts";
+import { describeTick, tickText } from "../../model/run/tick-description.ts";
+import { timelineOf } from "../../model/run/timeline-of.ts";
+import { storyOf, storyText } from "../../model/run/story.ts";
 import { RunListener, type RunAnnouncement } from "./run-listener.ts";
 import { decisionText, spoken, type Words } from "./run-words.ts";
 

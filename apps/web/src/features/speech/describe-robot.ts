@@ -4,8 +4,8 @@
  * side.
  */
 import type { i18n } from "i18next";
-import type { Services } from "../../app/services.ts";
-import { dismiss, showMessage, type ScreenStore } from "../../stores/screen-store.ts";
+import type { Services } from "../../shell/services.ts";
+import { dismiss, showMessage, type ScreenStore } from "../../model/screen/screen-store.ts";
 
 const shown = new WeakMap<ScreenStore, number>();
 

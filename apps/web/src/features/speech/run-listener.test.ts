@@ -1,8 +1,8 @@
 import type { ProgramDocument } from "@corridor/program";
 import type { Snapshot } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { createRunStore, type RunState } from "../../stores/run-store.ts";
-import type { RunEvent } from "../../worker/worker-messages.ts";
+import { createRunStore, type RunState } from "../../model/run/run-store.ts";
+import type { RunEvent } from "../../simulator/protocol/worker-messages.ts";
 import { RunListener, type RunAnnouncement } from "./run-listener.ts";
 
 const program: ProgramDocument = {

@@ -5,9 +5,9 @@
  */
 import type { ProgramDocument } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
-import { decidingLine } from "../program/line-state.ts";
-import type { RunState } from "../../stores/run-store.ts";
-import type { RunEvent } from "../../worker/worker-messages.ts";
+import { decidingLine } from "../../model/run/line-state.ts";
+import type { RunState } from "../../model/run/run-store.ts";
+import type { RunEvent } from "../../simulator/protocol/worker-messages.ts";
 
 /** From this speed on, lines change faster than speech. */
 const TOO_FAST = 4;

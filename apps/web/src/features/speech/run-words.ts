@@ -4,9 +4,9 @@ import type { LineRef, Snapshot } from "@corridor/protocol";
 import type { TFunction } from "i18next";
 import { joinSentences } from "../../text/joined.ts";
 import { formatReading, formatSeconds, localNumber } from "../../text/numbers.ts";
-import { decidingLine, shownTruth } from "../program/line-state.ts";
-import { lineName } from "../program/line-name.ts";
-import { cellOf, facingOf } from "../stage/robot-place.ts";
+import { decidingLine, shownTruth } from "../../model/run/line-state.ts";
+import { lineName } from "../../model/run/line-name.ts";
+import { cellOf, facingOf } from "../../stage/page/robot-place.ts";
 
 /** A translator and its language. */
 export interface Words {

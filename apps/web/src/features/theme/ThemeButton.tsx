@@ -2,7 +2,7 @@
 import { Monitor, Moon, Sun } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import type { ScreenStore } from "../../stores/screen-store.ts";
+import type { ScreenStore } from "../../model/screen/screen-store.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { IconButton } from "../../ui/Button.tsx";
 import { lazyPart } from "../../ui/lazy-part.tsx";

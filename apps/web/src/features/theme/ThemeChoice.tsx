@@ -1,7 +1,7 @@
 /** Light, dark or system theme, each with optional high contrast. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import type { ScreenStore } from "../../stores/screen-store.ts";
+import type { ScreenStore } from "../../model/screen/screen-store.ts";
 import { Checkbox } from "../../ui/Checkbox.tsx";
 import { Segmented } from "../../ui/Segmented.tsx";
 import { useMediaQuery } from "../../ui/use-media-query.ts";

@@ -7,13 +7,13 @@ import type { LineRef } from "@corridor/protocol";
 import { CornerDownRight, Flag, RadioTower, User } from "lucide";
 import { useLayoutEffect, useRef } from "react";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
+import { useServices } from "../../shell/services.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Badge } from "../../ui/Badge.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import { followText } from "../../ui/follow-text.ts";
-import { decidingLine, shownDiagnosis } from "../program/line-state.ts";
-import { BurstIcon } from "./BurstIcon.tsx";
+import { decidingLine, shownDiagnosis } from "../../model/run/line-state.ts";
+import { BurstIcon } from "../../ui/BurstIcon.tsx";
 import { xOf, type TimeScale } from "./time-scale.ts";
 import styles from "./run-timeline.module.css";
 

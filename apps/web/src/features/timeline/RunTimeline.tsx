@@ -5,7 +5,7 @@
 import { useRef, useState, type KeyboardEvent, type PointerEvent } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore, type StoreApi } from "zustand";
-import { useServices } from "../../app/services.ts";
+import { useServices } from "../../shell/services.ts";
 import { commandUnder } from "./command-marks.ts";
 import { markUnder } from "./event-marks.ts";
 import { EventMarks } from "./EventMarks.tsx";
@@ -13,18 +13,18 @@ import type { TimelinePicture } from "./picture.ts";
 import { Playhead } from "./Playhead.tsx";
 import { Ribbon } from "./Ribbon.tsx";
 import { Scrubber } from "./scrubber.ts";
-import { describeTick, tickText, type TickDescription } from "./tick-description.ts";
+import { describeTick, tickText, type TickDescription } from "../../model/run/tick-description.ts";
 import { timelineKey } from "./timeline-keys.ts";
 import { tickAt, xOf, type TimeScale } from "./time-scale.ts";
 import { createTimelineZoom } from "./timeline-zoom-store.ts";
 import { TimelineSlider } from "./TimelineSlider.tsx";
 import runStyles from "./run-timeline.module.css";
-import { timelineOf } from "./timeline-of.ts";
+import { timelineOf } from "../../model/run/timeline-of.ts";
 import styles from "./timeline.module.css";
 import { classNames } from "../../ui/class-names.ts";
 import { deferredPart } from "../../ui/lazy-part.tsx";
 import { usePicture } from "./use-picture.ts";
-import { useDisplayedTick } from "./use-displayed-tick.ts";
+import { useDisplayedTick } from "../../model/use-displayed-tick.ts";
 
 const TimelineZoom = deferredPart(async () => (await import("./TimelineZoom.tsx")).TimelineZoom);
 

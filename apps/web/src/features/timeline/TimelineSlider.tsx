@@ -6,7 +6,7 @@
 import { useEffectEvent, useLayoutEffect, type ComponentProps, type RefObject } from "react";
 import { useTranslation } from "react-i18next";
 import type { StoreApi } from "zustand";
-import { tickText, type TickDescription } from "./tick-description.ts";
+import { tickText, type TickDescription } from "../../model/run/tick-description.ts";
 import styles from "./run-timeline.module.css";
 
 interface TimelineSliderProps extends Pick<

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { frameOf } from "../../worker/testing/frame-of.ts";
-import type { FromWorker, ToWorker } from "../../worker/worker-messages.ts";
+import { frameOf } from "../../stage/testing/frame-of.ts";
+import type { FromWorker, ToWorker } from "../../simulator/protocol/worker-messages.ts";
 import { Scrubber } from "./scrubber.ts";
 
 function newScrubber() {

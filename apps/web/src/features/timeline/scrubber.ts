@@ -2,7 +2,7 @@
  * Sends seek requests while the user drags along the timeline: one at a time, and the newest tick
  * next. A slow machine skips ticks instead of queueing them.
  */
-import type { FromWorker, ToWorker } from "../../worker/worker-messages.ts";
+import type { FromWorker, ToWorker } from "../../simulator/protocol/worker-messages.ts";
 
 interface Simulator {
   send: (message: ToWorker) => void;

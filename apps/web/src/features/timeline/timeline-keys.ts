@@ -1,5 +1,5 @@
 /** The request of a key while the timeline has the focus. */
-import type { ToWorker } from "../../worker/worker-messages.ts";
+import type { ToWorker } from "../../simulator/protocol/worker-messages.ts";
 
 /** Ticks that Page Up and Page Down skip: 10 s. */
 const PAGE = 600;

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Snapshot } from "@corridor/protocol";
-import { createRunStore, type RunState } from "../../stores/run-store.ts";
-import { TimelineStore } from "../../stores/timeline-store.ts";
+import { createRunStore, type RunState } from "../../model/run/run-store.ts";
+import { TimelineStore } from "../../model/run/timeline-store.ts";
 import { createTimelineZoom } from "./timeline-zoom-store.ts";
 import { TimelineZoomController } from "./timeline-zoom-controller.ts";
 import type { TimeWindow } from "./time-scale.ts";

@@ -1,8 +1,8 @@
 /** Changes the displayed part of the run, as the user requests and as the displayed tick moves. */
-import type { RunState, RunStore } from "../../stores/run-store.ts";
-import type { TimelineStore } from "../../stores/timeline-store.ts";
+import type { RunState, RunStore } from "../../model/run/run-store.ts";
+import type { TimelineStore } from "../../model/run/timeline-store.ts";
 import { scaleOf, type TimeWindow } from "./time-scale.ts";
-import { timelineOf } from "./timeline-of.ts";
+import { timelineOf } from "../../model/run/timeline-of.ts";
 import type { TimelineZoomStore } from "./timeline-zoom-store.ts";
 import type { ZoomActions } from "./zoom-input.ts";
 import { following, holds, movedTo, zoomedBy, type Zoomed } from "./zoom-window.ts";

@@ -4,10 +4,10 @@
  */
 import { useLayoutEffect, useState, type RefObject } from "react";
 import { createStore, useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
+import { useServices } from "../../shell/services.ts";
 import type { TimelineZoomStore } from "./timeline-zoom-store.ts";
 import { pictureMark, pictureOf, type TimelinePicture } from "./picture.ts";
-import { timelineOf } from "./timeline-of.ts";
+import { timelineOf } from "../../model/run/timeline-of.ts";
 
 /** @returns null before the element is measured */
 export function usePicture(

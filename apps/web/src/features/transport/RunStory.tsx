@@ -5,12 +5,12 @@
  */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../app/services.ts";
-import { useWaited } from "../../app/use-waited.ts";
+import { useServices } from "../../shell/services.ts";
+import { useWaited } from "../../model/use-waited.ts";
 import { classNames } from "../../ui/class-names.ts";
-import { useRights } from "../lessons/use-rights.ts";
-import { startHint } from "./run-button.ts";
-import { storyOf, storyText, type Story } from "./story.ts";
+import { useRights } from "../../model/use-rights.ts";
+import { startHint } from "../../model/run/run-button.ts";
+import { storyOf, storyText, type Story } from "../../model/run/story.ts";
 import styles from "./transport.module.css";
 
 export function RunStory() {

@@ -2,7 +2,7 @@
 import { List, RadioTower, User } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { facingOf } from "../stage/robot-place.ts";
+import { facingOf } from "../../stage/page/robot-place.ts";
 import { WatchReadings } from "./WatchReadings.tsx";
 import { drivenBy, robotState, type WatchStore } from "./watch-store.ts";
 import { Icon } from "../../ui/Icon.tsx";

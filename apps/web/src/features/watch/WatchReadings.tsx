@@ -2,7 +2,7 @@
 import { sensorNames } from "@corridor/protocol";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { contactSensor } from "../../canvas/contact-sensor.ts";
+import { contactSensor } from "../../stage/drawing/contact-sensor.ts";
 import { decimalSign, formatReading } from "../../text/numbers.ts";
 import { classNames } from "../../ui/class-names.ts";
 import { RobotFace } from "../../ui/RobotFace.tsx";

@@ -5,9 +5,9 @@
 import { useEffect, useLayoutEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { cellOf, facingOf } from "../stage/robot-place.ts";
-import { applyScroll } from "../stage/stage-scroll.ts";
-import { createStageView } from "../stage/stage-view.ts";
+import { cellOf, facingOf } from "../../stage/page/robot-place.ts";
+import { applyScroll } from "../../stage/page/stage-scroll.ts";
+import { createStageView } from "../../stage/page/stage-view.ts";
 import type { WatchClient } from "./watch-client.ts";
 import { openWatchStage } from "./watch-stage.ts";
 import { robotState, type WatchState, type WatchStore } from "./watch-store.ts";

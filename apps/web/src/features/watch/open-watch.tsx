@@ -7,11 +7,11 @@ import "../../ui/fonts/inter.css";
 import type { i18n } from "i18next";
 import type { Root } from "react-dom/client";
 import { I18nextProvider } from "react-i18next";
-import { LanguageProvider } from "../../app/language-context.ts";
-import type { LanguageChoice } from "../../app/language.ts";
-import { startTheme } from "../../app/theme.ts";
-import { storageOrNone, type KeyValueStorage } from "../../app/project-storage.ts";
-import type { ScreenStore } from "../../stores/screen-store.ts";
+import { LanguageProvider } from "../../model/language-context.ts";
+import type { LanguageChoice } from "../../model/preferences/language.ts";
+import { startTheme } from "../../model/preferences/theme.ts";
+import { storageOrNone, type KeyValueStorage } from "../../model/projects/project-storage.ts";
+import type { ScreenStore } from "../../model/screen/screen-store.ts";
 import { takeVisit, type Visit } from "./watch-address.ts";
 import { WatchClient } from "./watch-client.ts";
 import { createWatchStore, nothingYet } from "./watch-store.ts";
@@ -71,5 +71,7 @@ export async function openWatch(parts: WatchParts): Promise<void> {
 }
 
 function startWatcher(): Worker {
-  return new Worker(new URL("../../worker/watch.worker.ts", import.meta.url), { type: "module" });
+  return new Worker(new URL("../../simulator/watch-worker/watch.worker.ts", import.meta.url), {
+    type: "module",
+  });
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { MemoryStorage } from "../../app/testing/memory-storage.ts";
+import { MemoryStorage } from "../../model/storage/testing/memory-storage.ts";
 import { takeVisit } from "./watch-address.ts";
 
 const ID = "A-_4567890123456789012";

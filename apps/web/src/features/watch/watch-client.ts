@@ -1,7 +1,11 @@
 /** The client of the worker on a viewer's page. */
-import type { StageLink } from "../stage/stage-screen.ts";
-import type { StageToWorker } from "../../worker/stage-messages.ts";
-import type { FromWatcher, ToWatcher, WatchedRobot } from "../../worker/watch-messages.ts";
+import type { StageLink } from "../../stage/page/stage-screen.ts";
+import type { StageToWorker } from "../../stage/stage-messages.ts";
+import type {
+  FromWatcher,
+  ToWatcher,
+  WatchedRobot,
+} from "../../simulator/protocol/watch-messages.ts";
 import { seeSnapshot, type WatchStore } from "./watch-store.ts";
 
 /** The part of Worker that is used here. */

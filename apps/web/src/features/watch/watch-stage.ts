@@ -2,12 +2,16 @@
 import { sizeOf } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { i18n } from "i18next";
-import { readPalette, type Palette } from "../../canvas/palette.ts";
-import { openStageScreen } from "../stage/open-stage-screen.ts";
-import { hasRulers, stageLayout } from "../stage/stage-layout.ts";
-import { followRequest, readScroll, setLayout } from "../stage/stage-scroll.ts";
-import type { StageViewStore } from "../stage/stage-view.ts";
-import { shownProperties, observePixelRatio, observeTheme } from "../stage/observe-theme.ts";
+import { readPalette, type Palette } from "../../stage/drawing/palette.ts";
+import { openStageScreen } from "../../stage/page/open-stage-screen.ts";
+import { hasRulers, stageLayout } from "../../stage/page/stage-layout.ts";
+import { followRequest, readScroll, setLayout } from "../../stage/page/stage-scroll.ts";
+import type { StageViewStore } from "../../stage/page/stage-view.ts";
+import {
+  shownProperties,
+  observePixelRatio,
+  observeTheme,
+} from "../../stage/page/observe-theme.ts";
 import type { WatchClient } from "./watch-client.ts";
 import type { WatchStore } from "./watch-store.ts";
 

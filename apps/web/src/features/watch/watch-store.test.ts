@@ -1,8 +1,8 @@
 import { closeReasons } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import type { FromWatcher, ToWatcher } from "../../worker/watch-messages.ts";
-import { firstMaze } from "../../worker/first-project.ts";
+import type { FromWatcher, ToWatcher } from "../../simulator/protocol/watch-messages.ts";
+import { firstMaze } from "../../simulator/protocol/first-project.ts";
 import { WatchClient } from "./watch-client.ts";
 import { createWatchStore, drivenBy, endingOf, robotState } from "./watch-store.ts";
 

@@ -1,5 +1,5 @@
 /** German. */
-import type { Words } from "../words.ts";
+import type { Words } from "../en/words.ts";
 
 export const files = import.meta.glob<Words>(
   [

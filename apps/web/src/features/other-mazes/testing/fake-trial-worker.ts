@@ -1,5 +1,10 @@
-import { mazeOf, minutesFor, recordTrial, tryMaze } from "../../../worker/maze-trial.ts";
-import type { FromTrialWorker, ToTrialWorker } from "../../../worker/trial-messages.ts";
+import {
+  mazeOf,
+  minutesFor,
+  recordTrial,
+  tryMaze,
+} from "../../../simulator/trial-worker/maze-trial.ts";
+import type { FromTrialWorker, ToTrialWorker } from "../../../simulator/protocol/trial-messages.ts";
 import type { TrialPort } from "../trial-pool.ts";
 
 /** A worker that completes its tasks on request. */

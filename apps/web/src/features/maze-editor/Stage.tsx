@@ -1,0 +1,63 @@
+/** The maze with the robot, the tools that edit it, and the legend. */
+import { useEffect, useLayoutEffect, useRef, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../shell/services.ts";
+import { RunEventCards } from "../cards/RunEventCards.tsx";
+import { lazyPart } from "../../ui/lazy-part.tsx";
+import { MazeGrid } from "./MazeGrid.tsx";
+import { StageController } from "./stage-controller.ts";
+import { StageLegend } from "./StageLegend.tsx";
+import { ToolStrip } from "./ToolStrip.tsx";
+import styles from "./stage.module.css";
+
+/** For a phone while its Drive tab is open. */
+const CameraView = lazyPart(async () => (await import("./CameraView.tsx")).CameraView);
+
+/** For a maze that is larger than the stage. */
+const SmallMap = lazyPart(async () => (await import("./SmallMap.tsx")).SmallMap);
+
+/**
+ * Fills its grid area. The stage holds the trail, so that it stays mounted while the page's layout
+ * changes.
+ */
+export function Stage() {
+  const services = useServices();
+  const { t, i18n } = useTranslation();
+  const [controller] = useState(() => new StageController(services, i18n));
+  const layout = useStore(controller.view, (view) => view.layout);
+  const isDriving = useStore(services.camera, (camera) => camera.isDriving);
+  const scroller = useRef<HTMLDivElement>(null);
+  const grid = useRef<HTMLTableElement>(null);
+  const layers = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    if (scroller.current === null || grid.current === null || layers.current === null) {
+      return undefined;
+    }
+    return controller.mount({
+      scroller: scroller.current,
+      grid: grid.current,
+      layers: layers.current,
+    });
+  }, [controller]);
+  useLayoutEffect(() => controller.layoutApplied(), [controller, layout]);
+  return (
+    <section className={styles["stage"]} aria-label={t("stage.name")} data-driving={isDriving}>
+      {isDriving ? <CameraView view={controller.view} /> : <ToolStrip />}
+      <div
+        ref={scroller}
+        className={layout?.overflows === true ? styles["scroller"] : styles["still"]}
+      >
+        <div className={styles["content"]} style={layout?.content} data-ready={layout !== null}>
+          <div ref={layers} className={styles["layers"]} style={layout?.view} aria-hidden="true" />
+          <MazeGrid controller={controller} element={grid} />
+          <RunEventCards view={controller.view} />
+        </div>
+      </div>
+      {layout?.overflows === true && (
+        <SmallMap view={controller.view} onScroll={controller.scrollTo} />
+      )}
+      <StageLegend view={controller.view} />
+    </section>
+  );
+}

@@ -1,0 +1,422 @@
+/**
+ * The part of the stage outside React: connects the stores, the pointer and the renderer.
+ * Components pass their elements to `mount` and read the view store.
+ */
+import { MAX_GOALS, MAX_SIDE, sizeOf, type Cell, type MazeDocument } from "@corridor/maze";
+import type { Pose } from "@corridor/protocol";
+import type { i18n } from "i18next";
+import type { Services } from "../../shell/services.ts";
+import type { CameraState } from "../../model/screen/camera-store.ts";
+import type { EditPreview } from "../../stage/layers/edit-preview.ts";
+import { Camera } from "../../stage/camera.ts";
+import { PointerInput, type PointerDetails } from "../../stage/page/pointer-input.ts";
+import type { Measured } from "../../stage/layers/measure.ts";
+import { readPalette, type Palette } from "../../stage/drawing/palette.ts";
+import {
+  shownProperties,
+  observePixelRatio,
+  observeTheme,
+} from "../../stage/page/observe-theme.ts";
+import { cellAt, type Scroll } from "../../stage/drawing/viewport.ts";
+import { showMessage } from "../../model/screen/screen-store.ts";
+import { MazeEditor } from "./maze-editor.ts";
+import { MeasureTool } from "./measure-tool.ts";
+import { gridOffset, isInPort } from "../../stage/page/grid-place.ts";
+import { divideStage, hasRulers, type StageRoom } from "../../stage/page/stage-layout.ts";
+import {
+  applyScroll,
+  followRequest,
+  moveScroll,
+  readScroll,
+  setLayout,
+} from "../../stage/page/stage-scroll.ts";
+import { openStageScreen } from "../../stage/page/open-stage-screen.ts";
+import type { StageScreen } from "../../stage/page/stage-screen.ts";
+import { tapePointAt, tapeWords, type Tape, type TapePoint } from "../../stage/page/tape.ts";
+import { createStageView } from "../../stage/page/stage-view.ts";
+import { showUndoable } from "../../model/workspace/show-undoable.ts";
+import { previewOf, type ToolRefusal } from "./tool-edit.ts";
+
+/** The elements of the stage. */
+export interface StageElements {
+  /** scrolls if the maze is larger than the view */
+  scroller: HTMLElement;
+  /** lies over the maze and receives the pointer */
+  grid: HTMLElement;
+  /** contains the canvases */
+  layers: HTMLElement;
+}
+
+type PointerEventName =
+  | "pointerdown"
+  | "pointermove"
+  | "pointerup"
+  | "pointercancel"
+  | "pointerleave";
+
+export class StageController {
+  readonly view = createStageView();
+  readonly editor: MazeEditor;
+  readonly measure: MeasureTool;
+  readonly #services: Services;
+  readonly #words: Pick<i18n, "t" | "language">;
+  readonly #pointer: PointerInput;
+  readonly #camera = new Camera();
+  #drawing: StageScreen | null = null;
+  #elements: StageElements | null = null;
+  #palette: Palette | null = null;
+  #pixelRatio = 1;
+  #isCalm = false;
+  /** the maze's size and whether a camera follows the robot: the zoom applies to these only */
+  #zoomedFor = "";
+  #drawnTape: { tape: Tape; measured: Measured } | null = null;
+
+  constructor(services: Services, words: Pick<i18n, "t" | "language">) {
+    this.#services = services;
+    this.#words = words;
+    this.editor = new MazeEditor({
+      workspace: services.workspace,
+      screen: services.screen,
+      pose: () => this.#pose(),
+      isFixed: () => this.#isMazeFixed(),
+      refuse: (code) => this.#showRefusal(code),
+      goalsRemoved: (count) =>
+        showUndoable(services, words, words.t("stage.goalsRemoved", { count })),
+    });
+    this.measure = new MeasureTool(this.view);
+    this.#pointer = new PointerInput((intent) => {
+      if (intent.type === "hover") this.view.setState({ hover: intent.cell });
+      if (intent.type === "begin") this.view.setState({ cursor: intent.cell });
+      this.editor.follow(intent);
+    });
+  }
+
+  /** Starts drawing and adds the listeners. @returns a function that stops both */
+  mount(elements: StageElements): () => void {
+    const { workspace, screen, run, simulator, camera } = this.#services;
+    const { scroller } = elements;
+    const drawing = openStageScreen(simulator, elements.layers, (scroll) =>
+      followRequest(this.view, scroller, scroll),
+    );
+    this.#elements = elements;
+    this.#drawing = drawing;
+    const recolour = (): void => {
+      this.#palette = readPalette(shownProperties());
+      this.#show();
+    };
+    recolour();
+    const measure = new ResizeObserver(() => this.#divide());
+    measure.observe(scroller);
+    const onScroll = (): void => readScroll(this.view, scroller);
+    scroller.addEventListener("scroll", onScroll, { passive: true });
+    const onKey = (event: KeyboardEvent): void => {
+      if (event.key !== "Escape") return;
+      this.#pointer.cancel();
+      // A dialog or popover has the key to itself. Removing a tape handles the key.
+      const isCovered = document.querySelector("dialog:modal, :popover-open") !== null;
+      if (!isCovered && this.measure.clear()) event.preventDefault();
+    };
+    window.addEventListener("keydown", onKey, { capture: true });
+    const calm = matchMedia("(prefers-reduced-motion: reduce)");
+    const onCalm = (): void => {
+      this.#isCalm = calm.matches;
+      this.#panGrid();
+      this.#show();
+    };
+    onCalm();
+    calm.addEventListener("change", onCalm);
+    const stops = [
+      this.#listenToPointer(elements.grid),
+      observeTheme(recolour),
+      observePixelRatio((pixelRatio) => {
+        this.#pixelRatio = pixelRatio;
+        this.#show();
+      }),
+      workspace.subscribe(() => this.#divide()),
+      screen.subscribe(({ tool }, before) => {
+        if (tool !== before.tool) this.#toolChanged();
+        this.#divide();
+      }),
+      camera.subscribe(() => {
+        this.#pointer.cancel();
+        this.#pointer.leave();
+        this.#divide();
+      }),
+      run.subscribe(({ pastMaze: shownMaze, snapshot }, before) => {
+        if (shownMaze !== before.pastMaze) this.#divide();
+        if (snapshot?.pose !== before.snapshot?.pose) this.#panGrid();
+      }),
+      this.view.subscribe(({ layout }, before) => {
+        if (layout !== null && layout !== before.layout) {
+          this.#pointer.setTouchScroll(layout.overflows);
+          this.#panGrid();
+        }
+        this.#show();
+      }),
+      this.#listenToZoom(scroller),
+      this.#publishRobotSide(),
+      () => measure.disconnect(),
+      () => scroller.removeEventListener("scroll", onScroll),
+      () => window.removeEventListener("keydown", onKey, { capture: true }),
+      () => calm.removeEventListener("change", onCalm),
+      () => drawing.end(),
+    ];
+    this.#divide();
+    this.#show();
+    return () => {
+      for (const stop of stops) stop();
+      this.#drawing = null;
+      this.#elements = null;
+    };
+  }
+
+  /** Scrolls to another part of the maze. */
+  readonly scrollTo = (scroll: Scroll): void => {
+    if (this.#elements !== null) moveScroll(this.view, this.#elements.scroller, scroll);
+  };
+
+  /** Called when the elements have the sizes of the newest layout. */
+  layoutApplied(): void {
+    if (this.#elements !== null) applyScroll(this.view, this.#elements.scroller);
+  }
+
+  /** Loads the gestures after the stage. @returns a function that removes the listeners */
+  #listenToZoom(scroller: HTMLElement): () => void {
+    const { camera } = this.#services;
+    const zoom: CameraState["zoom"] = (by, at) => {
+      void import("../../stage/page/stage-zoom.ts").then(({ zoomStage }) => {
+        const room = this.#room();
+        if (room === null) return;
+        this.#pointer.cancel();
+        if (by === "fit" && camera.getState().isDriving) camera.setState({ isWhole: true });
+        else zoomStage(this.view, room, by, at, this.#pose());
+      });
+    };
+    camera.setState({ zoom });
+    const stop = startLater(async () => {
+      const { listenToZoom } = await import("./zoom-gestures.ts");
+      return listenToZoom(scroller, zoom);
+    });
+    return () => {
+      stop();
+      camera.setState({ zoom: () => {} });
+    };
+  }
+
+  /** Publishes the robot's side once there are messages. @returns a function that stops it */
+  #publishRobotSide(): () => void {
+    const { screen, run } = this.#services;
+    let stop = screen.subscribe(({ messages }) => {
+      if (messages.length === 0) return;
+      stop();
+      stop = startLater(async () => {
+        const { publishRobotSide } = await import("./robot-side.ts");
+        return publishRobotSide(this.view, run);
+      });
+    });
+    return () => stop();
+  }
+
+  /** @returns a function that removes the listeners */
+  #listenToPointer(grid: HTMLElement): () => void {
+    const end = new AbortController();
+    const on = (type: PointerEventName, handle: (event: PointerEvent) => void): void =>
+      grid.addEventListener(
+        type,
+        (event) => {
+          // In the Drive tab the pointer does not edit, because the tools are hidden.
+          if (!this.#services.camera.getState().isDriving) handle(event);
+        },
+        { signal: end.signal },
+      );
+    on("pointerdown", (event) => {
+      // A drag that leaves the maze still ends here.
+      grid.setPointerCapture(event.pointerId);
+      if (!this.#isMeasuring()) return this.#pointer.down(this.#detailsOf(event));
+      const point = this.#pointUnder(event);
+      if (event.isPrimary && event.button === 0 && point !== null) {
+        this.measure.begin(event.pointerId, point);
+      }
+    });
+    on("pointermove", (event) => {
+      if (!this.#isMeasuring()) return this.#pointer.move(this.#detailsOf(event));
+      const point = this.#pointUnder(event);
+      if (point !== null) this.measure.drag(event.pointerId, point);
+    });
+    on("pointerup", (event) => {
+      if (!this.#isMeasuring()) return this.#pointer.up(this.#detailsOf(event));
+      this.measure.end(event.pointerId);
+    });
+    on("pointercancel", () => {
+      if (this.#isMeasuring()) this.measure.clear();
+      else this.#pointer.cancel();
+    });
+    on("pointerleave", () => this.#pointer.leave());
+    grid.addEventListener("focusin", () => this.#seeFocus(grid), { signal: end.signal });
+    return () => end.abort();
+  }
+
+  /**
+   * The keyboard can move to a square that the camera does not show; then the whole maze is
+   * displayed.
+   */
+  #seeFocus(grid: HTMLElement): void {
+    if (grid.querySelector(":focus-visible") === null) return;
+    // A press focuses a square too; moving the camera would cancel its stroke.
+    const { camera } = this.#services;
+    const { isDriving, isWhole } = camera.getState();
+    if (isDriving && !isWhole) camera.setState({ isWhole: true });
+  }
+
+  #detailsOf(event: PointerEvent): PointerDetails {
+    const { pointerId, pointerType, button, isPrimary } = event;
+    return { pointerId, pointerType, button, isPrimary, cell: this.#cellUnder(event) };
+  }
+
+  #cellUnder(event: PointerEvent): Cell | null {
+    const { layout } = this.view.getState();
+    if (layout === null || this.#elements === null) return null;
+    const view = this.#elements.scroller.getBoundingClientRect();
+    if (!isInPort(layout, event.clientX - view.left, event.clientY - view.top)) return null;
+    const maze = this.#elements.grid.getBoundingClientRect();
+    return cellAt(layout, event.clientX - maze.left, event.clientY - maze.top);
+  }
+
+  #isMeasuring(): boolean {
+    return this.#services.screen.getState().tool === "measure";
+  }
+
+  #toolChanged(): void {
+    this.#pointer.cancel();
+    this.#pointer.leave();
+    this.measure.clear();
+  }
+
+  #pointUnder(event: PointerEvent): TapePoint | null {
+    const { layout } = this.view.getState();
+    if (layout === null || this.#elements === null) return null;
+    const maze = this.#elements.grid.getBoundingClientRect();
+    return tapePointAt(layout, event.clientX - maze.left, event.clientY - maze.top);
+  }
+
+  /**
+   * Computes the layout again after the size of the stage or the maze, or the rulers, have changed.
+   */
+  #divide(): void {
+    const room = this.#room();
+    if (room === null) return;
+    const layout = divideStage(room);
+    const before = this.view.getState().layout;
+    if (before !== null && JSON.stringify(before) === JSON.stringify(layout)) {
+      this.#show();
+      return;
+    }
+    setLayout(this.view, layout);
+  }
+
+  /** What the layout depends on; null while the stage has no size. */
+  #room(): StageRoom | null {
+    if (this.#elements === null) return null;
+    const { scroller } = this.#elements;
+    const view = { width: scroller.clientWidth, height: scroller.clientHeight };
+    if (view.width === 0 || view.height === 0) return null;
+    const { showRulers } = this.#services.screen.getState();
+    const { isDriving, isWhole } = this.#services.camera.getState();
+    const maze = sizeOf(this.#shownMaze());
+    const follows = isDriving && !isWhole;
+    // A maze of another size, and another camera mode, start with their own zoom.
+    const zoomedFor = `${maze.columns} ${maze.rows} ${follows}`;
+    if (zoomedFor !== this.#zoomedFor) {
+      this.#zoomedFor = zoomedFor;
+      if (this.view.getState().zoom !== null) this.view.setState({ zoom: null });
+    }
+    return { maze, view, showRulers, follows, zoom: this.view.getState().zoom };
+  }
+
+  /** The maze of the displayed tick, which can differ from the current one. */
+  #shownMaze(): MazeDocument {
+    const { run, workspace } = this.#services;
+    return run.getState().pastMaze ?? workspace.getState().maze;
+  }
+
+  /** Moves the squares for screen readers to where the camera shows them. */
+  #panGrid(): void {
+    const { layout } = this.view.getState();
+    const pose = this.#pose();
+    if (layout === null || this.#elements === null) return;
+    const { x, y } = gridOffset(this.#camera, layout, pose, this.#isCalm, this.#pixelRatio);
+    this.#elements.grid.style.translate = `${x}px ${y}px`;
+  }
+
+  #show(): void {
+    const { layout, scroll, answers, hover, tape } = this.view.getState();
+    if (layout === null || this.#palette === null) return;
+    const { program } = this.#services.workspace.getState();
+    const { showBeams, showTrail, showRulers } = this.#services.screen.getState();
+    this.#drawing?.show({
+      layout,
+      scroll,
+      answers,
+      pixelRatio: this.#pixelRatio,
+      palette: this.#palette,
+      maze: this.#shownMaze(),
+      program,
+      startWord: this.#words.t("stage.startWord"),
+      goalWord: this.#words.t("stage.goalWord"),
+      showBeams,
+      showTrail,
+      showRulers: hasRulers(layout.view.width, showRulers),
+      preview: hover === null ? null : this.#previewAt(hover),
+      measured: this.#measured(tape),
+      isCalm: this.#isCalm,
+    });
+  }
+
+  /** Returns the same object for the same tape, because models are compared field by field. */
+  #measured(tape: Tape | null): Measured | null {
+    if (tape === null) return null;
+    if (tape !== this.#drawnTape?.tape) {
+      const { from, to } = tape;
+      // Isolates each line: a canvas does not detect the direction of text.
+      const lines = tapeWords(this.#words.t, this.#words.language, tape);
+      const words = lines.map((line) => `\u2068${line}\u2069`);
+      this.#drawnTape = { tape, measured: { from, to, words } };
+    }
+    return this.#drawnTape.measured;
+  }
+
+  /** Whether an open challenge fixes its maze. */
+  #isMazeFixed(): boolean {
+    return this.#services.challenge.getState().rights?.maze === false;
+  }
+
+  #previewAt(cell: Cell): EditPreview | null {
+    const { tool } = this.#services.screen.getState();
+    if (tool === "measure") return null;
+    if (this.#isMazeFixed()) return { kind: "refused", cell };
+    const { maze } = this.#services.workspace.getState();
+    return previewOf(maze, tool, cell, this.#pose());
+  }
+
+  /** The robot's pose in the newest snapshot; null before the first frame. */
+  #pose(): Pose | null {
+    return this.#services.run.getState().snapshot?.pose ?? null;
+  }
+
+  #showRefusal(code: ToolRefusal): void {
+    const most = code === "too-many-goals" ? MAX_GOALS : MAX_SIDE;
+    showMessage(this.#services.screen, {
+      tone: "info",
+      text: this.#words.t(`stage.refused.${code}`, { most }),
+    });
+  }
+}
+
+/**
+ * @param start starts something and returns the function that ends it
+ * @returns a function that ends it, even before it has started
+ */
+function startLater(start: () => Promise<() => void>): () => void {
+  const begun = start();
+  return () => void begun.then((stop) => stop());
+}

@@ -1,0 +1,48 @@
+/** Zooms the stage around the position of the pointer: Ctrl and the wheel, or two fingers. */
+import type { Point, ZoomBy } from "../../stage/page/stage-zoom.ts";
+
+/** One notch of a wheel, 100 pixels, zooms by a quarter. */
+const WHEEL = Math.log(1.25) / 100;
+/** Maximum delta of one event: a trackpad's pinch sends small deltas, a wheel large ones. */
+const MOST_DELTA = 100;
+
+type Zoom = (by: ZoomBy, at: Point) => void;
+
+/** @returns a function that removes the listeners */
+export function listenToZoom(element: HTMLElement, zoom: Zoom): () => void {
+  const end = new AbortController();
+  const options = { signal: end.signal, passive: false };
+  const placeOf = (clientX: number, clientY: number): Point => {
+    const { left, top } = element.getBoundingClientRect();
+    return { x: clientX - left, y: clientY - top };
+  };
+  element.addEventListener(
+    "wheel",
+    (event) => {
+      if (!event.ctrlKey && !event.metaKey) return;
+      event.preventDefault();
+      const delta = Math.max(-MOST_DELTA, Math.min(MOST_DELTA, event.deltaY));
+      zoom({ factor: Math.exp(-delta * WHEEL) }, placeOf(event.clientX, event.clientY));
+    },
+    options,
+  );
+  let apart: number | null = null;
+  const onTouch = (event: TouchEvent): void => {
+    const [one, two] = event.touches;
+    if (one === undefined || two === undefined || event.touches.length !== 2) {
+      apart = null;
+      return;
+    }
+    if (event.cancelable) event.preventDefault();
+    const distance = Math.hypot(one.clientX - two.clientX, one.clientY - two.clientY);
+    if (apart !== null && apart > 0 && distance > 0) {
+      const [x, y] = [(one.clientX + two.clientX) / 2, (one.clientY + two.clientY) / 2];
+      zoom({ factor: distance / apart }, placeOf(x, y));
+    }
+    apart = distance;
+  };
+  for (const type of ["touchstart", "touchmove", "touchend", "touchcancel"] as const) {
+    element.addEventListener(type, onTouch, options);
+  }
+  return () => end.abort();
+}

@@ -1,0 +1,79 @@
+/** The text after the typical wrong answer, in whole sentences of every language. */
+import { describe, expect, it } from "vitest";
+import { en } from "../../../text/en/index.ts";
+import { createI18n } from "../../../text/i18n.ts";
+import { languages } from "../../../text/languages.ts";
+import { loadWords } from "../../../text/load-words.ts";
+import { checkProgram } from "../../../simulator/check-worker/check-program.ts";
+import type { ProgramDocument } from "@corridor/program";
+import reasons from "../../../text/en/diagnosis.json" with { type: "json" };
+import english from "../../../text/en/missions.json" with { type: "json" };
+import { failureText } from "../failure-text.ts";
+import type { MissionWords } from "../mission-words.ts";
+import { challengeOf } from "./mission.ts";
+import { missions } from "./missions.ts";
+import { answers } from "./testing/answers.ts";
+
+const noWords = { task: "Task", short: "Task", hints: [] };
+const programs = missions.flatMap((mission) => {
+  const { attempt, reads } = answers[mission.id].wrong;
+  return "rules" in attempt ? [{ id: mission.id, mission, program: attempt, reads }] : [];
+});
+
+function reader(
+  language: string,
+  words: object,
+  ownMissions: object,
+  ownReasons: object,
+): MissionWords {
+  const i18n = createI18n(en);
+  i18n.addResourceBundle(language, "words", words);
+  i18n.addResourceBundle(language, "missions", ownMissions);
+  i18n.addResourceBundle(language, "diagnosis", ownReasons);
+  const t = i18n.getFixedT(language, ["missions", "words"]) as MissionWords["t"];
+  return { t, i18n: { language } };
+}
+
+function feedback(
+  words: MissionWords,
+  mission: (typeof missions)[number],
+  program: ProgramDocument,
+): string {
+  const challenge = challengeOf(mission, "Mission", noWords);
+  const { verdict, diagnoses } = checkProgram({ challenge, program });
+  if (verdict.failure === null) throw new Error("no failure");
+  return failureText(
+    words,
+    challenge,
+    verdict.failure,
+    diagnoses[verdict.failure.maze ?? -1] ?? null,
+  )
+    .replaceAll("\u2068", "")
+    .replaceAll("\u2069", "");
+}
+
+describe("after the typical wrong answer to", () => {
+  const words = reader("en", en, english, reasons);
+
+  it.each(programs)("$id the student reads which line is the cause, and why", (each) => {
+    const text = feedback(words, each.mission, each.program);
+    expect(text).toBe(each.reads);
+    expect(text).toMatch(/line \d|“otherwise”|no line/i);
+  });
+});
+
+describe.each(languages.filter(({ tag }) => tag !== "en"))("in $name", ({ tag }) => {
+  it("every feedback is a sentence with all of its values", async () => {
+    const [words, own, why] = await Promise.all([
+      loadWords(tag, "words"),
+      loadWords(tag, "missions"),
+      loadWords(tag, "diagnosis"),
+    ]);
+    const theirs = reader(tag, words, own, why);
+    for (const { mission, program, reads } of programs) {
+      const text = feedback(theirs, mission, program);
+      expect(text).not.toMatch(/\{\{|undefined|NaN|missions:|diagnosis:/);
+      expect(text).not.toBe(reads);
+    }
+  });
+});

@@ -1,0 +1,156 @@
+/**
+ * Checks the open project in a worker whenever the program or the maze changes. Stores the best
+ * result on the device.
+ */
+import { startingProgram, type ChallengeDocument } from "@corridor/challenge";
+import { createStore } from "zustand/vanilla";
+import type {
+  ProjectAnswer,
+  ProjectAnswers,
+  ProjectQuestion,
+  SolvedTrail,
+} from "../../simulator/protocol/project-request.ts";
+import type { LessonsPorts } from "./lessons-ports.ts";
+import { PROJECT_SECONDS, projectOf, type ProjectId } from "./missions/projects.ts";
+
+/** Current state of the open project. */
+export type ProjectStatus =
+  | { kind: "none" }
+  | { kind: "checking" }
+  | { kind: "failed" }
+  | { kind: "mazes"; result: ProjectAnswers["mazes"] }
+  | { kind: "defeat"; result: ProjectAnswers["defeat"] }
+  | { kind: "hand"; bumps: number; ticks: number };
+
+/** Edits arrive with each key, so the check waits until they pause. */
+const PAUSE_MS = 300;
+
+/** Sends a question to the worker. */
+export type AskProject = (question: ProjectQuestion) => Promise<ProjectAnswer>;
+
+export class ProjectChecker {
+  readonly #ports: LessonsPorts;
+  readonly #ask: AskProject;
+  readonly status = createStore<{ status: ProjectStatus }>(() => ({ status: { kind: "none" } }));
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  /** rises with each change; answers to older questions are discarded */
+  #asked = 0;
+  readonly #onBest: (isStored: boolean) => void;
+
+  /** @param onBest called after each attempt to store a result */
+  constructor(
+    ports: LessonsPorts,
+    onBest: (isStored: boolean) => void,
+    ask: AskProject = askWorker,
+  ) {
+    this.#ports = ports;
+    this.#ask = ask;
+    this.#onBest = onBest;
+    ports.challenge.subscribe((next, before) => {
+      if (next.challenge !== before.challenge) this.#changed();
+      else if (next.result !== before.result) this.#followHand();
+    });
+    ports.simulator.listen((message) => {
+      const isGoal = message.type === "event" && message.event.kind === "goal";
+      if (!isGoal || ports.challenge.getState().mission !== "beat-right-wall") return;
+      // A program that reaches the goal is the student's failure here. No card may call it solved.
+      const { tick } = message.event;
+      ports.challenge.setState({ result: { state: "failed", code: "not-reached", tick } });
+    });
+    ports.workspace.subscribe((next, before) => {
+      if (next.maze !== before.maze || next.program !== before.program) this.#changed();
+    });
+  }
+
+  /**
+   * The trail of the first attempt that reaches its goal; null if none does.
+   * @throws if the worker fails to load
+   */
+  async trailOf(
+    attempts: Extract<ProjectQuestion, { kind: "trail" }>["attempts"],
+  ): Promise<SolvedTrail | null> {
+    const answer = await this.#ask({ kind: "trail", attempts, seconds: PROJECT_SECONDS });
+    return answer.kind === "trail" ? answer.value : null;
+  }
+
+  #changed(): void {
+    clearTimeout(this.#timer);
+    const asked = ++this.#asked;
+    const { challenge, mission } = this.#ports.challenge.getState();
+    const project = projectOf(mission);
+    this.status.setState({ status: { kind: "none" } });
+    if (project === null || project === "fewest-bumps" || challenge === null) return;
+    this.#timer = setTimeout(() => void this.#check(project, challenge, asked), PAUSE_MS);
+  }
+
+  async #check(
+    project: Exclude<ProjectId, "fewest-bumps">,
+    challenge: ChallengeDocument,
+    asked: number,
+  ): Promise<void> {
+    const { maze, program } = this.#ports.workspace.getState();
+    this.status.setState({ status: { kind: "checking" } });
+    let answer: ProjectAnswer;
+    try {
+      answer = await this.#ask(
+        project === "all-mazes"
+          ? { kind: "mazes", challenge, program }
+          : {
+              kind: "defeat",
+              maze,
+              program: startingProgram(challenge),
+              seconds: PROJECT_SECONDS,
+            },
+      );
+    } catch {
+      if (asked === this.#asked) this.status.setState({ status: { kind: "failed" } });
+      return;
+    }
+    if (asked !== this.#asked || answer.kind === "trail") return;
+    if (answer.kind === "mazes") {
+      const { solved, all, ticks } = answer.value;
+      this.status.setState({ status: { kind: "mazes", result: answer.value } });
+      if (solved > 0) this.#store(project, [all - solved, ticks]);
+      return;
+    }
+    this.status.setState({ status: { kind: "defeat", result: answer.value } });
+    if (answer.value.state === "defeated") this.#store(project, [answer.value.squares]);
+  }
+
+  /** The challenge judges a drive by hand while it runs. Its end is the result. */
+  #followHand(): void {
+    const { mission, result } = this.#ports.challenge.getState();
+    if (mission !== "fewest-bumps") return;
+    if (result.state !== "met") {
+      this.status.setState({ status: { kind: "none" } });
+      return;
+    }
+    const { bumps, ticks } = result;
+    this.status.setState({ status: { kind: "hand", bumps, ticks } });
+    this.#store(mission, [bumps, ticks]);
+  }
+
+  #store(project: ProjectId, result: readonly number[]): void {
+    this.#onBest(this.#ports.storage.add({ best: { [project]: result } }));
+  }
+}
+
+/** Starts one worker for each question. */
+const askWorker: AskProject = async (question) =>
+  new Promise((resolve, reject) => {
+    const worker = new Worker(
+      new URL("../../simulator/check-worker/project-check.worker.ts", import.meta.url),
+      {
+        type: "module",
+      },
+    );
+    worker.onmessage = ({ data }: MessageEvent<ProjectAnswer>) => {
+      worker.terminate();
+      resolve(data);
+    };
+    worker.onerror = ({ message }) => {
+      worker.terminate();
+      reject(new Error(message));
+    };
+    worker.postMessage(question);
+  });

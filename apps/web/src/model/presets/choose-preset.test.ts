@@ -1,0 +1,82 @@
+import { mazePresets } from "@corridor/maze";
+import { emptyProgram } from "@corridor/program";
+import { describe, expect, it } from "vitest";
+import { addLine } from "../workspace/program-actions.ts";
+import { createScreenStore } from "../screen/screen-store.ts";
+import { createWorkspaceStore, undo } from "../workspace/workspace-store.ts";
+import { en } from "../../text/en/index.ts";
+import { createI18n } from "../../text/i18n.ts";
+import { firstMaze, firstProgram } from "../../simulator/protocol/first-project.ts";
+import { chooseMaze } from "./choose-preset.ts";
+
+const spiral = mazePresets.find(({ id }) => id === "spiral")?.maze;
+if (spiral === undefined) throw new Error("a preset is gone");
+const chosen = spiral;
+const mine = { ...firstProgram, name: "Mine" };
+
+function choose(program: typeof firstProgram) {
+  const workspace = createWorkspaceStore(firstMaze, program);
+  const screen = createScreenStore();
+  const sent: string[] = [];
+  const simulator = { send: (message: { type: string }) => sent.push(message.type) };
+  const services = { workspace, screen, simulator } as unknown as Parameters<typeof chooseMaze>[0];
+  chooseMaze(services, createI18n(en), chosen);
+  const message = screen.getState().messages[0];
+  return { workspace, sent, text: message?.text, takeBack: () => message?.action?.run() };
+}
+
+describe("choosing a maze", () => {
+  it("opens with an empty program in place of the example, and shows the goal", () => {
+    const { workspace, sent, text } = choose(firstProgram);
+    expect(workspace.getState()).toMatchObject({
+      maze: chosen,
+      program: emptyProgram(),
+      lineIds: [],
+    });
+    expect(text).toBe("“Spiral” is open. Your program is empty: get the robot to the goal.");
+    expect(sent).toEqual(["reset"]);
+  });
+
+  it("leaves one message when another maze is chosen at once, and Undo goes back one maze", () => {
+    const workspace = createWorkspaceStore(firstMaze, firstProgram);
+    const screen = createScreenStore();
+    const simulator = { send: () => undefined };
+    const services = { workspace, screen, simulator } as unknown as Parameters<
+      typeof chooseMaze
+    >[0];
+    chooseMaze(services, createI18n(en), chosen);
+    chooseMaze(services, createI18n(en), { ...chosen, name: "Another" });
+    const { messages } = screen.getState();
+    expect(messages.map(({ text }) => text)).toEqual([
+      "“Another” is open. Your program is empty: get the robot to the goal.",
+    ]);
+    messages[0]?.action?.run();
+    expect(workspace.getState().maze).toBe(chosen);
+  });
+
+  it("leaves a program that the student has written", () => {
+    const { workspace, text } = choose(mine);
+    expect(workspace.getState()).toMatchObject({ maze: chosen, program: mine });
+    expect(text).toBe("“Spiral” is open. Your program did not change.");
+  });
+
+  it("is one step of the history", () => {
+    const { workspace } = choose(firstProgram);
+    undo(workspace);
+    expect(workspace.getState()).toMatchObject({ maze: firstMaze, program: firstProgram });
+  });
+
+  it("is taken back with its program by the message", () => {
+    const { workspace, takeBack } = choose(firstProgram);
+    takeBack();
+    expect(workspace.getState()).toMatchObject({ maze: firstMaze, program: firstProgram });
+  });
+
+  it("is taken back without the lines that were written since", () => {
+    const { workspace, takeBack } = choose(firstProgram);
+    addLine(workspace);
+    takeBack();
+    expect(workspace.getState().maze).toBe(firstMaze);
+    expect(workspace.getState().program.rules).toHaveLength(1);
+  });
+});

@@ -1,0 +1,46 @@
+/**
+ * Replaces the open maze, with a message that can undo it. A program that the student wrote stays;
+ * an empty program replaces an example or a preset.
+ */
+import type { MazeDocument } from "@corridor/maze";
+import type { i18n } from "i18next";
+import type { Services } from "../../shell/services.ts";
+import { dismiss, dismissOfProject, showMessage } from "../screen/screen-store.ts";
+import { newLineIds, setMaze, setProgram, undo } from "../workspace/workspace-store.ts";
+import { programForMaze } from "../workspace/own-program.ts";
+
+/** Resets the robot to the start of the maze. Maze and program are one step of the history. */
+export function chooseMaze(
+  { workspace, simulator, screen }: Pick<Services, "workspace" | "simulator" | "screen">,
+  words: Pick<i18n, "t">,
+  maze: MazeDocument,
+): void {
+  const before = workspace.getState();
+  const program = programForMaze(before.program, words);
+  if (program === null) setMaze(workspace, maze);
+  else workspace.setState({ maze, program, lineIds: newLineIds(program.rules.length) });
+  simulator.send({ type: "reset" });
+  const after = workspace.getState();
+  // One message at a time: on a phone, several would cover the robot.
+  dismissOfProject(screen);
+  const message = showMessage(screen, {
+    tone: "info",
+    isOfProject: true,
+    text: words.t(program === null ? "presets.chosen" : "presets.chosenEmpty", { name: maze.name }),
+    action: {
+      label: words.t("presets.undo"),
+      run: () => {
+        dismiss(screen, message);
+        // Later edits have their own steps in the history, which stay. The old maze becomes a new
+        // step.
+        const now = workspace.getState();
+        if (now.maze === after.maze && now.program === after.program) undo(workspace);
+        else {
+          setMaze(workspace, before.maze);
+          if (now.program === program) setProgram(workspace, before.program, before.lineIds);
+        }
+        simulator.send({ type: "reset" });
+      },
+    },
+  });
+}

@@ -1,0 +1,80 @@
+/**
+ * Opens a recorded run from a link or a file. Its maze and program become a project beside the
+ * user's own. The run is displayed from its start, and can be played, rewound and continued.
+ */
+import type { FieldProblem } from "@corridor/protocol";
+import type { RunDocument } from "@corridor/recording";
+import type { i18n } from "i18next";
+import type { Services } from "../../shell/services.ts";
+import { dismiss, showMessage, setMessageProgress } from "../screen/screen-store.ts";
+import { loadRun } from "../run/run-requests.ts";
+
+type Opener = Pick<Services, "simulator" | "projects" | "screen">;
+
+/**
+ * @param run a document that has passed its schema
+ * @returns an empty list if the run was opened or cancelled; else its problems, and nothing has
+ * changed
+ */
+export async function openRun(
+  { simulator, projects, screen }: Opener,
+  words: Pick<i18n, "t">,
+  run: RunDocument,
+): Promise<readonly FieldProblem[]> {
+  const waiting = new WaitingMessage(screen, words, () => load.cancel());
+  const onPart = (part: number) => {
+    // A long run loads in the background: the page is usable, and a message reports the progress.
+    screen.setState({ isOpening: false });
+    waiting.report(part);
+  };
+  const load = loadRun(simulator, run, { onPart });
+  const loaded = await load.loaded;
+  waiting.end();
+  if (!loaded.ok) return loaded.reason === "refused" ? loaded.problems : [];
+  const back = projects.beginShared(loaded.maze, loaded.program, true);
+  simulator.send({ type: "seek", tick: 0 });
+  const id = showMessage(screen, {
+    tone: "info",
+    text: words.t("timeline.recorded"),
+    action: {
+      label: words.t("share.back"),
+      run: () => {
+        dismiss(screen, id);
+        back();
+      },
+    },
+  });
+  return [];
+}
+
+/** The message that reports the progress of a long run, with a button that cancels it. */
+class WaitingMessage {
+  readonly #screen: Opener["screen"];
+  readonly #words: Pick<i18n, "t">;
+  readonly #cancel: () => void;
+  #id: number | null = null;
+
+  constructor(screen: Opener["screen"], words: Pick<i18n, "t">, cancel: () => void) {
+    this.#screen = screen;
+    this.#words = words;
+    this.#cancel = cancel;
+  }
+
+  /** @param part progress from 0 to 1 */
+  report(part: number): void {
+    if (this.#id === null) {
+      const t = this.#words.t;
+      this.#id = showMessage(this.#screen, {
+        tone: "info",
+        text: t("timeline.opening"),
+        stays: true,
+        part,
+        action: { label: t("timeline.cancel"), run: this.#cancel },
+      });
+    } else setMessageProgress(this.#screen, this.#id, part);
+  }
+
+  end(): void {
+    if (this.#id !== null) dismiss(this.#screen, this.#id);
+  }
+}

@@ -1,0 +1,387 @@
+import { describe, expect, it } from "vitest";
+import { createWorkspaceStore } from "../workspace/workspace-store.ts";
+import { restoreWorld, type RestoredJournal } from "../../simulator/worker/restored-world.ts";
+import { RunLoader } from "../../simulator/worker/run-loader.ts";
+import { RunLoop } from "../../simulator/worker/run-loop.ts";
+import { MemoryWorldStore } from "../../simulator/worker/testing/memory-world-store.ts";
+import { WorldRepository } from "../../simulator/worker/world-repository.ts";
+import type { WorldJournal } from "../../simulator/worker/world-store.ts";
+import type { FromWorker, LoadedRun, ToWorker } from "../../simulator/protocol/worker-messages.ts";
+import { firstMaze, firstProgram } from "../../simulator/protocol/first-project.ts";
+import { RunRestorer } from "./run-restorer.ts";
+import { MemoryStorage } from "../storage/testing/memory-storage.ts";
+
+/** The state that outlives a page: its tab, and the device. */
+interface Left {
+  tab: MemoryStorage;
+  store: MemoryWorldStore;
+}
+
+let writers = 0;
+
+/** A page with a real run, connected as in the worker's entry. */
+function openPage(
+  { tab, store }: Left = { tab: new MemoryStorage(), store: new MemoryWorldStore() },
+  maze = firstMaze,
+) {
+  let time = 0;
+  const listeners = new Set<(message: FromWorker) => void>();
+  const lost: string[] = [];
+  const loop = new RunLoop(maze, firstProgram, () => time);
+  const post = (message: FromWorker) => {
+    for (const listener of listeners) listener(message);
+  };
+  const postUpdate = () => {
+    const update = loop.takeUpdate();
+    if (update !== null) post({ type: "frame", frame: update.frame, timeline: null });
+    worlds.update();
+  };
+  const notes: ((ok: boolean) => void)[] = [];
+  const of: { journal: WorldJournal | null; restored: RestoredJournal | null } = {
+    journal: null,
+    restored: null,
+  };
+  const worlds = new WorldRepository({
+    openStore: async () => store,
+    recording: () => loop.recording,
+    journal: () => of.journal ?? of.restored,
+    storeKey: (key) => {
+      const noted = new Promise<boolean>((resolve) => notes.push(resolve));
+      post({ type: "run-key", key });
+      return noted;
+    },
+    onClaimed: () => void lost.push("claimed"),
+    newId: () => `id-${(writers += 1)}`,
+    now: () => time,
+    after: () => () => undefined,
+  });
+  const answer = (id: number, loaded: LoadedRun) => {
+    worlds.claimed();
+    post({ type: "run-loaded", id, loaded });
+  };
+  /** whether a slice of a long run takes all its time */
+  let isSlow = false;
+  let slowTime = 0;
+  const slices: (() => void)[] = [];
+  const loader = new RunLoader({
+    now: () => (isSlow ? (slowTime += 10) : time),
+    later: () => void slices.push(() => loader.next()),
+    onPart: () => undefined,
+    answer,
+  });
+  const send = (message: ToWorker) => {
+    if (message.type === "run-key-noted") notes.shift()?.(message.ok);
+    if (message.type === "edit-program") loop.editProgram(message.program);
+    if (message.type === "cancel-load") loader.cancel(message.id);
+    if (message.type === "restore-run") {
+      const { id } = message;
+      void restoreWorld(message, {
+        repository: worlds,
+        run: () => loop,
+        load: (run, open) => loader.load({ id, run }, open),
+        answer: (loaded) => answer(id, loaded),
+        restored: (journal) => (of.restored = journal),
+      });
+    }
+    postUpdate();
+  };
+  const workspace = createWorkspaceStore(maze, firstProgram);
+  const keeper = new RunRestorer({
+    simulator: {
+      send,
+      isGone: false,
+      listen: (listener) => {
+        listeners.add(listener);
+        return () => listeners.delete(listener);
+      },
+    },
+    workspace,
+    tab,
+    onNotStored: () => void lost.push("not stored"),
+    onLost: () => void lost.push("lost"),
+  });
+  const pass = async (milliseconds: number) => {
+    for (const end = time + milliseconds; time < end;) {
+      time += 8;
+      loop.advance();
+      postUpdate();
+      await settle();
+    }
+  };
+  const beSlow = () => void (isSlow = true);
+  const slice = () => slices.shift()?.();
+  postUpdate();
+  return { loop, keeper, worlds, of, tab, store, workspace, pass, lost, beSlow, slice };
+}
+
+/** Runs everything that depends on no timer. */
+async function settle(): Promise<void> {
+  for (let n = 0; n < 20; n++) await Promise.resolve();
+}
+
+describe("a run over a reload", () => {
+  it("is restored paused, at most a quarter of a second before the reload", async () => {
+    const page = openPage();
+    page.loop.run();
+    await page.pass(4_000);
+    const reloaded = openPage(page);
+    await reloaded.keeper.resume();
+    const { tick, pose, state } = reloaded.loop.snapshot();
+    expect(state).toBe("paused");
+    expect(page.loop.snapshot().tick - tick).toBeLessThanOrEqual(16);
+    const again = page.loop.recording.playback();
+    again.seek(tick);
+    expect(pose).toEqual(again.run.pose);
+  });
+
+  it("restores a paused robot bit for bit, including earlier driving by hand", async () => {
+    const page = openPage();
+    page.loop.run();
+    await page.pass(500);
+    page.loop.hold("left");
+    await page.pass(300);
+    page.loop.hold("stop");
+    await page.pass(300);
+    const reloaded = openPage(page);
+    await reloaded.keeper.resume();
+    const { tick, pose, driver } = page.loop.snapshot();
+    expect(reloaded.loop.snapshot()).toMatchObject({ tick, pose, driver });
+    for (const each of [page, reloaded]) {
+      each.loop.run();
+      await each.pass(1_000);
+    }
+    expect(reloaded.loop.snapshot().pose).toEqual(page.loop.snapshot().pose);
+  });
+
+  it("contains everything up to an ending that was sent, and how its commands ended", async () => {
+    const page = openPage();
+    page.loop.run();
+    await page.pass(100);
+    page.of.journal = { robot: "AAAA", lastApplied: 7, endings: [], running: null };
+    await page.worlds.save();
+    const reloaded = openPage(page);
+    await reloaded.keeper.resume();
+    expect(reloaded.loop.snapshot().pose).toEqual(page.loop.snapshot().pose);
+    expect(reloaded.of.restored).toEqual(page.of.journal);
+  });
+
+  it("ends the running command where the restored robot stands", async () => {
+    const page = openPage();
+    page.loop.run();
+    await page.pass(1_000);
+    page.loop.pause();
+    const running = { seq: 8, distance: 20 };
+    page.of.journal = { robot: "AAAA", lastApplied: 8, endings: [], running };
+    await page.worlds.save();
+    const reloaded = openPage(page);
+    await reloaded.keeper.resume();
+    const { pose } = page.loop.snapshot();
+    const distance = page.loop.recording.run.distance - 20;
+    const reason = "The robot's page was reloaded and ended this command. Send a new command.";
+    expect(distance).toBeGreaterThan(0);
+    expect(reloaded.of.restored).toMatchObject({
+      running: null,
+      endings: [{ seq: 8, state: "cancelled", reason, pose, distance }],
+    });
+  });
+
+  it("is written once for all concurrent requests", async () => {
+    const page = openPage();
+    page.loop.run();
+    await page.pass(100);
+    const before = page.store.writes;
+    const saves = Array.from({ length: 50 }, () => page.worlds.save());
+    await Promise.all(saves);
+    expect(page.store.writes - before).toBeLessThanOrEqual(2);
+  });
+
+  it("belongs to the other page if a tab was duplicated, and this one stores another", async () => {
+    const page = openPage();
+    page.loop.run();
+    await page.pass(1_000);
+    const tab = new MemoryStorage();
+    tab.setItem("corridor.run", page.tab.getItem("corridor.run") ?? "");
+    const double = openPage({ tab, store: page.store });
+    await double.keeper.resume();
+    expect(double.loop.snapshot().tick).toBeGreaterThan(0);
+    // This page's later changes are not stored there.
+    await page.worlds.save();
+    expect(page.lost).toEqual(["claimed"]);
+    await page.pass(300);
+    expect(page.tab.getItem("corridor.run")).not.toBe(tab.getItem("corridor.run"));
+    await page.worlds.save();
+    expect(page.lost).toEqual(["claimed"]);
+  });
+
+  it("reports to a page that its world was claimed before it sends the next ending", async () => {
+    const page = openPage();
+    page.loop.run();
+    await page.pass(1_000);
+    await page.store.claim(page.tab.getItem("corridor.run") ?? "", "another page");
+    // No request depends on this write, which stores the progress of the run.
+    await page.pass(300);
+    expect(page.lost).toEqual(["claimed"]);
+    // This page has its own world from now on.
+    await page.pass(300);
+    await page.worlds.save();
+    expect(page.lost).toEqual(["claimed"]);
+    expect(page.store.worlds.size).toBe(2);
+  });
+
+  it.each([
+    { name: "Reset", begin: (loop: RunLoop) => loop.reset() },
+    { name: "Reset and Run", begin: (loop: RunLoop) => (loop.reset(), loop.run()) },
+    { name: "Run from an earlier moment", begin: (loop: RunLoop) => (loop.seek(6), loop.run()) },
+  ])("is the new one right after $name, never the one before", async ({ begin }) => {
+    const page = openPage();
+    page.loop.run();
+    await page.pass(1_000);
+    page.loop.hold("left");
+    await page.pass(1_000);
+    begin(page.loop);
+    await page.pass(300);
+    const reloaded = openPage(page);
+    await reloaded.keeper.resume();
+    expect(page.loop.snapshot().tick).toBeLessThan(30);
+    expect(reloaded.loop.snapshot().tick).toBeLessThanOrEqual(page.loop.snapshot().tick);
+    expect(reloaded.lost).toEqual([]);
+  });
+
+  it("has the latest edits if the page had time to store them", async () => {
+    const page = openPage();
+    page.loop.run();
+    await page.pass(1_000);
+    const program = { ...firstProgram, default: "stop" as const };
+    page.workspace.setState({ program });
+    page.keeper.flush();
+    const reloaded = openPage(page);
+    reloaded.workspace.setState({ program });
+    await reloaded.keeper.resume();
+    expect(reloaded.loop.snapshot().tick).toBeGreaterThan(0);
+    expect(reloaded.loop.recording.run.program).toEqual(program);
+  });
+
+  it("is not restored if another maze is open now, or the robot drives already", async () => {
+    const page = openPage();
+    page.loop.run();
+    await page.pass(1_000);
+    page.keeper.flush();
+    const other = openPage(page, { ...firstMaze, name: "another" });
+    await other.keeper.resume();
+    expect(other.loop.snapshot().tick).toBe(0);
+    const eager = openPage(page);
+    eager.loop.run();
+    await eager.pass(100);
+    await eager.keeper.resume();
+    expect(eager.loop.snapshot().tick).toBeLessThan(10);
+    expect([...other.lost, ...eager.lost]).toEqual([]);
+  });
+
+  it("does not delay a user who drives while a long one is restored", async () => {
+    const page = openPage();
+    page.loop.run();
+    await page.pass(20_000);
+    const reloaded = openPage(page);
+    reloaded.beSlow();
+    const resumed = reloaded.keeper.resume();
+    await settle();
+    reloaded.slice();
+    reloaded.loop.run();
+    await reloaded.pass(500);
+    await resumed;
+    expect(reloaded.lost).toEqual([]);
+    expect(reloaded.loop.snapshot().tick).toBeLessThan(40);
+    expect(reloaded.loop.isRunning).toBe(true);
+  });
+
+  it("is still available to the next page if this one closes before it is restored", async () => {
+    const page = openPage();
+    page.loop.run();
+    await page.pass(20_000);
+    page.loop.pause();
+    await page.pass(300);
+    const hasty = openPage(page);
+    hasty.beSlow();
+    void hasty.keeper.resume();
+    await settle();
+    await hasty.pass(1_000);
+    const reloaded = openPage(page);
+    await reloaded.keeper.resume();
+    expect(reloaded.loop.snapshot().tick).toBe(page.loop.snapshot().tick);
+  });
+
+  it("leaves nothing behind while it stands at its start", async () => {
+    const page = openPage();
+    await page.pass(500);
+    page.keeper.flush();
+    expect(page.tab.length).toBe(0);
+    expect(page.store.worlds.size).toBe(0);
+  });
+
+  it.each([
+    {
+      name: "was written by another version",
+      corrupt: (world: Record<string, unknown>) => (world["inputs"] = [{ tick: 0, do: "dance" }]),
+    },
+    {
+      name: "ends in other bits here",
+      corrupt: (world: Record<string, unknown>) => (world["digest"] = "0000000000000000"),
+    },
+  ])("is reported as lost if it $name", async ({ corrupt }) => {
+    const page = openPage();
+    page.loop.run();
+    await page.pass(1_000);
+    for (const world of page.store.worlds.values()) corrupt(world as never);
+    const reloaded = openPage(page);
+    await reloaded.keeper.resume();
+    expect(reloaded.lost).toEqual(["lost"]);
+    expect(reloaded.loop.snapshot().tick).toBe(0);
+  });
+});
+
+describe("a device that cannot store a run", () => {
+  it("is reported once, endings wait for nothing, and a reload starts at the start", async () => {
+    const page = openPage();
+    page.loop.run();
+    await page.pass(1_000);
+    page.store.isFull = true;
+    await page.pass(1_000);
+    await page.worlds.save();
+    expect(page.lost).toEqual(["not stored"]);
+    // An older state of the world would contradict messages sent since.
+    const reloaded = openPage(page);
+    await reloaded.keeper.resume();
+    expect(reloaded.loop.snapshot().tick).toBe(0);
+    page.loop.reset();
+    page.loop.run();
+    await page.pass(1_000);
+    expect(page.lost).toEqual(["not stored"]);
+  });
+
+  it("stores the next run again once there is room", async () => {
+    const page = openPage();
+    page.store.isFull = true;
+    page.loop.run();
+    await page.pass(1_000);
+    page.store.isFull = false;
+    page.loop.reset();
+    page.loop.run();
+    await page.pass(1_000);
+    const reloaded = openPage(page);
+    await reloaded.keeper.resume();
+    expect(reloaded.loop.snapshot().tick).toBeGreaterThan(0);
+  });
+
+  it("includes one whose tab refuses writes", async () => {
+    const tab = new MemoryStorage();
+    tab.setItem = () => {
+      throw new DOMException("forbidden", "SecurityError");
+    };
+    const page = openPage({ tab, store: new MemoryWorldStore() });
+    page.loop.run();
+    await page.pass(1_000);
+    await page.worlds.save();
+    expect(page.lost).toEqual(["not stored"]);
+    expect(page.store.writes).toBe(0);
+  });
+});

@@ -1,0 +1,58 @@
+/** The one-line story of the run: the sentence for the newest goal or bump, and its numbers. */
+import type { DriverName } from "@corridor/protocol";
+import type { TFunction } from "i18next";
+import type { RunEvent } from "../../simulator/protocol/worker-messages.ts";
+import { formatSeconds } from "../../text/numbers.ts";
+
+/** Side of a square of the maze, in cm. */
+const SQUARE = 100;
+
+/** The driver or line in charge, which the sentence names. */
+export type Teller = "line" | "otherwise" | DriverName;
+
+export interface Story {
+  kind: RunEvent["kind"];
+  teller: Teller;
+  /** 1 for the first line; 0 when no numbered line was in charge */
+  line: number;
+  seconds: string;
+  /** the same time in ticks */
+  after: number;
+  tick: number;
+  /** square of the maze, counted from 1 as in the labels of the grid */
+  column: number;
+  row: number;
+}
+
+/**
+ * The story of a run event.
+ * @param waited ticks up to it in which the robot waited for a script, which the clock counts
+ * separately
+ */
+export function storyOf({ kind, line, driver, tick, pose }: RunEvent, waited = 0): Story {
+  const isNumbered = typeof line === "number" && kind === "goal";
+  const after = tick - waited;
+  return {
+    kind,
+    teller:
+      kind === "bump" ? driver : isNumbered ? "line" : line === "default" ? "otherwise" : driver,
+    line: isNumbered ? line + 1 : 0,
+    seconds: formatSeconds(after),
+    after,
+    tick,
+    column: Math.floor(pose.x / SQUARE) + 1,
+    row: Math.floor(pose.y / SQUARE) + 1,
+  };
+}
+
+/**
+ * The sentence of a story. The diagnosis names the line that caused a bump.
+ * @param t with the namespace "runDetails" loaded
+ */
+export function storyText(t: unknown, story: Story): string {
+  const { kind, teller } = story;
+  const words = t as TFunction<["words", "runDetails"]>;
+  return words(`runDetails:story.${kind}.${teller}` as StoryKey, { ...story });
+}
+
+type StoryKey = `runDetails:story.goal.${Teller}` | `runDetails:story.bump.${DriverName}`;

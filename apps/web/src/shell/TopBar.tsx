@@ -1,0 +1,71 @@
+/** The bar at the top: logo, maze, and actions. */
+import { Ellipsis, Keyboard } from "lucide";
+import { useTranslation } from "react-i18next";
+import { LanguageButton } from "../features/language/LanguageButton.tsx";
+import { LessonsButton } from "../features/lessons/LessonsButton.tsx";
+import { PresetsButton } from "../features/presets/PresetsButton.tsx";
+import { ShareButton } from "../features/share/ShareButton.tsx";
+import { ThemeButton } from "../features/theme/ThemeButton.tsx";
+import { MazeMenu } from "../features/projects/MazeMenu.tsx";
+import { Icon } from "../ui/Icon.tsx";
+import { IconButton } from "../ui/Button.tsx";
+import { lazyPart } from "../ui/lazy-part.tsx";
+import { Deferred } from "../ui/Deferred.tsx";
+import { Popover, usePopover } from "../ui/Popover.tsx";
+import { useMediaQuery } from "../ui/use-media-query.ts";
+import styles from "./top-bar.module.css";
+import { Brand } from "../ui/Brand.tsx";
+import type { TopBarProps } from "./MoreMenu.tsx";
+import { useServices } from "./services.ts";
+
+const MoreMenu = lazyPart(async () => (await import("./MoreMenu.tsx")).MoreMenu);
+
+export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
+  const { t } = useTranslation();
+  const { screen } = useServices();
+  // The maze's name needs the room first.
+  const isNarrow = useMediaQuery("(max-width: 56.24em)");
+  return (
+    <header className={styles["bar"]}>
+      <Brand />
+      <Deferred>
+        <MazeMenu />
+        <div className={styles["end"]}>
+          {!isPhone && <PresetsButton />}
+          {!isPhone && <LessonsButton />}
+          <ShareButton />
+          {isNarrow ? (
+            <More isPhone={isPhone} onKeys={onKeys} onRemote={onRemote} onLessons={onLessons} />
+          ) : (
+            <div className={styles["last"]}>
+              <IconButton label={t("shell.keys.title")} size="medium" onClick={onKeys}>
+                <Icon of={Keyboard} />
+              </IconButton>
+              <ThemeButton screen={screen} />
+              <LanguageButton />
+            </div>
+          )}
+        </div>
+      </Deferred>
+    </header>
+  );
+}
+
+/**
+ * Items that do not fit into a narrow bar. On a phone, they include Remote, which has no panel
+ * there.
+ */
+function More({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
+  const { t } = useTranslation();
+  const menu = usePopover();
+  return (
+    <>
+      <IconButton label={t("shell.more")} size="large" {...menu.trigger}>
+        <Icon of={Ellipsis} />
+      </IconButton>
+      <Popover {...menu.panel} label={t("shell.more")} align="end">
+        <MoreMenu isPhone={isPhone} onKeys={onKeys} onRemote={onRemote} onLessons={onLessons} />
+      </Popover>
+    </>
+  );
+}

@@ -1,0 +1,254 @@
+/**
+ * Composition root of the page: the only place that creates the stores and the worker. Components
+ * access them through `useServices`.
+ */
+import type { i18n } from "i18next";
+import { createContext, useContext } from "react";
+import { createAdviceStore, type AdviceStore } from "../model/advice/advice-store.ts";
+import { followLanguage } from "../model/projects/follow-language.ts";
+import { namedAfterEdit } from "../model/workspace/own-program.ts";
+import { createSolvedStore, type SolvedStore } from "../model/presets/solved-presets.ts";
+import { Speech } from "../model/speech/speech.ts";
+import { LessonsEntry } from "../model/lessons/lessons-entry.ts";
+import { LessonsStorage } from "../model/lessons/lessons-storage.ts";
+import { createCameraStore, type CameraStore } from "../model/screen/camera-store.ts";
+import {
+  createCardDock,
+  createCardStore,
+  explain,
+  truncateCards,
+  type CardDock,
+  type CardStore,
+} from "../model/run/card-store.ts";
+import { createChallengeStore, type ChallengeStore } from "../model/challenge/challenge-store.ts";
+import { createEventThrottle } from "../model/run/event-throttle.ts";
+import { DeferredRun } from "../model/run/deferred-run.ts";
+import { createRaceStore, type RaceStore } from "../model/run/race-store.ts";
+import { createRemoteStore, type RemoteStore } from "../model/remote/remote-store.ts";
+import { createRunStore, type RunStore } from "../model/run/run-store.ts";
+import { showMessage, type ScreenStore } from "../model/screen/screen-store.ts";
+import { TimelineStore } from "../model/run/timeline-store.ts";
+import { RunTrace } from "../model/run/run-trace.ts";
+import { createWorkspaceStore, type WorkspaceStore } from "../model/workspace/workspace-store.ts";
+import { SimulatorClient, type WorkerPort } from "../simulator/simulator-client.ts";
+import type { RunEvent } from "../simulator/protocol/worker-messages.ts";
+import { CurrentProject } from "../model/projects/current-project.ts";
+import { firstProject } from "../model/projects/first-visit.ts";
+import { RemoteConnection } from "../model/remote/remote-session.ts";
+import { RunRestorer } from "../model/run/run-restorer.ts";
+import { whenIdle } from "./boot/page-idle.ts";
+import type { ProjectReader } from "../model/projects/project-reader.ts";
+import { sendEdits } from "../model/workspace/send-edits.ts";
+import { ProjectService } from "../model/projects/project-service.ts";
+import { ProjectStorage, type KeyValueStorage } from "../model/projects/project-storage.ts";
+
+/** Dependencies from the browser; tests inject others. */
+export interface Browser {
+  /** runs a task one frame later, whether or not there is anything to draw */
+  nextFrame: (work: () => void) => void;
+  worker: WorkerPort;
+  /** localStorage: per device */
+  device: KeyValueStorage;
+  /** sessionStorage: per tab */
+  tab: KeyValueStorage;
+  /** already translated */
+  words: Pick<i18n, "t" | "on" | "language" | "loadNamespaces">;
+  screen: ScreenStore;
+  /** parser of stored projects; already loaded if something is stored */
+  reader: ProjectReader;
+}
+
+export interface Services {
+  simulator: SimulatorClient;
+  workspace: WorkspaceStore;
+  run: RunStore;
+  /** the run for output that is not urgent and has no numbers: see deferred-run.ts */
+  deferred: RunStore;
+  /** explanations of the run */
+  cards: CardStore;
+  cardDock: CardDock;
+  timeline: TimelineStore;
+  remote: RemoteStore;
+  race: RaceStore;
+  screen: ScreenStore;
+  /** the displayed run with its trail */
+  runTrace: RunTrace;
+  projects: ProjectService;
+  /** restores the run after a reload */
+  restorer: RunRestorer;
+  /** presets that were solved on this device */
+  solved: SolvedStore;
+  /** advice of the coach for the program's lines */
+  advice: AdviceStore;
+  connection: RemoteConnection;
+  /** the open challenge, if any */
+  challenge: ChallengeStore;
+  lessons: LessonsEntry;
+  /** camera of the stage */
+  camera: CameraStore;
+  /** the live region for screen readers */
+  speech: Speech;
+}
+
+/** Creates and connects everything: documents flow to the worker, its messages to the stores. */
+export function createServices(browser: Browser): Services {
+  const { worker, device, tab, words, screen, reader, nextFrame } = browser;
+  const store = new ProjectStorage(device, () => reader.read);
+  const first = firstProject(words);
+  const current = new CurrentProject(
+    { store, tab, now: Date.now, newId: newTextId },
+    first.maze,
+    first.program,
+  );
+  const { maze, program } = current.project;
+  const simulator = new SimulatorClient(worker);
+  const workspace = createWorkspaceStore(maze, program, (before, after) =>
+    namedAfterEdit(before, after, words),
+  );
+  const run = createRunStore();
+  followLanguage({ workspace, run }, words);
+  const deferredRun = new DeferredRun(run, nextFrame);
+  const cards = createCardStore();
+  const cardDock = createCardDock();
+  const challenge = createChallengeStore();
+  const camera = createCameraStore();
+  const remote = createRemoteStore();
+  const runTrace = new RunTrace();
+
+  const now = () => performance.now();
+  const later = (action: () => void, milliseconds: number) => setTimeout(action, milliseconds);
+  const show = (event: RunEvent | null) => run.setState({ event });
+  const events = createEventThrottle({ show, now, later });
+  const timeline = new TimelineStore();
+  simulator.listen((message) => {
+    switch (message.type) {
+      case "frame": {
+        const { snapshot, hasEnded, progress, view, nowTick, waited, nowDriver } = message.frame;
+        runTrace.add(message.frame);
+        run.setState({ snapshot, hasEnded, progress, view, nowTick, waited, nowDriver });
+        simulator.send({ type: "stage-numbers", snapshot });
+        const delta = message.timeline;
+        if (delta !== null) deferredRun.with(() => timeline.add(delta));
+        return;
+      }
+      case "truncated":
+        events.truncate(message.after);
+        truncateCards(cards, message.after);
+        return;
+      case "event":
+        events.push(message.event);
+        explain(cards, message.event, workspace.getState().program);
+        return;
+      case "diagnosed":
+        // In a challenge, its own card shows the diagnosis.
+        if (challenge.getState().challenge !== null) return;
+        void import("../features/cards/show-diagnosis.ts").then(
+          ({ showDiagnosis }) =>
+            showDiagnosis({ screen, workspace, run, timeline, words }, message.diagnosis),
+          () => undefined,
+        );
+        return;
+      case "remote":
+        remote.setState(message.remote);
+        return;
+      case "past-maze":
+        run.setState({ pastMaze: message.maze });
+        return;
+      case "fault":
+        run.setState({ fault: message.reason });
+        return;
+      case "digest":
+      case "judgement":
+      case "picture":
+      case "stage-scroll-to":
+      case "run-key":
+      case "run-saved":
+      case "run-loading":
+      case "ghost-added":
+      case "run-loaded":
+        return;
+    }
+  });
+
+  simulator.send({ type: "load", maze, program });
+  sendEdits(workspace, simulator);
+  const projects = new ProjectService({
+    store,
+    current,
+    workspace,
+    screen,
+    simulator,
+    words,
+    later,
+  });
+  const restorer = new RunRestorer({
+    simulator,
+    workspace,
+    tab,
+    onNotStored: () => showMessage(screen, { tone: "bad", text: words.t("timeline.notStored") }),
+    onLost: () => showMessage(screen, { tone: "bad", text: words.t("timeline.runLost") }),
+  });
+  const connection = new RemoteConnection({ simulator, remote, run, tab });
+  const solved = createSolvedStore({ run, workspace, device });
+  // The program of a first visit needs no advice, and the first tick needs the bandwidth.
+  const idle = whenIdle(run);
+  const load = async () => {
+    await idle;
+    return import("../model/advice/coach.ts");
+  };
+  const advice = createAdviceStore({
+    workspace,
+    load,
+    later,
+    challenge,
+    run,
+  });
+  const speech = new Speech({ now, later });
+  const storage = new LessonsStorage(device);
+  const lessons = new LessonsEntry({
+    simulator,
+    workspace,
+    screen,
+    projects,
+    challenge,
+    storage,
+    words,
+  });
+  return {
+    advice,
+    camera,
+    cards,
+    cardDock,
+    simulator,
+    workspace,
+    run,
+    deferred: deferredRun.words,
+    timeline,
+    remote,
+    race: createRaceStore(),
+    screen,
+    runTrace,
+    projects,
+    restorer,
+    solved,
+    connection,
+    challenge,
+    lessons,
+    speech,
+  };
+}
+
+/** A random id. crypto.randomUUID is not available in insecure contexts. */
+function newTextId(): string {
+  const bytes = crypto.getRandomValues(new Uint8Array(12));
+  return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
+}
+
+const ServicesContext = createContext<Services | null>(null);
+export const ServicesProvider = ServicesContext.Provider;
+
+export function useServices(): Services {
+  const services = useContext(ServicesContext);
+  if (services === null) throw new Error("useServices needs a ServicesProvider above it");
+  return services;
+}

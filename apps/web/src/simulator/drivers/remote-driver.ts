@@ -1,0 +1,200 @@
+/**
+ * Driving by remote commands: they start in the order of their seq, a manoeuvre runs to its end,
+ * and a motion without an end lasts until the next command or until its lease expires. Only the
+ * robot ends a delivered command, and it ends each exactly once. It measures ttls with its own
+ * clock.
+ */
+import type { AliveDriver, DeliveredCommand, EndingState, Pose } from "@corridor/protocol";
+import type { Run, RunInput } from "@corridor/recording";
+import { BurstGuard } from "./burst-guard.ts";
+import type { CancelReason } from "../protocol/cancel-reason.ts";
+import { isVelocity, MotionLease } from "./motion-lease.ts";
+
+export interface Ending {
+  state: EndingState;
+  /** null if the robot itself ended it */
+  reason: CancelReason | null;
+  pose: Pose;
+  /** units driven by this command */
+  distance: number;
+}
+
+export interface RemoteDriverEvents {
+  started(seq: number): void;
+  ended(seq: number, ending: Ending): void;
+  /** All commands delivered so far have ended. */
+  swept?(reason: CancelReason): void;
+}
+
+/** The driven robot: its state, and where commands go. */
+export interface RemoteRobot {
+  readonly run: Pick<Run, "command" | "commandEnding" | "distance" | "isManoeuvring" | "pose">;
+  addInput(input: RunInput): boolean;
+}
+
+interface Queued {
+  delivery: DeliveredCommand;
+  /** when it expires, by the clock of `now` */
+  startBy: number;
+}
+
+interface Running {
+  seq: number;
+  /** units driven before it */
+  distance: number;
+  lease: MotionLease | null;
+}
+
+export class RemoteDriver {
+  readonly #events: RemoteDriverEvents;
+  readonly #robotNow: () => RemoteRobot;
+  readonly #now: () => number;
+  readonly #bursts = new BurstGuard();
+  #queue: Queued[] = [];
+  #running: Running | null = null;
+
+  /**
+   * @param robot returns the currently driven robot
+   * @param now monotonic milliseconds
+   */
+  constructor(events: RemoteDriverEvents, robot: () => RemoteRobot, now: () => number) {
+    this.#events = events;
+    this.#robotNow = robot;
+    this.#now = now;
+  }
+
+  /** The running command, and the units driven before it. */
+  get running(): { seq: number; distance: number } | null {
+    if (this.#running === null) return null;
+    const { seq, distance } = this.#running;
+    return { seq, distance };
+  }
+
+  /** Whether the robot has nothing to do until a script sends the next command. */
+  get isIdle(): boolean {
+    return this.#running === null && this.#queue.length === 0;
+  }
+
+  /** Queues a delivered command. One that replaces ends all before it. */
+  accept(delivery: DeliveredCommand): void {
+    const now = this.#now();
+    if (delivery.replace) {
+      const isRunning = this.#running !== null;
+      this.#endAll("superseded", "replaced");
+      this.#robot.addInput(isRunning ? { do: "cancel", superseded: true } : { do: "cancel" });
+    }
+    if (isVelocity(delivery)) {
+      this.#bursts.add(now, delivery.ttl - delivery.remaining);
+      this.#supersedeLast(delivery.driver);
+    }
+    this.#running?.lease?.renew(delivery.driver, now);
+    this.#queue.push({ delivery, startBy: now + delivery.remaining });
+  }
+
+  /** Renews the lease of the running motion if its script is alive. */
+  renew(alive: readonly AliveDriver[]): void {
+    // A lease that expired while the page was frozen is not renewed.
+    this.update();
+    const now = this.#now();
+    for (const { driver, silentMs, connectionMs } of alive) {
+      this.#running?.lease?.renew(driver, now - silentMs);
+      if (connectionMs !== null) this.#bursts.connect(connectionMs, now);
+    }
+  }
+
+  /** Ends expired commands, and a motion whose lease has expired. */
+  update(): void {
+    const now = this.#now();
+    if (this.#running?.lease?.isOver(now) === true) this.#stop("silent");
+    if (this.#queue.length === 0) return;
+    const expired = this.#queue.filter(({ startBy }) => startBy <= now);
+    if (expired.length === 0) return;
+    this.#queue = this.#queue.filter(({ startBy }) => startBy > now);
+    for (const { delivery } of expired) this.#report(delivery.seq, "expired", null, 0);
+  }
+
+  /** Before a tick: starts the next command unless a manoeuvre runs. */
+  start(): void {
+    const { run } = this.#robot;
+    const next = this.#queue[0]?.delivery;
+    if (next === undefined || run.isManoeuvring) return;
+    const now = this.#now();
+    if (isVelocity(next) && this.#bursts.isHeld(now)) return;
+    this.#queue.shift();
+    this.#end("completed", null);
+    this.#running = {
+      seq: next.seq,
+      distance: run.distance,
+      lease: MotionLease.of(next, now),
+    };
+    this.#robot.addInput({ do: "command", command: next.command, seq: next.seq });
+    this.#events.started(next.seq);
+    this.finish();
+  }
+
+  /** After a tick: ends the command whose manoeuvre is complete or that ran into a wall. */
+  finish(): void {
+    const { run } = this.#robot;
+    if (this.#running === null || run.command !== null) return;
+    this.#end(run.commandEnding ?? "completed", null);
+  }
+
+  /** Ends the running and every queued command; the caller stops the robot. */
+  cancel(reason: CancelReason): void {
+    this.#endAll("cancelled", reason);
+    this.#events.swept?.(reason);
+  }
+
+  /** Ends one command, and stops the robot if it is running. */
+  cancelOne(seq: number, reason: CancelReason = "cancelledByScript"): void {
+    if (this.#running?.seq === seq) return this.#stop(reason);
+    const others = this.#queue.filter(({ delivery }) => delivery.seq !== seq);
+    if (others.length === this.#queue.length) return;
+    this.#queue = others;
+    this.#report(seq, "cancelled", reason, 0);
+  }
+
+  /**
+   * The page has reconnected to the relay: discards queued commands, which the relay delivers
+   * again.
+   */
+  reset(): void {
+    this.#queue = [];
+    this.#bursts.reconnect();
+  }
+
+  get #robot(): RemoteRobot {
+    return this.#robotNow();
+  }
+
+  /** Of consecutive velocities of one script in the queue, only the newest counts. */
+  #supersedeLast(driver: string): void {
+    const last = this.#queue.at(-1)?.delivery;
+    if (last === undefined || !isVelocity(last) || last.driver !== driver) return;
+    this.#queue.pop();
+    this.#report(last.seq, "superseded", "replaced", 0);
+  }
+
+  #stop(reason: CancelReason): void {
+    this.#end("cancelled", reason);
+    this.#robot.addInput({ do: "cancel" });
+  }
+
+  #endAll(state: EndingState, reason: CancelReason): void {
+    this.#end(state, reason);
+    const queued = this.#queue;
+    this.#queue = [];
+    for (const { delivery } of queued) this.#report(delivery.seq, state, reason, 0);
+  }
+
+  #end(state: EndingState, reason: CancelReason | null): void {
+    const running = this.#running;
+    if (running === null) return;
+    this.#running = null;
+    this.#report(running.seq, state, reason, this.#robot.run.distance - running.distance);
+  }
+
+  #report(seq: number, state: EndingState, reason: CancelReason | null, distance: number): void {
+    this.#events.ended(seq, { state, reason, pose: this.#robot.run.pose, distance });
+  }
+}

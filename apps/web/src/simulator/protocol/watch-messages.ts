@@ -1,0 +1,27 @@
+/** Messages between the page of a viewer and its worker. */
+import type { WatchStatus } from "@corridor/client/watch";
+import type { MazeDocument } from "@corridor/maze";
+import type { Snapshot } from "@corridor/protocol";
+import type { StageToWorker } from "../../stage/stage-messages.ts";
+import type { FromWorker } from "./worker-messages.ts";
+
+/** The watched robot, and its watch key. */
+export interface WatchedRobot {
+  id: string;
+  key: string;
+}
+
+export type ToWatcher =
+  | StageToWorker
+  /** watches only this robot from now on; null: none */
+  | { type: "watch"; robot: WatchedRobot | null }
+  /** the device is online again */
+  | { type: "watch-again" };
+
+export type FromWatcher =
+  | Extract<FromWorker, { type: "picture" | "stage-scroll-to" }>
+  | { type: "watch-status"; status: WatchStatus }
+  /** a few times a second, and at once if more than numbers have changed */
+  | { type: "watch-snapshot"; snapshot: Snapshot }
+  /** null: unknown */
+  | { type: "watch-maze"; maze: MazeDocument | null };

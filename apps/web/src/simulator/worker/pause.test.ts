@@ -1,0 +1,60 @@
+import fc from "fast-check";
+import { expect, it } from "vitest";
+import * as diagnostics from "./diagnose-run.ts";
+import { firstMaze, firstProgram } from "../protocol/first-project.ts";
+import { RunLoop } from "./run-loop.ts";
+import { speeds } from "../protocol/worker-messages.ts";
+
+const anyAction = fc.oneof(
+  fc.constantFrom(
+    "run" as const,
+    "step" as const,
+    "play" as const,
+    "now" as const,
+    "forward" as const,
+  ),
+  fc.constantFrom("back" as const, "on" as const, "remote" as const, "reset" as const),
+  fc.record({ speed: fc.constantFrom(...speeds.filter((each) => each !== "max")) }),
+  fc.record({ wait: fc.integer({ min: 0, max: 400 }) }),
+  fc.record({ seek: fc.integer({ min: 0, max: 600 }) }),
+);
+
+it("Pause pauses at any speed, whatever was pressed just before it", () => {
+  let ran = 0;
+  fc.assert(
+    fc.property(fc.array(anyAction, { minLength: 1, maxLength: 12 }), (actions) => {
+      let time = 0;
+      const loop = new RunLoop(firstMaze, firstProgram, () => time);
+      loop.useDiagnostics(diagnostics);
+      loop.setSpeed(8);
+      loop.run();
+      for (const action of actions) {
+        if (action === "run") loop.run();
+        else if (action === "step") loop.step();
+        else if (action === "play") loop.play();
+        else if (action === "now") loop.now();
+        else if (action === "forward") loop.hold("forward");
+        else if (action === "back") loop.seekStep(-1);
+        else if (action === "on") loop.seekStep(1);
+        else if (action === "remote") loop.setDriver("remote");
+        else if (action === "reset") loop.reset();
+        else if ("speed" in action) loop.setSpeed(action.speed);
+        else if ("seek" in action) loop.seek(action.seek);
+        else {
+          time += action.wait;
+          loop.advance();
+        }
+      }
+      if (loop.isRunning) ran++;
+      loop.pause();
+      expect(loop.isRunning).toBe(false);
+      loop.takeUpdate();
+      const { tick } = loop.snapshot();
+      time += 1000;
+      loop.advance();
+      expect(loop.snapshot()).toMatchObject({ tick, state: "paused" });
+    }),
+    { numRuns: 60 },
+  );
+  expect(ran).toBeGreaterThan(5);
+});

@@ -1,0 +1,412 @@
+/**
+ * The robot at the relay: registers it, maintains the link, and lists the endings of commands for
+ * the Remote panel. The client library loads with the first connection.
+ */
+import type * as ClientLibrary from "@corridor/client/host";
+import type { CommandJournal, HostLink, HostLinkOptions, HostStatus } from "@corridor/client/host";
+import type { MazeDocument } from "@corridor/maze";
+import { expiredReason } from "@corridor/protocol";
+import type {
+  AliveDriver,
+  CommandRecord,
+  DeliveredCommand,
+  Drivers,
+  RecallCause,
+  ScriptView,
+  Snapshot,
+} from "@corridor/protocol";
+import {
+  cancelReasons,
+  RELOADED,
+  pageReasons,
+  type CancelReason,
+} from "../protocol/cancel-reason.ts";
+import type { Ending, RemoteDriverEvents } from "../drivers/remote-driver.ts";
+import { MazePublisher } from "./maze-publisher.ts";
+import type { troubleOf } from "./remote-trouble.ts";
+import type {
+  ListedCommand,
+  ListedScript,
+  RemoteSession,
+  RemoteStatus,
+  RemoteView,
+} from "../protocol/worker-messages.ts";
+
+const noDrivers: Drivers = { connected: 0, client: null, silentMs: null };
+
+const recallReasons = {
+  sender: "cancelledByScript",
+  revoked: "keyRevoked",
+  blocked: "blocked",
+  paused: "paused",
+} as const satisfies Record<RecallCause, CancelReason>;
+
+/** Largest number of listed commands. */
+const MAX_LISTED = 100;
+
+export interface RemoteHostPorts {
+  /** origin of the page and its relay */
+  origin: string;
+  /** milliseconds since 1970 */
+  now(): number;
+  /** the current robot; null before it is loaded */
+  snapshot(): Snapshot | null;
+  onView(view: RemoteView): void;
+  onDelivery(delivery: DeliveredCommand): void;
+  /** ends all delivered commands, by `ended`, before it returns */
+  cancel(reason: CancelReason): void;
+  /** ends one command, by `ended`, unless it has ended */
+  cancelOne(seq: number, reason: CancelReason): void;
+  /** discards delivered commands that have not started */
+  reset(): void;
+  /** these scripts are alive, so that the leases of their motions are renewed */
+  renew(alive: readonly AliveDriver[]): void;
+  /** stores the world with `journal` before an ending is sent; see `HostLinkOptions` */
+  save?: NonNullable<HostLinkOptions["save"]>;
+  /** the journal of the restored world, with its robot */
+  restored?: () => (CommandJournal & { robot: string }) | null;
+  fetch: (
+    url: string,
+    request: { method: string; headers?: Record<string, string>; body?: string },
+  ) => Promise<{ status: number; text(): Promise<string> }>;
+  /** default: the worker's own */
+  platform?: NonNullable<HostLinkOptions["platform"]>;
+}
+
+export class RemoteHost implements RemoteDriverEvents {
+  readonly #ports: RemoteHostPorts;
+  /** by seq */
+  readonly #commands = new Map<number, ListedCommand>();
+  #session: RemoteSession | null = null;
+  /**
+   * of `#session`; retained while it is closed, because it knows delivered commands and their
+   * endings
+   */
+  #link: HostLink | null = null;
+  readonly #mazes: MazePublisher;
+  #status: RemoteStatus = { kind: "off" };
+  #drivers = noDrivers;
+  #scripts: ListedScript[] = [];
+  #isPaused = false;
+  /** the page took the robot: commands sent before never run, even if they arrive later */
+  #swept: { upTo: number; reason: CancelReason } | null = null;
+  /**
+   * seq of the first such command until the relay confirms it; commands reported before it were
+   * sent before, too
+   */
+  #sweeping: number | null = null;
+  /** increases with each open and close; results of older attempts are dropped */
+  #attempt = 0;
+
+  constructor(ports: RemoteHostPorts) {
+    this.#ports = ports;
+    this.#mazes = new MazePublisher({
+      now: () => performance.now(),
+      put: (text) => this.#giveMaze(text),
+    });
+  }
+
+  /** Endings of commands, to be stored with the world; null without a robot. */
+  get journal(): (CommandJournal & { robot: string }) | null {
+    const robot = this.#session?.id;
+    return robot === undefined || this.#link === null ? null : { ...this.#link.journal, robot };
+  }
+
+  /** Whether there is a link that needs snapshots. */
+  get isOpen(): boolean {
+    return this.#link?.isConnected === true;
+  }
+
+  /**
+   * Opens the link; without a session a robot is registered first. The current session is reopened,
+   * or retried at once; for another one, all delivered commands end first.
+   * @param fresh whether no command of the session can still be running, because the page was
+   *   reloaded
+   */
+  open(session: RemoteSession | null, fresh: boolean): void {
+    if (this.#link !== null && session !== null && session.id === this.#session?.id) {
+      // The robot may have a new driver key since.
+      const { driverKey, address } = session;
+      this.#session = { ...this.#session, driverKey, address };
+      this.#link.open();
+      return this.#setStatus(this.#status);
+    }
+    this.#endSession();
+    if (session === null || session.id !== this.#session?.id) {
+      this.#commands.clear();
+      this.#swept = null;
+      this.#sweeping = null;
+    }
+    this.#session = session;
+    this.#setStatus({ kind: "connecting" });
+    const attempt = ++this.#attempt;
+    this.#connect(session, fresh, attempt).catch(() => {
+      // The client library itself did not load.
+      if (attempt === this.#attempt) this.#setStatus({ kind: "lost", reason: "noService" });
+    });
+  }
+
+  /** Ends all delivered commands and closes the link; the session can be reopened. */
+  close(): void {
+    this.#attempt++;
+    this.#ports.cancel("disconnected");
+    this.#link?.close();
+    this.#drivers = noDrivers;
+    this.#scripts = [];
+    if (this.#status.kind !== "off") this.#setStatus({ kind: "off" });
+  }
+
+  /** Clears the list of commands, except for those that have not ended. */
+  clearCommands(): void {
+    for (const [seq, { state }] of this.#commands) {
+      if (isEnding(state)) this.#commands.delete(seq);
+    }
+    this.#setStatus(this.#status);
+  }
+
+  /** @param maze the robot's maze; null if it is not published */
+  sendSnapshot(snapshot: Snapshot, maze: MazeDocument | null = null): void {
+    this.#link?.sendSnapshot(snapshot);
+    if (this.isOpen) this.#mazes.offer(maze);
+  }
+
+  /** Another page has claimed the stored world, and owns the robot from now on. */
+  worldClaimed(): void {
+    this.#link?.worldClaimed();
+  }
+
+  started(seq: number): void {
+    this.#link?.started(seq);
+    this.#change(seq, { state: "started" });
+  }
+
+  ended(seq: number, ending: Ending): void {
+    if (ending.reason !== null && pageReasons.has(ending.reason)) this.#sweeping ??= seq;
+    this.#link?.ended(seq, { ...ending, reason: this.#reasonFor(seq, ending) });
+    this.#change(seq, ending);
+  }
+
+  swept(reason: CancelReason): void {
+    if (!pageReasons.has(reason)) return;
+    this.#swept = { upTo: Math.max(0, ...this.#commands.keys()), reason };
+  }
+
+  async #connect(wanted: RemoteSession | null, fresh: boolean, attempt: number): Promise<void> {
+    const [client, trouble] = await Promise.all([
+      import("@corridor/client/host"),
+      import("./remote-trouble.ts"),
+    ]);
+    const { origin, platform, save } = this.#ports;
+    const session = wanted ?? (await this.#register(client, attempt));
+    if (session === null || attempt !== this.#attempt) return;
+    this.#session = session;
+    this.#mazes.begin();
+    const restored = fresh ? (this.#ports.restored?.() ?? null) : null;
+    const journal =
+      restored?.robot === session.id
+        ? restored
+        : { lastApplied: 0, endings: fresh ? this.#endedByReload(session) : [] };
+    this.#link = new client.HostLink({
+      origin,
+      credentials: session,
+      // Commands that started after the world was last stored cannot be running either.
+      lastApplied: Math.max(session.lastApplied, journal.lastApplied),
+      endings: journal.endings,
+      fresh,
+      ...(save === undefined ? {} : { save }),
+      snapshot: () => this.#ports.snapshot(),
+      onCommand: (command) => this.#deliver(command),
+      onStop: (stop) => {
+        this.#list(stop);
+        this.#ports.cancel("stopped");
+        this.#change(stop.seq, { state: "completed" });
+      },
+      onCancel: (seq, why) => this.#ports.cancelOne(seq, recallReasons[why]),
+      onGiveBack: () => this.#reset(),
+      onYield: () => this.#ports.cancel("addressEnded"),
+      onState: (record, ttl) => {
+        this.#sweepOn(record.seq);
+        this.#show({ ...record, ttl, reason: null });
+      },
+      onRefused: ({ seq, state }) => {
+        this.#sweptUntil(seq);
+        this.#change(seq, { state, reason: null });
+      },
+      onStored: (seq) => this.#sweptUntil(seq),
+      onStatus: (status) => this.#linkChanged(status, trouble.troubleOf),
+      onDrivers: (drivers, alive, { scripts, paused }) => {
+        this.#drivers = drivers;
+        this.#isPaused = paused;
+        this.#scripts = scripts.map((script) => this.#listed(script));
+        this.#ports.renew(alive);
+        if (this.isOpen) this.#setStatus(this.#connectedStatus());
+      },
+      ...(platform === undefined ? {} : { platform }),
+    });
+  }
+
+  /** The reload started a new world, in which the last started command never continues. */
+  #endedByReload({ lastApplied: seq }: RemoteSession): CommandJournal["endings"] {
+    if (seq === 0) return [];
+    const pose = this.#ports.snapshot()?.pose ?? null;
+    return [{ seq, state: "cancelled", reason: RELOADED, pose, distance: 0 }];
+  }
+
+  /**
+   * Registers a robot. Without an answer it retries by itself, as the link does: devices report a
+   * network before requests get through.
+   * @returns null if the service has no robot for this page, or another attempt has started
+   */
+  async #register(client: typeof ClientLibrary, attempt: number): Promise<RemoteSession | null> {
+    const { origin, fetch, platform } = this.#ports;
+    const { clock, random } = platform ?? client.globalPlatform();
+    const backoff = new client.Backoff();
+    while (attempt === this.#attempt) {
+      try {
+        return { ...(await client.registerRobot(origin, fetch)), lastApplied: 0 };
+      } catch (error) {
+        if (attempt !== this.#attempt) break;
+        const reason = error instanceof client.RegistrationError ? error.code : "noService";
+        if (reason !== "noAnswer") {
+          this.#setStatus({ kind: "lost", reason });
+          break;
+        }
+      }
+      this.#setStatus({ kind: "lost", reason: "connectionLost" });
+      const pause = Promise.withResolvers<void>();
+      clock.after(backoff.next(clock.now(), random()), pause.resolve);
+      await pause.promise;
+      if (attempt === this.#attempt) this.#setStatus({ kind: "connecting" });
+    }
+    return null;
+  }
+
+  /** A command is queued at the relay: cancels it if it was sent before the page took the robot. */
+  #sweepOn(seq: number): void {
+    if (this.#sweeping === null || this.#swept === null) return;
+    this.#swept.upTo = Math.max(this.#swept.upTo, seq);
+  }
+
+  /** The relay has confirmed that this command ended. */
+  #sweptUntil(seq: number): void {
+    if (seq === this.#sweeping) this.#sweeping = null;
+  }
+
+  /** For viewers: snapshots do not contain the maze. */
+  async #giveMaze(text: string): Promise<number> {
+    const { origin, fetch } = this.#ports;
+    const { id = "", ownerKey = "" } = this.#session ?? {};
+    const headers = { Authorization: `Bearer ${ownerKey}`, "Content-Type": "application/json" };
+    const request = { method: "PUT", headers, body: text };
+    return (await fetch(`${origin}/api/v1/robots/${id}/maze`, request)).status;
+  }
+
+  /** Ends a session: nothing of it may run on, or be reported under the next session's numbers. */
+  #endSession(): void {
+    if (this.#link === null) return;
+    this.#ports.cancel("addressEnded");
+    this.#link.close();
+    this.#link = null;
+    this.#drivers = noDrivers;
+    this.#scripts = [];
+  }
+
+  #deliver(command: DeliveredCommand): void {
+    this.#list(command);
+    const pose = this.#ports.snapshot()?.pose;
+    if (this.#swept !== null && command.seq <= this.#swept.upTo && pose !== undefined) {
+      const { reason } = this.#swept;
+      return this.ended(command.seq, { state: "cancelled", reason, pose, distance: 0 });
+    }
+    this.#ports.onDelivery(command);
+  }
+
+  /** Commands queued here may end at the relay before they are delivered again. */
+  #reset(): void {
+    this.#ports.reset();
+    for (const [seq, record] of this.#commands) {
+      if (record.state === "delivered") this.#commands.set(seq, { ...record, state: "accepted" });
+    }
+  }
+
+  /** Why a command ended early, for scripts. */
+  #reasonFor(seq: number, { state, reason }: Ending): string | null {
+    if (reason !== null) return cancelReasons[reason];
+    const record = this.#commands.get(seq);
+    return state === "expired" && record !== undefined ? expiredReason(record.ttl) : null;
+  }
+
+  #list({ seq, key, command, acceptedAt, ttl }: DeliveredCommand): void {
+    this.#show({
+      seq,
+      key,
+      action: command.action,
+      command,
+      state: "delivered",
+      reason: null,
+      acceptedAt,
+      pose: null,
+      distance: null,
+      duplicate: false,
+      ttl,
+    });
+  }
+
+  #show(record: ListedCommand): void {
+    this.#commands.set(record.seq, record);
+    if (this.#commands.size > MAX_LISTED) this.#commands.delete(Math.min(...this.#commands.keys()));
+    this.#setStatus(this.#status);
+  }
+
+  #change(seq: number, change: Partial<ListedCommand>): void {
+    const record = this.#commands.get(seq);
+    if (record !== undefined) this.#commands.set(seq, { ...record, ...change });
+    if (this.#session !== null && this.#link !== null) {
+      this.#session = { ...this.#session, lastApplied: this.#link.lastApplied };
+    }
+    this.#setStatus(this.#status);
+  }
+
+  #linkChanged(status: HostStatus, nameOf: typeof troubleOf): void {
+    switch (status.kind) {
+      case "connecting":
+        return this.#setStatus({ kind: "connecting" });
+      case "connected":
+        return this.#setStatus(this.#connectedStatus());
+      case "lost":
+        return this.#setStatus({ kind: "lost", reason: nameOf(status.reason) });
+      case "over":
+      case "replaced":
+        this.#endSession();
+        return this.#setStatus({ kind: "over", reason: nameOf(status.reason) });
+    }
+  }
+
+  /**
+   * Waiting until the first message of a script; then its name and the time of its last message.
+   */
+  #connectedStatus(): RemoteStatus {
+    const { client, silentMs } = this.#drivers;
+    if (silentMs === null) return { kind: "waiting" };
+    return { kind: "connected", client: client ?? "", seenAt: this.#ports.now() - silentMs };
+  }
+
+  #listed({ silentMs, ...script }: ScriptView): ListedScript {
+    return { ...script, seenAt: silentMs === null ? null : this.#ports.now() - silentMs };
+  }
+
+  #setStatus(status: RemoteStatus): void {
+    this.#status = status;
+    this.#ports.onView({
+      status,
+      session: this.#session,
+      scripts: this.#scripts,
+      isPaused: this.#isPaused,
+      commands: [...this.#commands.values()].toSorted((a, b) => b.seq - a.seq),
+    });
+  }
+}
+
+function isEnding(state: CommandRecord["state"]): boolean {
+  return state !== "accepted" && state !== "delivered" && state !== "started";
+}

@@ -1,0 +1,57 @@
+/**
+ * Restores the run from the world that this tab stored before a reload. In its own file, because it
+ * needs the schemas, and most visits restore nothing.
+ */
+import { parseRun, type Recording, type Run, type RunDocument } from "@corridor/recording";
+import { RELOADED } from "../protocol/cancel-reason.ts";
+import type { RunLoop } from "./run-loop.ts";
+import type { LoadedRun, RestoreRun } from "../protocol/worker-messages.ts";
+import type { WorldRepository } from "./world-repository.ts";
+import type { WorldJournal } from "./world-store.ts";
+
+/** All commands in it have ended. */
+export type RestoredJournal = WorldJournal & { running: null };
+
+export interface RestorePorts {
+  repository: Pick<WorldRepository, "claim">;
+  /** null before the documents have arrived */
+  run: () => Pick<RunLoop, "isUntouched" | "isOf" | "open"> | null;
+  /** replays the document, then calls `open`, and answers with its result */
+  load: (run: RunDocument, open: (recording: Recording) => LoadedRun) => void;
+  /** answers if there is nothing to load */
+  answer: (loaded: LoadedRun) => void;
+  restored: (journal: RestoredJournal | null) => void;
+}
+
+/** Restores the stored world, unless another project is open now or the robot drives already. */
+export async function restoreWorld(
+  { key, isSameProject }: Pick<RestoreRun, "key" | "isSameProject">,
+  { repository, run, load, answer, restored }: RestorePorts,
+): Promise<void> {
+  const world = await repository.claim(key);
+  const loop = run();
+  if (world === null || loop === null) return answer({ ok: false, reason: "not-stored" });
+  const read = parseRun({ format: "corridor/run", version: 1, name: "", seed: 0, ...world.run });
+  if (!read.ok) return answer({ ...read, reason: "refused" });
+  if (!loop.isUntouched) return answer({ ok: false, reason: "cancelled" });
+  load(read.value, (recording) => {
+    const { maze, program } = recording.run;
+    if (!isSameProject && !loop.isOf(maze, program)) return { ok: false, reason: "other-project" };
+    restored(world.journal === null ? null : endedBy(world.journal, recording.run));
+    return loop.open(recording);
+  });
+}
+
+/** The journal after the reload, in which the running command ends where the robot stands. */
+function endedBy(journal: WorldJournal, { pose, distance }: Pick<Run, "pose" | "distance">) {
+  const { running, endings, ...rest } = journal;
+  if (running === null) return { ...rest, endings, running };
+  const ending = {
+    seq: running.seq,
+    state: "cancelled",
+    reason: RELOADED,
+    pose,
+    distance: Math.max(0, distance - running.distance),
+  } as const;
+  return { ...rest, endings: [...endings, ending], running: null };
+}

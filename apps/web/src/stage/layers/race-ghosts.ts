@@ -1,0 +1,106 @@
+/**
+ * The ghosts of a race: the robot's outline without a face, filled like the floor, and a round
+ * badge with a letter. Each letter has its own corner, so that ghosts at one position can be
+ * distinguished.
+ */
+import type { GhostPose } from "../../simulator/protocol/worker-messages.ts";
+import type { DrawingContext } from "../drawing/drawing-context.ts";
+import type { DirtyRects } from "../drawing/dirty-rects.ts";
+import type { Palette } from "../drawing/palette.ts";
+import { viewX, viewY, type Viewport } from "../drawing/viewport.ts";
+import { fillBody, ROBOT_RADIUS, traceBody } from "./robot.ts";
+
+/** Pixels. */
+export const BADGE_RADIUS = 9;
+const OUTLINE = 2;
+/** Units from the centre to the corner of the body, including its outline. */
+const REACH = 28;
+/** For the letters A to D: right (1) or left (-1), down (1) or up (-1). */
+const corners = [
+  { x: 1, y: -1 },
+  { x: -1, y: -1 },
+  { x: 1, y: 1 },
+  { x: -1, y: 1 },
+] as const;
+const DIAGONAL = Math.SQRT1_2;
+
+/** Draws the ghosts below the robot, and their badges beside it. */
+export function drawRaceGhosts(
+  context: DrawingContext,
+  viewport: Viewport,
+  palette: Palette,
+  ghosts: readonly GhostPose[],
+  dirty: DirtyRects,
+): void {
+  for (const ghost of ghosts) drawBody(context, viewport, palette, ghost, dirty);
+  for (const ghost of ghosts) drawBadge(context, viewport, palette, ghost, dirty);
+}
+
+function drawBody(
+  context: DrawingContext,
+  viewport: Viewport,
+  palette: Palette,
+  { x, y, heading }: GhostPose,
+  dirty: DirtyRects,
+): void {
+  const { scale } = viewport;
+  const atX = viewX(viewport, x);
+  const atY = viewY(viewport, y);
+  const reach = REACH * scale + OUTLINE;
+  dirty.add(atX - reach, atY - reach, 2 * reach, 2 * reach);
+  context.save();
+  context.translate(atX, atY);
+  context.rotate((heading * Math.PI) / 180);
+  context.scale(scale, scale);
+  context.globalAlpha = 0.7;
+  context.fillStyle = palette.floor;
+  fillBody(context);
+  context.globalAlpha = 1;
+  context.strokeStyle = palette.ink2;
+  context.lineWidth = OUTLINE / scale;
+  traceBody(context);
+  // Arrow head that shows the heading.
+  context.lineCap = "round";
+  context.beginPath();
+  context.moveTo(-9, -6);
+  context.lineTo(0, -15);
+  context.lineTo(9, -6);
+  context.stroke();
+  context.restore();
+}
+
+function drawBadge(
+  context: DrawingContext,
+  viewport: Viewport,
+  palette: Palette,
+  { badge, x, y }: GhostPose,
+  dirty: DirtyRects,
+): void {
+  const beside = badgeOffset(badge, viewport.scale);
+  const atX = viewX(viewport, x) + beside.x;
+  const atY = viewY(viewport, y) + beside.y;
+  const reach = BADGE_RADIUS + 1;
+  dirty.add(atX - reach, atY - reach, 2 * reach, 2 * reach);
+  context.fillStyle = palette.ink;
+  context.strokeStyle = palette.floor;
+  context.lineWidth = 1.5;
+  context.beginPath();
+  context.arc(atX, atY, BADGE_RADIUS, 0, 2 * Math.PI);
+  context.fill();
+  context.stroke();
+  context.fillStyle = palette.onInk;
+  context.font = `650 12px ${palette.font}`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.fillText(badge, atX, atY + 0.5);
+}
+
+/**
+ * Offset in pixels of a badge from the ghost's centre. The badge touches the body and covers none
+ * of it.
+ */
+export function badgeOffset(badge: string, scale: number): { x: number; y: number } {
+  const corner = corners[badge.charCodeAt(0) - "A".charCodeAt(0)] ?? corners[0];
+  const away = (ROBOT_RADIUS * scale + BADGE_RADIUS) * DIAGONAL;
+  return { x: corner.x * away, y: corner.y * away };
+}
