@@ -6,7 +6,7 @@ import { layerViolations } from "../scripts/layers.ts";
 const root = new URL("../", import.meta.url).pathname;
 
 const sourceFiles = ["packages/*/src/**/*.ts", "apps/*/src/**/*.{ts,tsx}", "examples/**/*.ts"];
-const testFiles = ["**/*.test.ts", "**/*.cases.ts", "**/testing/**"];
+const testFiles = ["**/*.test.ts", "**/*.cases.ts", "**/cases/**", "**/testing/**"];
 
 function sourcesOnDisk(...exclude: string[]): Sources {
   const files = globSync(sourceFiles, { cwd: root, exclude: ["**/node_modules/**", ...exclude] });

@@ -1,7 +1,7 @@
 /** A command as an entry of the journal and of the tables in SQLite. */
 import type { CommandRecord, CommandState } from "@corridor/protocol";
-import { isStop, type CommandRow } from "../robots/commands/command-row.ts";
-import { commandIn } from "../robots/commands/known-commands.ts";
+import { isStop, type CommandRow } from "../commands/command-row.ts";
+import { commandIn } from "../commands/known-commands.ts";
 
 /** Layout of a journal entry. The tables read the same positions, so they must not change. */
 type Entry = [

@@ -2,8 +2,8 @@
  * Finds commands of a robot, first in memory and then in the tables. Must be called within a step.
  */
 import type { CommandRecord } from "@corridor/protocol";
-import { recordOfRow, STOP, type CommandRow } from "../robots/commands/command-row.ts";
-import { newestOvertaking as newestOf } from "../robots/commands/state-machine.ts";
+import { recordOfRow, STOP, type CommandRow } from "../commands/command-row.ts";
+import { newestOvertaking as newestOf } from "../commands/state-machine.ts";
 import type { LiveRobot } from "./live-robot.ts";
 import { numberIn, rowsIn } from "./sqlite-rows.ts";
 import type { Statements } from "./statements.ts";

@@ -1,11 +1,11 @@
 /**
  * A robot whose current commands are in memory, so that the usual steps of a command need no
  * tables. It holds the open commands, and the ended commands that no table holds yet. This class
- * records which changes the tables lack; the rules are in `robots/commands`.
+ * records which changes the tables lack; the rules are in `commands`.
  */
-import type { CommandRow } from "../robots/commands/command-row.ts";
-import { KeyIndex } from "../robots/commands/key-index.ts";
-import { RobotCommands, type Standing } from "../robots/commands/robot-commands.ts";
+import type { CommandRow } from "../commands/command-row.ts";
+import { KeyIndex } from "../commands/key-index.ts";
+import { RobotCommands, type Standing } from "../commands/robot-commands.ts";
 
 /** Looking up a key in the tables takes as long as all other work of the store for a command. */
 const MOST_LEFT = 1_000;

@@ -11,8 +11,8 @@
  * All methods except `peek`, `due` and `tidied` must be called in steps of the file. No other code
  * may change commands in the tables.
  */
-import type { CommandRow } from "../robots/commands/command-row.ts";
-import type { Standing } from "../robots/commands/robot-commands.ts";
+import type { CommandRow } from "../commands/command-row.ts";
+import type { Standing } from "../commands/robot-commands.ts";
 import { entryOf, rowIn } from "./command-entry.ts";
 import { EntryOwners } from "./entry-owners.ts";
 import type { Memory } from "./group-commit.ts";

@@ -14,7 +14,7 @@ import type {
   ScriptChange,
   StoredKey,
   StoredScript,
-} from "../robots/commands/permissions.ts";
+} from "../commands/permissions.ts";
 import type {
   AddResult,
   CancelResult,
@@ -22,7 +22,7 @@ import type {
   NewCommand,
   PageState,
   TermedRecord,
-} from "../robots/commands/steps.ts";
+} from "../commands/steps.ts";
 
 export {
   keyKinds,
@@ -33,7 +33,7 @@ export {
   type ScriptChange,
   type StoredKey,
   type StoredScript,
-} from "../robots/commands/permissions.ts";
+} from "../commands/permissions.ts";
 export {
   CLOCK_TOLERANCE_MS,
   reloadReasons,
@@ -45,7 +45,7 @@ export {
   type NewCommand,
   type PageState,
   type TermedRecord,
-} from "../robots/commands/steps.ts";
+} from "../commands/steps.ts";
 
 /** When a key was created and last used, as far as recorded; null: never used. */
 export interface KeyTimes {

@@ -1,6 +1,6 @@
 /** Rows of commands in SQLite. */
 import type { SQLInputValue } from "node:sqlite";
-import type { CommandRow } from "../robots/commands/command-row.ts";
+import type { CommandRow } from "../commands/command-row.ts";
 import { rowIn } from "./command-entry.ts";
 import type { Statements } from "./statements.ts";
 

@@ -8,9 +8,9 @@
  */
 import type { CommandRecord, Ending } from "@corridor/protocol";
 import { z } from "zod";
-import { recordOfRow } from "../robots/commands/command-row.ts";
-import { changeAway, changeKeys } from "../robots/commands/permissions.ts";
-import * as machine from "../robots/commands/state-machine.ts";
+import { recordOfRow } from "../commands/command-row.ts";
+import { changeAway, changeKeys } from "../commands/permissions.ts";
+import * as machine from "../commands/state-machine.ts";
 import { newestOvertaking, recordOf, recordsAfter, rowWith, withKey } from "./commands-of-robot.ts";
 import type { LiveRobot } from "./live-robot.ts";
 import { LiveRobots, LONG } from "./live-robots.ts";

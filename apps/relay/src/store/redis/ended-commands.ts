@@ -1,8 +1,8 @@
 /** Reads ended commands of a robot, which are not in memory. */
 import { z } from "zod";
-import type { CommandRow } from "../../robots/commands/command-row.ts";
-import type { RobotCommands } from "../../robots/commands/robot-commands.ts";
-import type { PageState } from "../../robots/commands/steps.ts";
+import type { CommandRow } from "../../commands/command-row.ts";
+import type { RobotCommands } from "../../commands/robot-commands.ts";
+import type { PageState } from "../../commands/steps.ts";
 import { asked, type Redis } from "./connection.ts";
 import { keyMember } from "./loaded-robot.ts";
 import { endedOf, keysOf, openOf } from "./redis-keys.ts";

@@ -4,9 +4,9 @@
  */
 import { hasEnded } from "@corridor/protocol";
 import { z } from "zod";
-import type { CommandRow } from "../../robots/commands/command-row.ts";
-import { standingOf, type Permissions } from "../../robots/commands/permissions.ts";
-import { RobotCommands } from "../../robots/commands/robot-commands.ts";
+import type { CommandRow } from "../../commands/command-row.ts";
+import { standingOf, type Permissions } from "../../commands/permissions.ts";
+import { RobotCommands } from "../../commands/robot-commands.ts";
 import { endedOf, keysOf, lineOf, openOf, sessionOf } from "./redis-keys.ts";
 import { rowIn, textOf } from "./rows.ts";
 import { awayText, keysText } from "./session-texts.ts";

@@ -5,9 +5,9 @@
  */
 import type { CommandRecord, Ending } from "@corridor/protocol";
 import { z } from "zod";
-import { recordOfRow, type CommandRow } from "../../robots/commands/command-row.ts";
-import { changeAway, changeKeys } from "../../robots/commands/permissions.ts";
-import * as machine from "../../robots/commands/state-machine.ts";
+import { recordOfRow, type CommandRow } from "../../commands/command-row.ts";
+import { changeAway, changeKeys } from "../../commands/permissions.ts";
+import * as machine from "../../commands/state-machine.ts";
 import { StoreFull } from "../../platform/errors/disk-full.ts";
 import type {
   AddResult,

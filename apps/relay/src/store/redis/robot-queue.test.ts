@@ -8,7 +8,7 @@ import { ForgottenBytes } from "./forgotten-bytes.ts";
 import { lineOf } from "./redis-keys.ts";
 import { RedisSessionStore } from "./redis-session-store.ts";
 import { RobotQueue } from "./robot-queue.ts";
-import * as machine from "../../robots/commands/state-machine.ts";
+import * as machine from "../../commands/state-machine.ts";
 import { StoreFull } from "../../platform/errors/disk-full.ts";
 import { StoreAway } from "../../platform/errors/store-away.ts";
 

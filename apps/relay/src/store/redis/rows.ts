@@ -1,8 +1,8 @@
 /** A command as a JSON object in Redis. */
 import { commandRecordSchema } from "@corridor/protocol";
 import { z } from "zod";
-import { isStop, termedOfRow, type CommandRow } from "../../robots/commands/command-row.ts";
-import { commandIn } from "../../robots/commands/known-commands.ts";
+import { isStop, termedOfRow, type CommandRow } from "../../commands/command-row.ts";
+import { commandIn } from "../../commands/known-commands.ts";
 
 const { state, pose, distance } = commandRecordSchema.shape;
 

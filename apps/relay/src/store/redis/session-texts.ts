@@ -1,6 +1,6 @@
 /** The keys and the blocked scripts of a session, as JSON in its hash. */
 import { z } from "zod";
-import { keyKinds } from "../../robots/commands/permissions.ts";
+import { keyKinds } from "../../commands/permissions.ts";
 
 export const keysText = z
   .string()
