@@ -19,11 +19,11 @@ import { RedisClock } from "./store/redis/redis-clock.ts";
 import { RedisDocumentStore } from "./store/redis/redis-document-store.ts";
 import { RedisPairingStore } from "./store/redis/redis-pairing-store.ts";
 import { RedisSessionStore } from "./store/redis/redis-session-store.ts";
-import type { SessionStore } from "./store/session-store.ts";
-import { SqliteDocumentStore } from "./store/sqlite-document-store.ts";
-import { SqliteFile } from "./store/sqlite-file.ts";
-import { SqlitePairingStore } from "./store/sqlite-pairing-store.ts";
-import { SqliteStore } from "./store/sqlite-store.ts";
+import type { SessionStore } from "./store/port.ts";
+import { SqliteDocumentStore } from "./store/sqlite/sqlite-document-store.ts";
+import { SqliteFile } from "./store/sqlite/file/sqlite-file.ts";
+import { SqlitePairingStore } from "./store/sqlite/sqlite-pairing-store.ts";
+import { SqliteStore } from "./store/sqlite/sqlite-store.ts";
 
 export interface Backend {
   /** clock that produces and compares stored times */

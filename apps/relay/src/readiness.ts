@@ -6,7 +6,7 @@
  */
 import type { Logger } from "pino";
 import type { Clock } from "./platform/time/clock.ts";
-import type { SessionStore } from "./store/session-store.ts";
+import type { SessionStore } from "./store/port.ts";
 
 /** A check costs a commit, so its result is reused for this time. */
 const FRESH_MS = 2_000;

@@ -1,6 +1,6 @@
 import { join } from "node:path";
 import { onTestFinished } from "vitest";
-import { SqliteStore } from "../store/sqlite-store.ts";
+import { SqliteStore } from "../store/sqlite/sqlite-store.ts";
 import { testFolder } from "../testing/test-relay.ts";
 import { LocalSwitchboard } from "./local-switchboard.ts";
 import { switchboardCases } from "./testing/switchboard.cases.ts";

@@ -1,12 +1,12 @@
 /**
  * Messages between relays that serve the same robot, on one channel per robot. Commands are neither
  * lost nor duplicated without them, because the store alone guarantees that. Every implementation
- * passes `testing/switchboard.cases.ts`. See docs/adr/0010-multiple-relays.md.
+ * passes `bus.cases.ts`. See docs/adr/0010-multiple-relays.md.
  */
 import type { CommandRecord, RecallCause } from "@corridor/protocol";
 import type { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
 import type { Scripts } from "../sessions/driver-roster.ts";
-import type { TermedRecord } from "../store/session-store.ts";
+import type { TermedRecord } from "../store/port.ts";
 
 /** Changes of one step of the store. */
 export interface Step {

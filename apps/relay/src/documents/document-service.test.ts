@@ -1,7 +1,7 @@
 import { join } from "node:path";
 import { pino } from "pino";
 import { expect, it, onTestFinished } from "vitest";
-import { SqliteDocumentStore } from "../store/sqlite-document-store.ts";
+import { SqliteDocumentStore } from "../store/sqlite/sqlite-document-store.ts";
 import { FakeClock } from "../platform/testing/fake-clock.ts";
 import { maze, program } from "../platform/testing/sample-documents.ts";
 import { testFolder } from "../testing/test-relay.ts";

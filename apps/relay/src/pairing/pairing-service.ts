@@ -12,7 +12,7 @@ import type { Patience } from "../sessions/audience.ts";
 import type { KeyRing } from "../sessions/key-ring.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { PairingStore, StoredPairing } from "../store/pairing-store.ts";
-import type { SessionStore } from "../store/session-store.ts";
+import type { SessionStore } from "../store/port.ts";
 import { CheckQueue } from "../platform/limits/check-queue.ts";
 import { Waits } from "./waits.ts";
 

@@ -3,7 +3,7 @@
  */
 import { createHash, randomBytes, randomInt, timingSafeEqual } from "node:crypto";
 import { PAIRING_LENGTH, PAIRING_LETTERS, SHORT_CODE_LENGTHS } from "@corridor/protocol";
-import type { KeyKind, StoredKey } from "../store/session-store.ts";
+import type { KeyKind, StoredKey } from "../store/port.ts";
 
 /** delete: deletes a short link's document. connection: authenticates a long-poll connection. */
 const PREFIX: Record<KeyKind | "delete" | "connection", string> = {

@@ -4,7 +4,7 @@
  */
 import { closeReasons, type CommandRecord } from "@corridor/protocol";
 import type { Clock } from "../platform/time/clock.ts";
-import type { SessionStore, TermedRecord } from "../store/session-store.ts";
+import type { SessionStore, TermedRecord } from "../store/port.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { commandFrame } from "./page-frames.ts";
 import type { PageDisplay } from "./page-display.ts";

@@ -20,7 +20,7 @@ import type { Clock } from "../platform/time/clock.ts";
 import type { Step } from "../cluster/switchboard.ts";
 import { noRobot, restarting } from "../platform/errors/problems.ts";
 import type { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
-import type { SessionStore, TermedRecord } from "../store/session-store.ts";
+import type { SessionStore, TermedRecord } from "../store/port.ts";
 import type { Audience } from "./audience.ts";
 import { CommandDelivery, type Due } from "./command-delivery.ts";
 import { CommandLog } from "./command-log.ts";

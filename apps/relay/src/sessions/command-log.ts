@@ -1,6 +1,6 @@
 /** Queries for the commands of one robot: one command, a list, the open ones, or the end of one. */
 import { hasEnded, type CommandRecord, type EventGap } from "@corridor/protocol";
-import type { SessionStore } from "../store/session-store.ts";
+import type { SessionStore } from "../store/port.ts";
 import type { Audience, Patience } from "./audience.ts";
 import { noCommand } from "./command-refusals.ts";
 import { limits } from "../platform/limits/limits.ts";

@@ -19,7 +19,7 @@ import type {
   SessionStore,
   StoredKey,
   TermedRecord,
-} from "../store/session-store.ts";
+} from "../store/port.ts";
 import { noCommand, notYourCommand } from "./command-refusals.ts";
 import type { OrderedWork } from "./ordered-work.ts";
 

@@ -1,7 +1,7 @@
 /** Error responses for commands that the relay does not store. */
 import { PAUSED_REASON, type CommandTerms } from "@corridor/protocol";
 import { noRobot, Refusal, retryAfter } from "../platform/errors/problems.ts";
-import type { AddResult } from "../store/session-store.ts";
+import type { AddResult } from "../store/port.ts";
 import { keyRevoked } from "./key-ring.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { scriptIsAway } from "./script-gate.ts";

@@ -7,7 +7,7 @@
 import type { AliveDriver, CommandRecord, Drivers, ScriptView } from "@corridor/protocol";
 import type { Clock } from "../platform/time/clock.ts";
 import { keyId } from "../platform/keys.ts";
-import type { StoredScript } from "../store/session-store.ts";
+import type { StoredScript } from "../store/port.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { ScriptList } from "./script-list.ts";
 

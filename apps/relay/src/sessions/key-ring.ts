@@ -10,7 +10,7 @@ import type {
   SessionStore,
   StoredKey,
   StoredSession,
-} from "../store/session-store.ts";
+} from "../store/port.ts";
 import { StoreAway } from "../platform/errors/store-away.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { checkRight, type RightsVersion, type Verb } from "./rights.ts";

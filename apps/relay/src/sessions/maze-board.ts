@@ -6,7 +6,7 @@ import type { MazeDocument } from "@corridor/maze";
 import type { Clock } from "../platform/time/clock.ts";
 import { hashKey } from "../platform/keys.ts";
 import { noRobot, Refusal, retryAfter } from "../platform/errors/problems.ts";
-import type { SessionStore } from "../store/session-store.ts";
+import type { SessionStore } from "../store/port.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { TokenBucket } from "../platform/limits/token-bucket.ts";
 

@@ -5,7 +5,7 @@
 import type { RelayToPage } from "@corridor/protocol";
 import type { Clock } from "../platform/time/clock.ts";
 import type { CoalescedTimers, Waiter } from "../platform/time/coalesced-timers.ts";
-import type { TermedRecord } from "../store/session-store.ts";
+import type { TermedRecord } from "../store/port.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { PageLink } from "./page-link.ts";
 import type { PageSeat, SeatedPage } from "./page-seat.ts";

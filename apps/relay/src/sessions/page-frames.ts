@@ -1,7 +1,7 @@
 /** Converts stored commands to messages for the page. */
 import type { RelayToPage } from "@corridor/protocol";
 import { keyId } from "../platform/keys.ts";
-import type { TermedRecord } from "../store/session-store.ts";
+import type { TermedRecord } from "../store/port.ts";
 
 /** The message that delivers a command, with the time left to start it. */
 export function commandFrame(

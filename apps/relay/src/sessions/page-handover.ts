@@ -5,7 +5,7 @@
  */
 import { closeReasons, type Resume } from "@corridor/protocol";
 import type { Clock } from "../platform/time/clock.ts";
-import { reloadReasons, replacedReasons, type LeftReasons } from "../store/session-store.ts";
+import { reloadReasons, replacedReasons, type LeftReasons } from "../store/port.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { PageLink } from "./page-link.ts";
 import type { PageSeat } from "./page-seat.ts";

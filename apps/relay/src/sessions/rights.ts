@@ -1,7 +1,7 @@
 /** Permissions for a robot: each request and message requires one of these verbs. */
 import type { Hello } from "@corridor/protocol";
 import { Refusal } from "../platform/errors/problems.ts";
-import type { KeyKind } from "../store/session-store.ts";
+import type { KeyKind } from "../store/port.ts";
 
 export const rights = {
   /** own the robot: receive commands and report their results */

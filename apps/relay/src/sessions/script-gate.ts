@@ -12,7 +12,7 @@ import type {
   SessionStore,
   StoredScript,
   StoredSession,
-} from "../store/session-store.ts";
+} from "../store/port.ts";
 import type { RightsVersion } from "./rights.ts";
 import { scriptOf, type Caller } from "./script.ts";
 

@@ -5,7 +5,7 @@
 import { MAX_SCRIPTS, type CommandRecord, type ScriptView } from "@corridor/protocol";
 import type { Clock } from "../platform/time/clock.ts";
 import { keyId } from "../platform/keys.ts";
-import type { StoredScript } from "../store/session-store.ts";
+import type { StoredScript } from "../store/port.ts";
 
 /** A disconnected script is no longer listed after this much silence. */
 const SHOWN_MS = 120_000;

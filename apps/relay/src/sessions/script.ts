@@ -3,7 +3,7 @@
  * and language. Scripts of one key that send neither count as one.
  */
 import { createHash } from "node:crypto";
-import type { StoredKey, StoredScript } from "../store/session-store.ts";
+import type { StoredKey, StoredScript } from "../store/port.ts";
 
 /** A key in use, and the script that uses it. */
 export interface Caller extends StoredKey {

@@ -15,7 +15,7 @@ import {
   retryAfter,
   restarting,
 } from "../platform/errors/problems.ts";
-import type { SessionStore, StoredKey } from "../store/session-store.ts";
+import type { SessionStore, StoredKey } from "../store/port.ts";
 import type { ReaderDoor } from "./audience.ts";
 import { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
 import { StaggeredInterval } from "../platform/time/staggered-interval.ts";

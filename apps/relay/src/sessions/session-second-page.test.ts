@@ -2,7 +2,7 @@ import type { Resume } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { completed } from "../platform/testing/messages.ts";
 import { settled } from "../platform/testing/fake-clock.ts";
-import { reloadReasons, replacedReasons } from "../store/session-store.ts";
+import { reloadReasons, replacedReasons } from "../store/port.ts";
 import { StoreAway } from "../platform/errors/store-away.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { PageLink } from "./page-link.ts";

@@ -1,6 +1,6 @@
 /** Last use of a session and its keys: immediate in memory, once a minute in the store. */
 import type { Clock } from "../platform/time/clock.ts";
-import type { SessionStore, StoredSession } from "../store/session-store.ts";
+import type { SessionStore, StoredSession } from "../store/port.ts";
 import type { KeyRing } from "./key-ring.ts";
 import { limits } from "../platform/limits/limits.ts";
 

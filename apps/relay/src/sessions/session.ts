@@ -15,12 +15,7 @@ import {
 import type { Clock } from "../platform/time/clock.ts";
 import type { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
 import type { Switchboard } from "../cluster/switchboard.ts";
-import type {
-  SessionStore,
-  StoredKey,
-  StoredScript,
-  StoredSession,
-} from "../store/session-store.ts";
+import type { SessionStore, StoredKey, StoredScript, StoredSession } from "../store/port.ts";
 import { Audience, type Patience } from "./audience.ts";
 import { CarriedSnapshot } from "./carried-snapshot.ts";
 import { CommandLife } from "./command-life.ts";

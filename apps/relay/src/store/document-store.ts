@@ -5,7 +5,7 @@
  * Equal texts have the same id. Each person who stores a text gets a delete key. The document is
  * deleted with its last key, so that nobody deletes a document that others share.
  *
- * Each method is one atomic step. Every implementation passes `testing/document-store.cases.ts`.
+ * Each method is one atomic step. Every implementation passes `cases/document-store.cases.ts`.
  */
 export interface NewDocument {
   /** candidate ids for a new document, at least one; the first free id is used */

@@ -4,7 +4,7 @@
  *
  * Each method is one atomic step, so that several relays can share a store. If two scripts use the
  * same code, one succeeds. If there are two answers, the first counts. Every implementation passes
- * `testing/pairing-store.cases.ts`.
+ * `cases/pairing-store.cases.ts`.
  */
 export interface NewPairing {
   robot: string;

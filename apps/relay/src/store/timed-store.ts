@@ -1,5 +1,5 @@
 /** Measures the commits of a store, for any database. */
-import type { SessionStore } from "./session-store.ts";
+import type { SessionStore } from "./port.ts";
 
 /** Every step that ends in a commit. */
 const COMMITS: ReadonlySet<string | symbol> = new Set([

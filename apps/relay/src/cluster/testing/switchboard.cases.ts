@@ -2,9 +2,9 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it, vi } from "vitest";
 import { CarriedSnapshot } from "../../sessions/carried-snapshot.ts";
-import { pageState } from "../../store/testing/robot-in-store.ts";
-import { sentCommand } from "../../store/testing/sent-command.ts";
-import type { SessionStore } from "../../store/session-store.ts";
+import { pageState } from "../../store/cases/robot-in-store.ts";
+import { sentCommand } from "../../store/cases/sent-command.ts";
+import type { SessionStore } from "../../store/port.ts";
 import type { Line, News, Switchboard } from "../switchboard.ts";
 
 const ID = "AAAAAAAAAAAAAAAAAAAAAA";

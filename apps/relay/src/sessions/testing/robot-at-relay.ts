@@ -14,8 +14,8 @@ import {
 } from "@corridor/protocol";
 import { pino } from "pino";
 import { onTestFinished } from "vitest";
-import { SqliteStore } from "../../store/sqlite-store.ts";
-import { cutStore } from "../../testing/cut-store.ts";
+import { SqliteStore } from "../../store/sqlite/sqlite-store.ts";
+import { cutStore } from "../../store/cases/cut-store.ts";
 import { FakeClock } from "../../platform/testing/fake-clock.ts";
 import { testFolder } from "../../testing/test-relay.ts";
 import type { PageLink } from "../page-link.ts";

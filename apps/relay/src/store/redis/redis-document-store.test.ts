@@ -1,6 +1,6 @@
 import { describe, expect, it, onTestFinished } from "vitest";
 import { hasRedis, startTestRedis } from "../../platform/testing/test-redis.ts";
-import { documentStoreCases } from "../testing/document-store.cases.ts";
+import { documentStoreCases } from "../cases/document-store.cases.ts";
 import { connectRedis } from "./connection.ts";
 import { ForgottenBytes } from "./forgotten-bytes.ts";
 import { RedisDocumentStore } from "./redis-document-store.ts";

@@ -1,6 +1,6 @@
 import { describe, onTestFinished } from "vitest";
 import { hasRedis, startTestRedis } from "../../platform/testing/test-redis.ts";
-import { pairingStoreCases } from "../testing/pairing-store.cases.ts";
+import { pairingStoreCases } from "../cases/pairing-store.cases.ts";
 import { connectRedis } from "./connection.ts";
 import { ForgottenBytes } from "./forgotten-bytes.ts";
 import { RedisPairingStore } from "./redis-pairing-store.ts";

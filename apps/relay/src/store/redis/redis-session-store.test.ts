@@ -1,6 +1,6 @@
 import { describe, expect, it, onTestFinished } from "vitest";
 import { hasRedis, startTestRedis } from "../../platform/testing/test-redis.ts";
-import { storeCases } from "../testing/store.cases.ts";
+import { storeCases } from "../cases/store.cases.ts";
 import { connectRedis } from "./connection.ts";
 import { requireDurable } from "./durability.ts";
 import { ForgottenBytes } from "./forgotten-bytes.ts";

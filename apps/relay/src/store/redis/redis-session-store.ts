@@ -24,7 +24,7 @@ import type {
   SessionStore,
   StoredSession,
   TermedRecord,
-} from "../session-store.ts";
+} from "../port.ts";
 import { asked, type Redis } from "./connection.ts";
 import {
   endedForPage,

@@ -2,7 +2,7 @@
 import { describe, expect, it, onTestFinished } from "vitest";
 import { hasRedis, startTestRedis } from "../../platform/testing/test-redis.ts";
 import { completed } from "../../platform/testing/messages.ts";
-import { ID, keyChange, LEFT, NOW, nothingDone, sent, STOP } from "../testing/robot-in-store.ts";
+import { ID, keyChange, LEFT, NOW, nothingDone, sent, STOP } from "../cases/robot-in-store.ts";
 import { connectRedis, type Redis } from "./connection.ts";
 import { ForgottenBytes } from "./forgotten-bytes.ts";
 import { lineOf } from "./redis-keys.ts";

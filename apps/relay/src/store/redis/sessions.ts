@@ -1,7 +1,7 @@
 /** Reads sessions and the times of their keys. */
 import { z } from "zod";
 import { asked, timeOf, type Redis } from "./connection.ts";
-import type { KeyTimes, StoredSession } from "../session-store.ts";
+import type { KeyTimes, StoredSession } from "../port.ts";
 import { RELAYS, sessionOf, USES } from "./redis-keys.ts";
 import type { Script } from "./script.ts";
 import { awayText, keysText } from "./session-texts.ts";

@@ -10,8 +10,8 @@ import { PageConversation } from "../../gateways/page-conversation.ts";
 import type { ReaderConnection } from "../../gateways/reader-connection.ts";
 import { SessionHub } from "../../sessions/session-hub.ts";
 import { verbOfRole } from "../../sessions/rights.ts";
-import { SqliteFile } from "../../store/sqlite-file.ts";
-import { SqliteStore } from "../../store/sqlite-store.ts";
+import { SqliteFile } from "../../store/sqlite/file/sqlite-file.ts";
+import { SqliteStore } from "../../store/sqlite/sqlite-store.ts";
 import type { VirtualTime } from "./virtual-time.ts";
 
 const noBallast = { hold: () => true, giveUp: () => false };

@@ -1,0 +1,28 @@
+/** A store with simulated failures: before a step, or after it, so that its result is lost. */
+import type { SessionStore } from "../port.ts";
+import { StoreAway } from "../../platform/errors/store-away.ts";
+
+export interface CutStore {
+  store: SessionStore;
+  isCut: boolean;
+  losesAnswers: boolean;
+}
+
+export function cutStore(whole: SessionStore): CutStore {
+  const cut: CutStore = { store: whole, isCut: false, losesAnswers: false };
+  cut.store = new Proxy(whole, {
+    get(target, name) {
+      const part: unknown = Reflect.get(target, name);
+      if (typeof part !== "function") return part;
+      // Needs no connection.
+      if (name === "hasAll") return part.bind(target) as unknown;
+      return async (...values: unknown[]): Promise<unknown> => {
+        if (cut.isCut) throw new StoreAway("it was cut off");
+        const answer: unknown = await Reflect.apply(part, target, values);
+        if (cut.losesAnswers) throw new StoreAway("its answer was lost");
+        return answer;
+      };
+    },
+  });
+  return cut;
+}

@@ -1,0 +1,145 @@
+/** Requirements for every store: a page that acquires a robot. */
+import { describe, expect, it } from "vitest";
+import { completed } from "../../platform/testing/messages.ts";
+import { reloadReasons, replacedReasons } from "../port.ts";
+import {
+  ID,
+  LEFT,
+  STOP,
+  EPOCH,
+  nothingDone,
+  type OpenStore,
+  pageState,
+  robotIn,
+} from "./robot-in-store.ts";
+
+export function pageCases(name: string, open: () => Promise<OpenStore>): void {
+  const withRobot = () => robotIn(open);
+
+  describe(`${name}: a page takes the robot`, () => {
+    it("raises the epoch, makes what never arrived wait again, and knows what had begun", async () => {
+      const { add, store, states, deliver } = await withRobot();
+      for (let n = 0; n < 4; n++) await add(LEFT);
+      await deliver(8);
+      const taken = await store.takeOver(
+        ID,
+        pageState({
+          lastApplied: 2,
+          fresh: false,
+          endings: [completed(1)],
+        }),
+      );
+      expect(taken?.epoch).toBe(EPOCH + 1);
+      expect(await states()).toEqual(["1 completed", "2 started", "3 accepted", "4 accepted"]);
+      expect((await store.takeOver(ID, nothingDone))?.epoch).toBe(EPOCH + 2);
+    });
+
+    it("refuses the frames of the page before", async () => {
+      const { add, store, deliver, states } = await withRobot();
+      await add(LEFT);
+      await deliver(8);
+      await store.takeOver(ID, pageState({ lastApplied: 1, fresh: false, endings: [] }));
+      expect(await store.start(ID, EPOCH, 1)).toBeNull();
+      expect(await store.end(ID, EPOCH, completed(1))).toMatchObject({ outcome: "over" });
+      expect(await deliver(8, EPOCH)).toEqual([]);
+      expect(await states()).toEqual(["1 started"]);
+    });
+
+    it("names the endings that come too late, and takes a repeated one for what it is", async () => {
+      const { add, store, deliver } = await withRobot();
+      await add(LEFT);
+      await add(LEFT);
+      await deliver(8);
+      await store.end(ID, EPOCH, completed(1));
+      await store.abandon(ID, EPOCH, "gone");
+      const endings = [completed(1), completed(2)];
+      const taken = await store.takeOver(ID, pageState({ lastApplied: 2, fresh: false, endings }));
+      expect(taken).toMatchObject({ changed: [], refused: [{ seq: 2, state: "cancelled" }] });
+    });
+
+    it("ends what a reloaded page had begun, and what a waiting stop had overtaken", async () => {
+      const { add, store, states, deliver } = await withRobot();
+      for (let n = 0; n < 3; n++) await add(LEFT);
+      await deliver(8);
+      await add(STOP);
+      await store.takeOver(ID, pageState({ lastApplied: 1, fresh: true, endings: [] }));
+      expect(await states()).toEqual(["1 cancelled", "2 cancelled", "3 cancelled", "4 accepted"]);
+      expect(await store.command(ID, 1)).toMatchObject({ reason: reloadReasons.started });
+    });
+
+    it("says where the restored robot stands of each command that a reload has cancelled", async () => {
+      const pose = { x: 50.25, y: 150, heading: 90.5 };
+      for (const settled of [Number.MAX_SAFE_INTEGER, null]) {
+        const { add, store, deliver } = await withRobot();
+        for (let n = 0; n < 3; n++) await add(LEFT);
+        await deliver(2);
+        await store.start(ID, EPOCH, 1);
+        const page = pageState({ lastApplied: 2, fresh: true, pose, settled });
+        const { changed = [] } = (await store.takeOver(ID, page)) ?? {};
+        expect(changed.map(({ seq, state }) => [seq, state])).toEqual([
+          [1, "cancelled"],
+          [2, "cancelled"],
+        ]);
+        for (const record of changed) expect(record).toMatchObject({ pose, distance: 0 });
+        expect(await store.command(ID, 2)).toMatchObject({ pose, distance: 0 });
+      }
+    });
+
+    it("ends what the page before may have begun, where nobody knows, and puts nothing back", async () => {
+      for (const settled of [null, EPOCH - 1]) {
+        const { add, store, states, deliver } = await withRobot();
+        for (let n = 0; n < 4; n++) await add(LEFT);
+        await deliver(3);
+        await store.start(ID, EPOCH, 1);
+        const state = pageState({ lastApplied: 1, settled, left: replacedReasons });
+        const taken = await store.takeOver(ID, state);
+        expect(taken?.changed.map(({ seq, reason }) => [seq, reason])).toEqual([
+          [1, replacedReasons.started],
+          [2, replacedReasons.delivered],
+          [3, replacedReasons.delivered],
+        ]);
+        expect(await states()).toEqual(["1 cancelled", "2 cancelled", "3 cancelled", "4 accepted"]);
+      }
+    });
+
+    it("ends them because of the reload where the page before is gone", async () => {
+      const { add, store, deliver } = await withRobot();
+      for (let n = 0; n < 2; n++) await add(LEFT);
+      await deliver(2);
+      await store.start(ID, EPOCH, 1);
+      const state = pageState({ fresh: true, settled: null, left: reloadReasons });
+      const { changed = [] } = (await store.takeOver(ID, state)) ?? {};
+      expect(changed.map(({ seq, reason }) => [seq, reason])).toEqual([
+        [1, reloadReasons.started],
+        [2, reloadReasons.delivered],
+      ]);
+    });
+
+    it("lists the commands that have not ended, in order", async () => {
+      const { add, store, deliver } = await withRobot();
+      for (let n = 0; n < 4; n++) await add(LEFT);
+      await deliver(3);
+      await store.start(ID, EPOCH, 1);
+      await store.end(ID, EPOCH, {
+        seq: 2,
+        state: "completed",
+        reason: null,
+        pose: null,
+        distance: 0,
+      });
+      const open = await store.openCommands(ID);
+      expect(open.map(({ seq, state }) => `${seq} ${state}`)).toEqual([
+        "1 started",
+        "3 delivered",
+        "4 accepted",
+      ]);
+      expect(await store.openCommands("BBBBBBBBBBBBBBBBBBBBBB")).toEqual([]);
+    });
+
+    it("never gives a number again that the page has seen", async () => {
+      const { add, store } = await withRobot();
+      await store.takeOver(ID, pageState({ lastApplied: 41, fresh: false, endings: [] }));
+      expect(await add(LEFT)).toMatchObject({ record: { seq: 42 } });
+    });
+  });
+}

@@ -1,0 +1,120 @@
+/** Requirements for every pairing store, for any database. */
+import { describe, expect, it } from "vitest";
+import type { PairingStore } from "../pairing-store.ts";
+import type { SessionStore } from "../port.ts";
+
+const ROBOT = "AAAAAAAAAAAAAAAAAAAAAA";
+const OTHER = "BBBBBBBBBBBBBBBBBBBBBB";
+const pairing = { robot: ROBOT, code: "hash-of-the-code", endsAt: 600_000 };
+const question = { key: "hash-of-the-new-key", name: "Right wall", client: "Python" };
+const NOW = 1_000;
+
+export interface OpenPairingStore {
+  store: PairingStore;
+  sessions: SessionStore;
+  /** The same data, opened again as after a restart. */
+  reopen: () => Promise<PairingStore>;
+  /** Whether the text is still in the files on disk. */
+  holds: (text: string) => Promise<boolean>;
+}
+
+/** @param open creates an empty store, which exists until the test ends */
+export function pairingStoreCases(name: string, open: () => Promise<OpenPairingStore>): void {
+  const withRobots = async () => {
+    const opened = await open();
+    for (const id of [ROBOT, OTHER]) await opened.sessions.create({ id, createdAt: 1, keys: [] });
+    return opened;
+  };
+
+  describe(`${name}: pairing codes`, () => {
+    it("are found by robot, code and key, after a restart too", async () => {
+      const { store, reopen } = await withRobots();
+      expect(await store.open(pairing)).toBe("opened");
+      const opened = { ...pairing, state: "open", question: null };
+      expect(await store.find({ robot: ROBOT }, NOW)).toEqual(opened);
+      expect(await store.find({ code: pairing.code }, NOW)).toEqual(opened);
+      expect(await store.find({ key: question.key }, NOW)).toBeNull();
+      expect(await store.ask(pairing.code, question, NOW)).toBe(true);
+      const again = await reopen();
+      const asked = { ...pairing, state: "asked", question };
+      expect(await again.find({ key: question.key }, NOW)).toEqual(asked);
+      expect(await again.find({ robot: OTHER }, NOW)).toBeNull();
+    });
+
+    it("are for one script, and the first answer counts", async () => {
+      const { store } = await withRobots();
+      await store.open(pairing);
+      const second = { key: "hash-of-a-second-key", name: null, client: "curl" };
+      const asked = [question, second].map((each) => store.ask(pairing.code, each, NOW));
+      expect(await Promise.all(asked)).toEqual([true, false]);
+      const answers = (["accepted", "refused"] as const).map((to) =>
+        store.settle(question.key, { from: "asked", to }, NOW),
+      );
+      expect(await Promise.all(answers)).toEqual([true, false]);
+      expect(await store.settle(second.key, { from: "asked", to: "accepted" }, NOW)).toBe(false);
+      expect(await store.find({ robot: ROBOT }, NOW)).toMatchObject({
+        state: "accepted",
+        question: { name: "Right wall" },
+      });
+    });
+
+    it("belong to one robot, and a new one takes the place of the last", async () => {
+      const { store } = await withRobots();
+      await store.open(pairing);
+      await store.ask(pairing.code, question, NOW);
+      expect(await store.open({ ...pairing, robot: OTHER })).toBe("taken");
+      expect(await store.open({ ...pairing, robot: "C".repeat(22) })).toBe("no-robot");
+      expect(await store.open({ ...pairing, code: "another" })).toBe("opened");
+      expect(await store.find({ code: pairing.code }, NOW)).toBeNull();
+      expect(await store.find({ key: question.key }, NOW)).toBeNull();
+      expect(await store.open({ ...pairing, robot: OTHER })).toBe("opened");
+    });
+
+    it("count until their time is over, to the millisecond", async () => {
+      const { store } = await withRobots();
+      await store.open(pairing);
+      expect(await store.find({ robot: ROBOT }, pairing.endsAt - 1)).not.toBeNull();
+      expect(await store.find({ robot: ROBOT }, pairing.endsAt)).toBeNull();
+      expect(await store.ask(pairing.code, question, pairing.endsAt)).toBe(false);
+      expect(await store.ask(pairing.code, question, NOW)).toBe(true);
+      const yes = { from: "asked", to: "accepted" } as const;
+      expect(await store.settle(question.key, yes, pairing.endsAt)).toBe(false);
+    });
+
+    it.each([
+      {
+        when: "they are taken back",
+        forget: async ({ store }: OpenPairingStore) => expect(await store.remove(ROBOT)).toBe(true),
+      },
+      {
+        when: "their time is over",
+        forget: async ({ store }: OpenPairingStore) => {
+          expect(await store.removeEnded(pairing.endsAt - 1)).toBe(0);
+          expect(await store.removeEnded(pairing.endsAt)).toBe(1);
+        },
+      },
+      {
+        when: "their robot is deleted",
+        forget: async ({ sessions }: OpenPairingStore) => void (await sessions.remove(ROBOT)),
+      },
+      {
+        when: "their robot runs out",
+        forget: async ({ sessions }: OpenPairingStore) =>
+          void (await sessions.removeExpired({ lastUsedAt: 10, createdAt: 10 })),
+      },
+    ])("are gone from the files when $when", async ({ forget }) => {
+      const opened = await withRobots();
+      const { store, holds } = opened;
+      await store.open(pairing);
+      await store.ask(pairing.code, question, NOW);
+      expect(await holds(question.key)).toBe(true);
+      await forget(opened);
+      expect(await store.find({ robot: ROBOT }, NOW)).toBeNull();
+      expect(await store.find({ key: question.key }, NOW)).toBeNull();
+      for (const text of [pairing.code, question.key, question.name]) {
+        expect(await holds(text)).toBe(false);
+      }
+      expect(await store.remove(ROBOT)).toBe(false);
+    });
+  });
+}

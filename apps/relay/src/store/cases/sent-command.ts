@@ -1,0 +1,20 @@
+/** A command as a relay stores it. */
+import type { NewCommand } from "../port.ts";
+
+export function sentCommand(change: Partial<NewCommand> = {}): NewCommand {
+  const acceptedAt = 5_000;
+  return {
+    driver: "d",
+    script: null,
+    key: null,
+    command: { action: "left 90" },
+    acceptedAt,
+    ttl: 10_000,
+    deadline: acceptedAt + 10_000,
+    replace: false,
+    lease: null,
+    maxWaiting: 64,
+    keep: 100,
+    ...change,
+  };
+}

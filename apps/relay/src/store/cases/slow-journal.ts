@@ -1,0 +1,120 @@
+/**
+ * A group commit whose journal writes on request of the test. Its steps store their names in memory
+ * and in the journal.
+ */
+import { join } from "node:path";
+import type { DatabaseSync } from "node:sqlite";
+import { onTestFinished } from "vitest";
+import { testFolder } from "../../testing/test-relay.ts";
+import { GroupCommit, type Memory } from "../sqlite/file/group-commit.ts";
+import type { Journal, Told } from "../sqlite/file/journal.ts";
+import { JournalWriter, type Entry, type Tidying } from "../sqlite/file/journal-writer.ts";
+import { openDatabase } from "../sqlite/file/sqlite-schema.ts";
+
+export const LOST = new Error("lost");
+export const NOTHING: Tidying = { bringing: [], deleted: 0, kept: [] };
+
+/** A journal that writes on request of the test. */
+class SlowJournal implements Journal {
+  readonly #writer: JournalWriter;
+  writing: { entries: readonly Entry[]; tidying: Tidying | null; told: Told } | null = null;
+  isClosed = false;
+
+  constructor(db: DatabaseSync) {
+    this.#writer = new JournalWriter(db);
+  }
+
+  write(entries: readonly Entry[], tidying: Tidying | null, told: Told): void {
+    if (this.writing !== null) throw new Error("It is still writing.");
+    if (this.isClosed) throw new Error("It is closed.");
+    this.writing = { entries, tidying, told };
+  }
+
+  /** Ends the current write: the entries are on disk, or lost. */
+  tell(lost: Error | null = null, untidied: Error | null = null): void {
+    if (this.writing === null) throw new Error("It was given nothing.");
+    const { entries, told } = this.writing;
+    if (lost === null) this.#writer.write(entries, null);
+    this.writing = null;
+    told(lost, untidied);
+  }
+
+  get names(): string[] | null {
+    return this.writing && this.writing.entries.map(([, , text]) => text);
+  }
+
+  async close(): Promise<void> {
+    if (this.writing !== null) throw new Error("It is still writing.");
+    this.isClosed = true;
+  }
+}
+
+/** State in memory: the names of all steps that added an entry. */
+function namesInMemory(db: DatabaseSync) {
+  const sql = "SELECT entry FROM journal ORDER BY id";
+  const onDisk = () =>
+    db
+      .prepare(sql)
+      .all()
+      .map(({ entry }) => String(entry));
+  let names: string[] | null = null;
+  const parts = { due: null as Tidying | null, isUntidy: false };
+  const tidied: unknown[] = [];
+  const memory: Memory = {
+    undone: () => (names = null),
+    due: () => parts.due,
+    get isUntidy() {
+      return parts.isUntidy;
+    },
+    tidied: (_, failed) => tidied.push(failed),
+  };
+  return { memory, parts, tidied, onDisk, names: () => (names ??= onDisk()) };
+}
+
+/** Runs steps by name. Each step appends its name and returns all names. */
+export function withJournal() {
+  const db = openDatabase(join(testFolder(), "corridor.sqlite"));
+  onTestFinished(() => db.close());
+  db.exec("CREATE TABLE rows (name TEXT PRIMARY KEY) STRICT");
+  const { memory, parts, tidied, onDisk, names } = namesInMemory(db);
+  const anew = () => {
+    memory.undone();
+    const journal = new SlowJournal(db);
+    return { journal, commits: new GroupCommit(db, { memory, journal, now: () => 0 }) };
+  };
+  const { journal, commits } = anew();
+  const append = (name: string, to = commits): void => {
+    names().push(name);
+    to.append([names().length, "robot", name]);
+  };
+  const settled: string[] = [];
+  const note = <T>(name: string, step: Promise<T>): Promise<T> => {
+    const done = (how: string) => () => void settled.push(`${name} ${how}`);
+    step.then(done("kept"), done("lost"));
+    return step;
+  };
+  const step = (name: string, work = () => append(name)) =>
+    note(
+      name,
+      commits.run(() => {
+        work();
+        return [...names()];
+      }, "memory"),
+    );
+  const rows = (name: string) =>
+    note(
+      name,
+      commits.run(() => {
+        db.prepare("INSERT INTO rows VALUES (?)").run(name);
+        append(name);
+        return [...names()];
+      }),
+    );
+  const hasRow = () =>
+    db
+      .prepare("SELECT name FROM rows")
+      .all()
+      .map(({ name }) => String(name));
+  const steps = { append, step, rows };
+  return { db, anew, journal, commits, ...steps, hasRow, settled, names, onDisk, parts, tidied };
+}

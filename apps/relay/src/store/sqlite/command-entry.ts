@@ -1,0 +1,82 @@
+/** A command as an entry of the journal and of the tables in SQLite. */
+import type { CommandRecord, CommandState } from "@corridor/protocol";
+import { isStop, type CommandRow } from "../../commands/command-row.ts";
+import { commandIn } from "../../commands/known-commands.ts";
+
+/** Layout of a journal entry. The tables read the same positions, so they must not change. */
+type Entry = [
+  seq: number,
+  driver: string,
+  script: string | null,
+  key: string | null,
+  text: string,
+  acceptedAt: number,
+  ttl: number,
+  deadline: number,
+  replaces: 0 | 1,
+  lease: number | null,
+  state: CommandState,
+  reason: string | null,
+  recalled: string | null,
+  pose: string | null,
+  distance: number | null,
+  epoch: number | null,
+  /** missing in entries of the first journals */
+  forgotten?: number,
+];
+
+/**
+ * Serialises a row for the journal and the tables.
+ * @param forgotten highest seq up to which this step deletes the robot's ended commands; 0: none
+ */
+export function entryOf(row: CommandRow, forgotten: number): string {
+  const { seq, driver, script, key, text, acceptedAt, ttl, deadline, replace, lease } = row;
+  const { state, reason, recalled, pose, distance, epoch } = row;
+  const entry: Entry = [
+    seq,
+    driver,
+    script,
+    key,
+    text,
+    acceptedAt,
+    ttl,
+    deadline,
+    replace ? 1 : 0,
+    lease,
+    state,
+    reason,
+    recalled,
+    pose === null ? null : JSON.stringify(pose),
+    distance,
+    epoch,
+    forgotten,
+  ];
+  return JSON.stringify(entry);
+}
+
+/** @throws SyntaxError if the text is not an entry */
+export function rowIn(entry: string): { row: CommandRow; forgotten: number } {
+  const [seq, driver, script, key, text, acceptedAt, ttl, deadline, replaces, lease, ...rest] =
+    JSON.parse(entry) as Entry;
+  const [state, reason, recalled, pose, distance, epoch, forgotten = 0] = rest;
+  const row: CommandRow = {
+    seq,
+    driver,
+    script,
+    key,
+    ...commandIn(text),
+    acceptedAt,
+    ttl,
+    deadline,
+    replace: replaces === 1,
+    lease,
+    overtakes: replaces === 1 || isStop(text),
+    state,
+    reason,
+    recalled,
+    pose: pose === null ? null : (JSON.parse(pose) as CommandRecord["pose"]),
+    distance,
+    epoch,
+  };
+  return { row, forgotten };
+}

@@ -1,0 +1,96 @@
+/** A model test: steps that succeed, throw or fail in groups have the same effect as one by one. */
+import { setImmediate as turn } from "node:timers/promises";
+import fc from "fast-check";
+import { expect, it } from "vitest";
+import { LOST, NOTHING, withJournal } from "../../cases/slow-journal.ts";
+
+interface Doing {
+  what: "memory" | "rows" | "alone" | "turn" | "kept" | "lost" | "tidy";
+  /** entries that the step adds */
+  entries: number;
+  throws: "no" | "first" | "midway";
+}
+
+const doings = fc.array(
+  fc.record<Doing>({
+    what: fc.constantFrom(
+      ...(["memory", "memory", "memory", "memory", "rows", "alone"] as const),
+      ...(["turn", "turn", "turn", "kept", "kept", "lost", "tidy"] as const),
+    ),
+    entries: fc.constantFrom(0, 1, 1, 2),
+    throws: fc.constantFrom("no", "no", "no", "no", "first", "midway"),
+  }),
+  { minLength: 5, maxLength: 60 },
+);
+
+it("each is answered, by what those before it have left, whatever throws or is lost", async () => {
+  const all = withJournal();
+  const { db, append, hasRow, names, onDisk, parts } = all;
+  await fc.assert(
+    fc.asyncProperty(doings, async (asked) => {
+      const { journal, commits } = all.anew();
+      db.exec("DELETE FROM journal; DELETE FROM rows");
+      parts.due = null;
+      const lost = new Set<string>();
+      let leftToAnswer = 0;
+      const tell = (fate: Error | null): void => {
+        if (fate !== null) for (const name of journal.names ?? []) lost.add(name);
+        if (journal.writing !== null) journal.tell(fate);
+      };
+      const ask = ({ what, entries, throws }: Doing, name: string) => {
+        const work = (): string[] => {
+          if (what === "rows") db.prepare("INSERT INTO rows VALUES (?)").run(name);
+          if (throws === "first") throw new Error("its own");
+          for (let each = 0; each < entries; each++) append(name, commits);
+          if (throws === "midway") throw new Error("its own");
+          return [...names()];
+        };
+        leftToAnswer += 1;
+        return commits
+          .run(work, what === "rows" ? "rows" : "memory")
+          .then(
+            (seen) => ({ seen, onDisk: onDisk().filter((each) => each === name).length }),
+            (error: Error) => error.message,
+          )
+          .finally(() => (leftToAnswer -= 1));
+      };
+      const steps: { doing: Doing; name: string; answer: ReturnType<typeof ask> }[] = [];
+      for (const [n, doing] of asked.entries()) {
+        const name = String(n);
+        if (doing.what === "turn") await turn();
+        else if (doing.what === "kept" || doing.what === "lost")
+          tell(doing.what === "lost" ? LOST : null);
+        else if (doing.what === "tidy") parts.due = parts.due === null ? NOTHING : null;
+        else if (doing.what === "alone")
+          void commits.alone(() => {
+            if (db.isTransaction || journal.writing !== null) throw new Error("not alone");
+          });
+        else steps.push({ doing, name, answer: ask(doing, name) });
+      }
+      leftToAnswer += 1;
+      void commits.close().finally(() => (leftToAnswer -= 1));
+      for (let turns = 0; leftToAnswer > 0 && turns < 200; turns++) {
+        tell(null);
+        await turn();
+      }
+      expect(leftToAnswer).toBe(0);
+      const left: string[] = [];
+      const rows: string[] = [];
+      for (const { doing, name, answer } of steps) {
+        const { what, entries, throws } = doing;
+        const got = await answer;
+        // A step without entries may still be in a group that fails.
+        const isLost = lost.has(name) || (entries === 0 && got === LOST.message);
+        const isKept = !isLost && throws === "no";
+        if (isKept) for (let each = 0; each < entries; each++) left.push(name);
+        if (isKept && what === "rows") rows.push(name);
+        const kept = { seen: [...left], onDisk: entries };
+        expect(got).toEqual(isKept ? kept : isLost ? LOST.message : "its own");
+      }
+      expect(onDisk()).toEqual(left);
+      expect(names()).toEqual(left);
+      expect(hasRow().toSorted()).toEqual(rows.toSorted());
+    }),
+    { numRuns: 300 },
+  );
+});

@@ -1,0 +1,255 @@
+/** Steps with journal entries: memory and disk stay consistent, whatever the result of a write. */
+import { setImmediate as turn, setTimeout as wait } from "node:timers/promises";
+import { describe, expect, it } from "vitest";
+import { LOST, NOTHING, withJournal } from "../../cases/slow-journal.ts";
+
+describe("steps that add entries", () => {
+  it("are answered once these are on disk; what is done meanwhile is written next, in order", async () => {
+    const { journal, step, settled } = withJournal();
+    void step("a");
+    void step("b");
+    expect(journal.writing).toBeNull();
+    await turn();
+    expect(journal.names).toEqual(["a", "b"]);
+    void step("c");
+    const d = step("d");
+    await turn();
+    expect(journal.names).toEqual(["a", "b"]);
+    expect(settled).toEqual([]);
+    journal.tell();
+    expect(journal.names).toEqual(["c", "d"]);
+    await turn();
+    expect(settled).toEqual(["a kept", "b kept"]);
+    journal.tell();
+    expect(await d).toEqual(["a", "b", "c", "d"]);
+  });
+
+  it("are answered after those whose doings they have seen, also where they add none", async () => {
+    const { journal, step, settled } = withJournal();
+    void step("a");
+    await turn();
+    void step("look", () => undefined);
+    await turn();
+    expect(settled).toEqual([]);
+    journal.tell();
+    await turn();
+    expect(settled).toEqual(["a kept", "look kept"]);
+    expect(journal.writing).toBeNull();
+  });
+
+  it("let one wait that changes rows, and those after it wait with it", async () => {
+    const { journal, step, rows, hasRow, settled } = withJournal();
+    void step("a");
+    await turn();
+    void step("b");
+    void rows("c");
+    const d = step("d");
+    await turn();
+    expect(hasRow()).toEqual([]);
+    journal.tell();
+    // The waiting steps run together with the step that ran before, in one transaction.
+    expect(await d).toEqual(["a", "b", "c", "d"]);
+    expect(hasRow()).toEqual(["c"]);
+    expect(settled).toEqual(["a kept", "b kept", "c kept", "d kept"]);
+    expect(journal.writing).toBeNull();
+  });
+
+  it("are done once more where what they have seen is lost", async () => {
+    const { journal, step, rows, settled, onDisk } = withJournal();
+    void step("a").catch(() => undefined);
+    await turn();
+    const b = step("b");
+    const c = rows("c");
+    const d = step("d");
+    journal.tell(LOST);
+    expect(await Promise.all([b, c, d])).toEqual([["b"], ["b", "c"], ["b", "c", "d"]]);
+    expect(onDisk()).toEqual(["b", "c", "d"]);
+    expect(settled[0]).toBe("a lost");
+  });
+
+  it("harm nobody where one throws that added nothing", async () => {
+    const { journal, step } = withJournal();
+    const a = step("a");
+    const bad = step("bad", () => {
+      throw new Error("refused");
+    });
+    const b = step("b");
+    await expect(bad).rejects.toThrow("refused");
+    await turn();
+    expect(journal.names).toEqual(["a", "b"]);
+    journal.tell();
+    expect([await a, await b]).toEqual([["a"], ["a", "b"]]);
+  });
+
+  it("leave nothing of one that throws midway, in memory or on disk", async () => {
+    const { journal, append, step, parts, tidied } = withJournal();
+    parts.due = NOTHING;
+    const a = step("a");
+    const bad = step("bad", () => {
+      append("bad");
+      throw new Error("half done");
+    });
+    const b = step("b");
+    await expect(bad).rejects.toThrow("half done");
+    await turn();
+    expect(journal.names).toEqual(["a"]);
+    // Memory is invalid at this point, so it must not reach the tables.
+    expect(journal.writing?.tidying).toBeNull();
+    journal.tell();
+    await turn();
+    expect(journal.writing).toMatchObject({ tidying: NOTHING });
+    journal.tell();
+    expect([await a, await b]).toEqual([["a"], ["a", "b"]]);
+    expect(tidied).toEqual([null]);
+  });
+
+  it("are all on disk before work that wants no transaction, and what comes after it is not", async () => {
+    const { db, journal, commits, step, onDisk } = withJournal();
+    void step("a");
+    await turn();
+    void step("b");
+    const alone = commits.alone(() => [db.isTransaction, onDisk()]);
+    const failing = commits.alone(() => {
+      throw new Error("no such pragma");
+    });
+    const c = step("c");
+    journal.tell();
+    expect(await alone).toEqual([false, ["a", "b"]]);
+    await expect(failing).rejects.toThrow("no such pragma");
+    journal.tell();
+    expect(await c).toEqual(["a", "b", "c"]);
+  });
+
+  it("are waited for when it is closed, and refused from then on", async () => {
+    const { journal, commits, step, rows } = withJournal();
+    const a = step("a");
+    await turn();
+    const b = rows("b");
+    const closed = commits.close();
+    for (const late of [step("late"), rows("late"), commits.alone(() => undefined)])
+      await expect(late).rejects.toThrow("closed");
+    expect(journal.isClosed).toBe(false);
+    journal.tell();
+    await closed;
+    expect(journal.isClosed).toBe(true);
+    expect([await a, await b]).toEqual([["a"], ["a", "b"]]);
+  });
+});
+
+/** Each robot runs one step at a time, but there may be many robots, and the disk may hang. */
+describe("many thousand steps", () => {
+  const MANY = 150_000;
+
+  it.each([
+    { fate: "are all answered once what they wait for is on disk", lost: null },
+    { fate: "are all done once more where that is lost", lost: LOST },
+  ])("$fate", { timeout: 30_000 }, async ({ lost }) => {
+    const { journal, commits, step } = withJournal();
+    step("a").catch(() => undefined);
+    await turn();
+    const all = Array.from({ length: MANY }, () => commits.run(() => 1, "memory"));
+    const row = commits.run(() => 2);
+    const after = Array.from({ length: MANY }, () => commits.run(() => 3, "memory"));
+    journal.tell(lost);
+    const sum = (await Promise.all([...all, row, ...after])).reduce((a, b) => a + b, 0);
+    expect(sum).toBe(4 * MANY + 2);
+  });
+});
+
+describe("tidying", () => {
+  it("goes with what is written, and tells what became of it", async () => {
+    const { journal, step, parts, tidied } = withJournal();
+    parts.due = NOTHING;
+    void step("a");
+    await turn();
+    expect(journal.writing).toMatchObject({ tidying: NOTHING });
+    const untidied = new Error("no room for rows");
+    journal.tell(null, untidied);
+    expect(tidied).toEqual([untidied]);
+    await turn();
+    step("b").catch(() => undefined);
+    await turn();
+    journal.tell(LOST);
+    expect(tidied).toEqual([untidied, LOST]);
+  });
+
+  it("is done when there is nothing else to write, until all is tidy, and never after the end", async () => {
+    const { journal, commits, step, parts, tidied } = withJournal();
+    parts.isUntidy = true;
+    void step("a");
+    await turn();
+    expect(journal.writing).toMatchObject({ tidying: null });
+    parts.due = NOTHING;
+    journal.tell();
+    for (let times = 1; times <= 2; times++) {
+      await expect.poll(() => journal.writing).toMatchObject({ entries: [], tidying: NOTHING });
+      journal.tell();
+      expect(tidied.length).toBe(times);
+    }
+    await commits.close();
+    await wait(30);
+    expect(journal.writing).toBeNull();
+  });
+
+  it("goes on without a pause as long as there is nothing else to write", async () => {
+    const { journal, step, parts } = withJournal();
+    Object.assign(parts, { isUntidy: true, due: NOTHING });
+    void step("a");
+    await turn();
+    journal.tell();
+    await expect.poll(() => journal.writing).not.toBeNull();
+    for (let times = 0; times < 3; times++) {
+      journal.tell();
+      await turn();
+      expect(journal.writing).toMatchObject({ entries: [], tidying: NOTHING });
+    }
+    journal.tell();
+    parts.due = null;
+    void step("b");
+    await turn();
+    expect(journal.writing).toMatchObject({ tidying: null });
+    expect(journal.writing?.entries).toHaveLength(1);
+  });
+
+  it("is not tried for ever where it fails, but with what is written next", async () => {
+    const { journal, step, parts } = withJournal();
+    Object.assign(parts, { isUntidy: true, due: NOTHING });
+    void step("a");
+    await turn();
+    journal.tell(null, new Error("no"));
+    await expect.poll(() => journal.writing).not.toBeNull();
+    journal.tell(null, new Error("no"));
+    await wait(30);
+    expect(journal.writing).toBeNull();
+    void step("b");
+    await turn();
+    expect(journal.writing).toMatchObject({ tidying: NOTHING });
+  });
+
+  it("comes to its turn also where every group changes rows", async () => {
+    const { journal, rows, parts } = withJournal();
+    await rows("a");
+    expect(journal.writing).toBeNull();
+    parts.due = NOTHING;
+    await rows("b");
+    expect(journal.writing).toMatchObject({ entries: [], tidying: NOTHING });
+    parts.due = null;
+    journal.tell();
+  });
+
+  it("lets a step that changes rows wait", async () => {
+    const { journal, step, rows, hasRow, parts } = withJournal();
+    parts.isUntidy = true;
+    void step("a");
+    await turn();
+    parts.due = NOTHING;
+    journal.tell();
+    await expect.poll(() => journal.writing).not.toBeNull();
+    const b = rows("b");
+    expect(hasRow()).toEqual([]);
+    parts.isUntidy = false;
+    journal.tell();
+    await b;
+    expect(hasRow()).toEqual(["b"]);
+  });
+});

@@ -1,0 +1,133 @@
+/** Deletion of old commands, across restarts and for any state of the tables. */
+import { join } from "node:path";
+import { DatabaseSync } from "node:sqlite";
+import { setTimeout as wait } from "node:timers/promises";
+import { describe, expect, it, onTestFinished } from "vitest";
+import { completed } from "../../../platform/testing/messages.ts";
+import { testFolder } from "../../../testing/test-relay.ts";
+import { LiveRobots } from "../live-robots.ts";
+import { openDatabase } from "./sqlite-schema.ts";
+import { SqliteStore } from "../sqlite-store.ts";
+import { Statements } from "./statements.ts";
+import { NOW, ROBOTS, sent, withRobots } from "../../cases/robot-in-store.ts";
+
+describe("the journal", () => {
+  it("forgets as much over a restart: what ended late is there until the next command comes", async () => {
+    const file = join(testFolder(), "corridor.sqlite");
+    const [id = ""] = ROBOTS;
+    for (const restarts of [false, true]) {
+      let store = new SqliteStore(`${file}-${restarts}`, 0);
+      const maybeRestart = async (): Promise<void> => {
+        if (!restarts) return;
+        await store.close();
+        store = new SqliteStore(`${file}-${restarts}`, 0);
+      };
+      await withRobots(store);
+      const add = (key: string) => store.add(id, { ...sent, driver: "d", keep: 2, key });
+      const seqs = async () => (await store.commandsAfter(id, 0, 10)).map(({ seq }) => seq);
+      await add("key-0001");
+      for (let seq = 2; seq <= 5; seq++) {
+        await add(`key-000${seq}`);
+        await store.cancel(id, seq, { driver: "d", reason: "no" });
+      }
+      await maybeRestart();
+      expect(await seqs()).toEqual([1, 4, 5]);
+      await store.cancel(id, 1, { driver: "d", reason: "at last" });
+      expect(await store.command(id, 1)).toMatchObject({ reason: "at last" });
+      expect(await add("key-0001")).toMatchObject({ outcome: "duplicate" });
+      await maybeRestart();
+      expect(await seqs()).toEqual([1, 4, 5]);
+      await add("key-0006");
+      expect(await seqs()).toEqual([5, 6]);
+      // From now on, another command has this key.
+      expect(await add("key-0001")).toMatchObject({ outcome: "stored", record: { seq: 7 } });
+      await store.cancel(id, 7, { driver: "d", reason: "no" });
+      await maybeRestart();
+      expect(await add("key-0001")).toMatchObject({ outcome: "duplicate", record: { seq: 7 } });
+      await store.close();
+    }
+  });
+
+  it("lets a key be used again at once, though the tables still have the command that came with it", async () => {
+    const file = join(testFolder(), "corridor.sqlite");
+    const store = new SqliteStore(file, 4);
+    await withRobots(store);
+    const [id = ""] = ROBOTS;
+    for (let n = 1; n <= 40; n++) {
+      const command = { ...sent, driver: "d", keep: 1, key: "key-0001" };
+      expect(await store.add(id, command)).toMatchObject({ outcome: "stored", record: { seq: n } });
+      if (n % 3 === 0) await wait(15);
+      await store.deliver(id, 1, 8, NOW);
+      await store.end(id, 1, completed(n));
+      expect(await store.add(id, command)).toMatchObject({ outcome: "duplicate" });
+      // Deletes the previous command, because it retains only itself.
+      await store.add(id, { ...command, key: null, command: { action: "stop" } });
+      await store.deliver(id, 1, 8, NOW);
+      await store.end(id, 1, completed(++n));
+    }
+    const db = new DatabaseSync(file, { readOnly: true });
+    onTestFinished(() => db.close());
+    const entries = () => Number(db.prepare("SELECT count(*) AS n FROM journal").get()?.["n"]);
+    // A checkpoint can copy all commands to the tables.
+    await expect.poll(entries).toBeLessThanOrEqual(4);
+    await store.close();
+  });
+
+  it("is read as an earlier Corridor wrote it, whose entries said nothing of what is forgotten", async () => {
+    const file = join(testFolder(), "corridor.sqlite");
+    const before = new SqliteStore(file);
+    await withRobots(before);
+    const [id = ""] = ROBOTS;
+    for (let n = 1; n <= 3; n++) await before.add(id, { ...sent, driver: "d", key: `key-000${n}` });
+    await before.cancel(id, 2, { driver: "d", reason: "no" });
+    const records = await before.commandsAfter(id, 0, 10);
+    await before.close();
+    const db = new DatabaseSync(file);
+    db.exec("UPDATE journal SET entry = json_remove(entry, '$[16]')");
+    expect(db.prepare("SELECT json_array_length(entry) AS n FROM journal").get()).toEqual({
+      n: 16,
+    });
+    db.close();
+    const after = new SqliteStore(file, 0);
+    onTestFinished(() => after.close());
+    expect(await after.commandsAfter(id, 0, 10)).toEqual(records);
+    await after.add(id, { ...sent, driver: "d", keep: 1 });
+    await wait(30);
+    expect((await after.commandsAfter(id, 0, 10)).map(({ seq }) => seq)).toEqual([1, 3, 4]);
+  });
+
+  it("deletes nothing of a robot whose deletion was undone", async () => {
+    const file = join(testFolder(), "corridor.sqlite");
+    const store = new SqliteStore(file);
+    await withRobots(store);
+    const [id = ""] = ROBOTS;
+    for (let n = 1; n <= 3; n++) await store.add(id, { ...sent, driver: "d" });
+    await store.close();
+    const db = openDatabase(file);
+    onTestFinished(() => db.close());
+    const live = new LiveRobots(new Statements(db), () => undefined, 100);
+    live.remove([id]);
+    live.undone();
+    live.deleteOrphans();
+    expect([...(live.open(id)?.commands.open ?? [])].map(({ seq }) => seq)).toEqual([1, 2, 3]);
+  });
+
+  it("forgets a robot wholly that has more in it than a call can be given", async () => {
+    const file = join(testFolder(), "corridor.sqlite");
+    const [id = ""] = ROBOTS;
+    const before = new SqliteStore(file);
+    await withRobots(before);
+    await before.add(id, { ...sent, driver: "d" });
+    await before.close();
+    const db = new DatabaseSync(file);
+    onTestFinished(() => db.close());
+    const count = (): unknown => db.prepare("SELECT count(*) AS n FROM journal").get()?.["n"];
+    db.exec(`WITH RECURSIVE more (id) AS (SELECT 1000 UNION ALL SELECT id + 1 FROM more WHERE id < 151000)
+      INSERT INTO journal SELECT more.id, robot, entry FROM more, journal WHERE journal.id = 1`);
+    expect(count()).toBeGreaterThan(150_000);
+    const store = new SqliteStore(file, 1_000_000);
+    onTestFinished(() => store.close());
+    expect(await store.remove(id)).toBe(true);
+    expect(count()).toBe(0);
+  });
+});

@@ -1,0 +1,241 @@
+/** A store returns the same results for any journal length and any interruption. */
+import { readdirSync, readFileSync, statSync } from "node:fs";
+import { join } from "node:path";
+import { DatabaseSync } from "node:sqlite";
+import { setTimeout as wait } from "node:timers/promises";
+import fc from "fast-check";
+import { describe, expect, it, onTestFinished } from "vitest";
+import { completed } from "../../../platform/testing/messages.ts";
+import { testFolder } from "../../../testing/test-relay.ts";
+import type { SessionStore } from "../../port.ts";
+import { SqliteFile } from "./sqlite-file.ts";
+import { SqliteStore } from "../sqlite-store.ts";
+import { NOW, ROBOTS, sent, withRobots } from "../../cases/robot-in-store.ts";
+import { stepsKeeping, told, type StepOfRobot } from "../../cases/random-steps.ts";
+
+/** A step, its robot, and an event in the store after it. */
+interface Turn extends StepOfRobot {
+  after: "nothing" | "restart" | "undone" | "idle";
+}
+
+const turns = fc.array(
+  fc.record<Turn>({
+    step: stepsKeeping(2, 100),
+    robot: fc.constantFrom(...ROBOTS),
+    after: fc.constantFrom("nothing", "nothing", "nothing", "nothing", "restart", "undone", "idle"),
+  }),
+  { minLength: 10, maxLength: 60 },
+);
+
+/** A step that fails, so that its group is rolled back and runs again. */
+const failing = async (store: SessionStore, id = ROBOTS[0] ?? ""): Promise<void> => {
+  const again = store.create({ id, createdAt: 1, keys: [] });
+  await expect(again).rejects.toThrow(/UNIQUE/);
+};
+
+describe("the journal", () => {
+  it.each([
+    { where: "", isThreaded: false, numRuns: 25 },
+    { where: " on a thread of its own", isThreaded: true, numRuns: 8 },
+  ])(
+    "loses and changes nothing$where, however short it is, over restarts and undone steps",
+    async ({ isThreaded, numRuns }) => {
+      const folder = testFolder();
+      let runs = 0;
+      await fc.assert(
+        fc.asyncProperty(
+          turns,
+          fc.constantFrom(...(isThreaded ? [0, 1, 2, 8] : [0, 1, 3, 8, 30])),
+          fc.boolean(),
+          async (all, long, isHurried) => {
+            const file = join(folder, `${runs++}.sqlite`);
+            const open = () => new SqliteStore(new SqliteFile(file, { isThreaded }), long);
+            const plain = new SqliteStore(`${file}-plain`, 1_000_000);
+            let store = open();
+            await Promise.all([withRobots(plain), withRobots(store)]);
+            let asked: Promise<unknown>[] = [];
+            const answered = async (): Promise<void> => {
+              for (const each of asked) await each;
+              asked = [];
+            };
+            for (const { step, robot, after } of all) {
+              const pair = [step(store, robot), step(plain, robot)];
+              asked.push(
+                Promise.all(pair).then(([got, expected]) => expect(got).toEqual(expected)),
+              );
+              if (after === "undone") asked.push(failing(store));
+              if (after === "nothing" && isHurried) continue;
+              await answered();
+              // Long enough for a checkpoint.
+              if (after === "idle") await wait(15);
+              if (after !== "restart") continue;
+              await store.close();
+              store = open();
+            }
+            await answered();
+            expect(await told(store)).toEqual(await told(plain));
+            await Promise.all([store.close(), plain.close()]);
+          },
+        ),
+        { numRuns },
+      );
+    },
+  );
+
+  it("is no end of other robots where one cannot be read, and goes with that one", async () => {
+    const file = join(testFolder(), "corridor.sqlite");
+    const before = new SqliteStore(file);
+    await withRobots(before);
+    for (const id of ROBOTS) await before.add(id, { ...sent, driver: "d" });
+    await before.close();
+    const [bad = "", good = ""] = ROBOTS;
+    const db = new DatabaseSync(file);
+    db.exec(`UPDATE journal SET entry = '[]' WHERE robot = '${bad}'`);
+    db.close();
+    const store = new SqliteStore(file);
+    onTestFinished(() => store.close());
+    await expect(store.add(bad, { ...sent, driver: "d" })).rejects.toThrow(/JSON/);
+    expect(await store.add(good, { ...sent, driver: "d" })).toMatchObject({ record: { seq: 2 } });
+    expect(await store.remove(bad)).toBe(true);
+    await failing(store, good);
+    expect(await store.add(bad, { ...sent, driver: "d" })).toEqual({ outcome: "no-session" });
+    expect((await store.openCommands(good)).length).toBe(2);
+  });
+
+  it("keeps what one has that cannot be read, however much of others is tidied", async () => {
+    const file = join(testFolder(), "corridor.sqlite");
+    const before = new SqliteStore(file);
+    await withRobots(before);
+    const [bad = "", good = ""] = ROBOTS;
+    for (let n = 0; n < 5; n++) await before.add(bad, { ...sent, driver: "d" });
+    await before.close();
+    const db = new DatabaseSync(file);
+    onTestFinished(() => db.close());
+    const newest = `(SELECT max(id) FROM journal WHERE robot = '${bad}')`;
+    const whole = String(
+      db.prepare(`SELECT entry FROM journal WHERE id = ${newest}`).get()?.["entry"],
+    );
+    db.exec(`UPDATE journal SET entry = '[]' WHERE id = ${newest}`);
+    const store = new SqliteStore(file, 2);
+    for (let n = 1; n <= 20; n++) {
+      await store.add(good, { ...sent, driver: "d" });
+      await store.deliver(good, 1, 8, NOW);
+      await store.end(good, 1, completed(n));
+    }
+    await store.close();
+    expect(db.prepare("SELECT count(*) AS n FROM commands").get()?.["n"]).toBeGreaterThan(0);
+    // Repairs the entry by hand.
+    db.prepare(`UPDATE journal SET entry = ? WHERE id = ${newest}`).run(whole);
+    const after = new SqliteStore(file, 2);
+    onTestFinished(() => after.close());
+    expect((await after.commandsAfter(bad, 0, 10)).map(({ seq }) => seq)).toEqual([1, 2, 3, 4, 5]);
+    expect(await after.add(bad, { ...sent, driver: "d" })).toMatchObject({ record: { seq: 6 } });
+  });
+
+  it("has nothing left of a robot that is gone, however much that was, also where it ended on the way", async () => {
+    const folder = testFolder();
+    const file = join(folder, "corridor.sqlite");
+    const holds = (text: string): boolean =>
+      readdirSync(folder).some((name) => readFileSync(join(folder, name)).includes(text));
+    const fill = async (store: SessionStore, id: string): Promise<void> => {
+      for (let n = 0; n < 1_300; n++) {
+        const key = `traces-of-${id}-${n}`;
+        await store.add(id, { ...sent, driver: "d", key, keep: 10_000, maxWaiting: 10_000 });
+      }
+    };
+    const [first = "", second = "", third = ""] = ROBOTS;
+    const before = new SqliteStore(file);
+    await withRobots(before);
+    await fill(before, first);
+    await fill(before, second);
+    expect(holds(`traces-of-${first}`)).toBe(true);
+    await before.remove(first);
+    expect(holds(`traces-of-${first}`)).toBe(false);
+    await before.close();
+    // The state after a relay was killed during a deletion.
+    const db = new DatabaseSync(file);
+    db.exec("PRAGMA foreign_keys = ON");
+    db.prepare("DELETE FROM sessions WHERE id = ?").run(second);
+    db.close();
+    const after = new SqliteStore(file);
+    onTestFinished(() => after.close());
+    await expect.poll(() => holds(`traces-of-${second}`)).toBe(false);
+    expect(await after.add(third, { ...sent, driver: "d" })).toMatchObject({ outcome: "stored" });
+  });
+
+  it("is tidied a little at a time: no step writes much, however long it is", async () => {
+    const file = join(testFolder(), "corridor.sqlite");
+    const store = new SqliteStore(file, 3_000);
+    onTestFinished(() => store.close());
+    await withRobots(store);
+    // The log restarts occasionally. Its growth is the amount written.
+    const size = (): number => statSync(`${file}-wal`).size;
+    let most = 0;
+    for (let n = 1; n <= 1_200; n++) {
+      const id = ROBOTS[n % 2] ?? "";
+      const before = size();
+      const { record } = (await store.add(id, { ...sent, driver: "d", keep: 10_000 })) as {
+        record: { seq: number };
+      };
+      await store.deliver(id, 1, 8, NOW);
+      await store.start(id, 1, record.seq);
+      await store.end(id, 1, completed(record.seq));
+      most = Math.max(most, size() - before);
+    }
+    expect(most).toBeGreaterThan(0);
+    expect(most).toBeLessThan(1_000_000);
+  });
+
+  it("keeps no more than some hundred of a robot's ended commands out of the tables", async () => {
+    const file = join(testFolder(), "corridor.sqlite");
+    const store = new SqliteStore(file);
+    onTestFinished(() => store.close());
+    await withRobots(store);
+    const [id = ""] = ROBOTS;
+    for (let n = 1; n <= 600; n++) {
+      await Promise.all([
+        store.add(id, { ...sent, driver: "d", keep: 10_000 }),
+        store.deliver(id, 1, 8, NOW),
+        store.end(id, 1, completed(n)),
+      ]);
+    }
+    const db = new DatabaseSync(file, { readOnly: true });
+    onTestFinished(() => db.close());
+    const inTable = Number(db.prepare("SELECT count(*) AS n FROM commands").get()?.["n"]);
+    expect(inTable).toBeGreaterThan(300);
+    const all = await store.commandsAfter(id, 0, 1_000);
+    expect(all.map(({ seq }) => seq)).toEqual(Array.from({ length: 600 }, (_, n) => n + 1));
+  });
+
+  it("gets no longer than it may, and forgets a robot wholly", async () => {
+    const file = join(testFolder(), "corridor.sqlite");
+    const store = new SqliteStore(file, 64);
+    onTestFinished(() => store.close());
+    await withRobots(store);
+    const db = new DatabaseSync(file, { readOnly: true });
+    onTestFinished(() => db.close());
+    const entries = (where = ""): number =>
+      Number(db.prepare(`SELECT count(*) AS n FROM journal ${where}`).get()?.["n"]);
+    // The store is never idle meanwhile, so compaction runs only when it is overdue.
+    let longest = 0;
+    for (let n = 1; n <= 100; n++) {
+      await Promise.all(
+        ROBOTS.flatMap((id) => [
+          store.add(id, { ...sent, driver: "d" }),
+          store.deliver(id, 1, 8, NOW),
+          store.end(id, 1, completed(n)),
+        ]),
+      );
+      longest = Math.max(longest, entries());
+    }
+    expect(longest).toBeGreaterThan(3 * 64);
+    expect(longest).toBeLessThan(5 * 64);
+    await expect.poll(() => entries()).toBeLessThanOrEqual(64);
+    const [gone = ""] = ROBOTS;
+    await store.add(gone, { ...sent, driver: "d" });
+    expect(entries(`WHERE robot = '${gone}'`)).toBeGreaterThan(0);
+    await store.remove(gone);
+    expect(entries(`WHERE robot = '${gone}'`)).toBe(0);
+    expect((await store.commandsAfter(ROBOTS[1] ?? "", 0, 200)).length).toBe(100);
+  });
+});

@@ -1,0 +1,178 @@
+import { join } from "node:path";
+import type { Command } from "@corridor/protocol";
+import { describe, expect, it, onTestFinished } from "vitest";
+import { completed } from "../../../platform/testing/messages.ts";
+import { realSmallDisk, withPageLimit } from "../../../platform/testing/small-disk.ts";
+import { testFolder } from "../../../testing/test-relay.ts";
+import type { Ballast } from "./ballast.ts";
+import { isDiskFull } from "../../../platform/errors/disk-full.ts";
+import { SqliteFile, withRoom } from "./sqlite-file.ts";
+import { SqliteStore } from "../sqlite-store.ts";
+import { ID, NOW, pageState, sent } from "../../cases/robot-in-store.ts";
+
+const LONG_REASON = "x".repeat(200);
+
+describe("a database that a newer Corridor has to write anew", () => {
+  const full = (): never => {
+    throw Object.assign(new Error("database or disk is full"), { errcode: 13 });
+  };
+
+  it("gets the ballast's room for that", () => {
+    let isHeld = true;
+    const ballast: Ballast = { hold: () => isHeld, giveUp: () => !(isHeld = false) };
+    expect(withRoom(() => (isHeld ? full() : "open"), ballast)).toBe("open");
+  });
+
+  it("says how much room to make where that does not do", () => {
+    const ballast: Ballast = { hold: () => true, giveUp: () => true };
+    expect(() => withRoom(full, ballast)).toThrow(/twice the size/);
+    expect(() => withRoom(() => JSON.parse("{"), ballast)).toThrow(SyntaxError);
+  });
+});
+
+/** A robot with accepted and started commands, on a disk that is full except for the ballast. */
+async function onFillingDisk() {
+  const ballast = { isHeld: true, hasRoom: false, giveUp: () => false };
+  const holder: Ballast = {
+    giveUp: () => ballast.giveUp(),
+    hold: () => ballast.isHeld || ballast.hasRoom,
+  };
+  const path = join(testFolder(), "corridor.sqlite");
+  const { opened, fill, makeRoom } = await withPageLimit(
+    () => new SqliteFile(path, { ballast: holder }),
+  );
+  const store = new SqliteStore(opened);
+  onTestFinished(() => store.close());
+  await store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
+  const add = (command: Command, key: string | null = null) =>
+    store.add(ID, {
+      driver: "d",
+      script: null,
+      key,
+      command,
+      acceptedAt: 1,
+      ttl: 10_000,
+      deadline: 10_001,
+      replace: false,
+      lease: null,
+      maxWaiting: 10_000,
+      keep: 20_000,
+    });
+  await store.takeOver(ID, pageState({ settled: 1 }));
+  for (let n = 0; n < 50; n++) await add({ action: "left 90" });
+  await store.deliver(ID, 1, 50, 1);
+  ballast.giveUp = () => {
+    const wasHeld = ballast.isHeld;
+    ballast.isHeld = false;
+    if (wasHeld) fill(40);
+    return wasHeld;
+  };
+  fill();
+  const hasRoomAgain = (): void => {
+    makeRoom();
+    ballast.hasRoom = true;
+  };
+  return { store, add, hasRoomAgain };
+}
+
+/** The same, after the first rejected command. */
+async function onFullDisk() {
+  const { store, add, hasRoomAgain } = await onFillingDisk();
+  let stored = 0;
+  const fails = await (async () => {
+    for (;;) {
+      try {
+        await add({ action: "left 90" }, `${"k".repeat(50)}-${stored}`);
+        stored += 1;
+      } catch (error) {
+        return error;
+      }
+    }
+  })();
+  return { store, add, fails, hasRoomAgain };
+}
+
+describe("a full disk", () => {
+  it("brings the page the first command that there is room for again, with those behind it in order", async () => {
+    const path = join(testFolder(), "corridor.sqlite");
+    const before = new SqliteStore(path);
+    await before.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: sent.driver }] });
+    await before.takeOver(ID, pageState());
+    await before.close();
+    let hasRoom = false;
+    const ballast: Ballast = { hold: () => hasRoom, giveUp: () => false };
+    const store = new SqliteStore(new SqliteFile(path, { ballast }));
+    onTestFinished(() => store.close());
+    hasRoom = true;
+    const first = store.add(ID, sent);
+    const due = store.deliver(ID, 1, 8, NOW);
+    const second = store.add(ID, sent);
+    expect(store.hasAll(ID, 0)).toBe(false);
+    expect(await first).toMatchObject({ outcome: "stored", record: { seq: 1 } });
+    expect(await second).toMatchObject({ outcome: "stored", record: { seq: 2 } });
+    expect((await due)[0]).toMatchObject({ record: { seq: 1, state: "delivered" } });
+  });
+
+  it("refuses what is new, and says so when it is asked", async () => {
+    const { store, add, fails } = await onFullDisk();
+    expect(isDiskFull(fails)).toBe(true);
+    await expect(add({ action: "left 90" })).rejects.toSatisfy(isDiskFull);
+    await expect(
+      store.create({ id: "B", createdAt: 1, keys: [{ kind: "drive", hash: "d" }] }),
+    ).rejects.toSatisfy(isDiskFull);
+    expect(await store.check()).toBe("full");
+  });
+
+  it("still lets robots start, end and be stopped, pages come, and people delete", async () => {
+    const { store, add } = await onFullDisk();
+    for (let seq = 1; seq <= 50; seq++) {
+      expect(await store.start(ID, 1, seq)).toMatchObject({ seq, state: "started" });
+      const ending = { ...completed(seq), reason: LONG_REASON };
+      expect(await store.end(ID, 1, ending)).toMatchObject({ outcome: "ended" });
+    }
+    expect(await add({ action: "stop" })).toMatchObject({ outcome: "stored" });
+    const page = pageState({ lastApplied: 50, settled: 1 });
+    expect(await store.takeOver(ID, page)).toMatchObject({ epoch: 2 });
+    expect(await store.remove(ID)).toBe(true);
+    expect(await store.find(ID)).toBeNull();
+  });
+
+  it("still lets people delete where much is in the log, and gives them the room", async ({
+    skip,
+  }) => {
+    const disk = realSmallDisk(24);
+    if (disk === null) return skip("only a superuser on Linux may have a disk of its own");
+    const store = new SqliteStore(join(disk.folder, "corridor.sqlite"));
+    onTestFinished(() => store.close());
+    const ids = ["A".repeat(22), "B".repeat(22)];
+    const terms = { ttl: 10_000, deadline: 10_001, replace: false, lease: null, keep: 10_000 };
+    for (const id of ids) {
+      await store.create({ id, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
+      for (let n = 0; n < 2_000; n++) {
+        const key = `${"k".repeat(50)}-${n}`;
+        const command = { driver: "d", script: null, key, acceptedAt: 1, maxWaiting: 10_000 };
+        await store.add(id, { ...terms, ...command, command: { action: "left 90" } });
+      }
+    }
+    disk.fill();
+    for (const id of ids) expect(await store.remove(id)).toBe(true);
+  });
+
+  it("lets all steps through that it meets at once, a stop among them", async () => {
+    const { store, add } = await onFillingDisk();
+    const endings = Array.from({ length: 50 }, (_, index) =>
+      store.end(ID, 1, { ...completed(index + 1), reason: LONG_REASON }),
+    );
+    const stop = add({ action: "stop" });
+    const outcomes = (await Promise.all(endings)).map(({ outcome }) => outcome);
+    expect(new Set(outcomes)).toEqual(new Set(["ended"]));
+    expect(await stop).toMatchObject({ outcome: "stored" });
+  });
+
+  it("takes new commands by itself once there is as much room as it holds back", async () => {
+    const { store, add, hasRoomAgain } = await onFullDisk();
+    hasRoomAgain();
+    expect(await store.check()).toBe("ok");
+    expect(await add({ action: "left 90" })).toMatchObject({ outcome: "stored" });
+  });
+});

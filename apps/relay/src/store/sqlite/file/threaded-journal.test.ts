@@ -1,0 +1,226 @@
+/** Tests of the journal's real thread and file, and of their failures. */
+import { once } from "node:events";
+import { mkdirSync, rmSync } from "node:fs";
+import { join } from "node:path";
+import { DatabaseSync } from "node:sqlite";
+import { setTimeout as wait } from "node:timers/promises";
+import { Worker } from "node:worker_threads";
+import { describe, expect, it, onTestFinished, vi } from "vitest";
+import { completed } from "../../../platform/testing/messages.ts";
+import { realSmallDisk } from "../../../platform/testing/small-disk.ts";
+import { testFolder } from "../../../testing/test-relay.ts";
+import { isDiskFull } from "../../../platform/errors/disk-full.ts";
+import type { Entry, Tidying } from "./journal-writer.ts";
+import { SqliteFile } from "./sqlite-file.ts";
+import { openDatabase } from "./sqlite-schema.ts";
+import { SqliteStore } from "../sqlite-store.ts";
+import { ID, NOW, pageState, sent } from "../../cases/robot-in-store.ts";
+import { ThreadedJournal } from "./threaded-journal.ts";
+
+function withThread(folder = testFolder()) {
+  const threads = vi.spyOn(Worker.prototype, "postMessage");
+  onTestFinished(() => threads.mockRestore());
+  const path = join(folder, "corridor.sqlite");
+  const db = openDatabase(path);
+  const journal = new ThreadedJournal(path);
+  onTestFinished(async () => {
+    await journal.close();
+    db.close();
+  });
+  const write = (entries: Entry[], tidying: Tidying | null = null) =>
+    new Promise<{ lost: unknown; untidied: unknown }>((resolve) =>
+      journal.write(entries, tidying, (lost, untidied) => resolve({ lost, untidied })),
+    );
+  const onDisk = () => db.prepare("SELECT id, robot, entry FROM journal").all();
+  /** the first thread that received a write */
+  const thread = (): Worker => {
+    const [first] = threads.mock.contexts;
+    if (!(first instanceof Worker)) throw new Error("Nothing was written.");
+    return first;
+  };
+  return { db, path, journal, write, onDisk, thread };
+}
+
+const entry = (id: number): Entry => [id, "robot", `entry ${id}`];
+const DONE = { lost: null, untidied: null };
+
+describe("the journal's thread", () => {
+  it("has entries on disk when it says so, in their order", async () => {
+    const { write, onDisk } = withThread();
+    expect(await write([entry(1), entry(2)])).toEqual(DONE);
+    expect(onDisk().length).toBe(2);
+    expect(await write([entry(3)])).toEqual(DONE);
+    expect(onDisk()).toEqual([1, 2, 3].map((id) => ({ id, robot: "robot", entry: `entry ${id}` })));
+  });
+
+  it("writes entries also where it cannot tidy, and says why", async () => {
+    const { write, onDisk } = withThread();
+    const bringing = [
+      { robot: "robot", entries: [99], gone: [], upTo: 99, lastSeq: 1, openFrom: 1, forgotten: 0 },
+    ];
+    const { lost, untidied } = await write([entry(1)], { bringing, deleted: 1, kept: [] });
+    expect(lost).toBeNull();
+    expect(untidied).toBeInstanceOf(Error);
+    expect(onDisk().length).toBe(1);
+    expect(await write([entry(2)], { bringing: [], deleted: 1, kept: [] })).toEqual(DONE);
+    expect(onDisk()).toEqual([{ id: 2, robot: "robot", entry: "entry 2" }]);
+  });
+
+  it("says what SQLite says, has nothing of it on disk then, and goes on", async () => {
+    const { write, onDisk } = withThread();
+    await write([entry(1)]);
+    const { lost } = await write([entry(2), entry(1)]);
+    expect(lost).toBeInstanceOf(Error);
+    expect(lost).toMatchObject({ errcode: 1555, message: expect.stringContaining("UNIQUE") });
+    expect(onDisk().length).toBe(1);
+    expect(await write([entry(2)])).toEqual(DONE);
+  });
+
+  it("is answered for where it dies in the middle, and another goes on", async () => {
+    const { db, write, onDisk, thread } = withThread();
+    await write([entry(1)]);
+    // The thread waits for the lock of this transaction.
+    db.exec("BEGIN IMMEDIATE");
+    const dying = write([entry(2)]);
+    await wait(50);
+    const gone = thread().terminate();
+    db.exec("ROLLBACK");
+    await gone;
+    expect((await dying).lost).toBeInstanceOf(Error);
+    // A terminated thread holds no lock.
+    db.exec("BEGIN IMMEDIATE; COMMIT");
+    const before = onDisk().length;
+    expect(await write([entry(3)])).toEqual(DONE);
+    expect(onDisk().length).toBe(before + 1);
+  });
+
+  it("is answered for where it died while there was nothing to write", async () => {
+    const { write, thread, onDisk } = withThread();
+    await write([entry(1)]);
+    await thread().terminate();
+    expect(await write([entry(2)])).toEqual(DONE);
+    expect(onDisk().length).toBe(2);
+  });
+
+  it("is answered for where it cannot even begin", async () => {
+    const journal = new ThreadedJournal(join(testFolder(), "missing", "corridor.sqlite"));
+    for (let times = 0; times < 2; times++) {
+      const lost = await new Promise((resolve) => journal.write([entry(1)], null, resolve));
+      expect(lost).toMatchObject({ message: expect.stringContaining("unable to open") });
+    }
+    await journal.close();
+  });
+
+  it("is answered for where the machine has no thread for it, later", async () => {
+    const { write, thread } = withThread();
+    await write([entry(1)]);
+    await thread().terminate();
+    vi.spyOn(Worker.prototype, "ref").mockImplementationOnce(() => {
+      throw new Error("no thread");
+    });
+    const { lost } = await write([entry(2)]);
+    expect(lost).toMatchObject({ message: "no thread" });
+    expect(await write([entry(3)])).toEqual(DONE);
+  });
+
+  it("can be closed also where it failed, and the database with it", async () => {
+    const path = join(testFolder(), "corridor.sqlite");
+    const file = new SqliteFile(path, { isThreaded: true });
+    rmSync(path);
+    mkdirSync(path);
+    await file.close();
+    rmSync(path, { recursive: true });
+    // The lock is free again.
+    await expect(new SqliteFile(path, { waitMs: 0 }).close()).resolves.toBeUndefined();
+  });
+
+  it("ends when it is closed", async () => {
+    const { path, db } = withThread();
+    const post = vi.spyOn(Worker.prototype, "postMessage");
+    const other = new ThreadedJournal(path);
+    await new Promise((resolve) => other.write([entry(1)], null, resolve));
+    const [thread] = post.mock.contexts as Worker[];
+    const ended = thread && once(thread, "exit");
+    await other.close();
+    expect(await ended).toEqual([0]);
+    db.exec("DROP TABLE journal");
+  });
+
+  it("says that a disk is full as SQLite does", async ({ skip }) => {
+    const disk = realSmallDisk(8);
+    if (disk === null) return skip("only a superuser on Linux may have a disk of its own");
+    const { write, onDisk } = withThread(disk.folder);
+    await write([entry(1)]);
+    disk.fill();
+    const much: Entry = [2, "robot", "x".repeat(1024 * 1024)];
+    const { lost } = await write([much], { bringing: [], deleted: 0, kept: [] });
+    expect(lost).toMatchObject({ errcode: 13 });
+    expect(isDiskFull(lost)).toBe(true);
+    expect(onDisk().length).toBe(1);
+    disk.makeRoom();
+    expect(await write([much])).toEqual(DONE);
+    expect(onDisk().length).toBe(2);
+  });
+});
+
+describe("a store whose journal has a thread", () => {
+  async function withStore() {
+    const posts = vi.spyOn(Worker.prototype, "postMessage");
+    onTestFinished(() => posts.mockRestore());
+    const path = join(testFolder(), "corridor.sqlite");
+    const store = new SqliteStore(new SqliteFile(path, { isThreaded: true }));
+    onTestFinished(() => store.close());
+    await store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: sent.driver }] });
+    await store.takeOver(ID, pageState());
+    const add = (key: string | null = null) => store.add(ID, { ...sent, key });
+    /** A second connection, which can block writes. */
+    const other = new DatabaseSync(path);
+    onTestFinished(() => other.close());
+    const thread = (): Worker => posts.mock.contexts.at(-1) as Worker;
+    return { store, add, other, thread };
+  }
+
+  it("has no more and no less than is on disk where the thread dies: nothing twice, no number twice", async () => {
+    const { store, add, other, thread } = await withStore();
+    // More entries than `AdaptiveJournal` writes synchronously, so the thread writes them.
+    const several = (name: string) => [1, 2, 3, 4, 5].map((n) => add(`${name}-000${n}`));
+    await Promise.all(several("first"));
+    other.exec("BEGIN IMMEDIATE");
+    const dying = several("dying");
+    await wait(30);
+    // These steps see the results of the failed write, so they run again.
+    const behind = [add("behind-01"), store.deliver(ID, 1, 8, NOW), add("behind-02")];
+    const rows = store.pause(ID, true, "paused");
+    const gone = thread().terminate();
+    other.exec("ROLLBACK");
+    await gone;
+    const fates = await Promise.allSettled(dying);
+    await Promise.all([...behind, rows]);
+    expect(await add("behind-01")).toMatchObject({ outcome: "duplicate" });
+    await store.pause(ID, false, "");
+    for (const again of await Promise.all(several("dying")))
+      expect(again).toMatchObject({ outcome: expect.stringMatching(/stored|dupl/) });
+    const listed = await store.commandsAfter(ID, 0, 100);
+    expect(new Set(fates.map(({ status }) => status))).toEqual(new Set(["rejected"]));
+    expect(listed.map(({ seq }) => seq)).toEqual(Array.from({ length: 12 }, (_, n) => n + 1));
+    expect(new Set(listed.map(({ key }) => key)).size).toBe(12);
+  });
+
+  it("answers all that was asked for before it is closed, and keeps it", async () => {
+    const { store, add } = await withStore();
+    const asked = [
+      ...[1, 2, 3].map((n) => add(`key-000${n}`)),
+      store.pause(ID, false, ""),
+      store.deliver(ID, 1, 8, NOW),
+      store.end(ID, 1, completed(1)),
+    ];
+    const closed = store.close();
+    await expect(add()).rejects.toThrow(/closed/);
+    expect((await Promise.allSettled(asked)).map(({ status }) => status)).toEqual(
+      asked.map(() => "fulfilled"),
+    );
+    // Both calls wait until the file is closed.
+    await store.close();
+    await closed;
+  });
+});

@@ -1,0 +1,132 @@
+import { spawn } from "node:child_process";
+import { once } from "node:events";
+import { readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { DatabaseSync } from "node:sqlite";
+import { expect, it, onTestFinished, vi } from "vitest";
+import { completed } from "../../platform/testing/messages.ts";
+import { testFolder } from "../../testing/test-relay.ts";
+import { SqliteFile } from "./file/sqlite-file.ts";
+import { SqliteStore } from "./sqlite-store.ts";
+import { storeCases } from "../cases/store.cases.ts";
+import { NOW, pageState, sent, type OpenStore } from "../cases/robot-in-store.ts";
+
+const openStore = (isThreaded: boolean) => async (): Promise<OpenStore> => {
+  const folder = testFolder();
+  const open = (): SqliteStore => {
+    const store = new SqliteStore(
+      new SqliteFile(join(folder, "deep", "corridor.sqlite"), { isThreaded }),
+    );
+    onTestFinished(() => store.close());
+    return store;
+  };
+  const store = open();
+  return {
+    store,
+    reopen: async () => {
+      await store.close();
+      return open();
+    },
+    holds: async (text) =>
+      readdirSync(join(folder, "deep")).some((file) =>
+        readFileSync(join(folder, "deep", file)).includes(text),
+      ),
+  };
+};
+
+storeCases("SqliteStore", openStore(false));
+storeCases("SqliteStore with a thread", openStore(true));
+
+it("finds the commands of a robot by index, however many have ended", async () => {
+  const file = join(testFolder(), "corridor.sqlite");
+  // With a journal length of 0, the tables hold each write at the latest after the next one.
+  const store = new SqliteStore(file, 0);
+  onTestFinished(() => store.close());
+  // Starts here, because the check at startup reads everything.
+  const prepare = vi.spyOn(DatabaseSync.prototype, "prepare");
+  onTestFinished(() => prepare.mockRestore());
+  const id = "AAAAAAAAAAAAAAAAAAAAAA";
+  await store.create({ id, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
+  const terms = { ttl: 9, deadline: 10, replace: false, lease: null, maxWaiting: 64, keep: 100 };
+  const command = { driver: "d", script: null, key: "a-key-0001", acceptedAt: 1, ...terms };
+  await store.add(id, { ...command, command: { action: "left 90" } });
+  await store.add(id, { ...command, key: null, command: { action: "stop" } });
+  await store.cancel(id, 1, { driver: "d", reason: "no" });
+  await store.takeOver(id, pageState({ lastApplied: 0, fresh: true, endings: [] }));
+  await store.deliver(id, 1, 8, 2);
+  await store.start(id, 1, 2);
+  await store.end(id, 1, completed(2));
+  await store.abandon(id, 1, "gone");
+  await store.expire(id, 2);
+  // Ends a command that is in no table yet, then deletes it and the ones in the tables.
+  await store.add(id, { ...command, key: null, command: { action: "left 90" } });
+  await store.add(id, { ...command, key: null, keep: 1, command: { action: "stop" } });
+  await store.add(id, { ...command, key: "a-key-0002", command: { action: "stop" } });
+  await store.takeOver(id, pageState({ lastApplied: 2, fresh: true, endings: [] }));
+  await store.command(id, 1);
+  await store.commandsAfter(id, 0, 10);
+
+  const statements = prepare.mock.calls.map(([sql]) => sql);
+  const ofCommands = new Set(statements.filter((sql) => /\scommands\s/.test(sql)));
+  expect(ofCommands.size).toBe(9);
+  const db = new DatabaseSync(file);
+  onTestFinished(() => db.close());
+  const slow = [...ofCommands].filter((sql) => {
+    const plan = db.prepare(`EXPLAIN QUERY PLAN ${sql}`).all();
+    // The deletion scans all rows older than the retained ones, which are few.
+    const readsMany = sql.startsWith("DELETE")
+      ? /SCAN|AUTOMATIC|by_\w+ \(robot=\?\)/
+      : /SCAN (?!given)|AUTOMATIC|by_\w+ \(robot=\?\)|by_seq \(robot=\? AND seq<\?\)/;
+    return plan.some(({ detail }) => readsMany.test(String(detail)));
+  });
+  expect(slow).toEqual([]);
+});
+
+it("reads none of what has ended where it looks for what is open", async () => {
+  const file = join(testFolder(), "corridor.sqlite");
+  const store = new SqliteStore(file, 0);
+  const id = "AAAAAAAAAAAAAAAAAAAAAA";
+  await store.create({ id, createdAt: 1, keys: [{ kind: "drive", hash: sent.driver }] });
+  await store.takeOver(id, pageState({ lastApplied: 0, fresh: true, endings: [] }));
+  for (let n = 1; n <= 5; n++) await store.add(id, sent);
+  await store.deliver(id, 1, 8, NOW);
+  for (const seq of [1, 2, 3]) await store.end(id, 1, completed(seq));
+  // After the next write, the tables hold all earlier ones.
+  await store.pause(id, false, "");
+  await store.close();
+  const db = new DatabaseSync(file);
+  onTestFinished(() => db.close());
+  expect(db.prepare("SELECT open_from FROM sessions").get()).toEqual({ open_from: 4 });
+});
+
+it("is refused a file that another relay has, until that one ends", async () => {
+  const file = join(testFolder(), "corridor.sqlite");
+  const other = startOther(file);
+  onTestFinished(() => void other.kill("SIGKILL"));
+  await once(other.stdout, "data");
+  expect(() => new SqliteFile(file, { waitMs: 100 })).toThrow(
+    /Another Corridor uses this database/,
+  );
+  other.kill("SIGKILL");
+  await once(other, "exit");
+  await new SqliteStore(file).close();
+});
+
+/** Starts a process that opens the file and prints that it did. */
+function startOther(file: string) {
+  const store = JSON.stringify(join(import.meta.dirname, "sqlite-store.ts"));
+  const script = `const { SqliteStore } = await import(${store});
+    globalThis.store = new SqliteStore(${JSON.stringify(file)});
+    console.log("open"); setInterval(() => {}, 1000);`;
+  return spawn(process.execPath, ["--input-type=module", "--eval", script], {
+    stdio: ["ignore", "pipe", "inherit"],
+  });
+}
+
+it("says so when the file was written by a newer version", () => {
+  const file = join(testFolder(), "corridor.sqlite");
+  const db = new DatabaseSync(file);
+  db.exec("PRAGMA user_version = 99");
+  db.close();
+  expect(() => new SqliteStore(file)).toThrow(/newer Corridor \(schema 99/);
+});
