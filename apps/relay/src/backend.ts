@@ -5,9 +5,9 @@
 import { join } from "node:path";
 import type { Logger } from "pino";
 import type { Clock } from "./platform/time/clock.ts";
-import { LocalSwitchboard } from "./cluster/local-switchboard.ts";
-import { RedisSwitchboard } from "./cluster/redis-switchboard.ts";
-import type { Switchboard } from "./cluster/switchboard.ts";
+import { LocalSwitchboard } from "./bus/local.ts";
+import { RedisSwitchboard } from "./bus/redis.ts";
+import type { Switchboard } from "./bus/bus.ts";
 import type { Config } from "./config.ts";
 import { mintId } from "./platform/keys.ts";
 import type { DocumentStore } from "./store/document-store.ts";

@@ -18,7 +18,7 @@ import { z } from "zod";
 import type { Clock } from "../platform/time/clock.ts";
 import type { ProblemKind } from "../platform/errors/problem-kinds.ts";
 import { asRefusal, badRequest, Refusal, retryAfter } from "../platform/errors/problems.ts";
-import type { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
+import type { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { OverReason, ReaderSink, ReaderStart } from "../sessions/reader-feed.ts";
 import type { Grant } from "../sessions/session-hub.ts";

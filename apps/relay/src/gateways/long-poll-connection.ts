@@ -6,7 +6,7 @@
 import { closeReasons, MAX_LONG_POLL_MESSAGES, type FetchedMessages } from "@corridor/protocol";
 import type { Clock } from "../platform/time/clock.ts";
 import type { Patience } from "../sessions/audience.ts";
-import type { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
+import type { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { closeWith, handleMessage, type Conversation } from "./conversation.ts";
 import type { ReaderConnection } from "./reader-connection.ts";

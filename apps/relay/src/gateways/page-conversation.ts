@@ -10,7 +10,7 @@ import {
   resumeSchema,
   type FieldProblem,
 } from "@corridor/protocol";
-import { readSnapshotMessage } from "../sessions/carried-snapshot.ts";
+import { readSnapshotMessage } from "../bus/carried-snapshot.ts";
 import type { PageLink } from "../sessions/page-link.ts";
 import type { Grant } from "../sessions/session-hub.ts";
 import { closeWith, type Conversation } from "./conversation.ts";

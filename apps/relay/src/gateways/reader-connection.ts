@@ -3,7 +3,7 @@
  * received.
  */
 import type { SocketPort } from "@corridor/protocol";
-import type { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
+import type { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import type { ReaderFlow } from "../sessions/reader-feed.ts";
 
 export interface ReaderConnection extends SocketPort {

@@ -6,7 +6,7 @@ import { closeReasons } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { WebSocket, WebSocketServer } from "ws";
-import { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
+import { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { FakeClock } from "../platform/testing/fake-clock.ts";
 import { WsPort } from "./ws-port.ts";

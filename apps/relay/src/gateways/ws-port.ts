@@ -15,7 +15,7 @@ import type { WebSocket } from "ws";
 import type { Clock } from "../platform/time/clock.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { textFrame } from "../platform/text-frame.ts";
-import type { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
+import type { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import type { ReaderFlow } from "../sessions/reader-feed.ts";
 import { closeWith } from "./conversation.ts";
 import type { ReaderConnection } from "./reader-connection.ts";

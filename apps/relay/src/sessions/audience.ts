@@ -5,7 +5,7 @@
 import type { CommandRecord, StateEvent } from "@corridor/protocol";
 import type { Clock } from "../platform/time/clock.ts";
 import { Refusal, retryAfter } from "../platform/errors/problems.ts";
-import type { CarriedSnapshot } from "./carried-snapshot.ts";
+import type { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import type { EventLog } from "./event-log.ts";
 import { StoreAway } from "../platform/errors/store-away.ts";
 import { keyRevoked } from "./key-ring.ts";

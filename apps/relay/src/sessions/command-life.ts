@@ -17,7 +17,7 @@ import {
   type Resume,
 } from "@corridor/protocol";
 import type { Clock } from "../platform/time/clock.ts";
-import type { Step } from "../cluster/switchboard.ts";
+import type { Step } from "../bus/bus.ts";
 import { noRobot, restarting } from "../platform/errors/problems.ts";
 import type { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
 import type { SessionStore, TermedRecord } from "../store/port.ts";

@@ -1,8 +1,8 @@
 /** Handles the messages of other relays for one robot's session. */
 import { closeReasons } from "@corridor/protocol";
 import type { Clock } from "../platform/time/clock.ts";
-import type { News } from "../cluster/switchboard.ts";
-import type { CarriedSnapshot } from "./carried-snapshot.ts";
+import type { News } from "../bus/bus.ts";
+import type { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import type { CommandLife } from "./command-life.ts";
 import type { DriverRoster } from "./driver-roster.ts";
 import type { KeyRing } from "./key-ring.ts";

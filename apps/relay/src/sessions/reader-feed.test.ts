@@ -3,7 +3,7 @@ import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
 import { FakeClock, settled } from "../platform/testing/fake-clock.ts";
-import { CarriedSnapshot } from "./carried-snapshot.ts";
+import { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import { EventLog } from "./event-log.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { ReaderFeed } from "./reader-feed.ts";

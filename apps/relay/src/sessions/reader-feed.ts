@@ -10,7 +10,7 @@ import { hasEnded, type EventGap, type StateEvent } from "@corridor/protocol";
 import type { Clock } from "../platform/time/clock.ts";
 import { dueAfter, type CoalescedTimers, type Waiter } from "../platform/time/coalesced-timers.ts";
 import type { AwayReason, ReaderDoor } from "./audience.ts";
-import type { CarriedSnapshot } from "./carried-snapshot.ts";
+import type { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import type { EventLog } from "./event-log.ts";
 import { limits } from "../platform/limits/limits.ts";
 

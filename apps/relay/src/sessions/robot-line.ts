@@ -4,8 +4,8 @@
  */
 import type { AliveDriver, RecallCause } from "@corridor/protocol";
 import type { Clock } from "../platform/time/clock.ts";
-import type { Ears, Line, Step, Switchboard } from "../cluster/switchboard.ts";
-import type { CarriedSnapshot } from "./carried-snapshot.ts";
+import type { Ears, Line, Step, Switchboard } from "../bus/bus.ts";
+import type { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import { dueAfter, type CoalescedTimers, type Waiter } from "../platform/time/coalesced-timers.ts";
 import { MOST_TOLD, type Scripts } from "./driver-roster.ts";
 import { limits } from "../platform/limits/limits.ts";

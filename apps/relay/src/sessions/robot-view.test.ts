@@ -1,6 +1,6 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { expect, it } from "vitest";
-import { readSnapshotMessage, type CarriedSnapshot } from "./carried-snapshot.ts";
+import { readSnapshotMessage, type CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { RobotView } from "./robot-view.ts";
 

@@ -6,7 +6,7 @@
  * frozen page still answers pings. A connected page counts as paused if it is silent, or if its
  * ticks stop while it reports `running`. A disconnected page counts as gone.
  */
-import type { CarriedSnapshot } from "./carried-snapshot.ts";
+import type { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import { limits } from "../platform/limits/limits.ts";
 
 /** Upper bound for the snapshots that a page sends in a second. */

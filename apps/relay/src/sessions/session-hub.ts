@@ -5,8 +5,8 @@
 import type { Registration } from "@corridor/protocol";
 import type { Logger } from "pino";
 import type { Clock } from "../platform/time/clock.ts";
-import { LocalSwitchboard } from "../cluster/local-switchboard.ts";
-import type { Switchboard } from "../cluster/switchboard.ts";
+import { LocalSwitchboard } from "../bus/local.ts";
+import type { Switchboard } from "../bus/bus.ts";
 import { canBeKey, hashKey, mintId, mintKey } from "../platform/keys.ts";
 import {
   noRobot,

@@ -14,10 +14,10 @@ import {
 } from "@corridor/protocol";
 import type { Clock } from "../platform/time/clock.ts";
 import type { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
-import type { Switchboard } from "../cluster/switchboard.ts";
+import type { Switchboard } from "../bus/bus.ts";
 import type { SessionStore, StoredKey, StoredScript, StoredSession } from "../store/port.ts";
 import { Audience, type Patience } from "./audience.ts";
-import { CarriedSnapshot } from "./carried-snapshot.ts";
+import { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import { CommandLife } from "./command-life.ts";
 import { DriverRoster } from "./driver-roster.ts";
 import { EventLog } from "./event-log.ts";

@@ -14,8 +14,8 @@ import {
 import { snapshotOf } from "@corridor/protocol/testing";
 import { pino } from "pino";
 import { describe, expect, it, onTestFinished } from "vitest";
-import { LocalSwitchboard } from "../cluster/local-switchboard.ts";
-import type { Ears, News } from "../cluster/switchboard.ts";
+import { LocalSwitchboard } from "../bus/local.ts";
+import type { Ears, News } from "../bus/bus.ts";
 import { SqliteStore } from "../store/sqlite/sqlite-store.ts";
 import { StoreAway } from "../platform/errors/store-away.ts";
 import { cutStore } from "../store/cases/cut-store.ts";

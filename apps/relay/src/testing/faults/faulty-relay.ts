@@ -2,8 +2,8 @@
 import { decodeFrame, helloSchema, type SocketPort } from "@corridor/protocol";
 import { pino } from "pino";
 import type { Clock } from "../../platform/time/clock.ts";
-import { LocalSwitchboard } from "../../cluster/local-switchboard.ts";
-import type { Line, Switchboard } from "../../cluster/switchboard.ts";
+import { LocalSwitchboard } from "../../bus/local.ts";
+import type { Line, Switchboard } from "../../bus/bus.ts";
 import type { Conversation } from "../../gateways/conversation.ts";
 import { DriverConversation } from "../../gateways/driver-conversation.ts";
 import { PageConversation } from "../../gateways/page-conversation.ts";

@@ -1,7 +1,7 @@
 import type { Snapshot } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { expect, it } from "vitest";
-import { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
+import { CarriedSnapshot } from "./carried-snapshot.ts";
 import { FakeClock } from "../platform/testing/fake-clock.ts";
 import { readPost, SnapshotPost } from "./snapshot-post.ts";
 

@@ -14,14 +14,14 @@ import {
 import type { Logger } from "pino";
 import { z } from "zod";
 import type { Clock } from "../platform/time/clock.ts";
-import type { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
+import type { CarriedSnapshot } from "./carried-snapshot.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { asked, type Redis } from "../store/redis/connection.ts";
 import { lineOf, postOf, RELAYS, sessionOf } from "../store/redis/redis-keys.ts";
 import { termedRow } from "../store/redis/rows.ts";
 import { Script } from "../store/redis/script.ts";
 import { readPost, SnapshotPost } from "./snapshot-post.ts";
-import type { Ears, Line, News, Switchboard } from "./switchboard.ts";
+import type { Ears, Line, News, Switchboard } from "./bus.ts";
 
 const HEARTBEAT_MS = 1_000;
 /** A relay without a heartbeat for this long counts as dead. */
@@ -108,7 +108,7 @@ export class RedisSwitchboard implements Switchboard {
 
   private constructor(options: RedisSwitchboardOptions) {
     this.#options = options;
-    this.#script = new Script(options.redis, "../../cluster/switchboard.lua", [options.relay]);
+    this.#script = new Script(options.redis, "../../bus/redis.lua", [options.relay]);
     this.#ownPresence = JSON.stringify({ kind: "here", from: options.relay }).slice(0, -1);
     this.#post = new SnapshotPost(options.clock, (relay, post) => {
       // Lost posts need no retry, because the next one is newer.

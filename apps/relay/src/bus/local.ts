@@ -2,7 +2,7 @@
  * In-process message bus of a single relay. In tests, several relays of one process share one bus
  * and form a cluster.
  */
-import type { Ears, Line, News, Step, Switchboard } from "./switchboard.ts";
+import type { Ears, Line, News, Step, Switchboard } from "./bus.ts";
 
 interface Member {
   ears: Ears;

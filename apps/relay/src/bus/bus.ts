@@ -4,7 +4,7 @@
  * passes `bus.cases.ts`. See docs/adr/0010-multiple-relays.md.
  */
 import type { CommandRecord, RecallCause } from "@corridor/protocol";
-import type { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
+import type { CarriedSnapshot } from "./carried-snapshot.ts";
 import type { Scripts } from "../sessions/driver-roster.ts";
 import type { TermedRecord } from "../store/port.ts";
 

@@ -1,11 +1,11 @@
 /** Test cases for every implementation of the message bus. */
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it, vi } from "vitest";
-import { CarriedSnapshot } from "../../sessions/carried-snapshot.ts";
-import { pageState } from "../../store/cases/robot-in-store.ts";
-import { sentCommand } from "../../store/cases/sent-command.ts";
-import type { SessionStore } from "../../store/port.ts";
-import type { Line, News, Switchboard } from "../switchboard.ts";
+import { CarriedSnapshot } from "./carried-snapshot.ts";
+import { pageState } from "../store/cases/robot-in-store.ts";
+import { sentCommand } from "../store/cases/sent-command.ts";
+import type { SessionStore } from "../store/port.ts";
+import type { Line, News, Switchboard } from "./bus.ts";
 
 const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 const OTHER = "BBBBBBBBBBBBBBBBBBBBBB";

@@ -9,7 +9,7 @@
 import { findSnapshot, snapshotSchema } from "@corridor/protocol";
 import { z } from "zod";
 import type { Clock } from "../platform/time/clock.ts";
-import { CarriedSnapshot } from "../sessions/carried-snapshot.ts";
+import { CarriedSnapshot } from "./carried-snapshot.ts";
 
 const BATCH_MS = 15;
 const END = Buffer.from("}");

@@ -6,8 +6,8 @@ import { ForgottenBytes } from "../store/redis/forgotten-bytes.ts";
 import { RedisSessionStore } from "../store/redis/redis-session-store.ts";
 import { swallowingNet } from "../platform/testing/swallowing-net.ts";
 import { hasRedis, startTestRedis } from "../platform/testing/test-redis.ts";
-import { RedisSwitchboard } from "./redis-switchboard.ts";
-import { subscribe, switchboardCases } from "./testing/switchboard.cases.ts";
+import { RedisSwitchboard } from "./redis.ts";
+import { subscribe, switchboardCases } from "./bus.cases.ts";
 
 const DETECTION_MS = 5_000;
 const ID = "AAAAAAAAAAAAAAAAAAAAAA";
