@@ -2,7 +2,7 @@
 import express, { Router, type Express } from "express";
 import type { Logger } from "pino";
 import type { Clock } from "./platform/time/clock.ts";
-import type { DocumentService } from "./documents/document-service.ts";
+import type { DocumentService } from "./short-links/document-service.ts";
 import { requireOneHost, type RequestGuard } from "./platform/http/request-guard.ts";
 import type { LongPollConnections } from "./gateways/long-poll-connections.ts";
 import type { Metrics } from "./metrics/metrics.ts";

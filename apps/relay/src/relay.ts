@@ -8,7 +8,7 @@ import { createApp } from "./app.ts";
 import { openBackend } from "./backend.ts";
 import type { Clock } from "./platform/time/clock.ts";
 import type { Config } from "./config.ts";
-import { DocumentService } from "./documents/document-service.ts";
+import { DocumentService } from "./short-links/document-service.ts";
 import { RequestGuard } from "./platform/http/request-guard.ts";
 import { answerBrokenRequests } from "./platform/http/broken-requests.ts";
 import { CheckSocket } from "./gateways/check-socket.ts";

@@ -2,7 +2,7 @@
 import { shortLinkIdSchema, shortLinkSchema } from "@corridor/protocol";
 import { z } from "zod";
 import type { ZodOpenApiPathsObject } from "zod-openapi";
-import { documentSchema } from "../documents/document-schema.ts";
+import { documentSchema } from "../short-links/document-schema.ts";
 import { answer, location, parameters, refusals } from "../platform/openapi/parts.ts";
 
 const shortLink = parameters("path", z.object({ id: shortLinkIdSchema }));

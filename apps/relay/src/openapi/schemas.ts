@@ -34,7 +34,7 @@ import {
 } from "@corridor/protocol";
 import type { z } from "zod";
 import { createSchema, type ZodOpenApiOverride } from "zod-openapi";
-import { documentSchema } from "../documents/document-schema.ts";
+import { documentSchema } from "../short-links/document-schema.ts";
 import {
   commandLogSchema,
   healthSchema,

@@ -11,7 +11,7 @@ import { LongPollConnections } from "../gateways/long-poll-connections.ts";
 import { Metrics } from "../metrics/metrics.ts";
 import { Readiness } from "../readiness.ts";
 import { systemClock } from "../platform/time/clock.ts";
-import { DocumentService } from "../documents/document-service.ts";
+import { DocumentService } from "../short-links/document-service.ts";
 import { PairingService } from "../pairing/pairing-service.ts";
 import { SessionHub } from "../sessions/session-hub.ts";
 import { SqliteDocumentStore } from "../store/sqlite/sqlite-document-store.ts";

@@ -1,8 +1,8 @@
 /** Short links: store, read and delete a document. */
 import { MAX_DOCUMENT_BYTES } from "@corridor/protocol";
 import { Router } from "express";
-import { documentSchema } from "../documents/document-schema.ts";
-import type { DocumentService } from "../documents/document-service.ts";
+import { documentSchema } from "../short-links/document-schema.ts";
+import type { DocumentService } from "../short-links/document-service.ts";
 import type { RequestGuard } from "../platform/http/request-guard.ts";
 import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 import { jsonText, readBearer, readBody } from "./reading.ts";
