@@ -28,7 +28,7 @@ import { openToAllSites, securityHeaders } from "./platform/http/security-header
 import { scriptRoutes } from "./routes/scripts.ts";
 import { sensorRoutes } from "./routes/sensors.ts";
 import { unreadableAddress, wrongAddress } from "./routes/wrong-address.ts";
-import type { SessionHub } from "./sessions/session-hub.ts";
+import type { SessionHub } from "./robots/registry.ts";
 
 export interface AppDependencies {
   hub: SessionHub;

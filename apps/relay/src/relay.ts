@@ -21,7 +21,7 @@ import { PairingService } from "./pairing/pairing-service.ts";
 import { Readiness } from "./readiness.ts";
 import { builtPage } from "./routes/built-page.ts";
 import { developmentPage, HOT_RELOAD_PREFIX } from "./routes/development-page.ts";
-import { SessionHub } from "./sessions/session-hub.ts";
+import { SessionHub } from "./robots/registry.ts";
 import { timedStore } from "./store/timed-store.ts";
 
 /**

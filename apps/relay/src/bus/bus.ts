@@ -5,7 +5,7 @@
  */
 import type { CommandRecord, RecallCause } from "@corridor/protocol";
 import type { CarriedSnapshot } from "./carried-snapshot.ts";
-import type { Scripts } from "../sessions/driver-roster.ts";
+import type { Scripts } from "../robots/presence/driver-roster.ts";
 import type { TermedRecord } from "../store/port.ts";
 
 /** Changes of one step of the store. */

@@ -3,8 +3,8 @@
  * transport.
  */
 import { closeReasons, type CloseReason } from "@corridor/protocol";
-import type { OverReason } from "../sessions/reader-feed.ts";
-import { scriptIsAway } from "../sessions/script-gate.ts";
+import type { OverReason } from "../robots/readers/feed.ts";
+import { scriptIsAway } from "../robots/access/script-gate.ts";
 
 export interface Conversation {
   /**

@@ -1,11 +1,11 @@
 /** A script whose commands wait for a slow store. */
 import { decodeFrame, relayToDriverSchema, type RelayToDriver } from "@corridor/protocol";
 import { expect, it } from "vitest";
-import { RightsVersion } from "../sessions/rights.ts";
-import { callerOf, unknownScript } from "../sessions/script.ts";
+import { RightsVersion } from "../robots/access/rights.ts";
+import { callerOf, unknownScript } from "../robots/access/caller.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { FakeClock } from "../platform/testing/fake-clock.ts";
-import type { Session } from "../sessions/session.ts";
+import type { Session } from "../robots/robot.ts";
 import { DriverConversation } from "./driver-conversation.ts";
 
 function withSlowStore() {

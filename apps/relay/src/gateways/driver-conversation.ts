@@ -20,10 +20,10 @@ import type { ProblemKind } from "../platform/errors/problem-kinds.ts";
 import { asRefusal, badRequest, Refusal, retryAfter } from "../platform/errors/problems.ts";
 import type { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import { limits } from "../platform/limits/limits.ts";
-import type { OverReason, ReaderSink, ReaderStart } from "../sessions/reader-feed.ts";
-import type { Grant } from "../sessions/session-hub.ts";
-import type { JoinedReader } from "../sessions/readers.ts";
-import { TransitEstimate } from "../sessions/transit-estimate.ts";
+import type { OverReason, ReaderSink, ReaderStart } from "../robots/readers/feed.ts";
+import type { Grant } from "../robots/registry.ts";
+import type { JoinedReader } from "../robots/readers/readers.ts";
+import { TransitEstimate } from "../robots/delivery/transit-estimate.ts";
 import { closeWith, closeReader, type Conversation } from "./conversation.ts";
 import type { ReaderConnection } from "./reader-connection.ts";
 

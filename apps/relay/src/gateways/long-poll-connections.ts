@@ -12,9 +12,9 @@ import {
 } from "@corridor/protocol";
 import { canBeKey, hashKey, markOf, mintKey } from "../platform/keys.ts";
 import { notAuthorised, Refusal, retryAfter } from "../platform/errors/problems.ts";
-import type { Patience } from "../sessions/audience.ts";
+import type { Patience } from "../robots/readers/subscribers.ts";
 import { limits } from "../platform/limits/limits.ts";
-import { verbOfRole } from "../sessions/rights.ts";
+import { verbOfRole } from "../robots/access/rights.ts";
 import { StaggeredInterval } from "../platform/time/staggered-interval.ts";
 import { closeWith } from "./conversation.ts";
 import { closeOnError, startConversation, introductionOf } from "./start-conversation.ts";

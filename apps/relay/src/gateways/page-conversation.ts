@@ -11,8 +11,8 @@ import {
   type FieldProblem,
 } from "@corridor/protocol";
 import { readSnapshotMessage } from "../bus/carried-snapshot.ts";
-import type { PageLink } from "../sessions/page-link.ts";
-import type { Grant } from "../sessions/session-hub.ts";
+import type { PageLink } from "../robots/page/page-link.ts";
+import type { Grant } from "../robots/registry.ts";
 import { closeWith, type Conversation } from "./conversation.ts";
 import type { ReaderConnection } from "./reader-connection.ts";
 

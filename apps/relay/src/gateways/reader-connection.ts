@@ -4,7 +4,7 @@
  */
 import type { SocketPort } from "@corridor/protocol";
 import type { CarriedSnapshot } from "../bus/carried-snapshot.ts";
-import type { ReaderFlow } from "../sessions/reader-feed.ts";
+import type { ReaderFlow } from "../robots/readers/feed.ts";
 
 export interface ReaderConnection extends SocketPort {
   readonly door: "websocket" | "line";

@@ -16,7 +16,7 @@ import type { Clock } from "../platform/time/clock.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { textFrame } from "../platform/text-frame.ts";
 import type { CarriedSnapshot } from "../bus/carried-snapshot.ts";
-import type { ReaderFlow } from "../sessions/reader-feed.ts";
+import type { ReaderFlow } from "../robots/readers/feed.ts";
 import { closeWith } from "./conversation.ts";
 import type { ReaderConnection } from "./reader-connection.ts";
 

@@ -5,8 +5,8 @@
 import { closeReasons, type CommandRecord } from "@corridor/protocol";
 import { collectDefaultMetrics, Counter, Gauge, Histogram, Registry } from "prom-client";
 import type { ProblemKind } from "../platform/errors/problem-kinds.ts";
-import type { Census } from "../sessions/session-hub.ts";
-import type { Witness } from "../sessions/witness.ts";
+import type { Census } from "../robots/registry.ts";
+import type { Witness } from "../robots/delivery/witness.ts";
 
 /**
  * Close codes with a time series of their own. Clients may close with any of thousands of codes.

@@ -13,7 +13,7 @@ import { Readiness } from "../readiness.ts";
 import { systemClock } from "../platform/time/clock.ts";
 import { DocumentService } from "../short-links/document-service.ts";
 import { PairingService } from "../pairing/pairing-service.ts";
-import { SessionHub } from "../sessions/session-hub.ts";
+import { SessionHub } from "../robots/registry.ts";
 import { SqliteDocumentStore } from "../store/sqlite/sqlite-document-store.ts";
 import { SqliteFile } from "../store/sqlite/file/sqlite-file.ts";
 import { SqlitePairingStore } from "../store/sqlite/sqlite-pairing-store.ts";

@@ -1,7 +1,7 @@
 /** Authorises a request of a script and marks the script as active until the response has ended. */
 import type { Request, Response } from "express";
-import type { Grant, SessionHub } from "../sessions/session-hub.ts";
-import type { Verb } from "../sessions/rights.ts";
+import type { Grant, SessionHub } from "../robots/registry.ts";
+import type { Verb } from "../robots/access/rights.ts";
 import { readBearer, readIntroduction, readScriptTime } from "./reading.ts";
 
 export interface AuthorisedRequest extends Grant {

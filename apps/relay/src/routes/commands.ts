@@ -1,7 +1,7 @@
 /** Commands of scripts: send a command, read its record, read the log, stop everything. */
 import { termsOf, type CommandRecord } from "@corridor/protocol";
 import { Router, type Request, type Response } from "express";
-import type { SessionHub } from "../sessions/session-hub.ts";
+import type { SessionHub } from "../robots/registry.ts";
 import type { CommandLog } from "./answers.ts";
 import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 import { authoriseScript, type AuthorisedRequest } from "./authorise-script.ts";

@@ -9,7 +9,7 @@ import {
 import { Router } from "express";
 import { z } from "zod";
 import type { RequestGuard } from "../platform/http/request-guard.ts";
-import type { SessionHub } from "../sessions/session-hub.ts";
+import type { SessionHub } from "../robots/registry.ts";
 import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 import { jsonText, read, readBearer, readBody } from "./reading.ts";
 

@@ -4,7 +4,7 @@ import { MAX_DOCUMENT_BYTES } from "@corridor/protocol";
 import { Router } from "express";
 import { z } from "zod";
 import { Refusal } from "../platform/errors/problems.ts";
-import type { SessionHub } from "../sessions/session-hub.ts";
+import type { SessionHub } from "../robots/registry.ts";
 import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 import { authoriseScript } from "./authorise-script.ts";
 import { jsonText, readBearer, readBody } from "./reading.ts";

@@ -10,7 +10,7 @@ import type { RequestGuard } from "../platform/http/request-guard.ts";
 import { canBeKey } from "../platform/keys.ts";
 import type { PairingService } from "../pairing/pairing-service.ts";
 import { notAuthorised } from "../platform/errors/problems.ts";
-import type { SessionHub } from "../sessions/session-hub.ts";
+import type { SessionHub } from "../robots/registry.ts";
 import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 import {
   jsonText,

@@ -18,9 +18,9 @@ import { z } from "zod";
 import { clientName } from "../client-name.ts";
 import { badRequest, Refusal } from "../platform/errors/problems.ts";
 import { limits } from "../platform/limits/limits.ts";
-import type { Caller, Introduction } from "../sessions/script.ts";
-import type { ScriptTime } from "../sessions/script-clocks.ts";
-import type { Patience } from "../sessions/audience.ts";
+import type { Caller, Introduction } from "../robots/access/caller.ts";
+import type { ScriptTime } from "../robots/delivery/script-clocks.ts";
+import type { Patience } from "../robots/readers/subscribers.ts";
 
 // Checks the text first, then the number, because /openapi.json describes the number.
 const waitError = `seconds to wait, from 0 to ${limits.longPollSeconds}`;

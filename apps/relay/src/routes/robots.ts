@@ -1,7 +1,7 @@
 /** Registers, shows and deletes robots. */
 import { Router } from "express";
 import type { RequestGuard } from "../platform/http/request-guard.ts";
-import type { SessionHub } from "../sessions/session-hub.ts";
+import type { SessionHub } from "../robots/registry.ts";
 import type { HeldSession } from "./answers.ts";
 import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 import { readBearer } from "./reading.ts";

@@ -1,7 +1,7 @@
 /** The newest snapshot of a robot, immediately or by waiting for a newer one. */
 import { Router } from "express";
 import { Refusal } from "../platform/errors/problems.ts";
-import type { SessionHub } from "../sessions/session-hub.ts";
+import type { SessionHub } from "../robots/registry.ts";
 import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 import { authoriseScript } from "./authorise-script.ts";
 import { patienceOf, readNewer } from "./reading.ts";

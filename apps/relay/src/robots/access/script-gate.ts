@@ -1,0 +1,138 @@
+/**
+ * Scripts that the owner of a robot has blocked, and whether remote driving is paused. Blocking is
+ * no access control, because a script with the key can return under another name. It excludes one
+ * of several scripts until the owner unblocks it. Only a new key ends the access of all.
+ */
+import { MAX_BLOCKED_SCRIPTS, type ScriptRef } from "@corridor/protocol";
+import { keyId } from "../../platform/keys.ts";
+import { noRobot, Refusal } from "../../platform/errors/problems.ts";
+import type {
+  AwayResult,
+  ScriptChange,
+  SessionStore,
+  StoredScript,
+  StoredSession,
+} from "../../store/port.ts";
+import type { RightsVersion } from "./rights.ts";
+import { scriptOf, type Caller } from "./caller.ts";
+
+export interface ScriptGateParts {
+  robot: string;
+  rights: RightsVersion;
+  stored: Standing;
+  store: Pick<SessionStore, "find">;
+  /** changes the blocked scripts in the store and recalls the affected commands */
+  change: (change: Omit<ScriptChange, "reason">) => Promise<AwayResult>;
+  /** pauses in the store and recalls the affected commands; false if there is no such robot */
+  pause: (isPaused: boolean) => Promise<boolean>;
+  /** called after this relay has changed something */
+  changed: () => void;
+  /** called with a newly blocked script */
+  blocked: (script: StoredScript) => void;
+  /** called when remote driving was paused */
+  paused: () => void;
+}
+
+/** Permissions of scripts, as the owner has set them. */
+type Standing = Pick<StoredSession, "away" | "isPaused">;
+
+export class ScriptGate {
+  readonly #parts: ScriptGateParts;
+  #away: readonly StoredScript[];
+  #isPaused: boolean;
+
+  constructor(parts: ScriptGateParts) {
+    this.#parts = parts;
+    this.#away = parts.stored.away;
+    this.#isPaused = parts.stored.isPaused;
+  }
+
+  get isPaused(): boolean {
+    return this.#isPaused;
+  }
+
+  get away(): readonly StoredScript[] {
+    return this.#away;
+  }
+
+  /** @throws Refusal blocked */
+  check({ script }: Caller): void {
+    if (this.#away.some(({ id }) => id === script?.id)) throw scriptIsAway();
+  }
+
+  /**
+   * Blocks a script. A script that is already blocked stays blocked.
+   * @throws Refusal unknown-driver, too-many-blocked or no-robot
+   */
+  async sendAway({ driver, name, client }: ScriptRef): Promise<StoredScript> {
+    const stored = await this.#stored();
+    const key = stored?.keys.find(({ kind, hash }) => kind === "drive" && keyId(hash) === driver);
+    if (key === undefined) {
+      throw new Refusal(
+        "unknown-driver",
+        "This robot has no driver key with the id in 'driver'. List its scripts with GET .../scripts.",
+      );
+    }
+    const script = scriptOf(key.hash, { name, client });
+    await this.#change({ add: script, remove: null });
+    return script;
+  }
+
+  /** @throws Refusal no-script if no script with this id is blocked */
+  async letBack(id: string): Promise<void> {
+    const stored = await this.#stored();
+    if (stored?.away.some((script) => script.id === id) !== true) {
+      throw new Refusal(
+        "no-script",
+        "This robot has no blocked script with this id. List its scripts with GET .../scripts.",
+      );
+    }
+    await this.#change({ add: null, remove: id });
+  }
+
+  /** Pauses remote driving, or resumes it. Repeated calls have no further effect. */
+  async pause(isPaused: boolean): Promise<void> {
+    if (!(await this.#parts.pause(isPaused))) throw noRobot();
+    this.learn({ away: this.#away, isPaused });
+    this.#parts.changed();
+  }
+
+  /** Applies the stored permissions, which another relay may have changed. */
+  learn({ away, isPaused }: { away: readonly StoredScript[]; isPaused?: boolean }): void {
+    const before = this.#away;
+    const wasPaused = this.#isPaused;
+    this.#away = away;
+    this.#parts.rights.changed();
+    this.#isPaused = isPaused ?? wasPaused;
+    if (this.#isPaused && !wasPaused) this.#parts.paused();
+    for (const script of away) {
+      if (!before.some(({ id }) => id === script.id)) this.#parts.blocked(script);
+    }
+  }
+
+  /** Reads the store, because another relay may have just changed it. */
+  async #stored(): Promise<StoredSession | null> {
+    return this.#parts.store.find(this.#parts.robot);
+  }
+
+  async #change(change: Pick<ScriptChange, "add" | "remove">): Promise<void> {
+    const result = await this.#parts.change({ ...change, most: MAX_BLOCKED_SCRIPTS });
+    if (result.outcome === "no-session") throw noRobot();
+    if (result.outcome === "full") {
+      throw new Refusal(
+        "too-many-blocked",
+        `${MAX_BLOCKED_SCRIPTS} scripts are blocked, the maximum. Unblock one, or create a new key, which disconnects all scripts of the old key.`,
+      );
+    }
+    this.learn(result);
+    this.#parts.changed();
+  }
+}
+
+/** Error response for a blocked script. */
+export function scriptIsAway(): Refusal {
+  return new Refusal(
+    "blocked",
+    "The robot's owner has blocked this script. Ask the owner to press 'Unblock', then restart the script.",
+  );
+}

@@ -1,0 +1,90 @@
+/**
+ * Delivers commands to the robot's page in order. Commands are marked as delivered before they are
+ * sent. The page is shown the commands that it may not have yet.
+ */
+import { closeReasons, type CommandRecord } from "@corridor/protocol";
+import type { Clock } from "../../platform/time/clock.ts";
+import type { SessionStore, TermedRecord } from "../../store/port.ts";
+import { limits } from "../../platform/limits/limits.ts";
+import { commandFrame } from "../page/page-frames.ts";
+import type { PageDisplay } from "../page/page-display.ts";
+import type { PageHandover } from "../page/page-handover.ts";
+import type { PageLink } from "../page/page-link.ts";
+import type { PageSeat } from "../page/page-seat.ts";
+
+/** Commands that are marked as delivered and are to be sent now. */
+export interface Due {
+  link: PageLink;
+  commands: TermedRecord[];
+  /** when they were marked */
+  now: number;
+}
+
+export interface CommandDeliveryParts {
+  robot: string;
+  store: Pick<SessionStore, "deliver" | "hasAll">;
+  clock: Clock;
+  seat: PageSeat;
+  handover: PageHandover;
+  display: PageDisplay;
+  /** called with the delivered records */
+  sent(records: readonly CommandRecord[]): void;
+}
+
+export class CommandDelivery {
+  readonly #parts: CommandDeliveryParts;
+
+  constructor(parts: CommandDeliveryParts) {
+    this.#parts = parts;
+  }
+
+  /** Delivers all commands that the page may have now. */
+  async run(): Promise<void> {
+    this.send(await this.take());
+  }
+
+  /**
+   * Marks the commands that the page may have now as delivered. If the preceding store step starts
+   * in the same turn, one commit stores both. The page then has a command as soon as its sender has
+   * the response.
+   * @returns what to send, whether or not the preceding step succeeds; null: there is nothing to
+   * deliver, or no page to deliver to
+   */
+  async take(): Promise<Due | null> {
+    const { robot, store, clock, seat, handover } = this.#parts;
+    if (seat.page === null || handover.isUnderWay) return null;
+    const { link, epoch } = seat.page;
+    const now = clock.now();
+    try {
+      // After most commands there is nothing more to deliver. `hasAll` detects that without a
+      // query.
+      if (store.hasAll(robot, limits.deliveredWindow)) return null;
+      return {
+        link,
+        commands: await store.deliver(robot, epoch, limits.deliveredWindow, now),
+        now,
+      };
+    } catch {
+      // The commands stay stored. The page reconnects after this close code and receives them then.
+      link.close(closeReasons.busy);
+      return null;
+    }
+  }
+
+  send(due: Due | null): void {
+    if (due === null) return;
+    if (due.commands.length > 0) {
+      // The display may hold one of these commands as waiting, so that is shown first.
+      this.#parts.display.flush();
+      due.link.send(...due.commands.map((each) => commandFrame(each, due.now)));
+    }
+    this.#parts.sent(due.commands.map(({ record }) => record));
+  }
+
+  /** Sends what is due. Shows the page a new command that is not part of it. */
+  sendOrShow(added: TermedRecord, due: Due | null): void {
+    this.send(due);
+    const isSent = due?.commands.some(({ record }) => record.seq === added.record.seq) === true;
+    if (!isSent) this.#parts.display.show([added]);
+  }
+}

@@ -1,0 +1,433 @@
+/**
+ * Lifecycle of one robot's commands, between the scripts that send them and the page that executes
+ * them.
+ *
+ * All changes of commands go through one serial queue, so the order in the store is the order on
+ * the connection. Waiting commands expire here. A command is marked as delivered before it is sent.
+ * From then on only the robot ends it, or the relay once the page is gone for good.
+ */
+import {
+  closeReasons,
+  hasEnded,
+  PROTOCOL_VERSION,
+  type CommandRecord,
+  type CommandTerms,
+  type Ending,
+  type PageToRelay,
+  type Resume,
+} from "@corridor/protocol";
+import type { Clock } from "../../platform/time/clock.ts";
+import type { Step } from "../../bus/bus.ts";
+import { noRobot, restarting } from "../../platform/errors/problems.ts";
+import type { CoalescedTimers } from "../../platform/time/coalesced-timers.ts";
+import type { SessionStore, TermedRecord } from "../../store/port.ts";
+import type { Audience } from "../readers/subscribers.ts";
+import { CommandDelivery, type Due } from "./command-delivery.ts";
+import { CommandLog } from "./command-log.ts";
+import { CommandRecall } from "./command-recall.ts";
+import { notStored } from "./command-refusals.ts";
+import { DeadlineTimer } from "./deadline-timer.ts";
+import { DriverAllowance } from "./driver-allowance.ts";
+import { limits } from "../../platform/limits/limits.ts";
+import { OrderedWork } from "./ordered-work.ts";
+import { PageHandover, type Settled } from "../page/page-handover.ts";
+import { PageDisplay } from "../page/page-display.ts";
+import type { PageLink } from "../page/page-link.ts";
+import type { PageSeat } from "../page/page-seat.ts";
+import type { RobotLine } from "../presence/robot-line.ts";
+import type { Caller } from "../access/caller.ts";
+import type { Witness } from "./witness.ts";
+
+export interface CommandLifeParts {
+  robot: string;
+  store: SessionStore;
+  clock: Clock;
+  timers: CoalescedTimers;
+  witness: Witness;
+  audience: Audience;
+  seat: PageSeat;
+  line: RobotLine;
+}
+
+export class CommandLife {
+  readonly #robot: string;
+  readonly #store: SessionStore;
+  readonly #clock: Clock;
+  readonly #witness: Witness;
+  readonly #audience: Audience;
+  readonly #seat: PageSeat;
+  readonly #line: RobotLine;
+  readonly #delivery: CommandDelivery;
+  readonly #allowance = new DriverAllowance();
+  readonly #work = new OrderedWork();
+  /** serializes pages that connect */
+  readonly #arrivals = new OrderedWork();
+  /** transfers the robot from one page to the next */
+  readonly handover: PageHandover;
+  /** shows the page commands that it does not have */
+  readonly display: PageDisplay;
+  /** queries for the same commands */
+  readonly log: CommandLog;
+  /** cancels the same commands for their senders and the owner */
+  readonly recall: CommandRecall;
+  readonly #deadlines: DeadlineTimer;
+  /** seq of the newest command if that is a stop; otherwise null */
+  #newestStop: number | null = null;
+  /** whether this relay is publishing a step of its own in this turn */
+  #isTelling = false;
+  /** whether the store may hold a waiting command that it did not confirm */
+  #isInDoubt = false;
+  #end: "over" | "restart" | null = null;
+
+  constructor({ robot, store, clock, timers, witness, audience, seat, line }: CommandLifeParts) {
+    this.#robot = robot;
+    this.#store = store;
+    this.#clock = clock;
+    this.#witness = witness;
+    this.#audience = audience;
+    this.#seat = seat;
+    this.#line = line;
+    this.handover = new PageHandover({ clock, seat, line });
+    const sent = (records: readonly CommandRecord[]): void => this.#tellStates(records);
+    const { handover } = this;
+    const display = new PageDisplay({ seat, clock, timers });
+    this.display = display;
+    this.#delivery = new CommandDelivery({ robot, store, clock, seat, handover, display, sent });
+    this.log = new CommandLog(robot, store, audience, this.#work);
+    this.recall = new CommandRecall({
+      robot,
+      store,
+      work: this.#work,
+      ended: (commands) => this.#endedHere(commands),
+      ask: (seq, cause) => {
+        seat.page?.link.send({ type: "cancel", seq, cause });
+        line.cancel(seq, cause);
+      },
+    });
+    this.#deadlines = new DeadlineTimer(clock, () => void this.#expire().catch(() => undefined));
+    // Commands from before the start of this relay may have expired.
+    this.#deadlines.wake(clock.now());
+  }
+
+  // --- the page ---
+
+  /**
+   * Connects a page to the robot once the previous page has released it. The previous page is
+   * disconnected.
+   * @param seated called when the page owns the robot, before commands are delivered to it
+   */
+  async takePage(link: PageLink, resume: Resume, seated: () => void): Promise<void> {
+    await this.#arrivals.run(async () => {
+      const settled = await this.handover.settle(resume);
+      // The page disconnected while the previous page released the robot. That one may reconnect.
+      if (!link.isOpen) return;
+      await this.#seatPage(link, resume, { ...settled, seated });
+    });
+  }
+
+  async #seatPage(
+    link: PageLink,
+    resume: Resume,
+    { epoch: settled, left, seated }: Settled & { seated: () => void },
+  ): Promise<void> {
+    const { lastApplied, fresh, endings, snapshot, page: name = "" } = resume;
+    await this.#work.run(async () => {
+      const taken = await this.#store.takeOver(this.#robot, {
+        lastApplied,
+        // A page can never end a command that another page started.
+        fresh: fresh || (this.#seat.name !== "" && !this.handover.isSame(resume)),
+        endings,
+        pose: snapshot?.pose ?? null,
+        page: name,
+        settled,
+        left,
+      });
+      if (taken === null || this.#end !== null)
+        return link.close(closeReasons[this.#end ?? "over"]);
+      // Another relay's page may be newer, and its message may arrive before this response.
+      if (this.#seat.isElsewhere && this.#seat.epoch > taken.epoch)
+        return link.close(closeReasons.replaced);
+      this.#seat.page?.link.close(closeReasons.replaced);
+      this.#seat.take({ link, epoch: taken.epoch, name });
+      this.#line.pageCame(taken.epoch, name);
+      const at = this.#clock.now();
+      link.send({ type: "welcome", version: PROTOCOL_VERSION, epoch: taken.epoch, at });
+      const refused = new Map(taken.refused.map((record) => [record.seq, record]));
+      for (const { seq } of endings) this.#answerEnding(link, seq, refused.get(seq) ?? null);
+      seated();
+      this.#tellStates(taken.changed);
+      await this.recall.askAgainInTurn();
+      await this.#expireNow();
+      await this.#delivery.run();
+    });
+  }
+
+  /** Handles a page's report that a command started or ended, or that it released the robot. */
+  async hearPage(
+    link: PageLink,
+    message: Extract<PageToRelay, { type: "started" | "ended" | "yielded" }>,
+  ): Promise<void> {
+    await this.#work.run(async () => {
+      // The connection may be closed by now. Its reports count until another page acquires the
+      // robot.
+      if (message.epoch !== this.#seat.epoch) return;
+      try {
+        await this.#heed(link, message);
+      } catch (error) {
+        // No later report may count after this failure. The page repeats all of them when it
+        // reconnects.
+        link.close(closeReasons.busy);
+        throw error;
+      }
+    });
+  }
+
+  async #heed(link: PageLink, message: Parameters<CommandLife["hearPage"]>[1]): Promise<void> {
+    switch (message.type) {
+      case "started":
+        return this.#started(message.epoch, message.seq);
+      case "ended": {
+        const { type: _type, epoch, ...ending } = message;
+        return this.#ended(link, epoch, ending);
+      }
+      case "yielded":
+        // All earlier reports of the page are stored by now.
+        if (link.isOpen) this.handover.yielded(message.epoch, true);
+        return;
+    }
+  }
+
+  /** Ends the commands of a page that is gone, unless a page is connected again. */
+  async pageIsGone(): Promise<void> {
+    await this.#work.run(async () => {
+      if (this.#seat.page !== null || this.#seat.isElsewhere) return;
+      const { epoch } = this.#seat;
+      const ended = await this.#store.abandon(
+        this.#robot,
+        epoch,
+        "The robot disconnected. Check that its page is open and connected under Remote, then send a new command.",
+      );
+      // Another relay has the page after all, and its message arrives soon.
+      if (ended === null) return;
+      this.#seat.settleAway();
+      this.#tellStates(ended);
+    });
+  }
+
+  async #started(epoch: number, seq: number): Promise<void> {
+    const started = this.#store.start(this.#robot, epoch, seq);
+    const due = this.#delivery.take();
+    const record = await started;
+    if (record !== null) {
+      this.#witness.started(this.#secondsSince(Date.parse(record.acceptedAt)));
+      this.#tellStates([record]);
+    }
+    this.#delivery.send(await due);
+  }
+
+  async #ended(link: PageLink, epoch: number, ending: Ending): Promise<void> {
+    const ended = this.#store.end(this.#robot, epoch, ending);
+    const due = this.#delivery.take();
+    const { outcome, record } = await ended;
+    // The held commands were sent for the same situation as the cancelled one. The page receives
+    // both together.
+    if (ending.state === "cancelled") this.display.flush();
+    // The page may not end this command now. It retains the ending and sends it again when it
+    // reconnects.
+    const isKept = outcome === "over" && record !== null && !hasEnded(record.state);
+    if (!isKept) {
+      const isRepeated = record?.state === ending.state;
+      this.#answerEnding(link, ending.seq, isRepeated ? null : record);
+    }
+    if (outcome === "ended") this.#tellStates([record]);
+    this.#delivery.send(await due);
+  }
+
+  /**
+   * Confirms an ending. In both cases the page need not send it again.
+   * @param other the record with its earlier, different ending; null: there is none
+   */
+  #answerEnding(link: PageLink, seq: number, other: CommandRecord | null): void {
+    link.send(other === null ? { type: "stored", seq } : { type: "refused", record: other });
+  }
+
+  // --- time ---
+
+  async #expire(): Promise<void> {
+    await this.#work.run(async () => {
+      if (this.#end !== null) return;
+      await this.#expireNow();
+      if (!this.#isInDoubt) return;
+      this.#isInDoubt = false;
+      await this.#delivery.run();
+    });
+  }
+
+  async #expireNow(): Promise<void> {
+    try {
+      const { ended, next } = await this.#store.expire(this.#robot, this.#clock.now());
+      if (next !== null) this.#deadlines.wake(next);
+      this.#endedHere(ended);
+    } catch {
+      this.#deadlines.wake(this.#clock.now() + limits.storeRetryMs);
+    }
+  }
+
+  /** The store failed to respond, but may have stored a command. Looks for it after a delay. */
+  #doubt(): void {
+    this.#isInDoubt = true;
+    this.#deadlines.wake(this.#clock.now() + limits.storeRetryMs);
+  }
+
+  /** Publishes commands that the relay has ended, and shows them to the page. */
+  #endedHere(ended: readonly TermedRecord[]): void {
+    const changed = ended.map(({ record }) => record);
+    this.#stepped({ changed, ended: [...ended] });
+    this.display.show(ended);
+  }
+
+  // --- other relays ---
+
+  /** Handles the changes of a step. The message bus also delivers the steps of this relay. */
+  heardStep(step: Step, isOwn: boolean): void {
+    if (this.#isTelling) return this.#audience.tellStates(step.changed);
+    const heard = this.#work.run(async () => {
+      this.#audience.tellStates(step.changed);
+      if (isOwn || this.#end !== null) return;
+      this.display.show(step.ended);
+      const { added } = step;
+      if (added === null) return;
+      this.#newestStop = isStop(added) ? added.record.seq : null;
+      // The relay that stored the command may fail before the deadline.
+      this.#deadlines.wake(added.deadline);
+      if (this.#seat.page !== null) this.#delivery.sendOrShow(added, await this.#delivery.take());
+    });
+    heard.catch(() => undefined);
+  }
+
+  /** Steps may have been missed: notifies readers of the gap and delivers waiting commands. */
+  missedSteps(): void {
+    const made = this.#work.run(async () => {
+      this.#audience.tellMissed();
+      this.#deadlines.wake(this.#clock.now());
+      if (this.#seat.page !== null) await this.recall.askAgainInTurn();
+      await this.#delivery.run();
+    });
+    made.catch(() => undefined);
+  }
+
+  // --- scripts ---
+
+  /**
+   * Stores a command and delivers it in its turn. A stop overtakes all other commands. If a stop
+   * exceeds the rate limit, the relay responds with the stop that is still open, if there is one.
+   * This requires a request without an idempotency key, or with the key of that stop.
+   * @param acknowledge called with the stored record, before anything else is published about it;
+   * `duplicate` is true if the record was stored before
+   * @throws Refusal too-fast, restarting, no-robot or a reason of `notStored`
+   */
+  async submit(
+    grant: Caller,
+    request: { key: string | null } & CommandTerms,
+    acknowledge: (record: CommandRecord) => void,
+  ): Promise<void> {
+    const cameAt = this.#clock.now();
+    const isStop = request.command.action === "stop";
+    const tooFast = this.#allowance.take(grant.hash, isStop, cameAt);
+    if (tooFast !== null && !isStop) throw tooFast;
+    await this.#work.run(async () => {
+      if (this.#end !== null) throw this.#end === "restart" ? restarting() : noRobot();
+      if (tooFast !== null) {
+        const stop = await this.#openStop();
+        // A sender with another key expects a record of its own, and retries.
+        const mayShare = request.key === null || request.key === stop?.key;
+        if (stop === null || !mayShare) throw tooFast;
+        return acknowledge({ ...stop, duplicate: true });
+      }
+      const { key, command, ttl, age, replace, lease } = request;
+      const added = this.#store.add(this.#robot, {
+        key,
+        command,
+        ttl,
+        replace,
+        lease,
+        driver: grant.hash,
+        script: grant.script?.id ?? null,
+        acceptedAt: cameAt,
+        deadline: cameAt + ttl - age,
+        maxWaiting: limits.waitingCommands,
+        keep: limits.keptCommands,
+      });
+      const due = this.#delivery.take();
+      const result = await added.catch(async (error: unknown) => {
+        this.#doubt();
+        this.#delivery.send(await due);
+        throw error;
+      });
+      if (result.outcome === "duplicate") {
+        acknowledge({ ...result.record, duplicate: true });
+        // The first attempt may have failed before it did anything else.
+        if (result.record.state === "accepted") this.#deadlines.wake(cameAt);
+        return this.#delivery.send(await due);
+      }
+      if (result.outcome !== "stored") {
+        this.#delivery.send(await due);
+        throw notStored(result, request);
+      }
+      const { record, ended } = result;
+      this.#newestStop = isStop ? record.seq : null;
+      this.#witness.stored(this.#secondsSince(cameAt));
+      acknowledge(record);
+      const terms = {
+        driver: grant.hash,
+        script: grant.script?.id ?? null,
+        ttl,
+        deadline: cameAt + ttl - age,
+        replace,
+        lease,
+      };
+      return this.#stored({ record, ...terms }, ended, await due);
+    });
+  }
+
+  #stored(added: TermedRecord, ended: TermedRecord[], due: Due | null): void {
+    this.#deadlines.wake(added.deadline);
+    this.#stepped({ added, ended, changed: ended.map(({ record }) => record) });
+    this.display.show(ended);
+    this.#delivery.sendOrShow(added, due);
+  }
+
+  /** The newest command, if it is a stop that has not ended. Another stop would change nothing. */
+  async #openStop(): Promise<CommandRecord | null> {
+    if (this.#newestStop === null) return null;
+    const record = await this.#store.command(this.#robot, this.#newestStop);
+    return record === null || hasEnded(record.state) ? null : record;
+  }
+
+  /** Stops accepting and delivering commands. */
+  close(reason: "over" | "restart"): void {
+    this.#end = reason;
+    this.display.flush();
+    this.#deadlines.close();
+  }
+
+  #tellStates(records: readonly CommandRecord[]): void {
+    this.#stepped({ changed: [...records] });
+  }
+
+  /** Publishes a step of this relay to all subscribers, including its own readers. */
+  #stepped(step: Partial<Step> & Pick<Step, "changed">): void {
+    for (const { state } of step.changed) if (hasEnded(state)) this.#witness.ended(state);
+    this.#isTelling = true;
+    this.#line.stepped(step);
+    this.#isTelling = false;
+  }
+
+  #secondsSince(time: number): number {
+    return Math.max(0, this.#clock.now() - time) / 1000;
+  }
+}
+
+function isStop({ record }: TermedRecord): boolean {
+  return record.action === "stop";
+}

@@ -1,0 +1,61 @@
+/** Queries for the commands of one robot: one command, a list, the open ones, or the end of one. */
+import { hasEnded, type CommandRecord, type EventGap } from "@corridor/protocol";
+import type { SessionStore } from "../../store/port.ts";
+import type { Audience, Patience } from "../readers/subscribers.ts";
+import { noCommand } from "./command-refusals.ts";
+import { limits } from "../../platform/limits/limits.ts";
+import type { OrderedWork } from "./ordered-work.ts";
+
+export class CommandLog {
+  readonly #robot: string;
+  readonly #store: SessionStore;
+  readonly #audience: Audience;
+  readonly #work: OrderedWork;
+
+  /** @param work queue of all changes to commands; some reads run between two changes */
+  constructor(robot: string, store: SessionStore, audience: Audience, work: OrderedWork) {
+    this.#robot = robot;
+    this.#store = store;
+    this.#audience = audience;
+    this.#work = work;
+  }
+
+  /** @throws Refusal no-command */
+  async command(seq: number): Promise<CommandRecord> {
+    const record = await this.#store.command(this.#robot, seq);
+    if (record === null) throw noCommand(seq);
+    return record;
+  }
+
+  async after(seq: number): Promise<CommandRecord[]> {
+    return this.#store.commandsAfter(this.#robot, seq, limits.logPage);
+  }
+
+  /** Reports the commands that have not ended, between two changes. */
+  async tellOpen(tell: (open: EventGap["open"]) => void): Promise<void> {
+    await this.#work.run(async () => {
+      const open = await this.#store.openCommands(this.#robot);
+      tell(open.map(({ seq, state }) => ({ seq, state })));
+    });
+  }
+
+  /** Waits for the command to end. @returns its record after the wait, ended or not */
+  async endOf(seq: number, patience: Patience): Promise<CommandRecord> {
+    // Starts between two changes, so that no ending falls between the read and the subscription.
+    const { record, end } = await this.#work.run(async () => {
+      const now = await this.command(seq);
+      return { record: now, end: hasEnded(now.state) ? null : this.#nextEnd(seq, patience) };
+    });
+    if (end === null) return record;
+    await end;
+    return this.command(seq);
+  }
+
+  #nextEnd(seq: number, patience: Patience): Promise<void> {
+    return this.#audience.until(patience, (done) => ({
+      state: ({ record }) => {
+        if (record.seq === seq && hasEnded(record.state)) done();
+      },
+    }));
+  }
+}

@@ -1,0 +1,127 @@
+/**
+ * Recalls commands for their senders or the owner. A waiting command ends at the relay. For a
+ * delivered command the relay asks the robot. The store retains the request, so that a disconnected
+ * page is asked when it reconnects.
+ */
+import {
+  BLOCKED_REASON,
+  PAUSED_REASON,
+  recallCauses,
+  REVOKED_REASON,
+  type CommandRecord,
+  type RecallCause,
+} from "@corridor/protocol";
+import type {
+  AwayResult,
+  KeyChange,
+  KeysResult,
+  ScriptChange,
+  SessionStore,
+  StoredKey,
+  TermedRecord,
+} from "../../store/port.ts";
+import { noCommand, notYourCommand } from "./command-refusals.ts";
+import type { OrderedWork } from "./ordered-work.ts";
+
+export interface CommandRecallParts {
+  robot: string;
+  store: SessionStore;
+  work: OrderedWork;
+  /** called with commands that have ended at the relay */
+  ended(commands: readonly TermedRecord[]): void;
+  /** asks the page, here or at another relay, to end a command */
+  ask(seq: number, cause: RecallCause): void;
+}
+
+/** Reasons in the records of recalled commands. */
+const reasons = {
+  sender: "The script cancelled this command before it started. To run it, send a new command.",
+  revoked: REVOKED_REASON,
+  blocked: BLOCKED_REASON,
+  paused: PAUSED_REASON,
+} as const satisfies Record<RecallCause, string>;
+
+export class CommandRecall {
+  readonly #parts: CommandRecallParts;
+
+  constructor(parts: CommandRecallParts) {
+    this.#parts = parts;
+  }
+
+  /**
+   * Recalls one command for the key that sent it.
+   * @returns the record; it has not ended yet if the robot is asked to end it
+   * @throws Refusal no-command, or forbidden if another key sent it
+   */
+  async one({ hash }: StoredKey, seq: number): Promise<CommandRecord> {
+    const { robot, store, work } = this.#parts;
+    return work.run(async () => {
+      const by = { driver: hash, reason: reasons.sender };
+      const result = await store.cancel(robot, seq, by);
+      switch (result.outcome) {
+        case "no-command":
+          throw noCommand(seq);
+        case "not-yours":
+          throw notYourCommand();
+        case "cancelled":
+          this.#parts.ended([result.termed]);
+          return result.termed.record;
+        case "delivered":
+          this.#parts.ask(seq, "sender");
+          return result.record;
+        case "over":
+          return result.record;
+      }
+    });
+  }
+
+  /** Changes the robot's keys, and recalls the commands of removed keys. */
+  async changeKeys(change: Omit<KeyChange, "reason">): Promise<KeysResult> {
+    const { robot, store, work } = this.#parts;
+    return work.run(async () => {
+      const result = await store.changeKeys(robot, { ...change, reason: reasons.revoked });
+      if (result.outcome === "changed") this.#parts.ended(result.ended);
+      return result;
+    });
+  }
+
+  /** Changes which scripts are blocked, and recalls the commands of a newly blocked script. */
+  async changeAway(change: Omit<ScriptChange, "reason">): Promise<AwayResult> {
+    const { robot, store, work } = this.#parts;
+    return work.run(async () => {
+      const result = await store.changeAway(robot, { ...change, reason: reasons["blocked"] });
+      if (result.outcome === "changed") this.#parts.ended(result.ended);
+      return result;
+    });
+  }
+
+  /**
+   * Pauses remote driving and recalls the commands of scripts, or resumes it.
+   * @returns false if there is no such session
+   */
+  async pause(isPaused: boolean): Promise<boolean> {
+    const { robot, store, work } = this.#parts;
+    return work.run(async () => {
+      const ended = await store.pause(robot, isPaused, reasons.paused);
+      if (ended !== null) this.#parts.ended(ended);
+      return ended !== null;
+    });
+  }
+
+  /** Asks the page to end all recalled commands, because earlier requests may have been lost. */
+  async askAgain(): Promise<void> {
+    await this.#parts.work.run(async () => this.askAgainInTurn());
+  }
+
+  /** Same as `askAgain`, for callers that already run in the serial queue. */
+  async askAgainInTurn(): Promise<void> {
+    const { robot, store } = this.#parts;
+    for (const { seq, reason } of await store.recalled(robot)) {
+      this.#parts.ask(seq, causeOf(reason));
+    }
+  }
+}
+
+function causeOf(reason: string): RecallCause {
+  return recallCauses.find((cause) => reasons[cause] === reason) ?? "sender";
+}

@@ -1,0 +1,34 @@
+import { expect, it } from "vitest";
+import { limits } from "../../platform/limits/limits.ts";
+import { ScriptClocks } from "./script-clocks.ts";
+
+const AT = Date.UTC(2026, 0, 1);
+
+it("two scripts of one key that run on different computers do not disturb each other", () => {
+  const clocks = new ScriptClocks();
+  clocks.came("key", { clock: "computer-1", sentAt: 9_000_000 }, AT);
+  expect(clocks.came("key", { clock: "computer-2", sentAt: 5 }, AT)).toBe(0);
+  expect(clocks.came("key", { clock: "computer-2", sentAt: 1_005 }, AT + 1_000)).toBe(0);
+});
+
+it("a clock of one key says nothing of another key, though its id be the same", () => {
+  const clocks = new ScriptClocks();
+  clocks.came("key 1", { clock: "the-same-id", sentAt: 9_000_000 }, AT);
+  expect(clocks.came("key 2", { clock: "the-same-id", sentAt: 5 }, AT)).toBe(0);
+});
+
+it("a key with ever new clocks forgets the oldest, and never one that is in use", () => {
+  const clocks = new ScriptClocks();
+  const held = (): number => clocks.came("key", { clock: "in-use-01", sentAt: 1_000 }, AT + 3_000);
+  clocks.came("key", { clock: "in-use-01", sentAt: 0 }, AT);
+  clocks.came("key", { clock: "idle-0001", sentAt: 0 }, AT);
+  for (let n = 0; n < 10 * limits.clocksPerKey; n++) {
+    clocks.came("key", { clock: `other-${n}`, sentAt: 0 }, AT);
+    expect(held()).toBeGreaterThan(1_900);
+  }
+  expect(clocks.came("key", { clock: "idle-0001", sentAt: 0 }, AT + 3_000)).toBe(0);
+});
+
+it("a request that tells no time is taken as it comes", () => {
+  expect(new ScriptClocks().came("key", null, AT)).toBe(0);
+});

@@ -1,0 +1,116 @@
+/** Handles the messages of other relays for one robot's session. */
+import { closeReasons } from "@corridor/protocol";
+import type { Clock } from "../platform/time/clock.ts";
+import type { News } from "../bus/bus.ts";
+import type { CarriedSnapshot } from "../bus/carried-snapshot.ts";
+import type { CommandLife } from "./delivery/command-life.ts";
+import type { DriverRoster } from "./presence/driver-roster.ts";
+import type { KeyRing } from "./access/key-ring.ts";
+import { limits } from "../platform/limits/limits.ts";
+import type { MazeBoard } from "./maze-board.ts";
+import type { PageLink } from "./page/page-link.ts";
+import type { PageSeat } from "./page/page-seat.ts";
+import type { RobotLine } from "./presence/robot-line.ts";
+import type { RobotView } from "./robot-view.ts";
+
+export interface OtherRelaysParts {
+  clock: Clock;
+  seat: PageSeat;
+  view: RobotView;
+  line: RobotLine;
+  life: CommandLife;
+  keys: KeyRing;
+  mazes: MazeBoard;
+  roster: DriverRoster;
+  /** other relays consider the page at this relay disconnected */
+  lapsed(link: PageLink): void;
+  /** readers must receive a new snapshot */
+  tellReaders(): void;
+  /** the page must receive the changed scripts */
+  tellScripts(): void;
+  /** another relay has deleted the robot */
+  over(): void;
+}
+
+export class OtherRelays {
+  readonly #parts: OtherRelaysParts;
+  /** ends the wait for the page's relay */
+  #met: () => void = () => undefined;
+
+  constructor(parts: OtherRelaysParts) {
+    this.#parts = parts;
+  }
+
+  /**
+   * If another relay has the page, waits for its response: the newest snapshot, if there is one.
+   */
+  async meet(): Promise<void> {
+    const { seat, line, roster, clock } = this.#parts;
+    if (!seat.isElsewhere) return;
+    const { promise, resolve } = Promise.withResolvers<void>();
+    this.#met = resolve;
+    line.sayHere(roster.told(), true);
+    const cancelTimer = clock.after(limits.relayMeetMs, resolve);
+    await promise;
+    cancelTimer();
+  }
+
+  /**
+   * Messages may have been missed: notifies readers, delivers waiting commands, reads keys and
+   * maze.
+   */
+  missed(): void {
+    const { life, keys, mazes } = this.#parts;
+    life.missedSteps();
+    keys.refresh();
+    // If the store is unavailable, readers still receive the next change of the maze.
+    mazes.lookAgain().catch(() => undefined);
+  }
+
+  heard(news: News): void {
+    const { seat, view, line, life, keys, mazes, roster, clock } = this.#parts;
+    const { page } = seat;
+    switch (news.kind) {
+      case "page":
+        seat.takeElsewhere(news.epoch, news.name)?.link.close(closeReasons.replaced);
+        return line.sayHere(roster.told());
+      case "page-left":
+        if (!seat.leaveElsewhere(news.epoch, clock.now(), news.saidGoodbye)) return;
+        life.handover.left(news.epoch, news.saidGoodbye);
+        view.pageLeft();
+        return this.#parts.tellReaders();
+      case "yield":
+        life.handover.ask(news.epoch);
+        return;
+      case "yielded":
+        return life.handover.yielded(news.epoch, false);
+      case "lapsed":
+        if (page !== null) this.#parts.lapsed(page.link);
+        return;
+      case "snapshot":
+        if (page !== null) return;
+        view.hear(news.snapshot);
+        this.#met();
+        return this.#parts.tellReaders();
+      case "here":
+        line.heardHere(news.from, news.scripts);
+        if (page === null) return this.#met();
+        if (news.asks) this.#answer(view.newest);
+        return this.#parts.tellScripts();
+      case "cancel":
+        return page?.link.send({ type: "cancel", seq: news.seq, cause: news.cause });
+      case "keys":
+        return keys.refresh();
+      case "maze":
+        return mazes.heard(news.version);
+      case "over":
+        return this.#parts.over();
+    }
+  }
+
+  #answer(newest: CarriedSnapshot | null): void {
+    const { line, roster } = this.#parts;
+    if (newest === null) line.sayHere(roster.told());
+    else line.snapshot(newest);
+  }
+}

@@ -1,0 +1,214 @@
+import type { RelayToPage } from "@corridor/protocol";
+import { describe, expect, it } from "vitest";
+import { CoalescedTimers } from "../../platform/time/coalesced-timers.ts";
+import type { TermedRecord } from "../../store/port.ts";
+import { FakeClock } from "../../platform/testing/fake-clock.ts";
+import { completed } from "../../platform/testing/messages.ts";
+import { limits } from "../../platform/limits/limits.ts";
+import { PageDisplay } from "./page-display.ts";
+import { PageSeat } from "./page-seat.ts";
+import { LEFT, page, withRobot, type Host } from "../testing/robot-at-relay.ts";
+
+const { shownIntervalMs } = limits;
+/** Maximum delay of a coalesced timer. */
+const SHARED_MS = 5;
+
+function command(seq: number, state: "accepted" | "expired" = "accepted"): TermedRecord {
+  const record = {
+    seq,
+    key: null,
+    action: "left 90" as const,
+    command: LEFT,
+    state,
+    reason: null,
+    acceptedAt: "2026-01-01T00:00:00.000Z",
+    pose: null,
+    distance: null,
+    duplicate: false,
+  };
+  const terms = {
+    driver: "d",
+    script: null,
+    ttl: 10_000,
+    deadline: 0,
+    replace: false,
+    lease: null,
+  };
+  return { record, ...terms };
+}
+
+/** Summary of a message, with the seq of a command. */
+function inWords(message: RelayToPage): string {
+  if (message.type === "state") return `${message.record.seq} ${message.record.state}`;
+  return "seq" in message ? `${message.type} ${message.seq}` : message.type;
+}
+
+/** A robot's ownership, and pages that acquire it, with the writes that each page received. */
+function withSeat() {
+  const clock = new FakeClock();
+  const seat = new PageSeat(clock.now(), { epoch: 0, page: "" });
+  const display = new PageDisplay({ seat, clock, timers: new CoalescedTimers(clock) });
+  let epoch = 0;
+  const newPage = (): string[][] => {
+    const writes: string[][] = [];
+    const link = {
+      isOpen: true,
+      send: (...messages: RelayToPage[]) => void writes.push(messages.map(inWords)),
+      close: () => undefined,
+    };
+    epoch += 1;
+    seat.take({ link, epoch, name: "" });
+    return writes;
+  };
+  return { clock, seat, display, newPage };
+}
+
+describe("what waits for the page", () => {
+  it("is shown at once where little happens", async () => {
+    const { clock, display, newPage } = withSeat();
+    const writes = newPage();
+    display.show([command(1)]);
+    expect(writes).toEqual([["1 accepted"]]);
+    await clock.pass(shownIntervalMs);
+    display.show([command(2)]);
+    expect(writes).toEqual([["1 accepted"], ["2 accepted"]]);
+  });
+
+  it("is shown all together a second later, in order, where much happens", async () => {
+    const { clock, display, newPage } = withSeat();
+    const writes = newPage();
+    display.show([command(1)]);
+    await clock.pass(100);
+    display.show([command(2), command(3)]);
+    await clock.pass(300);
+    display.show([command(2, "expired")]);
+    display.show([]);
+    await clock.pass(shownIntervalMs - 400 - 1);
+    expect(writes).toEqual([["1 accepted"]]);
+    await clock.pass(1 + SHARED_MS);
+    expect(writes).toEqual([["1 accepted"], ["2 accepted", "3 accepted", "2 expired"]]);
+    await clock.pass(10 * shownIntervalMs);
+    expect(writes).toHaveLength(2);
+  });
+
+  it("is shown at most once a second, though much of it is shown with something else", async () => {
+    const { clock, display, newPage } = withSeat();
+    const writes = newPage();
+    for (let seq = 1; seq <= 50; seq++) {
+      display.show([command(seq)]);
+      await clock.pass(50);
+      if (seq === 10) display.flush();
+    }
+    await clock.pass(shownIntervalMs + SHARED_MS);
+    // At 0 ms, at 500 ms by the flush, then every second.
+    expect(writes).toHaveLength(4);
+    expect(writes.flat()).toEqual(Array.from({ length: 50 }, (_, n) => `${n + 1} accepted`));
+  });
+
+  it("goes before whatever is said with it", () => {
+    const { display, newPage } = withSeat();
+    const writes = newPage();
+    display.sayWith({ type: "heartbeat" });
+    for (const seq of [1, 2, 3]) display.show([command(seq)]);
+    display.sayWith({ type: "heartbeat" });
+    expect(writes).toEqual([
+      ["heartbeat"],
+      ["1 accepted"],
+      ["2 accepted", "3 accepted", "heartbeat"],
+    ]);
+  });
+
+  it("is not shown to the next page where it was held for the one before", async () => {
+    const { clock, display, newPage } = withSeat();
+    const before = newPage();
+    for (const seq of [1, 2]) display.show([command(seq)]);
+    const after = newPage();
+    display.show([command(3)]);
+    await clock.pass(10 * shownIntervalMs);
+    expect(before).toEqual([["1 accepted"]]);
+    expect(after).toEqual([["3 accepted"]]);
+  });
+
+  it.each([
+    { how: "by itself", flush: () => undefined },
+    { how: "when a command is given", flush: (display: PageDisplay) => display.flush() },
+    {
+      how: "with something else",
+      flush: (display: PageDisplay) => display.sayWith({ type: "heartbeat" }),
+    },
+  ])("is shown to nobody where the page has gone: $how", async ({ flush }) => {
+    const { clock, seat, display, newPage } = withSeat();
+    const writes = newPage();
+    for (const seq of [1, 2]) display.show([command(seq)]);
+    seat.leave(clock.now(), true);
+    flush(display);
+    display.show([command(3)]);
+    await clock.pass(10 * shownIntervalMs);
+    expect(writes).toEqual([["1 accepted"]]);
+    const next = newPage();
+    display.flush();
+    expect(next).toEqual([]);
+  });
+});
+
+describe("a page whose robot has more to do than it may have at a time", () => {
+  const shown = ({ told }: Host): string[] => told.map(inWords).filter((words) => /\d/.test(words));
+
+  it("sees each command as waiting before it gets it, in order", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    for (let n = 0; n < 12; n++) await robot.submit(LEFT);
+    expect(shown(host).slice(8)).toEqual(["9 accepted"]);
+    for (const seq of [1, 2]) await host.ended(completed(seq));
+    expect(shown(host).slice(9)).toEqual([
+      "stored 1",
+      "10 accepted",
+      "11 accepted",
+      "12 accepted",
+      "command 9",
+      "stored 2",
+      "command 10",
+    ]);
+  });
+
+  it("sees what a stop has cancelled before the stop", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    for (let n = 0; n < 10; n++) await robot.submit(LEFT);
+    await robot.submit({ action: "stop" });
+    expect(shown(host).slice(8)).toEqual([
+      "9 accepted",
+      "10 accepted",
+      "9 cancelled",
+      "10 cancelled",
+      "stop 11",
+    ]);
+  });
+
+  it("sees what waits before it hears that what it cancelled is stored: it may take all of that back", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    for (let n = 0; n < 10; n++) await robot.submit(LEFT);
+    await host.ended({ ...completed(1), state: "cancelled" });
+    expect(shown(host).slice(8)).toEqual(["9 accepted", "10 accepted", "stored 1", "command 9"]);
+  });
+
+  it("sees what waits before its relay goes, and nothing after", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    for (let n = 0; n < 10; n++) await robot.submit(LEFT);
+    robot.session.close("restart");
+    expect(shown(host).slice(8)).toEqual(["9 accepted", "10 accepted"]);
+    const before = host.told.length;
+    await robot.clock.pass(10 * shownIntervalMs);
+    expect(host.told).toHaveLength(before);
+  });
+
+  it("sees what waits together with its scripts, when somebody is sent away", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    for (let n = 0; n < 10; n++) await robot.submit(LEFT);
+    robot.session.roster.awayChanged();
+    expect(host.told.map(inWords).slice(-2)).toEqual(["10 accepted", "drivers"]);
+  });
+});

@@ -1,0 +1,116 @@
+/**
+ * Transfers a robot from one page to the next. The owning page may have started commands that its
+ * relay does not know of yet. So the relay asks it to start nothing more, and to confirm after its
+ * last report. Without a confirmation in time, it is unknown which commands it has started.
+ */
+import { closeReasons, type Resume } from "@corridor/protocol";
+import type { Clock } from "../../platform/time/clock.ts";
+import { reloadReasons, replacedReasons, type LeftReasons } from "../../store/port.ts";
+import { limits } from "../../platform/limits/limits.ts";
+import type { PageLink } from "./page-link.ts";
+import type { PageSeat } from "./page-seat.ts";
+import type { RobotLine } from "../presence/robot-line.ts";
+
+export interface PageHandoverParts {
+  clock: Clock;
+  seat: PageSeat;
+  line: RobotLine;
+}
+
+/** What is known about the page that owned the robot. */
+export interface Settled {
+  /** its epoch, if it is known which commands it has not started; null: unknown */
+  epoch: number | null;
+  /** reasons with which its commands end */
+  left: LeftReasons;
+}
+
+/** How the owning page responds to the request to release the robot. */
+type Answer = "told all" | "gone" | "silent";
+
+export class PageHandover {
+  readonly #clock: Clock;
+  readonly #seat: PageSeat;
+  readonly #line: RobotLine;
+  /** the page at this relay that was asked last */
+  #asked: PageLink | null = null;
+  /** reports how the page with this epoch responded */
+  #answer: (epoch: number, answer: Answer) => void = () => undefined;
+
+  constructor({ clock, seat, line }: PageHandoverParts) {
+    this.#clock = clock;
+    this.#seat = seat;
+    this.#line = line;
+  }
+
+  /** Whether the page at this relay is releasing the robot and must not receive commands. */
+  get isUnderWay(): boolean {
+    return this.#asked !== null && this.#asked === this.#seat.page?.link;
+  }
+
+  /**
+   * Whether this is the page that owned the robot last, on a new connection. Earlier versions of
+   * Corridor send no name. Then only a newly loaded page counts as another page.
+   */
+  isSame({ page: name, fresh }: Pick<Resume, "page" | "fresh">): boolean {
+    return name === undefined ? !fresh : name === this.#seat.name;
+  }
+
+  /**
+   * Makes the owning page, here or at another relay, release the robot.
+   * @param resume of the new page; the same page on a new connection reports what it has started
+   */
+  async settle(resume: Resume): Promise<Settled> {
+    const { epoch, isTaken, isInDoubt } = this.#seat;
+    if (this.isSame(resume)) return { epoch, left: reloadReasons };
+    const absent: Answer = isInDoubt ? "gone" : "told all";
+    const answer = isTaken ? await this.#givenUp(epoch) : absent;
+    if (answer === "told all") return { epoch, left: reloadReasons };
+    // A reloaded tab closes its connection, or the connection breaks. A page that stays open beside
+    // the new one is silent.
+    const isReload = answer === "gone" && resume.fresh;
+    return { epoch: null, left: isReload ? reloadReasons : replacedReasons };
+  }
+
+  async #givenUp(epoch: number): Promise<Answer> {
+    const { promise, resolve } = Promise.withResolvers<Answer>();
+    this.#answer = (of, answer) => {
+      if (of === epoch) resolve(answer);
+    };
+    const cancelTimer = this.#clock.after(limits.yieldMs, () => resolve("silent"));
+    if (!this.ask(epoch)) this.#line.yield(epoch);
+    const answer = await promise;
+    cancelTimer();
+    return answer;
+  }
+
+  /**
+   * Asks the page with this epoch to release the robot. @returns false if it is not at this relay
+   */
+  ask(epoch: number): boolean {
+    const { page } = this.#seat;
+    if (page?.epoch !== epoch) return false;
+    const { link } = page;
+    this.#asked = link;
+    link.send({ type: "yield" });
+    // No other page acquired the robot. This page may reconnect and own it again.
+    this.#clock.after(2 * limits.yieldMs, () => {
+      if (this.#seat.isHeldBy(link)) link.close(closeReasons.busy);
+    });
+    return true;
+  }
+
+  /**
+   * The page with this epoch has reported all that it started.
+   * @param isHere whether that page is at this relay
+   */
+  yielded(epoch: number, isHere: boolean): void {
+    if (isHere) this.#line.yielded(epoch);
+    this.#answer(epoch, "told all");
+  }
+
+  /** The page with this epoch disconnected, so no other response follows. */
+  left(epoch: number, saidGoodbye: boolean): void {
+    this.#answer(epoch, saidGoodbye ? "told all" : "gone");
+  }
+}

@@ -1,0 +1,194 @@
+/**
+ * A robot's channel to the other relays that hold it: messages, their rate, and the list of these
+ * relays. Without other relays it costs next to nothing.
+ */
+import type { AliveDriver, RecallCause } from "@corridor/protocol";
+import type { Clock } from "../../platform/time/clock.ts";
+import type { Ears, Line, Step, Switchboard } from "../../bus/bus.ts";
+import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
+import {
+  dueAfter,
+  type CoalescedTimers,
+  type Waiter,
+} from "../../platform/time/coalesced-timers.ts";
+import { MOST_TOLD, type Scripts } from "./driver-roster.ts";
+import { limits } from "../../platform/limits/limits.ts";
+import { mergedScripts } from "./script-list.ts";
+
+export class RobotLine implements Waiter {
+  readonly #clock: Clock;
+  readonly #timers: CoalescedTimers;
+  #line: Line | null = null;
+  /** other relays by name, with the time of their last announcement and their scripts */
+  readonly #others = new Map<string, { heardAt: number; scripts: Scripts }>();
+  #saidHereAt = -Infinity;
+  #pending: CarriedSnapshot | null = null;
+  /** no snapshot is published before this time, except one that precedes an ending */
+  #notBefore = -Infinity;
+  /** whether a timer is pending */
+  #isArmed = false;
+
+  constructor(clock: Clock, timers: CoalescedTimers) {
+    this.#clock = clock;
+    this.#timers = timers;
+  }
+
+  async open(switchboard: Switchboard, robot: string, ears: Ears): Promise<void> {
+    this.#line = await switchboard.join(robot, ears);
+  }
+
+  /** Publishes the changes of a step of this relay, for all readers and for the page. */
+  stepped(step: Partial<Step>): void {
+    this.#line?.stepped({ added: null, changed: [], ended: [], ...step });
+  }
+
+  /** @param name identifies the page across its connections */
+  pageCame(epoch: number, name: string): void {
+    this.#line?.tell({ kind: "page", epoch, name });
+  }
+
+  pageLeft(epoch: number, saidGoodbye: boolean): void {
+    this.#line?.tell({ kind: "page-left", epoch, saidGoodbye });
+  }
+
+  /** Asks the page with this epoch, at another relay, to release the robot. */
+  yield(epoch: number): void {
+    this.#line?.tell({ kind: "yield", epoch });
+  }
+
+  /** Reports that the page with this epoch at this relay has released the robot. */
+  yielded(epoch: number): void {
+    this.#line?.tell({ kind: "yielded", epoch });
+  }
+
+  /** Asks the page, at another relay, to end a command. */
+  cancel(seq: number, cause: RecallCause): void {
+    this.#line?.tell({ kind: "cancel", seq, cause });
+  }
+
+  /** Reports that the owner has changed keys or the permissions of scripts. */
+  rightsChanged(): void {
+    this.#line?.tell({ kind: "keys" });
+  }
+
+  mazeChanged(version: string): void {
+    this.#line?.tell({ kind: "maze", version });
+  }
+
+  forgotten(): void {
+    this.#line?.tell({ kind: "over" });
+  }
+
+  /**
+   * Offers a snapshot to the other relays. It is published now, later, or never if a newer one
+   * replaces it.
+   */
+  snapshot(snapshot: CarriedSnapshot): void {
+    if (!this.#hasOthers) return;
+    this.#pending = snapshot;
+    if (!this.#isArmed) this.#flush();
+  }
+
+  /**
+   * Publishes the pending snapshot, so that readers at other relays receive it before an ending.
+   */
+  hurry(): void {
+    if (this.#pending !== null) this.#line?.tell({ kind: "snapshot", snapshot: this.#pending });
+    this.#pending = null;
+    this.#line?.hurry();
+  }
+
+  /**
+   * Announces to the page's relay that this relay holds the robot, so that it receives snapshots.
+   * @param asks whether to request the newest snapshot immediately
+   */
+  sayHere(scripts: Scripts, asks = false): void {
+    this.#saidHereAt = this.#clock.now();
+    this.#line?.tell({ kind: "here", from: "", scripts, asks });
+  }
+
+  /** Repeats the announcement at intervals of `limits.relayHereMs`. */
+  stayHere(scripts: Scripts): void {
+    if (this.#clock.now() - this.#saidHereAt >= limits.relayHereMs) this.sayHere(scripts);
+  }
+
+  heardHere(from: string, scripts: Scripts): void {
+    this.#others.set(from, { heardAt: this.#clock.now(), scripts });
+  }
+
+  /** Scripts of all relays. The age of each announcement is added to its times. */
+  withOthers(own: Scripts): Scripts {
+    this.#forgetSilent();
+    const all = [...this.#others.values()].map(({ heardAt, scripts }) =>
+      older(scripts, this.#clock.now() - heardAt),
+    );
+    return all.reduce(together, own);
+  }
+
+  leave(): void {
+    this.#pending = null;
+    this.#line?.leave();
+    this.#line = null;
+  }
+
+  get #hasOthers(): boolean {
+    if (this.#others.size === 0) return false;
+    this.#forgetSilent();
+    return this.#others.size > 0;
+  }
+
+  #forgetSilent(): void {
+    const oldest = this.#clock.now() - limits.relaySilenceMs;
+    for (const [name, { heardAt }] of this.#others) {
+      if (heardAt < oldest) this.#others.delete(name);
+    }
+  }
+
+  wake(): void {
+    this.#isArmed = false;
+    this.#flush();
+  }
+
+  #flush(): void {
+    if (this.#pending === null) return;
+    const now = this.#clock.now();
+    if (now < this.#notBefore) {
+      this.#isArmed = true;
+      return this.#timers.wakeAfter(this.#notBefore - now, this);
+    }
+    this.#notBefore = dueAfter(this.#notBefore, now, limits.snapshotIntervalMs);
+    this.#line?.tell({ kind: "snapshot", snapshot: this.#pending });
+    this.#pending = null;
+  }
+}
+
+function older({ silentMs, alive, scripts, ...rest }: Scripts, ms: number): Scripts {
+  return {
+    ...rest,
+    scripts: scripts.map((each) => ({
+      ...each,
+      silentMs: each.silentMs === null ? null : each.silentMs + ms,
+    })),
+    silentMs: silentMs === null ? null : silentMs + ms,
+    alive: alive.map((each) => ({
+      ...each,
+      silentMs: each.silentMs + ms,
+      connectionMs: each.connectionMs === null ? null : each.connectionMs + ms,
+    })),
+  };
+}
+
+function together(a: Scripts, b: Scripts): Scripts {
+  const newest = (a.silentMs ?? Infinity) <= (b.silentMs ?? Infinity) ? a : b;
+  const alive = new Map<string, AliveDriver>();
+  for (const each of [...a.alive, ...b.alive].toSorted((c, d) => d.silentMs - c.silentMs)) {
+    const lines = [each.connectionMs, alive.get(each.driver)?.connectionMs].filter(
+      (ms) => typeof ms === "number",
+    );
+    alive.set(each.driver, { ...each, connectionMs: lines.length > 0 ? Math.min(...lines) : null });
+  }
+  const { client, silentMs } = newest;
+  const connected = a.connected + b.connected;
+  const scripts = mergedScripts([a.scripts, b.scripts]);
+  return { connected, client, silentMs, scripts, alive: [...alive.values()].slice(-MOST_TOLD) };
+}

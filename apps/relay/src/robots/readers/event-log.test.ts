@@ -1,0 +1,82 @@
+import { EVENT_RETENTION_MS, MAX_STORED_EVENTS, type CommandRecord } from "@corridor/protocol";
+import fc from "fast-check";
+import { expect, it } from "vitest";
+import type { Clock } from "../../platform/time/clock.ts";
+import { EventLog } from "./event-log.ts";
+
+/** Every field has a different value, and most differ for each seq. */
+const record = (seq: number): CommandRecord => ({
+  seq,
+  key: seq % 2 === 0 ? null : `key-of-${seq}`,
+  action: "move",
+  command: { action: "move", distance: seq },
+  state: seq % 3 === 0 ? "accepted" : "collided",
+  reason: seq % 5 === 0 ? null : `It met wall ${seq}, »hard« 🧱.`,
+  acceptedAt: "2026-01-01T00:00:00.000Z",
+  pose: seq % 7 === 0 ? null : { x: seq, y: 0.5, heading: 90 },
+  distance: seq % 11 === 0 ? null : seq + 0.25,
+  duplicate: seq % 13 === 0,
+});
+
+const step = fc.oneof(
+  { weight: 4, arbitrary: fc.record({ add: fc.integer({ min: 1, max: 400 }) }) },
+  fc.record({ passMs: fc.integer({ min: 1, max: EVENT_RETENTION_MS }) }),
+  fc.constant("forget" as const),
+  fc.constant("lose" as const),
+);
+
+it("has every event that is neither too old nor one too many, by its number, and says what is missing", () => {
+  fc.assert(
+    fc.property(fc.array(step, { maxLength: 20 }), (steps) => {
+      let now = 0;
+      const clock: Clock = { now: () => now, after: () => () => undefined };
+      const log = new EventLog(clock);
+      let n = 0;
+      let kept: { n: number; at: number }[] = [];
+      for (const each of steps) {
+        if (each === "forget") {
+          log.forgetOld();
+          kept = kept.filter(({ at }) => at >= now - EVENT_RETENTION_MS);
+        } else if (each === "lose") {
+          log.lose();
+          n += 1;
+          kept = [];
+        } else if ("passMs" in each) now += each.passMs;
+        else {
+          for (let times = 0; times < each.add; times++) {
+            n += 1;
+            log.add(record(n));
+            kept = [...kept, { n, at: now }].slice(-MAX_STORED_EVENTS);
+          }
+        }
+        const oldest = kept[0]?.n ?? n + 1;
+        expect(log.n).toBe(n);
+        expect(log.after(n + 1)).toBeNull();
+        expect([...(log.after(n) ?? [null])]).toEqual([]);
+        expect(log.after(oldest - 2)).toBeNull();
+        expect([...(log.after(oldest - 1) ?? [])]).toEqual(
+          kept.map((one) => ({ n: one.n, record: record(one.n) })),
+        );
+        expect(log.numberOf(log.since)).toBe(n);
+      }
+    }),
+    { numRuns: 50 },
+  );
+});
+
+it("tells no event under another's number, whatever happens while it is read", () => {
+  const clock: Clock = { now: () => 0, after: () => () => undefined };
+  for (const happens of ["add", "lose"] as const) {
+    const log = new EventLog(clock);
+    for (let n = 1; n <= MAX_STORED_EVENTS; n++) log.add(record(n));
+    const told: number[] = [];
+    for (const event of log.after(0) ?? []) {
+      expect(event.record).toEqual(record(event.n));
+      told.push(event.n);
+      if (event.n === 500 && happens === "lose") log.lose();
+      else if (event.n > 500) log.add(record(log.n + 1));
+    }
+    const last = happens === "lose" ? 500 : MAX_STORED_EVENTS;
+    expect(told).toEqual(Array.from({ length: last }, (_, at) => at + 1));
+  }
+});

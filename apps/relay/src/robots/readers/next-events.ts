@@ -1,0 +1,59 @@
+/** Events for a long poll: what a feed sends to a connected reader, in one response. */
+import type { EventGap, EventPage } from "@corridor/protocol";
+import type { Audience, Patience } from "./subscribers.ts";
+import type { ReaderSource } from "./feed.ts";
+
+export interface WantedEvents {
+  /** resume position; undefined: responds immediately with the current state */
+  since?: string | undefined;
+  /** seq of the newest known snapshot; undefined: does not wait for snapshots */
+  after?: number | undefined;
+}
+
+/**
+ * Waits for a state after `since`, or for a snapshot that is newer than `after` or has another
+ * state.
+ * @returns the events after the wait; immediately for a first request or after missed states
+ */
+export async function nextEvents(
+  source: ReaderSource & { audience: Audience },
+  { since, after }: WantedEvents,
+  patience: Patience,
+): Promise<EventPage> {
+  const { events, audience } = source;
+  const page = (told: number, gap: EventGap | null): EventPage => ({
+    since: events.since,
+    gap,
+    states: [...(events.after(told) ?? [])],
+    snapshot: source.newest()?.value ?? null,
+  });
+  if (since === undefined) return page(events.n, null);
+  const told = events.numberOf(since);
+  if (told === null || !events.hasAfter(told)) return afterGap(source, page);
+  const before = source.newest();
+  const isKnown = after === undefined || (before?.seq ?? -1) <= after;
+  if (events.n === told && isKnown) {
+    await audience.until(patience, (done) => ({
+      state: done,
+      ...(after !== undefined && {
+        snapshot: ({ seq, state }) => {
+          if (seq > after || state !== before?.state) done();
+        },
+      }),
+    }));
+  }
+  // A burst during the wait may have exceeded the event log.
+  return events.hasAfter(told) ? page(told, null) : afterGap(source, page);
+}
+
+async function afterGap(
+  source: ReaderSource,
+  page: (told: number, gap: EventGap) => EventPage,
+): Promise<EventPage> {
+  const { promise, resolve } = Promise.withResolvers<EventPage>();
+  await source.tellOpen((open) => {
+    const { n } = source.events;
+    resolve(page(n, { n, open }));
+  });
+  return promise;
+}

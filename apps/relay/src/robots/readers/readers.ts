@@ -1,0 +1,80 @@
+/** Ways to read one robot: subscribe on a connection, or request the next events. */
+import type { EventPage, Snapshot } from "@corridor/protocol";
+import type { Clock } from "../../platform/time/clock.ts";
+import type { CoalescedTimers } from "../../platform/time/coalesced-timers.ts";
+import type { Audience, Patience, ReaderDoor } from "./subscribers.ts";
+import type { DriverRoster } from "../presence/driver-roster.ts";
+import { nextEvents, type WantedEvents } from "./next-events.ts";
+import { ReaderFeed, type ReaderSink, type ReaderSource } from "./feed.ts";
+import type { Caller } from "../access/caller.ts";
+
+/** A reader's subscription. */
+export interface JoinedReader {
+  /** The reader has read everything up to this snapshot. */
+  seen(seq: number): void;
+  leave(): void;
+}
+
+export interface ReadersParts {
+  clock: Clock;
+  timers: CoalescedTimers;
+  audience: Audience;
+  /** shared by all readers */
+  source: ReaderSource;
+  roster: DriverRoster;
+}
+
+export class Readers {
+  readonly #parts: ReadersParts;
+
+  constructor(parts: ReadersParts) {
+    this.#parts = parts;
+  }
+
+  /** Number of readers by kind of subscription. */
+  get count(): Record<ReaderDoor, number> {
+    return this.#parts.audience.count();
+  }
+
+  /**
+   * Subscribes a reader to snapshots and states, and sends its start position.
+   * @param since resume position; null for a new reader
+   * @throws Refusal too-many-readers
+   */
+  join(caller: Caller, sink: ReaderSink, since: string | null): JoinedReader {
+    const { clock, timers, audience, source, roster } = this.#parts;
+    const feed = new ReaderFeed(sink, source, { clock, timers });
+    const leave = audience.join(feed, caller, sink.door);
+    const { script } = caller;
+    const disconnected = script === null ? () => undefined : roster.connected(script);
+    feed.begin(since);
+    return {
+      seen: (seq) => feed.seen(seq),
+      leave: () => {
+        feed.close();
+        if (leave()) disconnected();
+      },
+    };
+  }
+
+  /** The states after `since`, and the newest snapshot: see `nextEvents`. */
+  async nextEvents(wanted: WantedEvents, patience: Patience): Promise<EventPage> {
+    const { source, audience } = this.#parts;
+    return nextEvents({ ...source, audience }, wanted, patience);
+  }
+
+  /**
+   * Waits for a snapshot that is newer than `after` or has another state. @returns the newest one
+   */
+  async nextSnapshot(after: number, patience: Patience): Promise<Snapshot | null> {
+    const { audience, source } = this.#parts;
+    const before = source.newest();
+    if (before !== null && before.seq > after) return before.value;
+    await audience.until(patience, (done) => ({
+      snapshot: ({ seq, state }) => {
+        if (seq > after || state !== before?.state) done();
+      },
+    }));
+    return source.newest()?.value ?? null;
+  }
+}

@@ -1,0 +1,169 @@
+/**
+ * Subscribers of one robot: the feeds of connected readers, and requests that wait for an event
+ * (long polls). They receive all changes in order.
+ */
+import type { CommandRecord, StateEvent } from "@corridor/protocol";
+import type { Clock } from "../../platform/time/clock.ts";
+import { Refusal, retryAfter } from "../../platform/errors/problems.ts";
+import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
+import type { EventLog } from "./event-log.ts";
+import { StoreAway } from "../../platform/errors/store-away.ts";
+import { keyRevoked } from "../access/key-ring.ts";
+import { limits } from "../../platform/limits/limits.ts";
+import type { Caller } from "../access/caller.ts";
+import { scriptIsAway } from "../access/script-gate.ts";
+
+/** A subscriber: a reader's feed or a waiting request. */
+interface Listener {
+  snapshot(snapshot: CarriedSnapshot): void;
+  state(event: StateEvent): void;
+  /** the robot's maze has changed */
+  maze(version: string): void;
+  /** states may have been missed */
+  missed(): void;
+  over(reason: AwayReason): void;
+}
+
+/**
+ * Why the relay ends a subscription. over: the robot was deleted or its session expired; restart:
+ * the relay stops; revoked: the key was revoked; busy: the relay cannot read which keys are valid;
+ * blocked: the owner blocked the script
+ */
+export type AwayReason = "over" | "restart" | "revoked" | "busy" | "blocked";
+
+/** Kinds of subscriptions. `line` is a long-poll connection, `long-poll` a single request. */
+export type ReaderDoor = "websocket" | "line" | "events" | "long-poll";
+
+/** How long a request waits, and what ends the wait early. */
+export interface Patience {
+  milliseconds: number;
+  signal: AbortSignal;
+  /** the caller; the wait fails once the caller may no longer read */
+  key?: Caller;
+}
+
+export class Audience {
+  readonly #clock: Clock;
+  readonly #events: EventLog;
+  readonly #entries = new Set<{ listener: Listener; key: Caller | null; door: ReaderDoor }>();
+
+  /** @param events numbers the states, and stores them for readers that reconnect */
+  constructor(clock: Clock, events: EventLog) {
+    this.#clock = clock;
+    this.#events = events;
+  }
+
+  get isEmpty(): boolean {
+    return this.#entries.size === 0;
+  }
+
+  count(): Record<ReaderDoor, number> {
+    const counts = { websocket: 0, line: 0, events: 0, "long-poll": 0 };
+    for (const { door } of this.#entries) counts[door] += 1;
+    return counts;
+  }
+
+  /**
+   * Adds the feed of a connected script or viewer.
+   * @returns a function that removes the feed; it returns false if the feed is already removed
+   * @throws Refusal too-many-readers, for this key or this robot
+   */
+  join(listener: Listener, key: Caller, door: ReaderDoor): () => boolean {
+    const ofKey = [...this.#entries].filter(
+      (entry) => entry.door !== "long-poll" && entry.key?.hash === key.hash,
+    ).length;
+    // Many viewers, such as a class, share one watch key.
+    if (key.kind !== "watch" && ofKey >= limits.readersPerKey) {
+      throw new Refusal(
+        "too-many-readers",
+        `${limits.readersPerKey} connections use this key, the maximum. End a script, then try again.`,
+        { headers: retryAfter(5000) },
+      );
+    }
+    return this.#add(listener, key, door);
+  }
+
+  /**
+   * Waits until the listener calls `done`, the wait times out or is aborted, states may have been
+   * missed, or the session ends.
+   * @param listen returns the callbacks, which call `done` to end the wait
+   * @throws Refusal too-many-readers, or the reason for which the relay ends the subscription;
+   * StoreAway if the valid keys are unknown
+   */
+  async until(
+    { milliseconds, signal, key }: Patience,
+    listen: (done: () => void) => Partial<Pick<Listener, "snapshot" | "state">>,
+  ): Promise<void> {
+    if (milliseconds === 0 || signal.aborted) return;
+    const { promise, resolve, reject } = Promise.withResolvers<void>();
+    const over = (reason: AwayReason): void => {
+      if (reason === "revoked") return reject(keyRevoked());
+      if (reason === "busy") return reject(new StoreAway("the valid keys are unknown"));
+      if (reason === "blocked") return reject(scriptIsAway());
+      return resolve();
+    };
+    const deaf = { snapshot: () => undefined, state: () => undefined, maze: () => undefined };
+    const listener = { ...deaf, ...listen(resolve), missed: resolve, over };
+    const leave = this.#add(listener, key ?? null, "long-poll");
+    const cancelTimer = this.#clock.after(milliseconds, resolve);
+    signal.addEventListener("abort", () => resolve(), { once: true });
+    try {
+      await promise;
+    } finally {
+      cancelTimer();
+      leave();
+    }
+  }
+
+  tellSnapshot(snapshot: CarriedSnapshot): void {
+    for (const { listener } of this.#entries) listener.snapshot(snapshot);
+  }
+
+  tellMaze(version: string): void {
+    for (const { listener } of this.#entries) listener.maze(version);
+  }
+
+  tellStates(records: readonly CommandRecord[]): void {
+    for (const record of records) {
+      const event = this.#events.add(record);
+      for (const { listener } of this.#entries) listener.state(event);
+    }
+  }
+
+  /** States may have been missed: discards the stored events and notifies all subscribers. */
+  tellMissed(): void {
+    this.#events.lose();
+    for (const { listener } of this.#entries) listener.missed();
+  }
+
+  /** Ends the subscriptions of the matching callers. */
+  dismiss(isMeant: (caller: Caller) => boolean, reason: AwayReason): void {
+    for (const entry of this.#entries) {
+      if (entry.key === null || !isMeant(entry.key)) continue;
+      this.#entries.delete(entry);
+      entry.listener.over(reason);
+    }
+  }
+
+  /** Ends all subscriptions. */
+  close(reason: "over" | "restart"): void {
+    for (const { listener } of this.#entries) listener.over(reason);
+    this.#entries.clear();
+  }
+
+  #add(listener: Listener, key: Caller | null, door: ReaderDoor): () => boolean {
+    // Viewers have a separate limit, so that they never exclude a script.
+    const isWatcher = key?.kind === "watch";
+    const alike = [...this.#entries].filter((entry) => (entry.key?.kind === "watch") === isWatcher);
+    if (alike.length >= limits.readersPerRobot) {
+      throw new Refusal(
+        "too-many-readers",
+        `${limits.readersPerRobot} connections read this robot, the maximum. End a script, then try again.`,
+        { headers: retryAfter(5000) },
+      );
+    }
+    const entry = { listener, key, door };
+    this.#entries.add(entry);
+    return () => this.#entries.delete(entry);
+  }
+}

@@ -1,0 +1,135 @@
+import { closeReasons, termsOf, type RelayToPage, type Resume } from "@corridor/protocol";
+import { describe, expect, it } from "vitest";
+import { completed } from "../platform/testing/messages.ts";
+import { limits } from "../platform/limits/limits.ts";
+import type { PageLink } from "./page/page-link.ts";
+import { deafReader, LEFT, withRobot, page } from "./testing/robot-at-relay.ts";
+
+describe("a robot session: delivery", () => {
+  it("lets commands wait for the page, then gives it eight at a time, in order", async () => {
+    const robot = await withRobot();
+    for (let n = 0; n < 10; n++) await robot.submit(LEFT);
+    const host = await page(robot);
+    expect(host.seqs("command")).toEqual([1, 2, 3, 4, 5, 6, 7, 8]);
+    await host.started(1);
+    await host.ended(completed(1));
+    await host.ended(completed(2));
+    expect(host.seqs("command")).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
+  });
+
+  it("gives nothing to a page that went while it took the robot, and all to the next", async () => {
+    const robot = await withRobot();
+    await robot.submit(LEFT);
+    const told: RelayToPage[] = [];
+    let isOpen = true;
+    const link: PageLink = {
+      get isOpen() {
+        return isOpen;
+      },
+      send: (...messages) => told.push(...messages),
+      close: () => undefined,
+    };
+    const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
+    const taken = robot.session.takePage(link, nothing);
+    isOpen = false;
+    robot.session.leavePage(link, true);
+    await taken;
+    expect(robot.session.hasPage).toBe(false);
+    expect(told.filter(({ type }) => type === "command")).toEqual([]);
+    expect(await robot.states()).toEqual(["1 accepted"]);
+    const host = await page(robot);
+    expect(host.seqs("command")).toEqual([1]);
+  });
+
+  it("tells the page its time, so that the page knows what a frame was held up", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    await robot.session.hearPage(host.link, { type: "time", epoch: host.epoch });
+    const welcome = host.told.find(({ type }) => type === "welcome");
+    expect(host.told.at(-1)).toEqual({ type: "time", at: (welcome as { at: number }).at });
+  });
+
+  it("acknowledges a command before anything else is said about it", async () => {
+    const robot = await withRobot();
+    await page(robot);
+    const said: string[] = [];
+    robot.session.readers.join(
+      robot.key,
+      {
+        snapshot: () => undefined,
+        state: ({ record }) => said.push(record.state),
+        ...deafReader,
+      },
+      null,
+    );
+    await robot.session.submit(robot.key, { key: null, ...termsOf(LEFT) }, ({ state }) =>
+      said.push(`ack ${state}`),
+    );
+    expect(said).toEqual(["ack accepted", "delivered"]);
+  });
+
+  it("gives a page that comes back what it has not begun, and takes its endings first", async () => {
+    const robot = await withRobot();
+    for (let n = 0; n < 3; n++) await robot.submit(LEFT);
+    const before = await page(robot);
+    await before.started(1);
+    robot.session.leavePage(before.link, true);
+    const after = await page(robot, { lastApplied: 2, endings: [completed(1)] });
+    expect(after.seqs("command")).toEqual([3]);
+    expect(after.told).toContainEqual({ type: "stored", seq: 1 });
+    expect(await robot.states()).toEqual(["1 completed", "2 started", "3 delivered"]);
+  });
+
+  it("sends the page before away, and refuses what it still says", async () => {
+    const robot = await withRobot();
+    await robot.submit(LEFT);
+    const first = await page(robot);
+    const second = await page(robot);
+    expect(first.closed).toEqual([closeReasons.replaced.code]);
+    expect(second.epoch).toBe(first.epoch + 1);
+    await first.started(1);
+    robot.session.leavePage(first.link, true);
+    expect(await robot.states()).toEqual(["1 delivered"]);
+    await robot.session.hearPage(second.link, { type: "started", epoch: first.epoch, seq: 1 });
+    expect(second.closed).toEqual([closeReasons.replaced.code]);
+    expect(await robot.states()).toEqual(["1 delivered"]);
+  });
+
+  it("tells the page to stop at once, past a full window", async () => {
+    const robot = await withRobot();
+    const host = await page(robot);
+    for (let n = 0; n < 10; n++) await robot.submit(LEFT);
+    await robot.submit({ action: "stop" });
+    expect(host.seqs("stop")).toEqual([11]);
+    expect((await robot.states()).slice(7)).toEqual([
+      "8 delivered",
+      "9 cancelled",
+      "10 cancelled",
+      "11 delivered",
+    ]);
+  });
+
+  it("ends what runs once the page has been away for two minutes, and says so", async () => {
+    const robot = await withRobot();
+    await robot.submit(LEFT);
+    const host = await page(robot);
+    await host.started(1);
+    robot.session.leavePage(host.link, true);
+    await robot.clock.pass(limits.pageAwayMs - 2_000);
+    expect(await robot.states()).toEqual(["1 started"]);
+    await robot.clock.pass(5_000);
+    expect(await robot.states()).toEqual(["1 cancelled"]);
+    const late = await page(robot, { lastApplied: 1, endings: [completed(1)] });
+    const { told } = late;
+    expect(told.find(({ type }) => type === "refused")).toMatchObject({
+      record: {
+        seq: 1,
+        state: "cancelled",
+        reason:
+          "The robot disconnected. Check that its page is open and connected under Remote, then send a new command.",
+      },
+    });
+    expect(told.some(({ type }) => type === "stored")).toBe(false);
+    expect(await robot.states()).toEqual(["1 cancelled"]);
+  });
+});

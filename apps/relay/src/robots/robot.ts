@@ -1,0 +1,447 @@
+/**
+ * One robot session: permissions, reports of the robot, and expiry. `command-life.ts` implements
+ * the lifecycle of its commands. Independent of WebSocket and HTTP.
+ */
+import {
+  closeReasons,
+  hasEnded,
+  SILENT_ROBOT_REASON,
+  type CommandRecord,
+  type CommandTerms,
+  type PageToRelay,
+  type Resume,
+  type ScriptView,
+} from "@corridor/protocol";
+import type { Clock } from "../platform/time/clock.ts";
+import type { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
+import type { Switchboard } from "../bus/bus.ts";
+import type { SessionStore, StoredKey, StoredScript, StoredSession } from "../store/port.ts";
+import { Audience, type Patience } from "./readers/subscribers.ts";
+import { CarriedSnapshot } from "../bus/carried-snapshot.ts";
+import { CommandLife } from "./delivery/command-life.ts";
+import { DriverRoster } from "./presence/driver-roster.ts";
+import { EventLog } from "./readers/event-log.ts";
+import { KeyRing } from "./access/key-ring.ts";
+import { limits } from "../platform/limits/limits.ts";
+import { MazeBoard } from "./maze-board.ts";
+import { OtherRelays } from "./other-relays.ts";
+import type { PageLink } from "./page/page-link.ts";
+import { PageSeat } from "./page/page-seat.ts";
+import type { ReaderSource } from "./readers/feed.ts";
+import { Readers } from "./readers/readers.ts";
+import { RobotLine } from "./presence/robot-line.ts";
+import { RobotView } from "./robot-view.ts";
+import { RightsVersion, type Verb } from "./access/rights.ts";
+import type { Caller } from "./access/caller.ts";
+import { ScriptClocks } from "./delivery/script-clocks.ts";
+import { ScriptGate } from "./access/script-gate.ts";
+import { SessionUse } from "./robot-use.ts";
+import type { Witness } from "./delivery/witness.ts";
+
+export interface SessionParts {
+  store: SessionStore;
+  clock: Clock;
+  /** shared by all sessions */
+  timers: CoalescedTimers;
+  witness: Witness;
+  switchboard: Switchboard;
+  /** called when another relay has deleted the robot */
+  forgotten: () => void;
+}
+
+export class Session {
+  readonly id: string;
+  readonly createdAt: number;
+  readonly roster: DriverRoster;
+  readonly keys: KeyRing;
+  readonly gate: ScriptGate;
+  /** version for which the result of a check stays valid */
+  readonly rights = new RightsVersion();
+  readonly mazes: MazeBoard;
+  readonly readers: Readers;
+  /** clocks of the scripts that send single requests */
+  readonly scriptClocks = new ScriptClocks();
+  readonly #clock: Clock;
+  readonly #view = new RobotView();
+  readonly #events: EventLog;
+  readonly #audience: Audience;
+  readonly #seat: PageSeat;
+  readonly #life: CommandLife;
+  readonly #line: RobotLine;
+  readonly #others: OtherRelays;
+  readonly #use: SessionUse;
+  #isOver = false;
+
+  private constructor(stored: StoredSession, parts: SessionParts) {
+    const { store, clock, timers, witness } = parts;
+    this.id = stored.id;
+    this.createdAt = stored.createdAt;
+    this.#clock = clock;
+    this.#events = new EventLog(clock);
+    const audience = new Audience(clock, this.#events);
+    const seat = new PageSeat(clock.now(), stored);
+    const line = new RobotLine(clock, timers);
+    this.#audience = audience;
+    this.#seat = seat;
+    this.#line = line;
+    const shared = { store, clock, timers, witness };
+    this.#life = new CommandLife({ ...shared, robot: this.id, audience, seat, line });
+    this.keys = new KeyRing({
+      robot: this.id,
+      rights: this.rights,
+      keys: stored.keys,
+      store,
+      clock,
+      change: (change) => this.#life.recall.changeKeys(change),
+      changed: () => line.rightsChanged(),
+      found: (found) => {
+        this.gate.learn(found);
+        this.roster.awayChanged();
+      },
+      revoked: (key) => this.#revoked(key),
+      doubted: () => audience.dismiss(({ kind }) => kind !== "own", "busy"),
+    });
+    this.#use = new SessionUse(stored, { store, clock, keys: this.keys });
+    this.gate = new ScriptGate({
+      robot: this.id,
+      rights: this.rights,
+      stored,
+      store,
+      change: (change) => this.#life.recall.changeAway(change),
+      pause: async (isPaused) => this.#life.recall.pause(isPaused),
+      changed: () => {
+        line.rightsChanged();
+        this.roster.awayChanged();
+      },
+      blocked: (script) => this.#blocked(script),
+      paused: () => this.#askToEnd(),
+    });
+    this.mazes = new MazeBoard({
+      robot: this.id,
+      store,
+      clock,
+      tell: (version) => audience.tellMaze(version),
+      changed: (version) => line.mazeChanged(version),
+    });
+    const tell = (): void => this.#tellScripts();
+    this.roster = new DriverRoster(clock, tell, () => this.gate.away);
+    const source: ReaderSource = {
+      events: this.#events,
+      newest: () => this.newest,
+      tellOpen: (toReader) => this.#life.log.tellOpen(toReader),
+    };
+    this.readers = new Readers({ clock, timers, audience, source, roster: this.roster });
+    this.#others = new OtherRelays({
+      clock,
+      seat,
+      view: this.#view,
+      line,
+      life: this.#life,
+      keys: this.keys,
+      mazes: this.mazes,
+      roster: this.roster,
+      lapsed: (link) => {
+        link.close(closeReasons.restart);
+        this.leavePage(link, false);
+      },
+      tellReaders: () => this.#tellReaders(),
+      tellScripts: tell,
+      over: () => {
+        if (this.isOver) return;
+        parts.forgotten();
+        this.close("over");
+      },
+    });
+  }
+
+  /** Loads a session into memory and subscribes it to the channel of its robot. */
+  static async open(stored: StoredSession, parts: SessionParts): Promise<Session> {
+    const session = new Session(stored, parts);
+    await session.#line.open(parts.switchboard, stored.id, {
+      stepped: (step, isOwn) => session.#life.heardStep(step, isOwn),
+      missed: () => session.missedNews(),
+      heard: (news) => session.#others.heard(news),
+    });
+    await session.#others.meet();
+    return session;
+  }
+
+  /** The stored key that matches a bearer key; null if none matches, or the session has ended. */
+  grantOf(key: string): StoredKey | null {
+    if (this.isOver) return null;
+    const grant = this.keys.match(key);
+    if (grant !== null) this.#use.used();
+    return grant;
+  }
+
+  get isOver(): boolean {
+    return this.#isOver;
+  }
+
+  get lastUsedAt(): number {
+    return this.#use.lastAt;
+  }
+
+  /** Milliseconds until the session reaches its maximum lifetime. */
+  get leftMs(): number {
+    return Math.max(0, this.createdAt + limits.sessionLifeMs - this.#clock.now());
+  }
+
+  get hasPage(): boolean {
+    return this.#seat.page !== null;
+  }
+
+  /**
+   * Scripts by name, at all relays that this one knows of: connected, recently active or blocked.
+   */
+  get scripts(): ScriptView[] {
+    return this.#line.withOthers(this.roster.told()).scripts;
+  }
+
+  get newest(): CarriedSnapshot | null {
+    return this.#view.newest;
+  }
+
+  /**
+   * Whether the session is unused, has no pending work and can leave memory. If its robot reported
+   * here, it stays until it expires, because nothing else holds the newest snapshot.
+   */
+  get isQuiet(): boolean {
+    const isUnused = this.#clock.now() - this.lastUsedAt > limits.touchMs;
+    const isAlone = !this.hasPage && this.#audience.isEmpty;
+    const isHeldElsewhere = this.#seat.isElsewhere || this.newest === null;
+    return isUnused && isAlone && !this.#seat.isAwayOpen && isHeldElsewhere;
+  }
+
+  // --- the page ---
+
+  /** A page acquires the robot. The previous page is disconnected. */
+  async takePage(link: PageLink, resume: Resume): Promise<void> {
+    await this.#life.takePage(link, resume, () => {
+      this.#use.used();
+      const now = this.#clock.now();
+      this.#view.pageCame(now, this.#seat.epoch > 1 ? now - this.createdAt : 0);
+      // Before the endings in the same message, so that readers of an ending see no older snapshot.
+      if (resume.snapshot !== undefined) this.#show(CarriedSnapshot.of(resume.snapshot));
+      this.#tellScripts();
+      // The page disconnected before it owned the robot, when `leavePage` had no effect yet.
+      if (!link.isOpen) this.leavePage(link, false);
+    });
+  }
+
+  /**
+   * The page's connection is closed. No effect if another page owns the robot.
+   * @param saidGoodbye whether the page closed it, after all of its reports
+   */
+  leavePage(link: PageLink, saidGoodbye: boolean): void {
+    if (!this.#seat.isHeldBy(link)) return;
+    this.#seat.leave(this.#clock.now(), saidGoodbye);
+    this.#life.handover.left(this.#seat.epoch, saidGoodbye);
+    this.#view.pageLeft();
+    this.#tellSnapshot();
+    this.#line.pageLeft(this.#seat.epoch, saidGoodbye);
+  }
+
+  /**
+   * Handles a snapshot of the page. The check of the page's permission already recorded the use.
+   */
+  hearSnapshot(link: PageLink, epoch: number, snapshot: CarriedSnapshot): void {
+    if (this.#isNews(link, epoch)) this.#show(snapshot);
+  }
+
+  /**
+   * Handles a message of the page. Ignores messages of a replaced page. Disconnects a page that
+   * sends another epoch.
+   */
+  hearPage(link: PageLink, message: PageToRelay): Promise<void> | undefined {
+    if (!this.#isNews(link, message.epoch)) return undefined;
+    this.#use.used();
+    switch (message.type) {
+      case "snapshot":
+        this.#show(CarriedSnapshot.of(message.snapshot));
+        return undefined;
+      case "time":
+        link.send({ type: "time", at: this.#clock.now() });
+        return undefined;
+      case "ended":
+        this.#line.hurry();
+        return this.#life.hearPage(link, message);
+      case "started":
+      case "yielded":
+        return this.#life.hearPage(link, message);
+    }
+  }
+
+  /**
+   * Whether the page owns the robot with this epoch. Disconnects a page that sends another epoch.
+   */
+  #isNews(link: PageLink, epoch: number): boolean {
+    if (!this.#seat.isHeldBy(link)) return false;
+    if (epoch !== this.#seat.page?.epoch) {
+      link.close(closeReasons.replaced);
+      return false;
+    }
+    return true;
+  }
+
+  // --- scripts ---
+
+  /**
+   * Checks the permissions of a caller. Callers may reuse the result while `rights` is unchanged.
+   * @throws Refusal if the key is revoked or lacks the permission, or the script is blocked;
+   * StoreAway if it is unknown whether the key is still valid
+   */
+  check(caller: Caller, verb: Verb): void {
+    this.keys.check(caller, verb);
+    this.gate.check(caller);
+    this.#use.used();
+  }
+
+  /** Stores a command and delivers it in its turn: see `CommandLife.submit`. */
+  async submit(
+    caller: Caller,
+    request: { key: string | null } & CommandTerms,
+    acknowledge: (record: CommandRecord) => void,
+  ): Promise<void> {
+    await this.#life.submit(caller, request, (record) => {
+      if (caller.script !== null) this.roster.sent(caller.script, record);
+      acknowledge(record);
+    });
+  }
+
+  /** Recalls one command: see `CommandRecall.one`. */
+  async cancel(grant: StoredKey, seq: number): Promise<CommandRecord> {
+    return this.#life.recall.one(grant, seq);
+  }
+
+  async commandsAfter(seq: number): Promise<CommandRecord[]> {
+    return this.#life.log.after(seq);
+  }
+
+  /**
+   * Waits for the command to end.
+   * @returns its record after the wait. If it has not ended and the robot is gone or paused,
+   * `reason` names what to check.
+   */
+  async endOf(seq: number, patience: Patience): Promise<CommandRecord> {
+    const record = await this.#life.log.endOf(seq, patience);
+    const hasWaited = patience.milliseconds > 0;
+    if (!hasWaited || hasEnded(record.state) || this.#view.isAwake) return record;
+    return { ...record, reason: SILENT_ROBOT_REASON };
+  }
+
+  /** Records a message of a script on its connection. */
+  spoke({ script }: Caller): void {
+    this.#use.used();
+    if (script !== null) this.roster.spoke(script);
+  }
+
+  /** Records a request of a script. @returns function to call once the request is answered */
+  heard({ script }: Caller): () => void {
+    this.#use.used();
+    return script === null ? () => undefined : this.roster.heard(script);
+  }
+
+  // --- time and end ---
+
+  /** Called about once a second. Detects pages that are asleep or gone for good. */
+  async checkLife(): Promise<void> {
+    const now = this.#clock.now();
+    this.rights.changed();
+    this.#events.forgetOld();
+    if (this.hasPage && this.#view.checkAsleep(now)) this.#tellSnapshot();
+    if (this.#seat.isElsewhere) this.#line.stayHere(this.roster.told());
+    if (this.#seat.awayMs(now) >= limits.pageAwayMs) await this.#life.pageIsGone();
+  }
+
+  /** Whether a use of the session or its keys is due to be stored. */
+  get isUseDue(): boolean {
+    return this.#use.isDue;
+  }
+
+  /** Whether the store may soon treat the session as expired although it is in use. */
+  get isUseUrgent(): boolean {
+    return this.#use.isUrgent(this.#clock.now());
+  }
+
+  /** Stores the latest uses of the session and its keys. */
+  async noteUse(): Promise<void> {
+    await this.#use.note();
+  }
+
+  /** Ends the session for all connected clients. */
+  close(reason: "over" | "restart"): void {
+    this.#isOver = true;
+    if (this.hasPage) this.#line.pageLeft(this.#seat.epoch, false);
+    if (reason === "over") this.#line.forgotten();
+    this.#life.close(reason);
+    this.roster.close();
+    this.#seat.page?.link.close(closeReasons[reason]);
+    this.#seat.clear();
+    this.#audience.close(reason);
+    this.leave();
+  }
+
+  /** Releases the session from memory. Other relays may still hold it. */
+  leave(): void {
+    this.keys.close();
+    this.#line.leave();
+  }
+
+  // --- other relays ---
+
+  /** Messages of other relays may have been missed. */
+  missedNews(): void {
+    this.#others.missed();
+  }
+
+  /** Sends the current scripts to the page, here or at another relay. */
+  #tellScripts(): void {
+    const scripts = this.roster.told();
+    if (this.#seat.isElsewhere) return this.#line.sayHere(scripts);
+    this.#life.display.sayWith({
+      type: "drivers",
+      at: this.#clock.now(),
+      ...this.#line.withOthers(scripts),
+      paused: this.gate.isPaused,
+    });
+  }
+
+  /** Disconnects the users of a revoked key and ends their commands. */
+  #revoked({ hash }: StoredKey): void {
+    this.scriptClocks.revoked(hash);
+    this.#audience.dismiss((caller) => caller.hash === hash, "revoked");
+    this.#askToEnd();
+    // A blocked script is removed with its key.
+    this.gate.learn({ away: this.gate.away.filter(({ driver }) => driver !== hash) });
+  }
+
+  /** Disconnects a blocked script and ends its commands. */
+  #blocked({ id }: StoredScript): void {
+    this.#audience.dismiss(({ script }) => script?.id === id, "blocked");
+    this.#askToEnd();
+  }
+
+  /** Asks a page at this relay to end recalled commands. */
+  #askToEnd(): void {
+    // If that fails, the page is asked when it reconnects.
+    if (this.hasPage) this.#life.recall.askAgain().catch(() => undefined);
+  }
+
+  /** Stores a snapshot of the page and publishes it. */
+  #show(snapshot: CarriedSnapshot): void {
+    this.#view.report(snapshot, this.#clock.now());
+    this.#tellSnapshot();
+  }
+
+  #tellSnapshot(): void {
+    const { newest } = this;
+    if (newest === null) return;
+    this.#audience.tellSnapshot(newest);
+    this.#line.snapshot(newest);
+  }
+
+  #tellReaders(): void {
+    if (this.newest !== null) this.#audience.tellSnapshot(this.newest);
+  }
+}

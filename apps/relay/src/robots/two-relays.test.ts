@@ -1,0 +1,414 @@
+/**
+ * Sessions of one robot at two relays that share a store and a message bus, in one process with a
+ * fake clock.
+ */
+import { join } from "node:path";
+import {
+  closeReasons,
+  termsOf,
+  type CommandRecord,
+  type Order,
+  type RelayToPage,
+  type Resume,
+} from "@corridor/protocol";
+import { snapshotOf } from "@corridor/protocol/testing";
+import { pino } from "pino";
+import { describe, expect, it, onTestFinished } from "vitest";
+import { LocalSwitchboard } from "../bus/local.ts";
+import type { Ears, News } from "../bus/bus.ts";
+import { SqliteStore } from "../store/sqlite/sqlite-store.ts";
+import { StoreAway } from "../platform/errors/store-away.ts";
+import { cutStore } from "../store/cases/cut-store.ts";
+import { FakeClock, settled } from "../platform/testing/fake-clock.ts";
+import { completed } from "../platform/testing/messages.ts";
+import { maze } from "../platform/testing/sample-documents.ts";
+import { testFolder } from "../testing/test-relay.ts";
+import { limits } from "../platform/limits/limits.ts";
+import type { PageLink } from "./page/page-link.ts";
+import { SessionHub } from "./registry.ts";
+
+const LEFT: Order = { action: "left 90" };
+const patience = (milliseconds: number) => ({ milliseconds, signal: new AbortController().signal });
+
+/** A robot with its page at the first relay and its scripts at the second. */
+async function withRelays() {
+  const clock = new FakeClock();
+  const store = new SqliteStore(join(testFolder(), "corridor.sqlite"));
+  onTestFinished(() => store.close());
+  const switchboard = new LocalSwitchboard();
+  const log = pino({ level: "silent" });
+  const ears: Ears[] = [];
+  const pages = new SessionHub(store, clock, log, {
+    switchboard: {
+      join: (robot, own) => {
+        ears.push(own);
+        return switchboard.join(robot, own);
+      },
+      close: () => switchboard.close(),
+    },
+  });
+  const cut = cutStore(store);
+  const scripts = new SessionHub(cut.store, clock, log, { switchboard });
+  const robot = await pages.register("10.0.0.1", "http://localhost");
+  const atPages = (await pages.authorise(robot.id, robot.ownerKey, "host")).session;
+  const page = async (session = atPages, resume: Partial<Resume> = {}, isSilent = false) => {
+    const told: RelayToPage[] = [];
+    const closed: number[] = [];
+    let epoch = 0;
+    const link: PageLink = {
+      isOpen: true,
+      send: (...messages) => {
+        told.push(...messages);
+        if (messages.some(({ type }) => type === "yield") && !isSilent)
+          void session.hearPage(link, { type: "yielded", epoch });
+      },
+      close: ({ code }) => closed.push(code),
+    };
+    const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
+    await session.takePage(link, { ...nothing, ...resume });
+    const welcome = told.find((message) => message.type === "welcome");
+    epoch = welcome?.epoch ?? 0;
+    return { session, link, told, closed, epoch };
+  };
+  const host = await page();
+  const { session: atScripts, key } = await scripts.authorise(
+    robot.id,
+    robot.driverKey,
+    "command",
+    {
+      client: "Python",
+      name: null,
+    },
+  );
+  const submit = async (order: Order, idempotencyKey: string | null = null) => {
+    const records: CommandRecord[] = [];
+    const request = { key: idempotencyKey, ...termsOf(order) };
+    await atScripts.submit(key, request, (record) => records.push(record));
+    await settled();
+    return records[0];
+  };
+  /** Records what a reader at the second relay receives. */
+  const read = (): string[] => {
+    const said: string[] = [];
+    atScripts.readers.join(
+      key,
+      {
+        door: "websocket",
+        flow: { sentBytes: 0, takenBytes: 0, ask: () => undefined, isProof: false },
+        began: () => undefined,
+        snapshot: ({ seq, state }) => said.push(`snapshot ${seq} ${state}`),
+        state: ({ record }) => said.push(`${record.seq} ${record.state}`),
+        gap: ({ open }) => said.push(`gap ${open.map(({ seq }) => seq).join()}`),
+        maze: (version) => said.push(`maze ${version}`),
+        over: (reason) => said.push(reason),
+      },
+      null,
+    );
+    return said;
+  };
+  return {
+    clock,
+    cut,
+    /** A relay that shares the store, but not the message bus. */
+    newRelay: () => new SessionHub(store, clock, log),
+    /** Delivers a message to the first relay, as its channel would. */
+    tellPages: (news: News) => ears.at(-1)?.heard(news),
+    switchboard,
+    pages,
+    scripts,
+    robot,
+    atPages,
+    atScripts,
+    key,
+    page,
+    host,
+    submit,
+    read,
+  };
+}
+
+type Host = Awaited<ReturnType<Awaited<ReturnType<typeof withRelays>>["page"]>>;
+
+const report = ({ session, link, epoch }: Host, change = {}) =>
+  session.hearPage(link, { type: "snapshot", epoch, snapshot: snapshotOf(change) });
+const seqs = ({ told }: Host): number[] =>
+  told.flatMap((message) =>
+    message.type === "command" || message.type === "stop" ? [message.seq] : [],
+  );
+
+describe("page and script at different relays", () => {
+  it("takes a command to the page and its states back, in order", async () => {
+    const { host, submit, read, atScripts } = await withRelays();
+    const said = read();
+    expect(await submit(LEFT)).toMatchObject({ seq: 1, state: "accepted" });
+    expect(seqs(host)).toEqual([1]);
+    const { session, link, epoch } = host;
+    await session.hearPage(link, { type: "started", epoch, seq: 1 });
+    const end = atScripts.endOf(1, patience(25_000));
+    await session.hearPage(link, { type: "ended", epoch, ...completed(1) });
+    expect(await end).toMatchObject({ seq: 1, state: "completed" });
+    expect(said).toEqual(["1 delivered", "1 started", "1 completed"]);
+  });
+
+  it("shows the page what waits and what was ended elsewhere, and asks it to cancel", async () => {
+    const { host, clock, submit, atScripts, key } = await withRelays();
+    for (let n = 0; n < 9; n++) await submit(LEFT);
+    expect(host.told.at(-1)).toMatchObject({
+      type: "state",
+      record: { seq: 9, state: "accepted" },
+    });
+    await atScripts.cancel(key, 9);
+    await clock.pass(limits.shownIntervalMs);
+    expect(host.told.findLast(({ type }) => type === "state")).toMatchObject({
+      record: { seq: 9, state: "cancelled" },
+    });
+    await atScripts.cancel(key, 1);
+    expect(host.told.at(-1)).toEqual({ type: "cancel", seq: 1, cause: "sender" });
+    await submit({ action: "stop" });
+    expect(seqs(host)).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 10]);
+  });
+
+  it("shows the newest snapshot to readers at the other relay, and when the page goes", async () => {
+    const { host, clock, atScripts, read } = await withRelays();
+    await clock.pass(limits.relayHereMs);
+    const said = read();
+    await report(host, { seq: 7 });
+    expect(atScripts.newest).toMatchObject({ seq: 7, state: "running" });
+    const next = atScripts.readers.nextSnapshot(7, patience(25_000));
+    await clock.pass(limits.snapshotIntervalMs);
+    await report(host, { seq: 8, tick: 9 });
+    await clock.pass(limits.snapshotIntervalMs);
+    expect(await next).toMatchObject({ seq: 8 });
+    host.session.leavePage(host.link, true);
+    await clock.pass(limits.snapshotIntervalMs);
+    expect(said.at(-1)).toBe("snapshot 8 gone");
+    expect(atScripts.newest).toMatchObject({ state: "gone" });
+  });
+
+  it("knows the newest snapshot at once where a script comes to a relay that never saw the robot", async () => {
+    const { host, scripts, atScripts, robot, clock } = await withRelays();
+    await report(host, { seq: 7 });
+    // Nobody used the session there for a while, so it left memory.
+    await clock.pass(limits.touchMs + 2_000);
+    const again = await scripts.authorise(robot.id, robot.driverKey, "command");
+    expect(again.session).not.toBe(atScripts);
+    expect(again.session.newest).toMatchObject({ seq: 7 });
+  });
+
+  it("shows readers at the other relay the newest snapshot before an ending that came after it", async () => {
+    const { host, clock, submit, read } = await withRelays();
+    await clock.pass(limits.relayHereMs);
+    await submit(LEFT);
+    const said = read();
+    await report(host, { seq: 1 });
+    await report(host, { seq: 2 });
+    const { session, link, epoch } = host;
+    await session.hearPage(link, { type: "ended", epoch, ...completed(1) });
+    await settled();
+    expect(said).toEqual(["snapshot 1 running", "snapshot 2 running", "1 completed"]);
+  });
+
+  it("keeps counting snapshots when a reloaded page meets a relay that never held the robot", async () => {
+    const { host, page, clock, robot, newRelay } = await withRelays();
+    await clock.pass(30_000);
+    await report(host, { seq: 900 });
+    const { session } = await newRelay().authorise(robot.id, robot.ownerKey, "host");
+    const reloaded = await page(session, { fresh: true });
+    await report(reloaded, { seq: 1 });
+    expect(session.newest?.seq).toBeGreaterThan(900);
+    const seq = session.newest?.seq ?? 0;
+    await report(reloaded, { seq: 2 });
+    expect(session.newest?.seq).toBe(seq + 1);
+  });
+
+  it("sends nothing to a relay that does not hold the robot any more", async () => {
+    const { host, clock, atScripts, switchboard, robot } = await withRelays();
+    atScripts.leave();
+    await clock.pass(limits.relaySilenceMs + 2_000);
+    const heard: string[] = [];
+    await switchboard.join(robot.id, {
+      stepped: () => undefined,
+      missed: () => undefined,
+      heard: ({ kind }) => heard.push(kind),
+    });
+    await report(host, { seq: 8 });
+    expect(heard).toEqual(["page"]);
+  });
+
+  it("tells the page of the scripts at all relays", async () => {
+    const { host, clock, atScripts, key, read } = await withRelays();
+    read();
+    atScripts.heard(key)();
+    await clock.pass(limits.driversIntervalMs);
+    const drivers = host.told.findLast(({ type }) => type === "drivers");
+    expect(drivers).toMatchObject({
+      connected: 1,
+      client: "Python",
+      alive: [{ connectionMs: 1_000 }],
+    });
+  });
+
+  it("sends the page away when another takes the robot at the other relay, and believes it no more", async () => {
+    const { host, atScripts, page, submit } = await withRelays();
+    await submit(LEFT);
+    const second = await page(atScripts);
+    expect(host.closed).toEqual([closeReasons.replaced.code]);
+    expect(second.epoch).toBe(host.epoch + 1);
+    expect(seqs(second)).toEqual([1]);
+    await host.session.hearPage(host.link, { type: "started", epoch: host.epoch, seq: 1 });
+    expect(await atScripts.commandsAfter(0)).toMatchObject([{ seq: 1, state: "delivered" }]);
+  });
+
+  it("asks the page at the other relay what it has begun before another gets the robot", async () => {
+    const { atPages, atScripts, page, submit } = await withRelays();
+    const first = await page(atPages, { page: "page-one", fresh: true });
+    for (let n = 0; n < 2; n++) await submit(LEFT);
+    const { session, link, epoch } = first;
+    void session.hearPage(link, { type: "started", epoch, seq: 1 });
+    const second = await page(atScripts, { page: "page-two", fresh: true });
+    expect(first.told.at(-1)).toEqual({ type: "yield" });
+    expect(first.closed).toEqual([closeReasons.replaced.code]);
+    expect(seqs(second)).toEqual([2]);
+    // The same page on a new connection, at another relay, is not asked.
+    const again = await page(atPages, { page: "page-two", lastApplied: 2 });
+    expect(second.told.at(-1)).not.toEqual({ type: "yield" });
+    expect(await atPages.commandsAfter(1)).toMatchObject([{ seq: 2, state: "started" }]);
+    expect(seqs(again)).toEqual([]);
+  });
+
+  it("gives nothing to another page of what a silent one at the other relay may have begun", async () => {
+    const { atPages, atScripts, page, submit, clock } = await withRelays();
+    await page(atPages, { page: "page-one", fresh: true }, true);
+    await submit(LEFT);
+    const coming = page(atScripts, { page: "page-two", fresh: true });
+    await clock.pass(limits.yieldMs);
+    expect(seqs(await coming)).toEqual([]);
+    expect(await atScripts.commandsAfter(0)).toMatchObject([{ seq: 1, state: "cancelled" }]);
+  });
+
+  it("ends what a page has left behind once, and nothing of one that has come back elsewhere", async () => {
+    const { host, atScripts, page, submit, clock, read } = await withRelays();
+    await submit(LEFT);
+    host.session.leavePage(host.link, true);
+    await clock.pass(limits.pageAwayMs - 5_000);
+    const second = await page(atScripts, { lastApplied: 1 });
+    await clock.pass(20_000);
+    expect(await atScripts.commandsAfter(0)).toMatchObject([{ state: "started" }]);
+    const said = read();
+    atScripts.leavePage(second.link, true);
+    await clock.pass(limits.pageAwayMs + 5_000);
+    expect(said.filter((text) => text.endsWith("cancelled"))).toEqual(["1 cancelled"]);
+  });
+
+  it("lets the page of a relay that was taken for dead connect anew, and ends nothing of it", async () => {
+    const { host, atScripts, page, submit, clock, tellPages } = await withRelays();
+    await submit(LEFT);
+    tellPages({ kind: "lapsed" });
+    expect(host.closed).toEqual([closeReasons.restart.code]);
+    const again = await page(host.session, { lastApplied: 1 });
+    await clock.pass(limits.pageAwayMs + 5_000);
+    expect(again.epoch).toBe(host.epoch + 1);
+    expect(await atScripts.commandsAfter(0)).toMatchObject([{ seq: 1, state: "started" }]);
+  });
+
+  it("expires what waits though the relay that stored it has ended", async () => {
+    const { host, atPages, scripts, submit, clock } = await withRelays();
+    await clock.pass(1_000);
+    atPages.leavePage(host.link, true);
+    await submit({ ...LEFT, ttl: 400 });
+    await scripts.close();
+    await clock.pass(500);
+    expect(await atPages.commandsAfter(0)).toMatchObject([{ seq: 1, state: "expired" }]);
+  });
+
+  it("says gap, and delivers what waits, when news between the relays were lost", async () => {
+    const { host, robot, pages, atScripts, read, submit } = await withRelays();
+    const said = read();
+    for (const session of [host.session, atScripts]) session.missedNews();
+    await settled();
+    await submit(LEFT);
+    expect(said).toEqual(["gap ", "1 delivered"]);
+    expect(seqs(host)).toEqual([1]);
+    expect((await pages.authorise(robot.id, robot.ownerKey, "host")).session).toBe(host.session);
+  });
+
+  it("ends a revoked key at every relay at once", async () => {
+    const { host, scripts, robot, read, submit } = await withRelays();
+    const said = read();
+    await submit(LEFT);
+    await host.session.keys.make({ kind: "drive", replace: true });
+    await settled();
+    expect(said).toEqual(["1 delivered", "revoked"]);
+    expect(host.told.filter(({ type }) => type === "cancel")).not.toEqual([]);
+    await expect(scripts.authorise(robot.id, robot.driverKey, "read")).rejects.toMatchObject({
+      kind: "not-authorised",
+    });
+  });
+
+  it("sends scripts away within a second where nobody can say whether their key was revoked", async () => {
+    const { host, scripts, robot, read, clock, cut } = await withRelays();
+    const said = read();
+    cut.isCut = true;
+    await host.session.keys.make({ kind: "drive", replace: true });
+    await clock.pass(1_000);
+    expect(said).toEqual(["busy"]);
+    const again = (): Promise<unknown> =>
+      scripts.authorise(robot.id, robot.driverKey, "read").catch((error: unknown) => error);
+    expect(await again()).toBeInstanceOf(StoreAway);
+    cut.isCut = false;
+    await clock.pass(limits.keysRetryMs);
+    expect(await again()).toMatchObject({ kind: "not-authorised" });
+  });
+
+  it("leaves scripts alone when the store is back in a moment, and their key was not revoked", async () => {
+    const { host, atScripts, key, read, clock, cut } = await withRelays();
+    const said = read();
+    cut.isCut = true;
+    await host.session.keys.make({ kind: "watch" });
+    await clock.pass(limits.keysRetryMs);
+    cut.isCut = false;
+    await clock.pass(1_000);
+    expect(said).toEqual([]);
+    expect(() => atScripts.keys.check(key, "command")).not.toThrow();
+  });
+
+  it("pauses remote driving at every relay at once", async () => {
+    const { host, atScripts, submit } = await withRelays();
+    await submit(LEFT);
+    await atScripts.gate.pause(true);
+    await settled();
+    expect(host.told).toContainEqual({ type: "cancel", seq: 1, cause: "paused" });
+    expect(host.session.gate.isPaused).toBe(true);
+    await expect(submit(LEFT)).rejects.toMatchObject({ kind: "driving-paused" });
+    await host.session.gate.pause(false);
+    await settled();
+    expect(await submit(LEFT)).toMatchObject({ seq: 2 });
+  });
+
+  it("tells readers at every relay of another maze, also when that went unheard", async () => {
+    const { host, atScripts, read, cut } = await withRelays();
+    const said = read();
+    const first = await host.session.mazes.keep(maze);
+    expect(said).toEqual([`maze ${first}`]);
+    expect(await atScripts.mazes.read()).toEqual({ text: JSON.stringify(maze), version: first });
+    await host.session.mazes.keep(maze);
+    atScripts.missedNews();
+    await settled();
+    const ofMazes = () => said.filter((words) => words.startsWith("maze"));
+    expect(ofMazes()).toEqual([`maze ${first}`]);
+    await cut.store.keepMaze(host.session.id, "{}");
+    atScripts.missedNews();
+    await settled();
+    expect(ofMazes()).toHaveLength(2);
+  });
+
+  it("forgets the robot at every relay at once", async () => {
+    const { host, pages, scripts, robot, read } = await withRelays();
+    const said = read();
+    await pages.remove(host.session);
+    expect(said).toEqual(["over"]);
+    await expect(scripts.authorise(robot.id, robot.driverKey, "command")).rejects.toMatchObject({
+      kind: "no-robot",
+    });
+  });
+});
