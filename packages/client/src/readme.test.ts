@@ -124,7 +124,7 @@ describe("the code in the documentation", () => {
     script.close();
     const { origin, attempts } = await startProxyThatDropsFirstResponse(testBed.origin);
     const [, key = ""] = testBed.registration.address.split("#");
-    const program = blockIn("apps/relay/src/docs/pages/commands.md", "randomUUID")
+    const program = blockIn("apps/relay/src/site/docs/pages/commands.md", "randomUUID")
       .replace("http://HOST", origin)
       .replace("/ID", `/${testBed.registration.id}`)
       .replace("KEY", key);

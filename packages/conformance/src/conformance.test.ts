@@ -5,7 +5,7 @@ import { describe, expect, it } from "vitest";
 import { linesOf, passes, verdict } from "./report.ts";
 import { groups, runChecks, type Outcome, type Result } from "./run-checks.ts";
 
-const PROMISES = join(import.meta.dirname, "../../../apps/relay/src/docs/pages/promises.md");
+const PROMISES = join(import.meta.dirname, "../../../apps/relay/src/site/docs/pages/promises.md");
 
 /** The ids of the table below "What every host promises". */
 function promises(): string[] {

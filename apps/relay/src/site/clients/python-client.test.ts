@@ -4,7 +4,7 @@ import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { promisify } from "node:util";
 import { describe, expect, it } from "vitest";
-import { startTestRelay, testFolder } from "../testing/test-relay.ts";
+import { startTestRelay, testFolder } from "../../testing/test-relay.ts";
 
 const run = promisify(execFile);
 

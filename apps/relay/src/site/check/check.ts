@@ -6,16 +6,16 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import express, { Router, type RequestHandler } from "express";
-import { checkPage, checkWords } from "../check/check-words.ts";
-import type { Clock } from "../platform/time/clock.ts";
-import type { RequestGuard } from "../platform/http/request-guard.ts";
-import { Refusal, retryAfter } from "../platform/errors/problems.ts";
-import { limits } from "../platform/limits/limits.ts";
-import { methodNotAllowed } from "../platform/http/fallbacks.ts";
-import { listedFiles } from "../platform/http/listed-files.ts";
-import { patienceOf, readWaitSeconds } from "./reading.ts";
+import { checkPage, checkWords } from "./check-words.ts";
+import type { Clock } from "../../platform/time/clock.ts";
+import type { RequestGuard } from "../../platform/http/request-guard.ts";
+import { Refusal, retryAfter } from "../../platform/errors/problems.ts";
+import { limits } from "../../platform/limits/limits.ts";
+import { methodNotAllowed } from "../../platform/http/fallbacks.ts";
+import { listedFiles } from "../../platform/http/listed-files.ts";
+import { patienceOf, readWaitSeconds } from "../../routes/reading.ts";
 
-const FOLDER = join(import.meta.dirname, "../check");
+const FOLDER = import.meta.dirname;
 const FILES = {
   "/check/check.css": join(FOLDER, "check.css"),
   "/check/check.js": join(FOLDER, "check.js"),

@@ -4,7 +4,7 @@
 import { existsSync } from "node:fs";
 import { join } from "node:path";
 import express, { Router } from "express";
-import { Refusal } from "../platform/errors/problems.ts";
+import { Refusal } from "../../platform/errors/problems.ts";
 import { preferCompressed, setEncodingHeaders } from "./compressed-files.ts";
 
 /** Paths of the page. Every other path is a file or does not exist. */

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { oas31 } from "zod-openapi";
-import { describedCalls } from "../testing/described-relay.ts";
+import { describedCalls } from "../../testing/described-relay.ts";
 import { describeApi } from "./document.ts";
 
 const document = describeApi();

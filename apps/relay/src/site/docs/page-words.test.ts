@@ -2,9 +2,9 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { expect, it } from "vitest";
-import { problemKinds } from "../platform/errors/problem-kinds.ts";
+import { problemKinds } from "../../platform/errors/problem-kinds.ts";
 
-const WORDS = join(import.meta.dirname, "../../../web/src/text/en");
+const WORDS = join(import.meta.dirname, "../../../../web/src/text/en");
 
 /** All texts in a file of English texts. */
 function textsIn(words: unknown): string[] {

@@ -1,6 +1,6 @@
 import { commandRecordSchema, orderSchema, snapshotSchema } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { describedCalls } from "../testing/described-relay.ts";
+import { describedCalls } from "../../testing/described-relay.ts";
 import { describeApi } from "./document.ts";
 import { groups, orderExample, recordExample, snapshotExample } from "./reading-aids.ts";
 

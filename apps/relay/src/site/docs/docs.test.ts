@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { problemKinds } from "../platform/errors/problem-kinds.ts";
-import { startTestRelay } from "../testing/test-relay.ts";
+import { problemKinds } from "../../platform/errors/problem-kinds.ts";
+import { startTestRelay } from "../../testing/test-relay.ts";
 
 /** Crawls all pages that /docs links to. Returns their HTML. */
 async function site(origin: string): Promise<Map<string, string>> {

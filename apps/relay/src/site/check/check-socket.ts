@@ -2,11 +2,11 @@
 import type { IncomingMessage } from "node:http";
 import type { Duplex } from "node:stream";
 import { WebSocketServer, type WebSocket } from "ws";
-import type { Clock } from "../platform/time/clock.ts";
-import type { RequestGuard } from "../platform/http/request-guard.ts";
-import { asRefusal, Refusal } from "../platform/errors/problems.ts";
-import { limits } from "../platform/limits/limits.ts";
-import { refuseUpgrade } from "../platform/http/refuse-upgrade.ts";
+import type { Clock } from "../../platform/time/clock.ts";
+import type { RequestGuard } from "../../platform/http/request-guard.ts";
+import { asRefusal, Refusal } from "../../platform/errors/problems.ts";
+import { limits } from "../../platform/limits/limits.ts";
+import { refuseUpgrade } from "../../platform/http/refuse-upgrade.ts";
 
 const PATH = "/check/socket";
 const LIFE_MS = 60_000;

@@ -7,8 +7,8 @@ import { join } from "node:path";
 import express from "express";
 import { pino } from "pino";
 import { describe, expect, it, onTestFinished } from "vitest";
-import { testFolder } from "../testing/test-relay.ts";
-import { problemResponses } from "../platform/http/fallbacks.ts";
+import { testFolder } from "../../testing/test-relay.ts";
+import { problemResponses } from "../../platform/http/fallbacks.ts";
 import { javascriptClientRoutes } from "./javascript-client.ts";
 
 const SOURCE = "export class RobotClient {}\n";

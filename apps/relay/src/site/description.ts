@@ -3,8 +3,8 @@
  * built once at startup.
  */
 import { Router } from "express";
-import { describeMessages } from "../asyncapi/document.ts";
-import { describeApi } from "../openapi/document.ts";
+import { describeMessages } from "./asyncapi/document.ts";
+import { describeApi } from "./openapi/document.ts";
 import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 import { openToAllSites } from "../platform/http/security-headers.ts";
 

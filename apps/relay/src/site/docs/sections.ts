@@ -16,7 +16,7 @@ interface Section {
   pages: readonly [Entry, ...Entry[]];
 }
 
-const PAGES = "apps/relay/src/docs/pages";
+const PAGES = "apps/relay/src/site/docs/pages";
 /** The page with the API console. */
 export const CONSOLE_PATH = "/docs/try";
 

@@ -3,7 +3,7 @@ import { join } from "node:path";
 import asyncApiSchema from "@asyncapi/specs/schemas/3.0.0-without-$id.json" with { type: "json" };
 import { Ajv } from "ajv";
 import { describe, expect, it } from "vitest";
-import { startTestRelay } from "../testing/test-relay.ts";
+import { startTestRelay } from "../../testing/test-relay.ts";
 import { describeMessages, messageName } from "./document.ts";
 
 interface Described {
@@ -43,7 +43,7 @@ function nameOf(fixture: string): string[] {
   return [messageName(side, fixture.slice(prefix.length))];
 }
 
-const FIXTURES = join(import.meta.dirname, "../../../../packages/protocol/src/fixtures");
+const FIXTURES = join(import.meta.dirname, "../../../../../packages/protocol/src/fixtures");
 const fixtures = readdirSync(FIXTURES).map((file) => ({
   name: file.replace(".json", ""),
   message: JSON.parse(readFileSync(join(FIXTURES, file), "utf8")) as Record<string, unknown>,

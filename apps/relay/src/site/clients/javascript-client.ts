@@ -5,11 +5,11 @@
 import { existsSync } from "node:fs";
 import { basename, dirname, join } from "node:path";
 import { Router } from "express";
-import { Refusal } from "../platform/errors/problems.ts";
-import { methodNotAllowed } from "../platform/http/fallbacks.ts";
-import { openToAllSites } from "../platform/http/security-headers.ts";
+import { Refusal } from "../../platform/errors/problems.ts";
+import { methodNotAllowed } from "../../platform/http/fallbacks.ts";
+import { openToAllSites } from "../../platform/http/security-headers.ts";
 
-const FILE = join(import.meta.dirname, "../../dist/corridor.js");
+const FILE = join(import.meta.dirname, "../../../dist/corridor.js");
 
 export function javascriptClientRoutes(file: string = FILE): Router {
   const router = Router();

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { WebSocket } from "ws";
-import { checkWords } from "../check/check-words.ts";
-import { startTestRelay } from "../testing/test-relay.ts";
+import { checkWords } from "./check-words.ts";
+import { startTestRelay } from "../../testing/test-relay.ts";
 
 const languages = [...checkWords];
 const english = checkWords.get("en") ?? {};
@@ -79,11 +79,11 @@ describe("/check", () => {
     const { origin } = await startTestRelay();
     const url = `${origin.replace("http", "ws")}/check/socket`;
     const socket = new WebSocket(url);
-    const heard = await new Promise((resolve) => {
+    const received = await new Promise((resolve) => {
       socket.on("open", () => socket.send("forward"));
       socket.on("message", (data: Buffer) => resolve(data.toString()));
     });
-    expect(heard).toBe("forward");
+    expect(received).toBe("forward");
     socket.terminate();
     const foreign = new WebSocket(url, { headers: { Origin: "https://other.example" } });
     const status = await new Promise((resolve) => {

@@ -2,7 +2,7 @@ import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { brotliCompressSync, gzipSync } from "node:zlib";
 import { describe, expect, it } from "vitest";
-import { startTestRelay, testFolder } from "../testing/test-relay.ts";
+import { startTestRelay, testFolder } from "../../testing/test-relay.ts";
 
 const script = 'console.log("corridor");'.repeat(50);
 

@@ -6,10 +6,10 @@
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { Router } from "express";
-import { methodNotAllowed } from "../platform/http/fallbacks.ts";
-import { openToAllSites } from "../platform/http/security-headers.ts";
+import { methodNotAllowed } from "../../platform/http/fallbacks.ts";
+import { openToAllSites } from "../../platform/http/security-headers.ts";
 
-const PACKAGE = join(import.meta.dirname, "../../../../packages/client-python/src/corridor");
+const PACKAGE = join(import.meta.dirname, "../../../../../packages/client-python/src/corridor");
 
 /** In dependency order. */
 const MODULES = [

@@ -5,13 +5,13 @@
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { Router } from "express";
-import { renderPage } from "../docs/frame.ts";
-import { pagesOfSite } from "../docs/site.ts";
-import { methodNotAllowed } from "../platform/http/fallbacks.ts";
-import { listedFiles } from "../platform/http/listed-files.ts";
-import { allowPolicy } from "../platform/http/security-headers.ts";
+import { renderPage } from "./frame.ts";
+import { pagesOfSite } from "./site.ts";
+import { methodNotAllowed } from "../../platform/http/fallbacks.ts";
+import { listedFiles } from "../../platform/http/listed-files.ts";
+import { allowPolicy } from "../../platform/http/security-headers.ts";
 
-const FOLDER = join(import.meta.dirname, "../docs");
+const FOLDER = import.meta.dirname;
 
 const FILES = {
   "/docs/docs.css": join(FOLDER, "docs.css"),

@@ -1,5 +1,5 @@
 /** A page for each kind of problem, at the path in `type`, and their index. */
-import { problemKinds, type ProblemText } from "../platform/errors/problem-kinds.ts";
+import { problemKinds, type ProblemText } from "../../platform/errors/problem-kinds.ts";
 import type { Page } from "./frame.ts";
 import { htmlOf } from "./markdown.ts";
 
