@@ -2,7 +2,7 @@
 import { closeReasons, scriptName, type CloseReason, type Hello } from "@corridor/protocol";
 import type { Logger } from "pino";
 import type { Clock } from "../platform/time/clock.ts";
-import type { Metrics } from "../metrics/metrics.ts";
+import type { Metrics } from "../ops/metrics.ts";
 import type { ProblemKind } from "../platform/errors/problem-kinds.ts";
 import { asRefusal } from "../platform/errors/problems.ts";
 import type { Introduction } from "../robots/access/caller.ts";

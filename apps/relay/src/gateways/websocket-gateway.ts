@@ -21,7 +21,7 @@ import { clientName } from "../client-name.ts";
 import type { Clock } from "../platform/time/clock.ts";
 import { markOf } from "../platform/keys.ts";
 import type { RequestGuard } from "../platform/http/request-guard.ts";
-import type { Metrics } from "../metrics/metrics.ts";
+import type { Metrics } from "../ops/metrics.ts";
 import { asRefusal, Refusal } from "../platform/errors/problems.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { verbOfRole } from "../robots/access/rights.ts";

@@ -1,7 +1,7 @@
 /** All operations of the HTTP API, with the schemas that validate requests and responses. */
 import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { documentCalls } from "./document-calls.ts";
-import { healthCalls } from "./health-calls.ts";
+import { healthCalls } from "../ops/health-openapi.ts";
 import { longPollCalls } from "./long-poll-calls.ts";
 import { pairingCalls } from "./pairing-calls.ts";
 import { robotCalls } from "./robot-calls.ts";

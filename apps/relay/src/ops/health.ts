@@ -1,8 +1,8 @@
 /** Liveness (`/healthz`) and readiness (`/readyz`) of the relay. */
 import { Router, type RequestHandler } from "express";
 import { Refusal, restarting, retryAfter } from "../platform/errors/problems.ts";
-import type { Readiness } from "../readiness.ts";
-import type { Health, Ready } from "./answers.ts";
+import type { Readiness } from "./readiness.ts";
+import type { Health, Ready } from "../routes/answers.ts";
 import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 
 const noStore: RequestHandler = (_request, response, next) => {

@@ -5,8 +5,8 @@
  * load balancer that removes the relay would stop that too.
  */
 import type { Logger } from "pino";
-import type { Clock } from "./platform/time/clock.ts";
-import type { SessionStore } from "./store/port.ts";
+import type { Clock } from "../platform/time/clock.ts";
+import type { SessionStore } from "../store/port.ts";
 
 /** A check costs a commit, so its result is reused for this time. */
 const FRESH_MS = 2_000;

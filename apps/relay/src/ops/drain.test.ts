@@ -2,9 +2,9 @@ import { once } from "node:events";
 import { spawn } from "node:child_process";
 import { join } from "node:path";
 import { describe, expect, it, onTestFinished } from "vitest";
-import { startRelayProcess } from "./testing/relay-process.ts";
-import { requestsTo, startTestRelay, testFolder, type Requests } from "./testing/test-relay.ts";
-import { TestSocket } from "./testing/test-socket.ts";
+import { startRelayProcess } from "../testing/relay-process.ts";
+import { requestsTo, startTestRelay, testFolder, type Requests } from "../testing/test-relay.ts";
+import { TestSocket } from "../testing/test-socket.ts";
 
 const READY = /Corridor is ready: (http:\S+)/;
 
@@ -79,7 +79,7 @@ describe("a relay that receives a signal to shut down", () => {
   it("shuts down cleanly under npm start", async () => {
     // Skips the build step, which other tests cover.
     const npm = spawn("npm", ["start", "--ignore-scripts"], {
-      cwd: join(import.meta.dirname, "../../.."),
+      cwd: join(import.meta.dirname, "../../../.."),
       env: { ...process.env, PORT: "0", HOST: "127.0.0.1", DATA_DIR: testFolder() },
       stdio: ["ignore", "pipe", "inherit"],
     });

@@ -2,8 +2,8 @@ import { problemSchema } from "@corridor/protocol";
 import { pino } from "pino";
 import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { Readiness } from "./readiness.ts";
-import { FakeClock } from "./platform/testing/fake-clock.ts";
-import { startTestRelay } from "./testing/test-relay.ts";
+import { FakeClock } from "../platform/testing/fake-clock.ts";
+import { startTestRelay } from "../testing/test-relay.ts";
 
 const log = pino({ level: "silent" });
 
