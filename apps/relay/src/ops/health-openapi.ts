@@ -1,6 +1,6 @@
 /** Operations for operators. */
 import type { ZodOpenApiPathsObject } from "zod-openapi";
-import { healthSchema, readySchema } from "../routes/answers.ts";
+import { healthSchema, readySchema } from "../gateways/requests/answers.ts";
 import { answer, refusals } from "../platform/openapi/parts.ts";
 
 export const healthCalls: ZodOpenApiPathsObject = {

@@ -4,10 +4,10 @@
  */
 import { PROTOCOL_VERSION } from "@corridor/protocol";
 import { createDocument, type oas31 } from "zod-openapi";
-import { calls } from "../../openapi/calls.ts";
+import { calls } from "../../gateways/openapi.ts";
 import { describeByExpectation } from "../../platform/openapi/describe-by-expectation.ts";
 import { withReadingAids } from "./reading-aids.ts";
-import { describeCondition, schemas } from "../../openapi/schemas.ts";
+import { describeCondition, schemas } from "../../gateways/openapi-schemas.ts";
 
 const DESCRIPTION = `Each robot has an address, \`https://HOST/r/ID#KEY\`. A script needs only this address:
 send the part after # in the header \`Authorization: Bearer KEY\`. The robot's page registers the robot.

@@ -7,7 +7,7 @@ import { describe, expect, it, onTestFinished } from "vitest";
 import type { oas31 } from "zod-openapi";
 import { createApp } from "../../app.ts";
 import { RequestGuard } from "../../platform/http/request-guard.ts";
-import { LongPollConnections } from "../../gateways/long-poll-connections.ts";
+import { LongPollConnections } from "../../gateways/long-poll/long-poll-connections.ts";
 import { Metrics } from "../../ops/metrics.ts";
 import { Readiness } from "../../ops/readiness.ts";
 import { systemClock } from "../../platform/time/clock.ts";

@@ -1,0 +1,66 @@
+/**
+ * Protocol of one connection after its first message, as a page or a script. Independent of the
+ * transport.
+ */
+import { closeReasons, type CloseReason } from "@corridor/protocol";
+import type { OverReason } from "../../robots/readers/feed.ts";
+import { scriptIsAway } from "../../robots/access/script-gate.ts";
+
+export interface Conversation {
+  /**
+   * Handles one client message, JSON in UTF-8. The conversation owns the bytes. The session
+   * serialises the effects of calls.
+   * @returns a promise for completion, or undefined if already complete. Most messages are
+   * snapshots and acknowledgements of them, tens of thousands a second, which never wait
+   * @throws Refusal if the client may not send the message
+   */
+  received(bytes: Buffer): Promise<void> | undefined;
+  /** Sends a heartbeat, as evidence for the client that the connection works. */
+  heartbeat(): void;
+  /**
+   * Called once when the connection is closed.
+   * @param isClosedByClient the client closed it, so all of its messages were received
+   */
+  closed(isClosedByClient: boolean): void;
+}
+
+/** Handles a message. @param onError receives synchronous and asynchronous errors */
+export function handleMessage(
+  conversation: Conversation,
+  bytes: Buffer,
+  onError: (error: unknown) => void,
+): void {
+  try {
+    conversation.received(bytes)?.catch(onError);
+  } catch (error) {
+    onError(error);
+  }
+}
+
+/** Closes a connection with a standard reason and a text that a student can act on. */
+export function closeWith(
+  port: { close(code: number, reason: string): void },
+  reason: CloseReason,
+  detail?: string,
+): void {
+  port.close(reason.code, shortReason(detail ?? `${reason.cause}. ${reason.remedy}`));
+}
+
+/** Closes the connection of a reader with the reason. */
+export function closeReader(port: Parameters<typeof closeWith>[0], reason: OverReason): void {
+  if (reason === "revoked") {
+    const detail = "This key was revoked. Copy the robot's new address from its page.";
+    return closeWith(port, closeReasons.notAuthorised, detail);
+  }
+  if (reason === "blocked") {
+    return closeWith(port, closeReasons.forbidden, scriptIsAway().problem.detail);
+  }
+  closeWith(port, closeReasons[reason]);
+}
+
+/** A close reason is limited to 123 bytes of UTF-8. */
+function shortReason(text: string): string {
+  const bytes = new TextEncoder().encode(text);
+  if (bytes.length <= 123) return text;
+  return new TextDecoder().decode(bytes.slice(0, 120)).replace(/\uFFFD+$/, "") + "…";
+}

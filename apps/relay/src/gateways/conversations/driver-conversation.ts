@@ -1,0 +1,211 @@
+/**
+ * Protocol of a script or a viewer. A script sends commands and receives records, states and
+ * snapshots. A viewer only receives.
+ */
+import {
+  closeReasons,
+  decodeDriverFrame,
+  encodeFrame,
+  idempotencyKeySchema,
+  PROTOCOL_VERSION,
+  termsOf,
+  type DriverToRelay,
+  type EventGap,
+  type RelayToDriver,
+  type StateEvent,
+} from "@corridor/protocol";
+import { z } from "zod";
+import type { Clock } from "../../platform/time/clock.ts";
+import type { ProblemKind } from "../../platform/errors/problem-kinds.ts";
+import { asRefusal, badRequest, Refusal, retryAfter } from "../../platform/errors/problems.ts";
+import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
+import { limits } from "../../platform/limits/limits.ts";
+import type { OverReason, ReaderSink, ReaderStart } from "../../robots/readers/feed.ts";
+import type { Grant } from "../../robots/registry.ts";
+import type { JoinedReader } from "../../robots/readers/readers.ts";
+import { TransitEstimate } from "../../robots/delivery/transit-estimate.ts";
+import { closeWith, closeReader, type Conversation } from "./conversation.ts";
+import type { ReaderConnection } from "./reader-connection.ts";
+
+const keyedSchema = z.object({ key: idempotencyKeySchema });
+
+/** Permission that each message type requires. */
+const verbs = { command: "command", seen: "read" } as const;
+
+type CommandMessage = Extract<DriverToRelay, { type: "command" }>;
+
+export interface DriverOptions {
+  grant: Grant;
+  connection: ReaderConnection;
+  /** the last event that it received on an earlier connection */
+  since: string | null;
+  /** when it sent its hello, by its own clock */
+  sentAt: number | undefined;
+  clock: Clock;
+  /** called for every rejected message */
+  onRefusal(kind: ProblemKind): void;
+}
+
+export class DriverConversation implements Conversation, ReaderSink {
+  readonly door: ReaderSink["door"];
+  readonly flow: ReaderSink["flow"];
+  readonly #options: DriverOptions;
+  readonly #reader: JoinedReader;
+  /** a connection belongs to one script, and so to one clock */
+  readonly #transit = new TransitEstimate();
+  /** version of the rights at the last successful check, by message type */
+  readonly #checkedAt = { command: -1, seen: -1 };
+  #badFrames = 0;
+  #tooFastInARow = 0;
+  /** commands that wait for the store */
+  #unfinished = 0;
+
+  /**
+   * Joins the session as a reader, which sends the welcome.
+   * @throws Refusal if the robot has too many readers
+   */
+  constructor(options: DriverOptions) {
+    this.#options = options;
+    const { grant, connection, since, sentAt } = options;
+    this.door = connection.door;
+    this.flow = connection.flow;
+    // Before the welcome: the time until it arrives bounds the transit time of the hello for the
+    // script.
+    this.#transitTime(sentAt);
+    this.#reader = grant.session.readers.join(grant.key, this, since);
+    grant.session.spoke(grant.key);
+  }
+
+  // --- messages to the client, as a ReaderSink ---
+
+  began({ stream, n, snapshot }: ReaderStart): void {
+    const newest = snapshot?.value ?? null;
+    this.#send({ type: "welcome", version: PROTOCOL_VERSION, stream, n, snapshot: newest });
+  }
+
+  snapshot(snapshot: CarriedSnapshot): void {
+    this.#options.connection.sendSnapshot(snapshot);
+  }
+
+  state(event: StateEvent): void {
+    this.#send({ type: "state", ...event });
+  }
+
+  gap(gap: EventGap): void {
+    this.#send({ type: "gap", ...gap });
+  }
+
+  maze(version: string): void {
+    this.#send({ type: "maze", version });
+  }
+
+  over(reason: OverReason): void {
+    closeReader(this.#options.connection, reason);
+  }
+
+  // --- messages from the client ---
+
+  received(bytes: Buffer): Promise<void> | undefined {
+    const text = bytes.toString();
+    const { session, key: grant } = this.#options.grant;
+    const message = decodeDriverFrame(text);
+    if (!message.ok) {
+      return this.#refuse(badRequest("Invalid message.", message.problems), keyIn(text));
+    }
+    const { value } = message;
+    const { type } = value;
+    // The result of a check holds until rights change or a second has passed.
+    if (this.#checkedAt[type] !== session.rights.value) {
+      session.check(grant, verbs[type]);
+      this.#checkedAt[type] = session.rights.value;
+    }
+    if (value.type === "command") {
+      session.spoke(grant);
+      return this.#submit(value);
+    }
+    // Motions without an end continue while their script is active.
+    if (grant.script !== null) session.spoke(grant);
+    this.#reader.seen(value.seq);
+    return undefined;
+  }
+
+  async #submit(message: CommandMessage): Promise<void> {
+    const { session, key: grant } = this.#options.grant;
+    const { key = null, command, sentAt } = message;
+    const terms = termsOf(command);
+    terms.age += this.#transitTime(sentAt);
+    const isStop = command.action === "stop";
+    const maxUnfinished = limits.unfinishedCommands + (isStop ? limits.unfinishedStops : 0);
+    this.#unfinished += 1;
+    try {
+      if (this.#unfinished > maxUnfinished) throw tooManyUnfinished();
+      await session.submit(grant, { key, ...terms }, (record) => {
+        this.#tooFastInARow = 0;
+        this.#send({ type: "ack", record });
+      });
+    } catch (error) {
+      const refusal = asRefusal(error);
+      if (refusal.kind !== "internal") this.#options.onRefusal(refusal.kind);
+      this.#send({ type: "problem", problem: refusal.problem, key });
+      // Stops never count against a script.
+      if (refusal.kind === "too-fast" && !isStop) this.#countTooFast();
+      // Internal errors also go to the log.
+      if (refusal.kind === "internal") throw error;
+    } finally {
+      this.#unfinished -= 1;
+    }
+  }
+
+  /** ms that a message took longer than the fastest one; 0 without a timestamp */
+  #transitTime(sentAt: number | undefined): number {
+    return sentAt === undefined ? 0 : this.#transit.came(sentAt, this.#options.clock.now());
+  }
+
+  heartbeat(): void {
+    this.#send({ type: "heartbeat" });
+  }
+
+  closed(): void {
+    this.#reader.leave();
+  }
+
+  #refuse(refusal: ReturnType<typeof badRequest>, key: string | null): undefined {
+    this.#badFrames += 1;
+    this.#options.onRefusal(refusal.kind);
+    this.#send({ type: "problem", problem: refusal.problem, key });
+    if (this.#badFrames >= limits.badFrames)
+      closeWith(this.#options.connection, closeReasons.badFrame);
+  }
+
+  #countTooFast(): void {
+    this.#tooFastInARow += 1;
+    if (this.#tooFastInARow < limits.tooFastInARow) return;
+    closeWith(
+      this.#options.connection,
+      closeReasons.badFrame,
+      "Too many commands. Wait for the ack of each command before you send the next one.",
+    );
+  }
+
+  #send(message: RelayToDriver): void {
+    this.#options.connection.send(encodeFrame(message));
+  }
+}
+
+/** Reads the idempotency key of an invalid message, so that its sender can identify it. */
+function keyIn(text: string): string | null {
+  try {
+    return keyedSchema.parse(JSON.parse(text)).key;
+  } catch {
+    return null;
+  }
+}
+
+/** With a slow store, the pending commands of a script that never waits could exhaust memory. */
+function tooManyUnfinished(): Refusal {
+  return new Refusal(
+    "too-fast",
+    "Too many unanswered commands. Wait for the responses, then send this command again.",
+    { headers: retryAfter(1_000) },
+  );
+}

@@ -1,0 +1,75 @@
+/**
+ * Protocol of a page: it first reports what it has done, then sends events and receives commands.
+ */
+import {
+  closeReasons,
+  decodeFrame,
+  describeProblem,
+  encodeFrame,
+  pageToRelaySchema,
+  resumeSchema,
+  type FieldProblem,
+} from "@corridor/protocol";
+import { readSnapshotMessage } from "../../bus/carried-snapshot.ts";
+import type { PageLink } from "../../robots/page/page-link.ts";
+import type { Grant } from "../../robots/registry.ts";
+import { closeWith, type Conversation } from "./conversation.ts";
+import type { ReaderConnection } from "./reader-connection.ts";
+
+type PageConnection = Pick<ReaderConnection, "send" | "close" | "isOpen">;
+
+export class PageConversation implements Conversation {
+  readonly #grant: Grant;
+  readonly #port: PageConnection;
+  readonly #link: PageLink;
+  #hasResumed = false;
+  /** version of the rights at the last successful check */
+  #checkedAt = -1;
+
+  constructor(grant: Grant, port: PageConnection) {
+    this.#grant = grant;
+    this.#port = port;
+    this.#link = {
+      get isOpen() {
+        return port.isOpen;
+      },
+      send: (...messages) => port.send(...messages.map(encodeFrame)),
+      close: (reason) => closeWith(port, reason),
+    };
+  }
+
+  received(bytes: Buffer): Promise<void> | undefined {
+    const { session, key } = this.#grant;
+    // The result of a check holds until rights change or a second has passed.
+    if (this.#checkedAt !== session.rights.value) {
+      session.check(key, "host");
+      this.#checkedAt = session.rights.value;
+    }
+    if (!this.#hasResumed) {
+      const resume = decodeFrame(resumeSchema, bytes.toString());
+      if (!resume.ok) return this.#refuse(resume.problems);
+      this.#hasResumed = true;
+      return session.takePage(this.#link, resume.value);
+    }
+    const report = readSnapshotMessage(bytes);
+    if (report !== null) {
+      session.hearSnapshot(this.#link, report.epoch, report.snapshot);
+      return undefined;
+    }
+    const message = decodeFrame(pageToRelaySchema, bytes.toString());
+    if (!message.ok) return this.#refuse(message.problems);
+    return session.hearPage(this.#link, message.value);
+  }
+
+  heartbeat(): void {
+    this.#link.send({ type: "heartbeat" });
+  }
+
+  closed(isClosedByClient: boolean): void {
+    this.#grant.session.leavePage(this.#link, isClosedByClient);
+  }
+
+  #refuse([first]: FieldProblem[]): undefined {
+    closeWith(this.#port, closeReasons.badFrame, first && describeProblem(first));
+  }
+}

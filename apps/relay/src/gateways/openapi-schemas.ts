@@ -1,0 +1,137 @@
+/**
+ * Names of the schemas, as generated clients show them. Nested objects are named too, because
+ * generators create long names for them, and some fail on unnamed alternatives.
+ */
+import { challengeSchema } from "@corridor/challenge/document";
+import { mazeSchema } from "@corridor/maze";
+import { programSchema } from "@corridor/program";
+import {
+  commandRecordSchema,
+  commandSchema,
+  eventPageSchema,
+  fetchedMessagesSchema,
+  helloSchema,
+  keyListSchema,
+  keyRequestSchema,
+  createdKeySchema,
+  openedConnectionSchema,
+  orderSchema,
+  pairingAnswerSchema,
+  requestedPairingSchema,
+  createdPairingSchema,
+  pairingReplySchema,
+  pairingSchema,
+  pairingRequestSchema,
+  problemSchema,
+  registrationSchema,
+  scriptListSchema,
+  scriptRefSchema,
+  blockedScriptSchema,
+  sentMessagesSchema,
+  shortLinkSchema,
+  snapshotSchema,
+  takenMessagesSchema,
+} from "@corridor/protocol";
+import type { z } from "zod";
+import { createSchema, type ZodOpenApiOverride } from "zod-openapi";
+import { documentSchema } from "../short-links/document-schema.ts";
+import {
+  commandLogSchema,
+  healthSchema,
+  heldSessionSchema,
+  readySchema,
+} from "./requests/answers.ts";
+import { describeByExpectation } from "../platform/openapi/describe-by-expectation.ts";
+import { streamedEventSchema } from "./sse/streamed-event.ts";
+
+const { gap, states } = eventPageSchema.shape;
+const script = scriptListSchema.shape.scripts.element;
+
+const condition = programSchema.shape.rules.element.shape.when.unwrap();
+
+export const schemas: Record<string, z.ZodType> = {
+  Command: commandSchema,
+  ...alternatives("Command", "action", commandSchema),
+  CommandLog: commandLogSchema,
+  CommandRecord: commandRecordSchema,
+  Order: orderSchema,
+  ...alternatives("Order", "action", orderSchema),
+  Snapshot: snapshotSchema,
+  Pose: snapshotSchema.shape.pose,
+  SensorReadings: snapshotSchema.shape.sensors,
+  EventPage: eventPageSchema,
+  Gap: gap.unwrap(),
+  OpenCommand: gap.unwrap().shape.open.element,
+  NumberedState: states.element,
+  StreamedEvent: streamedEventSchema,
+  ...alternatives("Event", "event", streamedEventSchema),
+  Problem: problemSchema,
+  FieldProblem: problemSchema.shape.errors.element,
+  Registration: registrationSchema,
+  HeldSession: heldSessionSchema,
+  Drivers: heldSessionSchema.shape.drivers,
+  KeyRequest: keyRequestSchema,
+  CreatedKey: createdKeySchema,
+  KeyList: keyListSchema,
+  Key: keyListSchema.shape.keys.element,
+  ScriptList: scriptListSchema,
+  Script: script,
+  LastCommand: script.shape.last.unwrap(),
+  ScriptRef: scriptRefSchema,
+  BlockedScript: blockedScriptSchema,
+  CreatedPairing: createdPairingSchema,
+  Pairing: pairingSchema,
+  PairingQuestion: pairingSchema.shape.question.unwrap(),
+  PairingReply: pairingReplySchema,
+  PairingRequest: pairingRequestSchema,
+  RequestedPairing: requestedPairingSchema,
+  PairingAnswer: pairingAnswerSchema,
+  Hello: helloSchema,
+  OpenedConnection: openedConnectionSchema,
+  SentMessages: sentMessagesSchema,
+  TakenMessages: takenMessagesSchema,
+  FetchedMessages: fetchedMessagesSchema,
+  Message: sentMessagesSchema.shape.messages.element,
+  CloseReason: fetchedMessagesSchema.shape.closed.unwrap(),
+  SharedDocument: documentSchema,
+  ShortLink: shortLinkSchema,
+  Maze: mazeSchema,
+  MazeStart: mazeSchema.shape.start,
+  MazeCell: mazeSchema.shape.goals.element,
+  Program: programSchema,
+  Rule: programSchema.shape.rules.element,
+  Challenge: challengeSchema,
+  ChallengeWords: challengeSchema.shape.words,
+  Goal: challengeSchema.shape.goal,
+  ...alternatives("Goal", "kind", challengeSchema.shape.goal),
+  Allowed: challengeSchema.shape.allowed,
+  Checks: challengeSchema.shape.checks,
+  Par: challengeSchema.shape.par.unwrap(),
+  Health: healthSchema,
+  Ready: readySchema,
+};
+
+/** Conditions have a custom parser. This describes the expected value. */
+export const describeCondition: ZodOpenApiOverride = ({ zodSchema, jsonSchema }) => {
+  if (zodSchema !== condition) return;
+  const opts = { override: describeByExpectation };
+  Object.assign(jsonSchema, createSchema(condition.def.out, { opts }).schema);
+};
+
+/**
+ * Names the alternatives of a union by their discriminator: `left 90` of Command is
+ * `Left90Command`.
+ */
+function alternatives(
+  name: string,
+  field: string,
+  { options }: { options: readonly z.ZodObject[] },
+): Record<string, z.ZodType> {
+  return Object.fromEntries(
+    options.map((option) => {
+      const literal = option.shape[field] as z.ZodLiteral<string>;
+      const words = literal.value.split(" ");
+      return [words.map((word) => word[0]?.toUpperCase() + word.slice(1)).join("") + name, option];
+    }),
+  );
+}

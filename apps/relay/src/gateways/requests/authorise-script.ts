@@ -1,0 +1,37 @@
+/** Authorises a request of a script and marks the script as active until the response has ended. */
+import type { Request, Response } from "express";
+import type { Grant, SessionHub } from "../../robots/registry.ts";
+import type { Verb } from "../../robots/access/rights.ts";
+import { readBearer, readIntroduction, readScriptTime } from "./reading.ts";
+
+export interface AuthorisedRequest extends Grant {
+  /** arrival time of the request in ms, by the relay's clock */
+  cameAt: number;
+  /** ms that the request took longer than the fastest one of its script; 0 without a timestamp */
+  transitMs: number;
+  /** ends the activity of the script before the response ends */
+  markAnswered: () => void;
+}
+
+/** @throws Refusal with the same errors as `SessionHub.authorise` */
+export async function authoriseScript(
+  hub: SessionHub,
+  request: Request<{ id: string }>,
+  response: Response,
+  verb: Verb,
+): Promise<AuthorisedRequest> {
+  const cameAt = hub.clock.now();
+  const grant = await hub.authorise(
+    request.params.id,
+    readBearer(request),
+    verb,
+    readIntroduction(request),
+  );
+  const { session, key } = grant;
+  const transitMs = session.scriptClocks.came(key.hash, readScriptTime(request), cameAt);
+  const markAnswered = session.heard(key);
+  response.once("close", markAnswered);
+  // The client may have disconnected during authorisation.
+  if (response.closed) markAnswered();
+  return { ...grant, cameAt, transitMs, markAnswered };
+}

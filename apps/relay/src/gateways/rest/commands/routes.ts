@@ -1,0 +1,76 @@
+/** Commands of scripts: send a command, read its record, read the log, stop everything. */
+import { termsOf, type CommandRecord } from "@corridor/protocol";
+import { Router, type Request, type Response } from "express";
+import type { SessionHub } from "../../../robots/registry.ts";
+import type { CommandLog } from "../../requests/answers.ts";
+import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
+import { authoriseScript, type AuthorisedRequest } from "../../requests/authorise-script.ts";
+import {
+  jsonText,
+  patienceOf,
+  readAfter,
+  readCommandRequest,
+  readIdempotencyKey,
+  readSeq,
+  readWait,
+} from "../../requests/reading.ts";
+
+export function commandRoutes(hub: SessionHub): Router {
+  const router = Router();
+  /** arrival times, taken before the robot lookup and the read of the body */
+  const arrivals = new WeakMap<Request, AuthorisedRequest>();
+
+  router
+    .route("/robots/:id/commands")
+    .post(
+      // Rejects unauthorised requests before it reads the body.
+      async (request, response, next) => {
+        arrivals.set(request, await authoriseScript(hub, request, response, "command"));
+        next();
+      },
+      jsonText(),
+      async (request, response) => {
+        const heard = await authoriseScript(hub, request, response, "command");
+        const { session, key } = heard;
+        const command = readCommandRequest(request);
+        const { cameAt, transitMs } = arrivals.get(request) ?? heard;
+        const age = command.age + transitMs + hub.clock.now() - cameAt;
+        const order = { ...command, age };
+        await session.submit(key, order, (record) => accepted(response, session.id, record));
+      },
+    )
+    .get(async (request, response) => {
+      const { session } = await authoriseScript(hub, request, response, "log");
+      const { after } = readAfter(request);
+      const log: CommandLog = { commands: await session.commandsAfter(after) };
+      response.json(log);
+    })
+    .delete(async (request, response) => {
+      const { session, key, transitMs } = await authoriseScript(hub, request, response, "command");
+      const terms = { ...termsOf({ action: "stop" }), age: transitMs };
+      const stop = { key: readIdempotencyKey(request), ...terms };
+      await session.submit(key, stop, (record) => accepted(response, session.id, record));
+    })
+    .all(methodNotAllowed("POST, GET, DELETE"));
+
+  router
+    .route("/robots/:id/commands/:seq")
+    .get(async (request, response) => {
+      const { session, key } = await authoriseScript(hub, request, response, "log");
+      const { wait } = readWait(request);
+      const seq = readSeq(request.params.seq);
+      response.json(await session.endOf(seq, patienceOf(response, wait, key)));
+    })
+    .delete(async (request, response) => {
+      const { session, key } = await authoriseScript(hub, request, response, "command");
+      const seq = readSeq(request.params.seq);
+      accepted(response, session.id, await session.cancel(key, seq));
+    })
+    .all(methodNotAllowed("GET, DELETE"));
+
+  return router;
+}
+
+function accepted(response: Response, id: string, record: CommandRecord): void {
+  response.status(202).location(`/api/v1/robots/${id}/commands/${record.seq}`).json(record);
+}

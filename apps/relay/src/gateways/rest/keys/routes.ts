@@ -1,0 +1,67 @@
+/** Keys that a robot's owner creates for others and revokes. */
+import {
+  keyIdSchema,
+  keyRequestSchema,
+  MAX_FRAME_BYTES,
+  type KeyList,
+  type CreatedKey,
+} from "@corridor/protocol";
+import { Router } from "express";
+import { z } from "zod";
+import type { RequestGuard } from "../../../platform/http/request-guard.ts";
+import type { SessionHub } from "../../../robots/registry.ts";
+import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
+import { jsonText, read, readBearer, readBody } from "../../requests/reading.ts";
+
+/** The id of a key, as the last segment of a path. */
+export const keyPath = z.object({ keyId: keyIdSchema.describe("id of the key") });
+
+export function keyRoutes(hub: SessionHub, guard: RequestGuard): Router {
+  const router = Router();
+
+  router
+    .route("/robots/:id/keys")
+    .post(
+      // Rejects unauthorised requests before it reads the body.
+      async (request, _response, next) => {
+        await hub.authorise(request.params.id, readBearer(request), "grant");
+        next();
+      },
+      jsonText(),
+      async (request, response) => {
+        const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
+        const options = readBody(
+          request,
+          keyRequestSchema,
+          MAX_FRAME_BYTES,
+          "Invalid key request.",
+        );
+        const made = await session.keys.make(options);
+        const address = `${guard.originOf(request)}/r/${session.id}#${made.key}`;
+        const created: CreatedKey = { ...made, address };
+        response
+          .status(201)
+          .location(`/api/v1/robots/${session.id}/keys/${made.id}`)
+          .set("Cache-Control", "no-store")
+          .json(created);
+      },
+    )
+    .get(async (request, response) => {
+      const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
+      const list: KeyList = { keys: await session.keys.list() };
+      response.json(list);
+    })
+    .all(methodNotAllowed("POST, GET"));
+
+  router
+    .route("/robots/:id/keys/:keyId")
+    .delete(async (request, response) => {
+      const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
+      const { keyId } = read(keyPath, { keyId: request.params.keyId }, "Invalid path.");
+      await session.keys.revoke(keyId);
+      response.status(204).end();
+    })
+    .all(methodNotAllowed("DELETE"));
+
+  return router;
+}

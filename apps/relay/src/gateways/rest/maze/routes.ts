@@ -1,0 +1,60 @@
+/** The maze of a robot: its page publishes it, and scripts and watchers read it. */
+import { mazeSchema } from "@corridor/maze";
+import { MAX_DOCUMENT_BYTES } from "@corridor/protocol";
+import { Router } from "express";
+import { z } from "zod";
+import { Refusal } from "../../../platform/errors/problems.ts";
+import type { SessionHub } from "../../../robots/registry.ts";
+import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
+import { authoriseScript } from "../../requests/authorise-script.ts";
+import { jsonText, readBearer, readBody } from "../../requests/reading.ts";
+
+/** Header of a conditional request. */
+export const ifNoneMatchHeader = z.object({
+  "If-None-Match": z.string().optional().describe("the `ETag` of the cached maze"),
+});
+
+export function mazeRoutes(hub: SessionHub): Router {
+  const router = Router();
+  router
+    .route("/robots/:id/maze")
+    .get(async (request, response) => {
+      const { session } = await authoriseScript(hub, request, response, "look");
+      const stored = await session.mazes.read();
+      if (stored === null) {
+        throw new Refusal(
+          "no-maze",
+          "The robot's page has not published a maze, or the maze is too large. Try again once the page is connected.",
+        );
+      }
+      const tag = entityTag(stored.version);
+      response.set("ETag", tag);
+      if (matches(request.get("If-None-Match"), tag)) return void response.status(304).end();
+      response.type("json").send(stored.text);
+    })
+    .put(
+      // Rejects unauthorised requests before it reads the body.
+      async (request, _response, next) => {
+        await hub.authorise(request.params.id, readBearer(request), "host");
+        next();
+      },
+      jsonText(MAX_DOCUMENT_BYTES),
+      async (request, response) => {
+        const { session } = await hub.authorise(request.params.id, readBearer(request), "host");
+        const maze = readBody(request, mazeSchema, MAX_DOCUMENT_BYTES, "Invalid maze.");
+        const version = await session.mazes.keep(maze);
+        response.status(204).set("ETag", entityTag(version)).end();
+      },
+    )
+    .all(methodNotAllowed("GET, PUT"));
+  return router;
+}
+
+function entityTag(version: string): string {
+  return `"${version}"`;
+}
+
+/** A proxy that compresses a response marks its tag as weak. */
+function matches(header: string | undefined, tag: string): boolean {
+  return (header ?? "").split(",").some((each) => each.trim().replace(/^W\//, "") === tag);
+}

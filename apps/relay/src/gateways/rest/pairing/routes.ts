@@ -1,0 +1,97 @@
+/** Pairing: the owner's code and answer, and the script's request. */
+import {
+  MAX_FRAME_BYTES,
+  pairingReplySchema,
+  pairingRequestSchema,
+  scriptName,
+} from "@corridor/protocol";
+import { Router } from "express";
+import type { RequestGuard } from "../../../platform/http/request-guard.ts";
+import { canBeKey } from "../../../platform/keys.ts";
+import type { PairingService } from "../../../pairing/pairing-service.ts";
+import { notAuthorised } from "../../../platform/errors/problems.ts";
+import type { SessionHub } from "../../../robots/registry.ts";
+import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
+import {
+  jsonText,
+  patienceOf,
+  readBearer,
+  readBody,
+  readClient,
+  readIntroduction,
+  readWait,
+} from "../../requests/reading.ts";
+
+export function pairingRoutes(
+  hub: SessionHub,
+  service: PairingService,
+  guard: RequestGuard,
+): Router {
+  const router = Router();
+
+  router
+    .route("/robots/:id/pairing")
+    .post(async (request, response) => {
+      const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
+      const made = await service.open(session.id);
+      response.status(201).json(made);
+    })
+    .get(async (request, response) => {
+      const { wait } = readWait(request);
+      const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
+      response.json(await service.show(session.id, patienceOf(response, wait)));
+    })
+    .put(
+      // Rejects unauthorised requests before it reads the body.
+      async (request, _response, next) => {
+        await hub.authorise(request.params.id, readBearer(request), "grant");
+        next();
+      },
+      jsonText(),
+      async (request, response) => {
+        const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
+        const reply = readBody(request, pairingReplySchema, MAX_FRAME_BYTES, "Invalid answer.");
+        await service.reply(session, reply.id, reply.accept);
+        response.status(204).end();
+      },
+    )
+    .delete(async (request, response) => {
+      const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
+      await service.remove(session.id);
+      response.status(204).end();
+    })
+    .all(methodNotAllowed("POST, GET, PUT, DELETE"));
+
+  router
+    .route("/pairing")
+    .post(jsonText(), async (request, response) => {
+      const { code, name } = readBody(
+        request,
+        pairingRequestSchema,
+        MAX_FRAME_BYTES,
+        "Invalid pairing code.",
+      );
+      const asked = await service.ask({
+        code,
+        name: typeof name === "string" ? scriptName(name) : readIntroduction(request).name,
+        client: readClient(request),
+        from: guard.addressOf(request),
+      });
+      response.status(202).location("/api/v1/pairing").json(asked);
+    })
+    .get(async (request, response) => {
+      const { wait } = readWait(request);
+      const key = readBearer(request);
+      if (!canBeKey(key)) {
+        throw notAuthorised(
+          "Send the key from the response to POST /pairing, as: Authorization: Bearer KEY",
+        );
+      }
+      const origin = guard.originOf(request);
+      const answer = await service.answerFor(key, origin, patienceOf(response, wait));
+      response.json(answer);
+    })
+    .all(methodNotAllowed("POST, GET"));
+
+  return router;
+}

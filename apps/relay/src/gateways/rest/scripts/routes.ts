@@ -1,0 +1,78 @@
+/** Scripts of a robot, for its owner: list, block, unblock, pause all. */
+import {
+  MAX_FRAME_BYTES,
+  scriptIdSchema,
+  scriptRefSchema,
+  type ScriptList,
+  type BlockedScript,
+} from "@corridor/protocol";
+import { Router } from "express";
+import { z } from "zod";
+import { keyId } from "../../../platform/keys.ts";
+import type { SessionHub } from "../../../robots/registry.ts";
+import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
+import { jsonText, read, readBearer, readBody } from "../../requests/reading.ts";
+
+/** The id of a script, as the last segment of a path. */
+export const scriptPath = z.object({ scriptId: scriptIdSchema.describe("id of the script") });
+
+export function scriptRoutes(hub: SessionHub): Router {
+  const router = Router();
+
+  router
+    .route("/robots/:id/scripts")
+    .get(async (request, response) => {
+      const { session } = await hub.authorise(request.params.id, readBearer(request), "moderate");
+      const list: ScriptList = { paused: session.gate.isPaused, scripts: session.scripts };
+      response.json(list);
+    })
+    .all(methodNotAllowed("GET"));
+
+  router
+    .route("/robots/:id/pause")
+    .put(async (request, response) => {
+      const { session } = await hub.authorise(request.params.id, readBearer(request), "moderate");
+      await session.gate.pause(true);
+      response.status(204).end();
+    })
+    .delete(async (request, response) => {
+      const { session } = await hub.authorise(request.params.id, readBearer(request), "moderate");
+      await session.gate.pause(false);
+      response.status(204).end();
+    })
+    .all(methodNotAllowed("PUT, DELETE"));
+
+  router
+    .route("/robots/:id/blocked")
+    .post(
+      // Rejects unauthorised requests before it reads the body.
+      async (request, _response, next) => {
+        await hub.authorise(request.params.id, readBearer(request), "moderate");
+        next();
+      },
+      jsonText(),
+      async (request, response) => {
+        const { session } = await hub.authorise(request.params.id, readBearer(request), "moderate");
+        const reference = readBody(request, scriptRefSchema, MAX_FRAME_BYTES, "Invalid script.");
+        const script = await session.gate.sendAway(reference);
+        const blocked: BlockedScript = { ...script, driver: keyId(script.driver) };
+        response
+          .status(201)
+          .location(`/api/v1/robots/${session.id}/blocked/${script.id}`)
+          .json(blocked);
+      },
+    )
+    .all(methodNotAllowed("POST"));
+
+  router
+    .route("/robots/:id/blocked/:scriptId")
+    .delete(async (request, response) => {
+      const { session } = await hub.authorise(request.params.id, readBearer(request), "moderate");
+      const { scriptId } = read(scriptPath, { scriptId: request.params.scriptId }, "Invalid path.");
+      await session.gate.letBack(scriptId);
+      response.status(204).end();
+    })
+    .all(methodNotAllowed("DELETE"));
+
+  return router;
+}

@@ -1,0 +1,27 @@
+/** The newest snapshot of a robot, immediately or by waiting for a newer one. */
+import { Router } from "express";
+import { Refusal } from "../../../platform/errors/problems.ts";
+import type { SessionHub } from "../../../robots/registry.ts";
+import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
+import { authoriseScript } from "../../requests/authorise-script.ts";
+import { patienceOf, readNewer } from "../../requests/reading.ts";
+
+export function sensorRoutes(hub: SessionHub): Router {
+  const router = Router();
+  router
+    .route("/robots/:id/sensors")
+    .get(async (request, response) => {
+      const { session, key } = await authoriseScript(hub, request, response, "read");
+      const { after = -1, wait } = readNewer(request);
+      const snapshot = await session.readers.nextSnapshot(after, patienceOf(response, wait, key));
+      if (snapshot === null) {
+        throw new Refusal(
+          "no-snapshot",
+          "The robot's page has not reported yet. Open the page and connect it under Remote. With ?wait=25 this request waits for the report.",
+        );
+      }
+      response.json(snapshot);
+    })
+    .all(methodNotAllowed("GET"));
+  return router;
+}

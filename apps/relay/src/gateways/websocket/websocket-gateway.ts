@@ -1,0 +1,265 @@
+/**
+ * WebSockets of pages and scripts: admission, authentication and liveness.
+ *
+ * A client must first send one message of at most 1 KiB with a key, within 5 seconds. After that, a
+ * conversation handles the messages of the page or script.
+ */
+import type { IncomingMessage } from "node:http";
+import type { Duplex } from "node:stream";
+import {
+  closeReasons,
+  decodeFrame,
+  describeProblem,
+  helloSchema,
+  MAX_FRAME_BYTES,
+  MAX_HELLO_BYTES,
+  robotIdSchema,
+} from "@corridor/protocol";
+import type { Logger } from "pino";
+import { WebSocketServer, type WebSocket } from "ws";
+import { clientName } from "../requests/client-name.ts";
+import type { Clock } from "../../platform/time/clock.ts";
+import { markOf } from "../../platform/keys.ts";
+import type { RequestGuard } from "../../platform/http/request-guard.ts";
+import type { Metrics } from "../../ops/metrics.ts";
+import { asRefusal, Refusal } from "../../platform/errors/problems.ts";
+import { limits } from "../../platform/limits/limits.ts";
+import { verbOfRole } from "../../robots/access/rights.ts";
+import type { SessionHub } from "../../robots/registry.ts";
+import { StaggeredInterval } from "../../platform/time/staggered-interval.ts";
+import { closeWith, handleMessage, type Conversation } from "../conversations/conversation.ts";
+import {
+  closeOnError,
+  startConversation,
+  introductionOf,
+} from "../conversations/start-conversation.ts";
+import { readPlainTexts } from "./plain-text-reader.ts";
+import type { ReaderConnection } from "../conversations/reader-connection.ts";
+import { refuseUpgrade } from "../../platform/http/refuse-upgrade.ts";
+import { SocketWithReasons } from "./socket-with-reasons.ts";
+import { WsPort } from "./ws-port.ts";
+
+const nothing = (): void => undefined;
+
+/**
+ * Close codes with which clients close on their own: 1001 is a closed or reloaded tab, 1005 has no
+ * code. With a code of the relay the client only confirms, and its last messages were not received.
+ */
+const clientCloseCodes: ReadonlySet<number> = new Set([1000, 1001, 1005]);
+
+const PATH = /^\/api\/v1\/robots\/([^/]{1,64})\/socket$/;
+
+interface Client {
+  socket: WebSocket;
+  port: ReaderConnection;
+  /** robot id in the address */
+  id: string;
+  /** the script's language, such as "Python" */
+  language: string;
+  /** cancels the timeout for its first message */
+  cancelTimer: () => void;
+  lastMessageAt: number;
+  /** time of its last heartbeat */
+  lastHeartbeatAt: number;
+  /** id of its key for logs */
+  key: string | null;
+  conversation: Conversation | null;
+}
+
+export interface GatewayOptions {
+  hub: SessionHub;
+  clock: Clock;
+  log: Logger;
+  guard: RequestGuard;
+  metrics: Metrics;
+}
+
+export class WebSocketGateway {
+  readonly #options: GatewayOptions;
+  readonly #server = new WebSocketServer({
+    noServer: true,
+    maxPayload: MAX_FRAME_BYTES,
+    perMessageDeflate: false,
+    clientTracking: false,
+    WebSocket: SocketWithReasons,
+  });
+  readonly #clients = new Set<Client>();
+  /** number of clients by address */
+  readonly #countByAddress = new Map<string, number>();
+  readonly #heartbeats: StaggeredInterval<Client>;
+
+  constructor(options: GatewayOptions) {
+    this.#options = options;
+    this.#heartbeats = new StaggeredInterval({
+      clock: options.clock,
+      everyMs: limits.silenceCheckMs,
+      members: () => this.#clients,
+      visit: (client) => this.#sendHeartbeat(client),
+    });
+  }
+
+  /** Handles an upgrade request of the HTTP server. An invalid one receives a problem document. */
+  upgrade(request: IncomingMessage, socket: Duplex, head: Buffer): void {
+    let id: string;
+    try {
+      id = this.#admit(request);
+    } catch (error) {
+      const refusal = asRefusal(error);
+      this.#options.metrics.refused(refusal.kind);
+      return refuseUpgrade(socket, refusal);
+    }
+    this.#server.handleUpgrade(request, socket, head, (webSocket) => {
+      this.#accept(webSocket, socket, { request, id });
+    });
+  }
+
+  /** Closes all sockets because the relay shuts down. */
+  close(): void {
+    this.#heartbeats.close();
+    for (const { socket } of this.#clients) closeWith(socket, closeReasons.restart);
+    this.#server.close();
+  }
+
+  /** Destroys the sockets that did not answer the close frame. */
+  destroyAll(): void {
+    for (const { socket } of this.#clients) socket.terminate();
+  }
+
+  /** @returns the robot's id in the address @throws Refusal if no socket may be opened there */
+  #admit(request: IncomingMessage): string {
+    const { guard } = this.#options;
+    guard.checkHost(request);
+    const id = PATH.exec((request.url ?? "").split("?")[0] ?? "")?.[1];
+    if (id === undefined) {
+      throw new Refusal(
+        "not-found",
+        "There is no WebSocket at this path. Connect to /api/v1/robots/ID/socket.",
+      );
+    }
+    if (!guard.isOwnPage(request)) {
+      throw new Refusal(
+        "forbidden",
+        "Pages of other sites cannot open this socket. Use the HTTP API.",
+      );
+    }
+    return id;
+  }
+
+  /** Does not retain the request, which is larger than all other state of an idle client. */
+  #accept(
+    socket: WebSocket,
+    connection: Duplex,
+    { request, id }: { request: IncomingMessage; id: string },
+  ): void {
+    const { clock, guard, metrics } = this.#options;
+    const address = guard.addressOf(request);
+    const client: Client = {
+      socket,
+      port: new WsPort(socket, connection, clock),
+      id,
+      language: clientName(request.headers["user-agent"]),
+      cancelTimer: clock.after(limits.helloMs, () => {
+        if (client.conversation === null) closeWith(socket, closeReasons.notAuthorised);
+      }),
+      lastMessageAt: clock.now(),
+      lastHeartbeatAt: clock.now(),
+      key: null,
+      conversation: null,
+    };
+    this.#clients.add(client);
+    const countOfAddress = (this.#countByAddress.get(address) ?? 0) + 1;
+    this.#countByAddress.set(address, countOfAddress);
+    // Messages are processed in order, so that none overtakes the first.
+    let work: Promise<void> = Promise.resolve();
+    const hear = (data: Buffer, isBinary: boolean): void => {
+      // Messages still arrive while a socket closes, but responses could not be sent.
+      if (!client.port.isOpen) return;
+      client.lastMessageAt = clock.now();
+      if (isBinary)
+        return closeWith(
+          socket,
+          closeReasons.badFrame,
+          "Binary messages are not supported. Send JSON text.",
+        );
+      if (client.conversation !== null) return this.#handle(client, data);
+      work = work
+        .then(() => this.#hello(client, data))
+        .catch((error: unknown) => this.#refuse(client, error));
+    };
+    socket.on("message", hear);
+    readPlainTexts(connection, (bytes) => hear(bytes, false));
+    socket.on("pong", () => (client.lastMessageAt = clock.now()));
+    // On oversized messages or broken framing, `ws` closes the socket with 1009 or 1002.
+    socket.on("error", (error) => this.#options.log.debug({ err: error }, "WebSocket error"));
+    socket.on("close", (code) => {
+      metrics.socketClosed(code);
+      this.#options.log.info({ code, key: client.key }, "WebSocket closed");
+      client.cancelTimer();
+      this.#clients.delete(client);
+      this.#release(address);
+      client.conversation?.closed(clientCloseCodes.has(code));
+    });
+    if (countOfAddress > limits.socketsPerAddress) closeWith(socket, closeReasons.tooMany);
+  }
+
+  #release(address: string): void {
+    const others = (this.#countByAddress.get(address) ?? 1) - 1;
+    if (others > 0) this.#countByAddress.set(address, others);
+    else this.#countByAddress.delete(address);
+  }
+
+  async #hello(client: Client, bytes: Buffer): Promise<void> {
+    // Messages that arrived during the check of the first message.
+    if (client.conversation !== null) return this.#handle(client, bytes);
+    const { socket, port, id, language } = client;
+    if (socket.readyState !== socket.OPEN) return;
+    const hello = decodeFrame(helloSchema, bytes.toString(), MAX_HELLO_BYTES);
+    if (!hello.ok) {
+      const [first] = hello.problems;
+      const detail = first && `The first message is not a valid hello. ${describeProblem(first)}`;
+      return closeWith(socket, closeReasons.notAuthorised, detail);
+    }
+    if (!robotIdSchema.safeParse(id).success) return closeWith(socket, closeReasons.noRobot);
+    const { role, key } = hello.value;
+    const introduction = introductionOf(hello.value, language);
+    const grant = await this.#options.hub.authorise(id, key, verbOfRole[role], introduction);
+    if (socket.readyState !== socket.OPEN) return;
+    client.key = markOf(key);
+    this.#options.log.info(
+      { role, client: language, key: client.key },
+      "WebSocket client authenticated",
+    );
+    client.conversation = startConversation({
+      hello: hello.value,
+      grant,
+      connection: port,
+      metrics: this.#options.metrics,
+      clock: this.#options.clock,
+    });
+    client.cancelTimer();
+    client.cancelTimer = nothing;
+  }
+
+  #handle(client: Client, bytes: Buffer): void {
+    if (client.conversation === null) return;
+    handleMessage(client.conversation, bytes, (error) => this.#refuse(client, error));
+  }
+
+  #refuse({ socket }: Client, error: unknown): void {
+    closeOnError(error, socket, this.#options);
+  }
+
+  #sendHeartbeat(client: Client): void {
+    const now = this.#options.clock.now();
+    const silentMs = now - client.lastMessageAt;
+    if (silentMs >= limits.silenceMs) return client.socket.terminate();
+    // Half a check interval early rather than late, because checks are off by some ms.
+    const isDue = now - client.lastHeartbeatAt >= limits.heartbeatMs - limits.silenceCheckMs / 2;
+    if (isDue && client.socket.readyState === client.socket.OPEN) {
+      client.lastHeartbeatAt = now;
+      // An active client needs no ping. The pong to the previous ping arrived a while after it.
+      if (silentMs >= limits.heartbeatMs / 2) client.socket.ping();
+      client.conversation?.heartbeat();
+    }
+  }
+}
