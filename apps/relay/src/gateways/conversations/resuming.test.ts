@@ -6,11 +6,11 @@ import { snapshotOf } from "@corridor/protocol/testing";
 import { once } from "node:events";
 import { connect } from "node:net";
 import { describe, expect, it, onTestFinished } from "vitest";
-import { FakeClock } from "./platform/testing/fake-clock.ts";
-import { limits } from "./platform/limits/limits.ts";
-import { completed } from "./platform/testing/messages.ts";
-import { startTestRelay, testFolder, type TestRelay } from "./testing/test-relay.ts";
-import { TestSocket, type Message } from "./testing/test-socket.ts";
+import { FakeClock } from "../../platform/testing/fake-clock.ts";
+import { limits } from "../../platform/limits/limits.ts";
+import { completed } from "../../platform/testing/messages.ts";
+import { startTestRelay, testFolder, type TestRelay } from "../../testing/test-relay.ts";
+import { TestSocket, type Message } from "../../testing/test-socket.ts";
 
 const LEFT = { action: "left 90" };
 

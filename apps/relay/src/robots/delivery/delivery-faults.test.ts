@@ -8,7 +8,7 @@ import { existsSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { expect, it, onTestFinished } from "vitest";
-import { FaultyWorld } from "./testing/faults/faulty-world.ts";
+import { FaultyWorld } from "../../testing/faults/faulty-world.ts";
 
 const STEPS = 200;
 /** Regression seeds that failed once. Do not remove them. */

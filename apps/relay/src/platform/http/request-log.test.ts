@@ -2,8 +2,8 @@ import { createHash } from "node:crypto";
 import { pino } from "pino";
 import { describe, expect, it } from "vitest";
 import { WebSocket } from "ws";
-import { startTestRelay } from "./testing/test-relay.ts";
-import { TestSocket } from "./testing/test-socket.ts";
+import { startTestRelay } from "../../testing/test-relay.ts";
+import { TestSocket } from "../../testing/test-socket.ts";
 
 /** Starts a relay and collects everything that it logs at a level. */
 async function withLog(level: string) {

@@ -5,10 +5,10 @@ import { once } from "node:events";
 import { connect, type Socket } from "node:net";
 import type { Registration } from "@corridor/protocol";
 import { describe, expect, it, onTestFinished } from "vitest";
-import { limits } from "./platform/limits/limits.ts";
-import { FakeClock } from "./platform/testing/fake-clock.ts";
-import { startTestRelay, type TestRelay } from "./testing/test-relay.ts";
-import { TestSocket } from "./testing/test-socket.ts";
+import { limits } from "../../platform/limits/limits.ts";
+import { FakeClock } from "../../platform/testing/fake-clock.ts";
+import { startTestRelay, type TestRelay } from "../../testing/test-relay.ts";
+import { TestSocket } from "../../testing/test-socket.ts";
 
 /** Number of connected scripts, as reported to a page that connects now. */
 async function connectedScripts(relay: TestRelay, robot: Registration): Promise<number> {

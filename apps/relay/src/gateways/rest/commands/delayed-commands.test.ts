@@ -1,9 +1,9 @@
 /** Commands that the network delays before they reach the relay, for each transport of scripts. */
 import type { Registration } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { FakeClock } from "./platform/testing/fake-clock.ts";
-import { startTestRelay, type TestRelay } from "./testing/test-relay.ts";
-import { TestSocket } from "./testing/test-socket.ts";
+import { FakeClock } from "../../../platform/testing/fake-clock.ts";
+import { startTestRelay, type TestRelay } from "../../../testing/test-relay.ts";
+import { TestSocket } from "../../../testing/test-socket.ts";
 
 const TTL = 400;
 const HELD_MS = 3_000;

@@ -6,7 +6,7 @@ import { execFile, execFileSync } from "node:child_process";
 import { join } from "node:path";
 import { promisify } from "node:util";
 import { describe, expect, it } from "vitest";
-import { startTestRelay } from "./testing/test-relay.ts";
+import { startTestRelay } from "../../testing/test-relay.ts";
 
 const run = promisify(execFile);
 
@@ -25,7 +25,7 @@ describe("clients that offer Upgrade: h2c", () => {
   it.skipIf(!has("java", "-version"))("Java's HttpClient by HTTP and WebSocket", async () => {
     const relay = await startTestRelay();
     const robot = await relay.register();
-    const program = join(import.meta.dirname, "testing/OldClient.java");
+    const program = join(import.meta.dirname, "OldClient.java");
     const api = `${relay.origin}/api/v1/robots/${robot.id}`;
     const { stdout } = await run("java", [program, api, robot.driverKey]);
     const [status, welcome] = stdout.trim().split("\n");

@@ -1,11 +1,11 @@
 import { problemSchema } from "@corridor/protocol";
 import { describe, expect, it, onTestFinished, vi } from "vitest";
-import { systemClock } from "./platform/time/clock.ts";
-import { connectRedis } from "./store/redis/connection.ts";
-import { startRelayProcess } from "./testing/relay-process.ts";
-import { hasRedis, startTestRedis } from "./platform/testing/test-redis.ts";
-import { startTestRelay } from "./testing/test-relay.ts";
-import { TestSocket } from "./testing/test-socket.ts";
+import { systemClock } from "../platform/time/clock.ts";
+import { connectRedis } from "../store/redis/connection.ts";
+import { startRelayProcess } from "../testing/relay-process.ts";
+import { hasRedis, startTestRedis } from "../platform/testing/test-redis.ts";
+import { startTestRelay } from "../testing/test-relay.ts";
+import { TestSocket } from "../testing/test-socket.ts";
 
 const SOON = { timeout: 10_000, interval: 100 };
 const left90 = { method: "POST", body: { action: "left 90" } };
