@@ -8,7 +8,7 @@ import type { Logger } from "pino";
 import type { Clock } from "../platform/time/clock.ts";
 import { hashKey, isSameHash, keyId, mintCode, mintKey } from "../platform/keys.ts";
 import { noRobot, Refusal } from "../platform/errors/problems.ts";
-import type { Patience } from "../robots/readers/subscribers.ts";
+import type { WaitLimit } from "../robots/readers/subscribers.ts";
 import type { KeyRing } from "../robots/access/key-ring.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { PairingStore, StoredPairing } from "../store/pairing-store.ts";
@@ -72,12 +72,12 @@ export class PairingService {
   }
 
   /** State of the robot's code. Waits while no script has used it. */
-  async show(robot: string, patience: Patience): Promise<Pairing> {
+  async show(robot: string, waitLimit: WaitLimit): Promise<Pairing> {
     const found = await this.#waits.until(
       `robot ${robot}`,
       () => this.#find({ robot }),
       (pairing) => pairing?.state !== "open",
-      patience,
+      waitLimit,
     );
     if (found === null) return { state: "none", question: null, endsInSeconds: 0 };
     const { state, question, endsAt } = found;
@@ -146,13 +146,13 @@ export class PairingService {
    * @param origin of the service as its users see it, such as https://host
    * @throws Refusal pairing-refused or no-pairing
    */
-  async answerFor(key: string, origin: string, patience: Patience): Promise<PairingAnswer> {
+  async answerFor(key: string, origin: string, waitLimit: WaitLimit): Promise<PairingAnswer> {
     const hash = hashKey(key);
     const pairing = await this.#waits.until(
       `key ${hash}`,
       () => this.#answered(hash),
       (found) => found?.state !== "asked",
-      patience,
+      waitLimit,
     );
     if (pairing === null) throw pairingEnded();
     if (pairing.state === "refused") throw ownerDeclined();

@@ -1,7 +1,7 @@
 /** Waits for changes in the store, which this relay or another one may write. */
 import type { Clock } from "../platform/time/clock.ts";
 import { Refusal, retryAfter } from "../platform/errors/problems.ts";
-import type { Patience } from "../robots/readers/subscribers.ts";
+import type { WaitLimit } from "../robots/readers/subscribers.ts";
 import { limits } from "../platform/limits/limits.ts";
 
 export class Waits {
@@ -22,7 +22,7 @@ export class Waits {
     topic: string,
     poll: () => Promise<T>,
     isDone: (found: T) => boolean,
-    { milliseconds, signal }: Patience,
+    { milliseconds, signal }: WaitLimit,
   ): Promise<T> {
     const end = this.#clock.now() + milliseconds;
     for (;;) {

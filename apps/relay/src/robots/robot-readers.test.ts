@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import { settled } from "../platform/testing/fake-clock.ts";
 import { completed } from "../platform/testing/messages.ts";
 import { limits } from "../platform/limits/limits.ts";
-import { deafReader, LEFT, patience, withRobot, page } from "./testing/robot-at-relay.ts";
+import { deafReader, LEFT, waitLimit, withRobot, page } from "./testing/robot-at-relay.ts";
 
 describe("a robot session: what scripts see", () => {
   it("sends a reader at most 20 snapshots a second, the newest each time", async () => {
@@ -87,7 +87,7 @@ describe("a robot session: what scripts see", () => {
     await host.started(1);
     await host.report({ seq: 1, tick: 100 });
     robot.session.leavePage(host.link, true);
-    const ended = robot.session.endOf(1, patience(20_000));
+    const ended = robot.session.endOf(1, waitLimit(20_000));
     const read = ended.then(({ state }) => `${state} at ${robot.session.newest?.tick}`);
     const snapshot = snapshotOf({ seq: 2, tick: 200 });
     await page(robot, { lastApplied: 1, endings: [completed(1)], snapshot });
@@ -128,17 +128,17 @@ describe("a robot session: what scripts see", () => {
     const robot = await withRobot();
     const host = await page(robot);
     await host.report({ seq: 7 });
-    const newer = robot.session.readers.nextSnapshot(7, patience(25_000));
+    const newer = robot.session.readers.nextSnapshot(7, waitLimit(25_000));
     await host.report({ seq: 8 });
     expect(await newer).toMatchObject({ seq: 8 });
-    const none = robot.session.readers.nextSnapshot(8, patience(25_000));
+    const none = robot.session.readers.nextSnapshot(8, waitLimit(25_000));
     await robot.clock.pass(3_000);
     await host.report({ seq: 8 });
     expect(await none).toMatchObject({ seq: 9 });
-    const gone = robot.session.readers.nextSnapshot(9, patience(25_000));
+    const gone = robot.session.readers.nextSnapshot(9, waitLimit(25_000));
     robot.session.leavePage(host.link, true);
     expect(await gone).toMatchObject({ seq: 9, state: "gone" });
-    const quiet = robot.session.readers.nextSnapshot(9, patience(25_000));
+    const quiet = robot.session.readers.nextSnapshot(9, waitLimit(25_000));
     await robot.clock.pass(25_000);
     expect(await quiet).toMatchObject({ seq: 9, state: "gone" });
   });
@@ -147,12 +147,14 @@ describe("a robot session: what scripts see", () => {
     const robot = await withRobot();
     const host = await page(robot);
     await robot.submit(LEFT);
-    const end = robot.session.endOf(1, patience(25_000));
+    const end = robot.session.endOf(1, waitLimit(25_000));
     await settled();
     await host.ended(completed(1));
     expect(await end).toMatchObject({ state: "completed" });
-    expect(await robot.session.endOf(1, patience(25_000))).toMatchObject({ state: "completed" });
-    await expect(robot.session.endOf(2, patience(0))).rejects.toMatchObject({ kind: "no-command" });
+    expect(await robot.session.endOf(1, waitLimit(25_000))).toMatchObject({ state: "completed" });
+    await expect(robot.session.endOf(2, waitLimit(0))).rejects.toMatchObject({
+      kind: "no-command",
+    });
   });
 
   it("names what to check where a command does not end because the page is gone or paused", async () => {
@@ -161,7 +163,7 @@ describe("a robot session: what scripts see", () => {
     for (let n = 0; n < 2; n++) await robot.submit(LEFT);
     await host.started(1);
     const end = async (seq: number, ms = 5_000) => {
-      const waits = robot.session.endOf(seq, patience(ms));
+      const waits = robot.session.endOf(seq, waitLimit(ms));
       await settled();
       await robot.clock.pass(ms);
       return waits;
@@ -174,7 +176,7 @@ describe("a robot session: what scripts see", () => {
     robot.session.leavePage(host.link, true);
     for (const seq of [1, 2]) expect((await end(seq)).reason).toMatch(advice);
     // The advice is not stored.
-    expect(await robot.session.endOf(1, patience(0))).toMatchObject({ reason: null });
+    expect(await robot.session.endOf(1, waitLimit(0))).toMatchObject({ reason: null });
   });
 
   it("tells the page about its scripts, at most once a second", async () => {

@@ -1,14 +1,14 @@
 import { expiredReason } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { completed } from "../platform/testing/messages.ts";
-import { LEFT, patience, withRobot, page } from "./testing/robot-at-relay.ts";
+import { LEFT, waitLimit, withRobot, page } from "./testing/robot-at-relay.ts";
 
 describe("a robot session: time to live", () => {
   it("expires what no page takes in time, and tells who waits for its end", async () => {
     const robot = await withRobot();
     await robot.submit({ ...LEFT, ttl: 400 });
     await robot.submit(LEFT);
-    const end = robot.session.endOf(1, patience(25_000));
+    const end = robot.session.endOf(1, waitLimit(25_000));
     await robot.clock.pass(399);
     expect(await robot.states()).toEqual(["1 accepted", "2 accepted"]);
     await robot.clock.pass(1);

@@ -28,7 +28,10 @@ import type { PageLink } from "./page/page-link.ts";
 import { SessionHub } from "./registry.ts";
 
 const LEFT: Order = { action: "left 90" };
-const patience = (milliseconds: number) => ({ milliseconds, signal: new AbortController().signal });
+const waitLimit = (milliseconds: number) => ({
+  milliseconds,
+  signal: new AbortController().signal,
+});
 
 /** A robot with its page at the first relay and its scripts at the second. */
 async function withRelays() {
@@ -144,7 +147,7 @@ describe("page and script at different relays", () => {
     expect(seqs(host)).toEqual([1]);
     const { session, link, epoch } = host;
     await session.hearPage(link, { type: "started", epoch, seq: 1 });
-    const end = atScripts.endOf(1, patience(25_000));
+    const end = atScripts.endOf(1, waitLimit(25_000));
     await session.hearPage(link, { type: "ended", epoch, ...completed(1) });
     expect(await end).toMatchObject({ seq: 1, state: "completed" });
     expect(said).toEqual(["1 delivered", "1 started", "1 completed"]);
@@ -174,7 +177,7 @@ describe("page and script at different relays", () => {
     const said = read();
     await report(host, { seq: 7 });
     expect(atScripts.newest).toMatchObject({ seq: 7, state: "running" });
-    const next = atScripts.readers.nextSnapshot(7, patience(25_000));
+    const next = atScripts.readers.nextSnapshot(7, waitLimit(25_000));
     await clock.pass(limits.snapshotIntervalMs);
     await report(host, { seq: 8, tick: 9 });
     await clock.pass(limits.snapshotIntervalMs);

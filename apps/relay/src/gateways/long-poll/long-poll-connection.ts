@@ -5,7 +5,7 @@
  */
 import { closeReasons, MAX_LONG_POLL_MESSAGES, type FetchedMessages } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
-import type { Patience } from "../../robots/readers/subscribers.ts";
+import type { WaitLimit } from "../../robots/readers/subscribers.ts";
 import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { closeWith, handleMessage, type Conversation } from "../conversations/conversation.ts";
@@ -128,12 +128,12 @@ export class LongPollConnection implements ReaderConnection {
   }
 
   /** Returns the messages after an acknowledged number. Waits if there are none. */
-  async fetch(after: number, patience: Patience): Promise<FetchedMessages> {
+  async fetch(after: number, waitLimit: WaitLimit): Promise<FetchedMessages> {
     // A repeated request replaces the previous one.
     this.#wake();
     this.#onRequest();
     this.#acknowledge(after);
-    if (this.#unacknowledged.length === 0 && this.isOpen) await this.#waitForMessages(patience);
+    if (this.#unacknowledged.length === 0 && this.isOpen) await this.#waitForMessages(waitLimit);
     let characters = 0;
     const messages = this.#unacknowledged
       .slice(0, MAX_LONG_POLL_MESSAGES)
@@ -166,7 +166,7 @@ export class LongPollConnection implements ReaderConnection {
     this.#first += count;
   }
 
-  async #waitForMessages({ milliseconds, signal }: Patience): Promise<void> {
+  async #waitForMessages({ milliseconds, signal }: WaitLimit): Promise<void> {
     if (milliseconds === 0 || signal.aborted) return;
     const { promise, resolve } = Promise.withResolvers<void>();
     this.#wake = resolve;

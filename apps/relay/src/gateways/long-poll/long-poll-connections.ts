@@ -12,7 +12,7 @@ import {
 } from "@corridor/protocol";
 import { canBeKey, hashKey, markOf, mintKey } from "../../platform/keys.ts";
 import { notAuthorised, Refusal, retryAfter } from "../../platform/errors/problems.ts";
-import type { Patience } from "../../robots/readers/subscribers.ts";
+import type { WaitLimit } from "../../robots/readers/subscribers.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { verbOfRole } from "../../robots/access/rights.ts";
 import { StaggeredInterval } from "../../platform/time/staggered-interval.ts";
@@ -113,9 +113,9 @@ export class LongPollConnections {
     robot: string,
     key: string | null,
     after: number,
-    patience: Patience,
+    waitLimit: WaitLimit,
   ): Promise<FetchedMessages> {
-    return this.#find(robot, key).fetch(after, patience);
+    return this.#find(robot, key).fetch(after, waitLimit);
   }
 
   /** Closes a connection at the client's request. */

@@ -6,7 +6,7 @@ import type { LongPollConnections } from "./long-poll-connections.ts";
 import { methodNotAllowed } from "../../platform/http/fallbacks.ts";
 import {
   jsonText,
-  patienceOf,
+  waitLimitOf,
   readBearer,
   readBody,
   readClient,
@@ -46,9 +46,9 @@ export function longPollRoutes(connections: LongPollConnections, guard: RequestG
     )
     .get(async (request, response) => {
       const { after, wait } = readFetch(request);
-      const patience = patienceOf(response, wait);
+      const waitLimit = waitLimitOf(response, wait);
       const key = readBearer(request);
-      response.json(await connections.fetch(request.params.id, key, after, patience));
+      response.json(await connections.fetch(request.params.id, key, after, waitLimit));
     })
     .all(methodNotAllowed("POST, GET"));
 

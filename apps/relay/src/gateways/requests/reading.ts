@@ -20,7 +20,7 @@ import { badRequest, Refusal } from "../../platform/errors/problems.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import type { Caller, Introduction } from "../../robots/access/caller.ts";
 import type { ScriptTime } from "../../robots/delivery/script-clocks.ts";
-import type { Patience } from "../../robots/readers/subscribers.ts";
+import type { WaitLimit } from "../../robots/readers/subscribers.ts";
 
 // Checks the text first, then the number, because /openapi.json describes the number.
 const waitError = `seconds to wait, from 0 to ${limits.longPollSeconds}`;
@@ -263,9 +263,9 @@ export function readIdempotencyKey(request: Request): string | null {
  * Limits of a wait: the timeout, and a signal for when the client disconnects. A revoked key also
  * ends it.
  */
-export function patienceOf(response: Response, seconds: number, key?: Caller): Patience {
+export function waitLimitOf(response: Response, seconds: number, key?: Caller): WaitLimit {
   const controller = new AbortController();
   response.once("close", () => controller.abort());
-  const patience = { milliseconds: seconds * 1000, signal: controller.signal };
-  return key === undefined ? patience : { ...patience, key };
+  const waitLimit = { milliseconds: seconds * 1000, signal: controller.signal };
+  return key === undefined ? waitLimit : { ...waitLimit, key };
 }

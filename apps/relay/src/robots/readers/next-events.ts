@@ -1,6 +1,6 @@
 /** Events for a long poll: what a feed sends to a connected reader, in one response. */
 import type { EventGap, EventPage } from "@corridor/protocol";
-import type { Audience, Patience } from "./subscribers.ts";
+import type { Audience, WaitLimit } from "./subscribers.ts";
 import type { ReaderSource } from "./feed.ts";
 
 export interface WantedEvents {
@@ -18,7 +18,7 @@ export interface WantedEvents {
 export async function nextEvents(
   source: ReaderSource & { audience: Audience },
   { since, after }: WantedEvents,
-  patience: Patience,
+  waitLimit: WaitLimit,
 ): Promise<EventPage> {
   const { events, audience } = source;
   const page = (told: number, gap: EventGap | null): EventPage => ({
@@ -33,7 +33,7 @@ export async function nextEvents(
   const before = source.newest();
   const isKnown = after === undefined || (before?.seq ?? -1) <= after;
   if (events.n === told && isKnown) {
-    await audience.until(patience, (done) => ({
+    await audience.until(waitLimit, (done) => ({
       state: done,
       ...(after !== undefined && {
         snapshot: ({ seq, state }) => {

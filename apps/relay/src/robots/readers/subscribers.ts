@@ -35,7 +35,7 @@ export type AwayReason = "over" | "restart" | "revoked" | "busy" | "blocked";
 export type ReaderDoor = "websocket" | "line" | "events" | "long-poll";
 
 /** How long a request waits, and what ends the wait early. */
-export interface Patience {
+export interface WaitLimit {
   milliseconds: number;
   signal: AbortSignal;
   /** the caller; the wait fails once the caller may no longer read */
@@ -91,7 +91,7 @@ export class Audience {
    * StoreAway if the valid keys are unknown
    */
   async until(
-    { milliseconds, signal, key }: Patience,
+    { milliseconds, signal, key }: WaitLimit,
     listen: (done: () => void) => Partial<Pick<Listener, "snapshot" | "state">>,
   ): Promise<void> {
     if (milliseconds === 0 || signal.aborted) return;

@@ -32,7 +32,7 @@ export const deafReader = {
 } as const;
 
 export const LEFT: Command = { action: "left 90" };
-export const patience = (milliseconds: number) => ({
+export const waitLimit = (milliseconds: number) => ({
   milliseconds,
   signal: new AbortController().signal,
 });

@@ -13,7 +13,7 @@ import { Refusal, retryAfter } from "../../platform/errors/problems.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { methodNotAllowed } from "../../platform/http/fallbacks.ts";
 import { listedFiles } from "../../platform/http/listed-files.ts";
-import { patienceOf, readWaitSeconds } from "../../gateways/requests/reading.ts";
+import { waitLimitOf, readWaitSeconds } from "../../gateways/requests/reading.ts";
 
 const FOLDER = import.meta.dirname;
 const FILES = {
@@ -73,7 +73,7 @@ export function checkRoutes(guard: RequestGuard, clock: Clock): Router {
     .get(async (request, response) => {
       const waited = readWaitSeconds(request);
       await held.hold(async () => {
-        const { milliseconds, signal } = patienceOf(response, waited);
+        const { milliseconds, signal } = waitLimitOf(response, waited);
         await delay(clock, milliseconds, signal);
       });
       response.set("Cache-Control", "no-store").json({ waited });
@@ -84,7 +84,7 @@ export function checkRoutes(guard: RequestGuard, clock: Clock): Router {
     .route("/check/events")
     .get(async (_request, response) => {
       await held.hold(async () => {
-        const { signal } = patienceOf(response, 0);
+        const { signal } = waitLimitOf(response, 0);
         response.on("error", () => response.destroy());
         response.writeHead(200, {
           "Content-Type": "text/event-stream",

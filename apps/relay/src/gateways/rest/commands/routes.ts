@@ -7,7 +7,7 @@ import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
 import { authoriseScript, type AuthorisedRequest } from "../../requests/authorise-script.ts";
 import {
   jsonText,
-  patienceOf,
+  waitLimitOf,
   readAfter,
   readCommandRequest,
   readIdempotencyKey,
@@ -59,7 +59,7 @@ export function commandRoutes(hub: SessionHub): Router {
       const { session, key } = await authoriseScript(hub, request, response, "log");
       const { wait } = readWait(request);
       const seq = readSeq(request.params.seq);
-      response.json(await session.endOf(seq, patienceOf(response, wait, key)));
+      response.json(await session.endOf(seq, waitLimitOf(response, wait, key)));
     })
     .delete(async (request, response) => {
       const { session, key } = await authoriseScript(hub, request, response, "command");

@@ -14,7 +14,7 @@ import type { SessionHub } from "../../../robots/registry.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
 import {
   jsonText,
-  patienceOf,
+  waitLimitOf,
   readBearer,
   readBody,
   readClient,
@@ -39,7 +39,7 @@ export function pairingRoutes(
     .get(async (request, response) => {
       const { wait } = readWait(request);
       const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
-      response.json(await service.show(session.id, patienceOf(response, wait)));
+      response.json(await service.show(session.id, waitLimitOf(response, wait)));
     })
     .put(
       // Rejects unauthorised requests before it reads the body.
@@ -88,7 +88,7 @@ export function pairingRoutes(
         );
       }
       const origin = guard.originOf(request);
-      const answer = await service.answerFor(key, origin, patienceOf(response, wait));
+      const answer = await service.answerFor(key, origin, waitLimitOf(response, wait));
       response.json(answer);
     })
     .all(methodNotAllowed("POST, GET"));
