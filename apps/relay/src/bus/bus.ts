@@ -3,9 +3,14 @@
  * lost nor duplicated without them, because the store alone guarantees that. Every implementation
  * passes `bus.cases.ts`. See docs/adr/0010-multiple-relays.md.
  */
-import type { CommandRecord, RecallCause } from "@corridor/protocol";
+import type {
+  AliveDriver,
+  CommandRecord,
+  Drivers,
+  RecallCause,
+  ScriptView,
+} from "@corridor/protocol";
 import type { CarriedSnapshot } from "./carried-snapshot.ts";
-import type { Scripts } from "../robots/presence/driver-roster.ts";
 import type { TermedRecord } from "../store/port.ts";
 
 /** Changes of one step of the store. */
@@ -16,6 +21,14 @@ export interface Step {
   changed: CommandRecord[];
   /** commands that a relay has ended, for display on the page */
   ended: TermedRecord[];
+}
+
+/** Scripts of a robot at one relay, as its page receives them. */
+export interface Scripts extends Drivers {
+  /** scripts that may hold a motion */
+  alive: AliveDriver[];
+  /** scripts by name */
+  scripts: ScriptView[];
 }
 
 /** All other messages. */

@@ -35,12 +35,8 @@ import {
 import type { z } from "zod";
 import { createSchema, type ZodOpenApiOverride } from "zod-openapi";
 import { documentSchema } from "../short-links/document-schema.ts";
-import {
-  commandLogSchema,
-  healthSchema,
-  heldSessionSchema,
-  readySchema,
-} from "./requests/answers.ts";
+import { commandLogSchema } from "./rest/commands/openapi.ts";
+import { heldSessionSchema } from "./rest/robots/openapi.ts";
 import { describeByExpectation } from "../platform/openapi/describe-by-expectation.ts";
 import { streamedEventSchema } from "./sse/streamed-event.ts";
 
@@ -107,8 +103,6 @@ export const schemas: Record<string, z.ZodType> = {
   Allowed: challengeSchema.shape.allowed,
   Checks: challengeSchema.shape.checks,
   Par: challengeSchema.shape.par.unwrap(),
-  Health: healthSchema,
-  Ready: readySchema,
 };
 
 /** Conditions have a custom parser. This describes the expected value. */

@@ -2,7 +2,7 @@
 import { Router, type RequestHandler } from "express";
 import { Refusal, restarting, retryAfter } from "../platform/errors/problems.ts";
 import type { Readiness } from "./readiness.ts";
-import type { Health, Ready } from "../gateways/requests/answers.ts";
+import type { Health, Ready } from "./health-openapi.ts";
 import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 
 const noStore: RequestHandler = (_request, response, next) => {

@@ -8,8 +8,7 @@ import type { Logger } from "pino";
 import type { Clock } from "../platform/time/clock.ts";
 import { hashKey, isSameHash, keyId, mintCode, mintKey } from "../platform/keys.ts";
 import { noRobot, Refusal } from "../platform/errors/problems.ts";
-import type { WaitLimit } from "../robots/readers/subscribers.ts";
-import type { KeyRing } from "../robots/access/key-ring.ts";
+import type { WaitLimit } from "../platform/time/wait-limit.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { PairingStore, StoredPairing } from "../store/pairing-store.ts";
 import type { SessionStore } from "../store/port.ts";
@@ -29,7 +28,10 @@ export interface PairingServiceParts {
 /** A robot whose owner is authenticated. */
 export interface OwnedRobot {
   id: string;
-  keys: Pick<KeyRing, "admit">;
+  keys: {
+    /** Activates a key that a script has held since it requested access. */
+    admit(hash: string): Promise<void>;
+  };
 }
 
 /** A script's request for access. */
@@ -91,7 +93,7 @@ export class PairingService {
 
   /**
    * Stores the owner's answer to one request.
-   * @throws Refusal no-question if the request is no longer open, or the errors of `KeyRing.admit`
+   * @throws Refusal no-question if the request is no longer open, or the errors of `keys.admit`
    */
   async reply({ id, keys }: OwnedRobot, question: string, accept: boolean): Promise<void> {
     const found = await this.#find({ robot: id });

@@ -1,7 +1,7 @@
 /** Waits for changes in the store, which this relay or another one may write. */
 import type { Clock } from "../platform/time/clock.ts";
 import { Refusal, retryAfter } from "../platform/errors/problems.ts";
-import type { WaitLimit } from "../robots/readers/subscribers.ts";
+import type { WaitLimit } from "../platform/time/wait-limit.ts";
 import { limits } from "../platform/limits/limits.ts";
 
 export class Waits {

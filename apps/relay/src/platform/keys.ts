@@ -3,16 +3,18 @@
  */
 import { createHash, randomBytes, randomInt, timingSafeEqual } from "node:crypto";
 import { PAIRING_LENGTH, PAIRING_LETTERS, SHORT_CODE_LENGTHS } from "@corridor/protocol";
-import type { KeyKind, StoredKey } from "../store/port.ts";
 
-/** delete: deletes a short link's document. connection: authenticates a long-poll connection. */
-const PREFIX: Record<KeyKind | "delete" | "connection", string> = {
+/**
+ * own, drive, watch: for a robot. delete: deletes a short link's document. connection:
+ * authenticates a long-poll connection.
+ */
+const PREFIX = {
   own: "own_",
   drive: "drv_",
   watch: "wch_",
   delete: "del_",
   connection: "con_",
-};
+} as const;
 
 function randomText(): string {
   return randomBytes(16).toString("base64url");
@@ -91,9 +93,9 @@ export function isSameHash(one: string, other: string): boolean {
 }
 
 /** Finds the stored key that matches, in a time that does not depend on the match. */
-export function matchKey(key: string, stored: readonly StoredKey[]): StoredKey | null {
+export function matchKey<K extends { hash: string }>(key: string, stored: readonly K[]): K | null {
   const given = hashKey(key);
-  let match: StoredKey | null = null;
+  let match: K | null = null;
   for (const candidate of stored) {
     if (isSameHash(candidate.hash, given)) match = candidate;
   }

@@ -16,7 +16,7 @@ import type { Clock } from "../platform/time/clock.ts";
 import type { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
 import type { Switchboard } from "../bus/bus.ts";
 import type { SessionStore, StoredKey, StoredScript, StoredSession } from "../store/port.ts";
-import { Audience, type WaitLimit } from "./readers/subscribers.ts";
+import { Audience, type CallerWait } from "./readers/subscribers.ts";
 import { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import { CommandLife } from "./delivery/command-life.ts";
 import { DriverRoster } from "./presence/driver-roster.ts";
@@ -323,7 +323,7 @@ export class Session {
    * @returns its record after the wait. If it has not ended and the robot is gone or paused,
    * `reason` names what to check.
    */
-  async endOf(seq: number, waitLimit: WaitLimit): Promise<CommandRecord> {
+  async endOf(seq: number, waitLimit: CallerWait): Promise<CommandRecord> {
     const record = await this.#life.log.endOf(seq, waitLimit);
     const hasWaited = waitLimit.milliseconds > 0;
     if (!hasWaited || hasEnded(record.state) || this.#view.isAwake) return record;

@@ -2,7 +2,6 @@
 import { closeReasons, scriptName, type CloseReason, type Hello } from "@corridor/protocol";
 import type { Logger } from "pino";
 import type { Clock } from "../../platform/time/clock.ts";
-import type { Metrics } from "../../ops/metrics.ts";
 import type { ProblemKind } from "../../platform/errors/problem-kinds.ts";
 import { asRefusal } from "../../platform/errors/problems.ts";
 import type { Introduction } from "../../robots/access/caller.ts";
@@ -22,12 +21,18 @@ const closeReasonByProblem = new Map<ProblemKind, CloseReason>([
   ["restarting", closeReasons.restart],
 ]);
 
+/** Counts what the gateways reject and close. */
+export interface GatewayMetrics {
+  refused(problem: ProblemKind): void;
+  socketClosed(code: number): void;
+}
+
 export interface ConversationOptions {
   hello: Hello;
   /** what its key permits */
   grant: Grant;
   connection: ReaderConnection;
-  metrics: Metrics;
+  metrics: GatewayMetrics;
   clock: Clock;
 }
 
@@ -58,7 +63,7 @@ export function introductionOf({ name }: Hello, client: string): Introduction {
 export function closeOnError(
   error: unknown,
   connection: { close(code: number, reason: string): void },
-  { metrics, log }: { metrics: Metrics; log: Logger },
+  { metrics, log }: { metrics: GatewayMetrics; log: Logger },
 ): void {
   const { kind } = asRefusal(error);
   metrics.refused(kind);

@@ -5,7 +5,7 @@
  */
 import { closeReasons, MAX_LONG_POLL_MESSAGES, type FetchedMessages } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
-import type { WaitLimit } from "../../robots/readers/subscribers.ts";
+import type { WaitLimit } from "../../platform/time/wait-limit.ts";
 import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { closeWith, handleMessage, type Conversation } from "../conversations/conversation.ts";

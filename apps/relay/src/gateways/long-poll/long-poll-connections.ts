@@ -12,7 +12,7 @@ import {
 } from "@corridor/protocol";
 import { canBeKey, hashKey, markOf, mintKey } from "../../platform/keys.ts";
 import { notAuthorised, Refusal, retryAfter } from "../../platform/errors/problems.ts";
-import type { WaitLimit } from "../../robots/readers/subscribers.ts";
+import type { WaitLimit } from "../../platform/time/wait-limit.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { verbOfRole } from "../../robots/access/rights.ts";
 import { StaggeredInterval } from "../../platform/time/staggered-interval.ts";

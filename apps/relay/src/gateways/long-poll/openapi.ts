@@ -8,7 +8,8 @@ import {
 } from "@corridor/protocol";
 import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { fetchQuery } from "../requests/reading.ts";
-import { answer, asScript, parameters, refusals, robot } from "../../platform/openapi/parts.ts";
+import { answer, parameters, refusals } from "../../platform/openapi/parts.ts";
+import { asScript, robot } from "../requests/openapi-parts.ts";
 
 const connection = [{ connectionKey: [] }];
 

@@ -6,12 +6,12 @@ import type { LongPollConnections } from "./long-poll-connections.ts";
 import { methodNotAllowed } from "../../platform/http/fallbacks.ts";
 import {
   jsonText,
-  waitLimitOf,
   readBearer,
   readBody,
   readClient,
-  readFetch,
-} from "../requests/reading.ts";
+  waitLimitOf,
+} from "../../platform/http/reading.ts";
+import { readFetch } from "../requests/reading.ts";
 
 export function longPollRoutes(connections: LongPollConnections, guard: RequestGuard): Router {
   const router = Router();

@@ -2,7 +2,8 @@
 import type { Request, Response } from "express";
 import type { Grant, SessionHub } from "../../robots/registry.ts";
 import type { Verb } from "../../robots/access/rights.ts";
-import { readBearer, readIntroduction, readScriptTime } from "./reading.ts";
+import { readBearer } from "../../platform/http/reading.ts";
+import { readIntroduction, readScriptTime } from "./reading.ts";
 
 export interface AuthorisedRequest extends Grant {
   /** arrival time of the request in ms, by the relay's clock */

@@ -1,45 +1,28 @@
-/**
- * Validates the parts of a request: bearer key, JSON body, query and the timeout of a long poll.
- */
+/** Reads the parts of a request that scripts and viewers of a robot send: queries and headers. */
 import {
   idempotencyKeySchema,
   MAX_FRAME_BYTES,
   orderSchema,
-  problem,
-  readJson,
-  readValue,
   scriptName,
   sinceSchema,
   termsOf,
   type CommandTerms,
 } from "@corridor/protocol";
-import express, { type Request, type RequestHandler, type Response } from "express";
+import type { Request, Response } from "express";
 import { z } from "zod";
-import { clientName } from "./client-name.ts";
-import { badRequest, Refusal } from "../../platform/errors/problems.ts";
-import { limits } from "../../platform/limits/limits.ts";
+import {
+  read,
+  readBody,
+  readClient,
+  waitError,
+  waitLimitOf,
+  waitSchema,
+  waitText,
+  wholeNumber,
+} from "../../platform/http/reading.ts";
 import type { Caller, Introduction } from "../../robots/access/caller.ts";
 import type { ScriptTime } from "../../robots/delivery/script-clocks.ts";
-import type { WaitLimit } from "../../robots/readers/subscribers.ts";
-
-// Checks the text first, then the number, because /openapi.json describes the number.
-const waitError = `seconds to wait, from 0 to ${limits.longPollSeconds}`;
-const seconds = z.number().min(0).max(limits.longPollSeconds, { error: waitError });
-const waitText = z
-  .string({ error: waitError })
-  .regex(/^\d{1,2}(\.\d{1,3})?$/, { error: waitError })
-  .transform(Number)
-  .pipe(seconds.multipleOf(0.001));
-const waitSchema = waitText
-  .prefault("0")
-  .describe(`${waitError}; the relay responds earlier if there is a result`);
-
-const numberError = "a whole number of at most 15 digits";
-const wholeNumber = z
-  .string({ error: numberError })
-  .regex(/^\d{1,15}$/, { error: numberError })
-  .transform(Number)
-  .pipe(z.int().min(0).max(999_999_999_999_999));
+import type { CallerWait } from "../../robots/readers/subscribers.ts";
 
 /** Header for the name of a script. Characters outside of ASCII are percent-encoded. */
 export const nameHeader = z.object({
@@ -101,12 +84,6 @@ export const idempotencyHeader = z.object({
     .describe("makes a retry safe; use a new key for each command"),
 });
 
-export function read<T>(schema: z.ZodType<T>, input: unknown, what: string): T {
-  const result = readValue(schema, input);
-  if (!result.ok) throw badRequest(what, result.problems);
-  return result.value;
-}
-
 /** Query of a request that only has a wait. */
 export function readWait(request: Request): { wait: number } {
   return read(waitQuery, request.query, "Invalid query.");
@@ -125,12 +102,6 @@ export function readEvents(request: Request): z.infer<typeof eventsQuery> {
   return read(eventsQuery, query, "Invalid query.");
 }
 
-/** `?seconds=S` of a response that only waits. */
-export function readWaitSeconds(request: Request): number {
-  const query = z.object({ seconds: waitText });
-  return read(query, request.query, "Invalid query.").seconds;
-}
-
 /** Query for the messages of a long-poll connection. */
 export function readFetch(request: Request): z.infer<typeof fetchQuery> {
   return read(fetchQuery, request.query, "Invalid query.");
@@ -144,19 +115,6 @@ export function readAfter(request: Request): { after: number } {
 /** Number of a command in the path. */
 export function readSeq(text: unknown): number {
   return read(seqPath, { seq: text }, "Invalid path.").seq;
-}
-
-/** Key of `Authorization: Bearer KEY`, or null. */
-export function readBearer(request: Request): string | null {
-  const header = request.get("authorization") ?? "";
-  const space = header.indexOf(" ");
-  if (space < 0 || header.slice(0, space).toLowerCase() !== "bearer") return null;
-  return header.slice(space + 1).trim();
-}
-
-/** The script's language, for the page. */
-export function readClient(request: Request): string {
-  return clientName(request.get("user-agent"));
 }
 
 /** How a script identifies itself in its headers. */
@@ -188,65 +146,6 @@ function percentDecode(text: string): string {
   }
 }
 
-// A lenient decoder would store a name other than the intended one.
-const utf8 = new TextDecoder("utf-8", { fatal: true });
-
-/**
- * Reads the body as text. Errors go to the error handler: not JSON, not UTF-8 or too large.
- * @param limit in bytes
- */
-export function jsonText(limit: number = MAX_FRAME_BYTES): RequestHandler {
-  const bytes = express.raw({ type: () => true, limit, inflate: false });
-  return (request, response, next) => {
-    if (!isJson(request.headers["content-type"] ?? "")) {
-      throw new Refusal(
-        "not-json",
-        'Send the body as JSON in UTF-8, with the header "Content-Type: application/json".',
-      );
-    }
-    bytes(request, response, (error?: unknown) => {
-      if (error === undefined && Buffer.isBuffer(request.body)) request.body = textOf(request.body);
-      next(error);
-    });
-  };
-}
-
-/** @returns null if the bytes are not UTF-8 */
-function textOf(bytes: Buffer): string | null {
-  try {
-    return utf8.decode(bytes);
-  } catch {
-    return null;
-  }
-}
-
-/** @param type content type of the body; JSON without a charset is UTF-8 */
-function isJson(type: string): boolean {
-  const [name = "", ...parameters] = type.toLowerCase().split(";");
-  const charset = parameters.map((text) => text.trim()).find((text) => text.startsWith("charset="));
-  const isUtf8 = charset === undefined || /^charset="?utf-?8"?$/.test(charset);
-  return name.trim() === "application/json" && isUtf8;
-}
-
-/**
- * Parses and validates the body.
- * @param what sentence for the error, such as "Invalid command."
- */
-export function readBody<T>(
-  request: Request,
-  schema: z.ZodType<T>,
-  maxLength: number,
-  what: string,
-): T {
-  const body: unknown = request.body;
-  const result =
-    body === null
-      ? problem("", "bytes that are not UTF-8", "a JSON document in UTF-8")
-      : readJson(schema, typeof body === "string" ? body : "", maxLength);
-  if (!result.ok) throw badRequest(what, result.problems);
-  return result.value;
-}
-
 /** Command in the body with its terms, and the idempotency key in the header. */
 export function readCommandRequest(request: Request): { key: string | null } & CommandTerms {
   const order = readBody(request, orderSchema, MAX_FRAME_BYTES, "Invalid command.");
@@ -259,13 +158,7 @@ export function readIdempotencyKey(request: Request): string | null {
   return read(idempotencyHeader, given, "Invalid header.")["Idempotency-Key"] ?? null;
 }
 
-/**
- * Limits of a wait: the timeout, and a signal for when the client disconnects. A revoked key also
- * ends it.
- */
-export function waitLimitOf(response: Response, seconds: number, key?: Caller): WaitLimit {
-  const controller = new AbortController();
-  response.once("close", () => controller.abort());
-  const waitLimit = { milliseconds: seconds * 1000, signal: controller.signal };
-  return key === undefined ? waitLimit : { ...waitLimit, key };
+/** Limits of a wait by a caller. A revoked key also ends it. */
+export function callerWaitOf(response: Response, seconds: number, key: Caller): CallerWait {
+  return { ...waitLimitOf(response, seconds), key };
 }

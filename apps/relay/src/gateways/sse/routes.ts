@@ -11,7 +11,7 @@ import type { SessionHub } from "../../robots/registry.ts";
 import type { JoinedReader } from "../../robots/readers/readers.ts";
 import { methodNotAllowed } from "../../platform/http/fallbacks.ts";
 import { authoriseScript } from "../requests/authorise-script.ts";
-import { waitLimitOf, readEvents } from "../requests/reading.ts";
+import { callerWaitOf, readEvents } from "../requests/reading.ts";
 
 const HEADERS = {
   "Content-Type": "text/event-stream",
@@ -30,7 +30,7 @@ export function eventRoutes(hub: SessionHub, clock: Clock): Router {
       if (wait !== undefined) {
         const page = await session.readers.nextEvents(
           { since, after },
-          waitLimitOf(response, wait, key),
+          callerWaitOf(response, wait, key),
         );
         return void response.json(page);
       }

@@ -17,11 +17,10 @@ import {
 } from "@corridor/protocol";
 import type { Logger } from "pino";
 import { WebSocketServer, type WebSocket } from "ws";
-import { clientName } from "../requests/client-name.ts";
+import { clientName } from "../../platform/http/client-name.ts";
 import type { Clock } from "../../platform/time/clock.ts";
 import { markOf } from "../../platform/keys.ts";
 import type { RequestGuard } from "../../platform/http/request-guard.ts";
-import type { Metrics } from "../../ops/metrics.ts";
 import { asRefusal, Refusal } from "../../platform/errors/problems.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { verbOfRole } from "../../robots/access/rights.ts";
@@ -32,6 +31,7 @@ import {
   closeOnError,
   startConversation,
   introductionOf,
+  type GatewayMetrics,
 } from "../conversations/start-conversation.ts";
 import { readPlainTexts } from "./plain-text-reader.ts";
 import type { ReaderConnection } from "../conversations/reader-connection.ts";
@@ -71,7 +71,7 @@ export interface GatewayOptions {
   clock: Clock;
   log: Logger;
   guard: RequestGuard;
-  metrics: Metrics;
+  metrics: GatewayMetrics;
 }
 
 export class WebSocketGateway {

@@ -3,9 +3,16 @@
  * addresses and the Host and Origin checks use them.
  */
 import type { IncomingMessage } from "node:http";
-import type { Config } from "../../config.ts";
 import { Refusal } from "../errors/problems.ts";
-import { visitorReader, type Visitor } from "./trusted-proxies.ts";
+import { visitorReader, type TrustedProxies, type Visitor } from "./trusted-proxies.ts";
+
+export interface RequestGuardOptions {
+  /** the service's origin; null: the one that the client requested */
+  publicOrigin: string | null;
+  /** accepted host names; null: any */
+  allowedHosts: readonly string[] | null;
+  trustedProxies: TrustedProxies;
+}
 
 export class RequestGuard {
   readonly #publicOrigin: string | null;
@@ -13,8 +20,8 @@ export class RequestGuard {
   readonly #hosts: ReadonlySet<string> | null;
   readonly #visitor: (request: IncomingMessage) => Visitor;
 
-  constructor(config: Pick<Config, "publicOrigin" | "allowedHosts" | "trustedProxies">) {
-    const { publicOrigin, allowedHosts, trustedProxies } = config;
+  constructor(options: RequestGuardOptions) {
+    const { publicOrigin, allowedHosts, trustedProxies } = options;
     this.#publicOrigin = publicOrigin;
     const own = publicOrigin === null ? [] : [new URL(publicOrigin).hostname];
     this.#hosts = allowedHosts === null ? null : new Set([...allowedHosts, ...own]);

@@ -7,7 +7,7 @@ import type { RequestHandler } from "express";
 import type { Logger } from "pino";
 import type { Clock } from "../time/clock.ts";
 import { markOf } from "../keys.ts";
-import { readBearer, readClient } from "../../gateways/requests/reading.ts";
+import { readBearer, readClient } from "./reading.ts";
 
 export function requestLog(log: Logger, clock: Clock): RequestHandler {
   return (request, response, next) => {

@@ -1,6 +1,6 @@
-/** Shared parts of the operations: parameters, responses and errors. */
-import { problemSchema, robotIdSchema } from "@corridor/protocol";
-import { z } from "zod";
+/** Parts of the descriptions of operations: parameters, responses and errors. */
+import { problemSchema } from "@corridor/protocol";
+import type { z } from "zod";
 import {
   createSchema,
   type oas31,
@@ -17,13 +17,6 @@ const retryAfter: oas31.HeadersObject = {
     schema: { type: "integer", minimum: 1 },
   },
 };
-
-/** Errors of every operation with a key. */
-export const keyed = ["bad-request", "not-authorised", "forbidden", "no-robot"] as const;
-/** Errors of every operation for scripts. */
-export const asScript = [...keyed, "blocked"] as const;
-/** Security of operations for the robot's owner. */
-export const owner = [{ ownerKey: [] }];
 
 const headersByStatus: Partial<Record<number, oas31.HeadersObject>> = {
   401: { "WWW-Authenticate": { required: true, schema: { type: "string", const: "Bearer" } } },
@@ -70,9 +63,6 @@ export function parameters(
     };
   });
 }
-
-/** Path parameter of the robot. */
-export const robot = parameters("path", z.object({ id: robotIdSchema }));
 
 /** A JSON response. */
 export function answer(

@@ -1,7 +1,7 @@
 /** Queries for the commands of one robot: one command, a list, the open ones, or the end of one. */
 import { hasEnded, type CommandRecord, type EventGap } from "@corridor/protocol";
 import type { SessionStore } from "../../store/port.ts";
-import type { Audience, WaitLimit } from "../readers/subscribers.ts";
+import type { Audience, CallerWait } from "../readers/subscribers.ts";
 import { noCommand } from "./command-refusals.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import type { OrderedWork } from "./ordered-work.ts";
@@ -40,7 +40,7 @@ export class CommandLog {
   }
 
   /** Waits for the command to end. @returns its record after the wait, ended or not */
-  async endOf(seq: number, waitLimit: WaitLimit): Promise<CommandRecord> {
+  async endOf(seq: number, waitLimit: CallerWait): Promise<CommandRecord> {
     // Starts between two changes, so that no ending falls between the read and the subscription.
     const { record, end } = await this.#work.run(async () => {
       const now = await this.command(seq);
@@ -51,7 +51,7 @@ export class CommandLog {
     return this.command(seq);
   }
 
-  #nextEnd(seq: number, waitLimit: WaitLimit): Promise<void> {
+  #nextEnd(seq: number, waitLimit: CallerWait): Promise<void> {
     return this.#audience.until(waitLimit, (done) => ({
       state: ({ record }) => {
         if (record.seq === seq && hasEnded(record.state)) done();

@@ -4,7 +4,8 @@
  * continues a motion without an end only while the script that requested it is active. Each message
  * and request proves activity, and so does a request that waits for its response.
  */
-import type { AliveDriver, CommandRecord, Drivers, ScriptView } from "@corridor/protocol";
+import type { AliveDriver, CommandRecord, Drivers } from "@corridor/protocol";
+import type { Scripts } from "../../bus/bus.ts";
 import type { Clock } from "../../platform/time/clock.ts";
 import { keyId } from "../../platform/keys.ts";
 import type { StoredScript } from "../../store/port.ts";
@@ -15,14 +16,6 @@ import { ScriptList } from "./script-list.ts";
 const FORGET_MS = 10_000;
 /** Maximum number of active scripts in a report. Motions of all others end. */
 export const MOST_TOLD = 16;
-
-/** Scripts of a robot, as its page receives them. */
-export interface Scripts extends Drivers {
-  /** scripts that may hold a motion */
-  alive: AliveDriver[];
-  /** scripts by name */
-  scripts: ScriptView[];
-}
 
 interface Life {
   heardAt: number;

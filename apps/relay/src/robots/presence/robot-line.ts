@@ -4,14 +4,14 @@
  */
 import type { AliveDriver, RecallCause } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
-import type { Ears, Line, Step, Switchboard } from "../../bus/bus.ts";
+import type { Ears, Line, Scripts, Step, Switchboard } from "../../bus/bus.ts";
 import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
 import {
   dueAfter,
   type CoalescedTimers,
   type Waiter,
 } from "../../platform/time/coalesced-timers.ts";
-import { MOST_TOLD, type Scripts } from "./driver-roster.ts";
+import { MOST_TOLD } from "./driver-roster.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { mergedScripts } from "./script-list.ts";
 

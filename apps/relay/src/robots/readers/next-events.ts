@@ -1,6 +1,6 @@
 /** Events for a long poll: what a feed sends to a connected reader, in one response. */
 import type { EventGap, EventPage } from "@corridor/protocol";
-import type { Audience, WaitLimit } from "./subscribers.ts";
+import type { Audience, CallerWait } from "./subscribers.ts";
 import type { ReaderSource } from "./feed.ts";
 
 export interface WantedEvents {
@@ -18,7 +18,7 @@ export interface WantedEvents {
 export async function nextEvents(
   source: ReaderSource & { audience: Audience },
   { since, after }: WantedEvents,
-  waitLimit: WaitLimit,
+  waitLimit: CallerWait,
 ): Promise<EventPage> {
   const { events, audience } = source;
   const page = (told: number, gap: EventGap | null): EventPage => ({

@@ -2,7 +2,7 @@
 import type { EventPage, Snapshot } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
 import type { CoalescedTimers } from "../../platform/time/coalesced-timers.ts";
-import type { Audience, WaitLimit, ReaderDoor } from "./subscribers.ts";
+import type { Audience, CallerWait, ReaderDoor } from "./subscribers.ts";
 import type { DriverRoster } from "../presence/driver-roster.ts";
 import { nextEvents, type WantedEvents } from "./next-events.ts";
 import { ReaderFeed, type ReaderSink, type ReaderSource } from "./feed.ts";
@@ -58,7 +58,7 @@ export class Readers {
   }
 
   /** The states after `since`, and the newest snapshot: see `nextEvents`. */
-  async nextEvents(wanted: WantedEvents, waitLimit: WaitLimit): Promise<EventPage> {
+  async nextEvents(wanted: WantedEvents, waitLimit: CallerWait): Promise<EventPage> {
     const { source, audience } = this.#parts;
     return nextEvents({ ...source, audience }, wanted, waitLimit);
   }
@@ -66,7 +66,7 @@ export class Readers {
   /**
    * Waits for a snapshot that is newer than `after` or has another state. @returns the newest one
    */
-  async nextSnapshot(after: number, waitLimit: WaitLimit): Promise<Snapshot | null> {
+  async nextSnapshot(after: number, waitLimit: CallerWait): Promise<Snapshot | null> {
     const { audience, source } = this.#parts;
     const before = source.newest();
     if (before !== null && before.seq > after) return before.value;

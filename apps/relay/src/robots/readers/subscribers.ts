@@ -4,6 +4,7 @@
  */
 import type { CommandRecord, StateEvent } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
+import type { WaitLimit } from "../../platform/time/wait-limit.ts";
 import { Refusal, retryAfter } from "../../platform/errors/problems.ts";
 import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
 import type { EventLog } from "./event-log.ts";
@@ -34,11 +35,8 @@ export type AwayReason = "over" | "restart" | "revoked" | "busy" | "blocked";
 /** Kinds of subscriptions. `line` is a long-poll connection, `long-poll` a single request. */
 export type ReaderDoor = "websocket" | "line" | "events" | "long-poll";
 
-/** How long a request waits, and what ends the wait early. */
-export interface WaitLimit {
-  milliseconds: number;
-  signal: AbortSignal;
-  /** the caller; the wait fails once the caller may no longer read */
+/** A wait of a caller: it fails once the caller may no longer read. */
+export interface CallerWait extends WaitLimit {
   key?: Caller;
 }
 
@@ -91,7 +89,7 @@ export class Audience {
    * StoreAway if the valid keys are unknown
    */
   async until(
-    { milliseconds, signal, key }: WaitLimit,
+    { milliseconds, signal, key }: CallerWait,
     listen: (done: () => void) => Partial<Pick<Listener, "snapshot" | "state">>,
   ): Promise<void> {
     if (milliseconds === 0 || signal.aborted) return;

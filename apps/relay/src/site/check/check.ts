@@ -13,7 +13,7 @@ import { Refusal, retryAfter } from "../../platform/errors/problems.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { methodNotAllowed } from "../../platform/http/fallbacks.ts";
 import { listedFiles } from "../../platform/http/listed-files.ts";
-import { waitLimitOf, readWaitSeconds } from "../../gateways/requests/reading.ts";
+import { waitLimitOf, readWaitSeconds } from "../../platform/http/reading.ts";
 
 const FOLDER = import.meta.dirname;
 const FILES = {

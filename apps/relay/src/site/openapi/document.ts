@@ -4,7 +4,8 @@
  */
 import { PROTOCOL_VERSION } from "@corridor/protocol";
 import { createDocument, type oas31 } from "zod-openapi";
-import { calls } from "../../gateways/openapi.ts";
+import { gatewayCalls } from "../../gateways/openapi.ts";
+import { healthCalls, healthSchemas } from "../../ops/health-openapi.ts";
 import { describeByExpectation } from "../../platform/openapi/describe-by-expectation.ts";
 import { withReadingAids } from "./reading-aids.ts";
 import { describeCondition, schemas } from "../../gateways/openapi-schemas.ts";
@@ -30,9 +31,9 @@ export function describeApi(): oas31.OpenAPIObject {
         license: { name: "MIT", identifier: "MIT" },
       },
       servers: [{ url: "/", description: "the service that serves this description" }],
-      paths: calls,
+      paths: { ...gatewayCalls, ...healthCalls },
       components: {
-        schemas,
+        schemas: { ...schemas, ...healthSchemas },
         securitySchemes: {
           driverKey: {
             type: "http",

@@ -1,95 +1,26 @@
-/**
- * Operations for scripts and watchers: read the robot and its maze, send commands, follow their
- * states.
- */
-import {
-  commandRecordSchema,
-  eventPageSchema,
-  orderSchema,
-  snapshotSchema,
-} from "@corridor/protocol";
-import { mazeSchema } from "@corridor/maze";
+/** Operations on commands: send, follow, cancel, list and stop. */
+import { commandRecordSchema, orderSchema } from "@corridor/protocol";
+import { z } from "zod";
 import type { ZodOpenApiPathsObject } from "zod-openapi";
-import { commandLogSchema } from "../../requests/answers.ts";
-import { ifNoneMatchHeader } from "../maze/routes.ts";
+import { limits } from "../../../platform/limits/limits.ts";
+import { answer, location, parameters, refusals } from "../../../platform/openapi/parts.ts";
 import {
-  clockHeader,
-  eventsQuery,
-  idempotencyHeader,
-  lastEventHeader,
-  logQuery,
-  nameHeader,
-  newerQuery,
-  seqPath,
-  waitQuery,
-} from "../../requests/reading.ts";
-import {
-  answer,
+  anyKey,
   asScript,
-  entityTag,
-  keyed,
-  location,
-  owner,
-  parameters,
-  refusals,
+  driver,
+  idempotencyKey,
+  ofScript,
   robot,
-} from "../../../platform/openapi/parts.ts";
-import { streamedEventSchema } from "../../sse/streamed-event.ts";
+} from "../../requests/openapi-parts.ts";
+import { logQuery, seqPath, waitQuery } from "../../requests/reading.ts";
 
-const idempotencyKey = parameters("header", idempotencyHeader);
-/** headers with which a script identifies itself */
-const ofScript = [...parameters("header", nameHeader), ...parameters("header", clockHeader)];
-const driver = [{ driverKey: [] }];
-const reader = [{ driverKey: [] }, { watchKey: [] }];
-const logReader = [...reader, { ownerKey: [] }];
+export const commandLogSchema = z.strictObject({
+  /** in order of their numbers */
+  commands: z.array(commandRecordSchema).max(limits.logPage),
+});
+export type CommandLog = z.infer<typeof commandLogSchema>;
 
-export const scriptCalls: ZodOpenApiPathsObject = {
-  "/api/v1/robots/{id}/sensors": {
-    parameters: [...robot, ...ofScript],
-    get: {
-      operationId: "readSensors",
-      summary: "Read the newest snapshot, or wait for a newer one",
-      description:
-        "With `after` and `wait`, the relay responds as soon as it has a snapshot with a higher `seq`, or " +
-        "with the newest snapshot after `wait` seconds.",
-      security: reader,
-      parameters: parameters("query", newerQuery),
-      responses: {
-        200: answer("The newest snapshot.", snapshotSchema),
-        ...refusals(...asScript, "no-snapshot", "too-many-readers"),
-      },
-    },
-  },
-  "/api/v1/robots/{id}/maze": {
-    parameters: robot,
-    get: {
-      operationId: "readMaze",
-      summary: "Read the maze of the robot",
-      description:
-        "The response is the maze that the robot's page published. When it changes, readers receive a `maze` message or " +
-        "event with the new `ETag` as `version`.",
-      security: logReader,
-      parameters: [...ofScript, ...parameters("header", ifNoneMatchHeader)],
-      responses: {
-        200: answer("The maze.", mazeSchema, entityTag),
-        304: { description: "The cached maze is current.", headers: entityTag },
-        ...refusals(...asScript, "no-maze"),
-      },
-    },
-    put: {
-      operationId: "publishMaze",
-      summary: "Publish the maze of the robot (used by its page)",
-      description:
-        "The maze replaces the previous one, and is deleted with the robot. An equal maze " +
-        "changes nothing. A robot can publish one maze a second, with bursts of 20.",
-      security: owner,
-      requestBody: { required: true, content: { "application/json": { schema: mazeSchema } } },
-      responses: {
-        204: { description: "The maze is stored.", headers: entityTag },
-        ...refusals(...keyed, "too-large", "not-json", "too-fast", "storage-full"),
-      },
-    },
-  },
+export const commandCalls: ZodOpenApiPathsObject = {
   "/api/v1/robots/{id}/commands": {
     parameters: [...robot, ...ofScript],
     post: {
@@ -121,7 +52,7 @@ export const scriptCalls: ZodOpenApiPathsObject = {
       operationId: "listCommands",
       summary: "List the commands of a robot in their order, with their states",
       description: "Repeat with `after` set to the last `seq` for the next page.",
-      security: logReader,
+      security: anyKey,
       parameters: parameters("query", logQuery),
       responses: {
         200: answer("The next page of the log; empty at its end.", commandLogSchema),
@@ -148,7 +79,7 @@ export const scriptCalls: ZodOpenApiPathsObject = {
     get: {
       operationId: "followCommand",
       summary: "Read the record of a command, or wait for its end",
-      security: logReader,
+      security: anyKey,
       parameters: parameters("query", waitQuery),
       responses: {
         200: answer(
@@ -167,34 +98,6 @@ export const scriptCalls: ZodOpenApiPathsObject = {
       responses: {
         202: answer("The current record.", commandRecordSchema, location),
         ...refusals(...asScript, "no-command", "storage-full"),
-      },
-    },
-  },
-  "/api/v1/robots/{id}/events": {
-    parameters: [...robot, ...ofScript],
-    get: {
-      operationId: "followEvents",
-      summary: "Follow a robot by server-sent events, or by long polling",
-      description:
-        "Without `wait`: an endless stream of events. `snapshot` contains a Snapshot; `state` contains " +
-        "the CommandRecord of a command with a new state; `gap` replaces states that are no longer stored; " +
-        "`maze` reports another maze. Send the `id` of the last event as `Last-Event-ID` or `since` to resume there.\n\n" +
-        "With `wait`: one response, as soon as there is a state after `since` or a snapshot newer than " +
-        "`after`. Send the first request without `since`, then each with the `since` of the previous response. The " +
-        "newest 1,000 states are stored, for 10 minutes.",
-      security: reader,
-      parameters: [...parameters("query", eventsQuery), ...parameters("header", lastEventHeader)],
-      responses: {
-        200: {
-          description: "An endless stream or, with `wait`, the pending events.",
-          content: {
-            "application/json": { schema: eventPageSchema },
-            // Before OpenAPI 3.2, which has `itemSchema`, the schema of a stream describes one
-            // event.
-            "text/event-stream": { schema: streamedEventSchema },
-          },
-        },
-        ...refusals(...asScript, "too-many-readers"),
       },
     },
   },

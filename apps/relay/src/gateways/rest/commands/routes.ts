@@ -2,12 +2,12 @@
 import { termsOf, type CommandRecord } from "@corridor/protocol";
 import { Router, type Request, type Response } from "express";
 import type { SessionHub } from "../../../robots/registry.ts";
-import type { CommandLog } from "../../requests/answers.ts";
+import type { CommandLog } from "./openapi.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
 import { authoriseScript, type AuthorisedRequest } from "../../requests/authorise-script.ts";
+import { jsonText } from "../../../platform/http/reading.ts";
 import {
-  jsonText,
-  waitLimitOf,
+  callerWaitOf,
   readAfter,
   readCommandRequest,
   readIdempotencyKey,
@@ -59,7 +59,7 @@ export function commandRoutes(hub: SessionHub): Router {
       const { session, key } = await authoriseScript(hub, request, response, "log");
       const { wait } = readWait(request);
       const seq = readSeq(request.params.seq);
-      response.json(await session.endOf(seq, waitLimitOf(response, wait, key)));
+      response.json(await session.endOf(seq, callerWaitOf(response, wait, key)));
     })
     .delete(async (request, response) => {
       const { session, key } = await authoriseScript(hub, request, response, "command");

@@ -11,7 +11,7 @@ import { z } from "zod";
 import type { RequestGuard } from "../../../platform/http/request-guard.ts";
 import type { SessionHub } from "../../../robots/registry.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
-import { jsonText, read, readBearer, readBody } from "../../requests/reading.ts";
+import { jsonText, read, readBearer, readBody } from "../../../platform/http/reading.ts";
 
 /** The id of a key, as the last segment of a path. */
 export const keyPath = z.object({ keyId: keyIdSchema.describe("id of the key") });

@@ -7,7 +7,7 @@ import { Refusal } from "../../../platform/errors/problems.ts";
 import type { SessionHub } from "../../../robots/registry.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
 import { authoriseScript } from "../../requests/authorise-script.ts";
-import { jsonText, readBearer, readBody } from "../../requests/reading.ts";
+import { jsonText, readBearer, readBody } from "../../../platform/http/reading.ts";
 
 /** Header of a conditional request. */
 export const ifNoneMatchHeader = z.object({

@@ -9,15 +9,8 @@ import {
 } from "@corridor/protocol";
 import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { nameHeader, waitQuery } from "../../requests/reading.ts";
-import {
-  answer,
-  keyed,
-  location,
-  owner,
-  parameters,
-  refusals,
-  robot,
-} from "../../../platform/openapi/parts.ts";
+import { answer, location, parameters, refusals } from "../../../platform/openapi/parts.ts";
+import { keyed, owner, robot } from "../../requests/openapi-parts.ts";
 
 export const pairingCalls: ZodOpenApiPathsObject = {
   "/api/v1/robots/{id}/pairing": {

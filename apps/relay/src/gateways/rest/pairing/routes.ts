@@ -14,13 +14,12 @@ import type { SessionHub } from "../../../robots/registry.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
 import {
   jsonText,
-  waitLimitOf,
   readBearer,
   readBody,
   readClient,
-  readIntroduction,
-  readWait,
-} from "../../requests/reading.ts";
+  waitLimitOf,
+} from "../../../platform/http/reading.ts";
+import { readIntroduction, readWait } from "../../requests/reading.ts";
 
 export function pairingRoutes(
   hub: SessionHub,

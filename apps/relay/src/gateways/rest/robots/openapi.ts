@@ -1,26 +1,35 @@
-/** Operations for a robot's owner: register and delete a robot, manage its keys and scripts. */
+/** Operations to register, show and delete a robot. */
 import {
-  keyListSchema,
-  keyRequestSchema,
-  createdKeySchema,
   registrationSchema,
-  scriptListSchema,
-  scriptRefSchema,
-  blockedScriptSchema,
+  snapshotSchema,
+  driversSchema,
+  mazeVersionSchema,
+  robotIdSchema,
 } from "@corridor/protocol";
+import { z } from "zod";
 import type { ZodOpenApiPathsObject } from "zod-openapi";
-import { heldSessionSchema } from "../../requests/answers.ts";
-import { keyPath } from "../keys/routes.ts";
-import { scriptPath } from "../scripts/routes.ts";
-import {
-  answer,
-  keyed,
-  location,
-  owner,
-  parameters,
-  refusals,
-  robot,
-} from "../../../platform/openapi/parts.ts";
+import { answer, location, refusals } from "../../../platform/openapi/parts.ts";
+import { keyed, owner, robot } from "../../requests/openapi-parts.ts";
+
+/** Stored state of a robot, without its commands. */
+export const heldSessionSchema = z.strictObject({
+  id: robotIdSchema,
+  createdAt: z.iso.datetime(),
+  lastUsedAt: z.iso.datetime(),
+  endsInSeconds: z
+    .int()
+    .min(0)
+    .describe(
+      "until the robot is deleted at the latest; it is deleted earlier after 2 h without use",
+    ),
+  drivers: driversSchema,
+  maze: mazeVersionSchema
+    .nullable()
+    .describe("version of the maze that its page published; null if there is none"),
+  /** null until the robot has reported */
+  snapshot: snapshotSchema.nullable(),
+});
+export type HeldSession = z.infer<typeof heldSessionSchema>;
 
 export const robotCalls: ZodOpenApiPathsObject = {
   "/api/v1/robots": {
@@ -49,111 +58,6 @@ export const robotCalls: ZodOpenApiPathsObject = {
       responses: {
         204: { description: "The robot is deleted." },
         ...refusals(...keyed, "storage-full"),
-      },
-    },
-  },
-  "/api/v1/robots/{id}/keys": {
-    parameters: robot,
-    post: {
-      operationId: "createKey",
-      summary: "Create a driver or watch key",
-      description:
-        "`replace` revokes earlier keys in the same transaction: true revokes all keys of this kind, an id " +
-        "revokes one. The key is returned only once.",
-      security: owner,
-      requestBody: {
-        required: true,
-        content: { "application/json": { schema: keyRequestSchema } },
-      },
-      responses: {
-        201: answer("The key, with the address for its user.", createdKeySchema, location),
-        ...refusals(
-          ...keyed,
-          "nothing-to-replace",
-          "too-many-keys",
-          "too-large",
-          "not-json",
-          "storage-full",
-        ),
-      },
-    },
-    get: {
-      operationId: "listKeys",
-      summary: "List the keys of a robot by their ids",
-      security: owner,
-      responses: { 200: answer("All valid keys.", keyListSchema), ...refusals(...keyed) },
-    },
-  },
-  "/api/v1/robots/{id}/keys/{keyId}": {
-    parameters: [...robot, ...parameters("path", keyPath)],
-    delete: {
-      operationId: "revokeKey",
-      summary: "Revoke a key",
-      description:
-        "The key becomes invalid immediately. Its connections, event streams and waiting requests are closed, and its " +
-        "open commands are cancelled.",
-      security: owner,
-      responses: {
-        204: { description: "The key is revoked." },
-        ...refusals(...keyed, "no-key", "storage-full"),
-      },
-    },
-  },
-  "/api/v1/robots/{id}/scripts": {
-    parameters: robot,
-    get: {
-      operationId: "listScripts",
-      summary: "List the scripts of a robot by name, with the last command of each",
-      description:
-        "Lists the scripts that are connected, were active in the last 2 minutes, or are blocked. A script is " +
-        "identified by its key and its name, or without a name by its key and its language.",
-      security: owner,
-      responses: { 200: answer("The scripts.", scriptListSchema), ...refusals(...keyed) },
-    },
-  },
-  "/api/v1/robots/{id}/pause": {
-    parameters: robot,
-    put: {
-      operationId: "pauseDriving",
-      summary: "Pause remote driving",
-      description:
-        "Commands of scripts are rejected until driving is resumed, except for stops. Open commands of scripts are " +
-        "cancelled. Scripts stay connected and can read. The state persists across restarts.",
-      security: owner,
-      responses: { 204: { description: "Driving is paused." }, ...refusals(...keyed) },
-    },
-    delete: {
-      operationId: "resumeDriving",
-      summary: "Resume remote driving",
-      security: owner,
-      responses: { 204: { description: "Scripts can drive." }, ...refusals(...keyed) },
-    },
-  },
-  "/api/v1/robots/{id}/blocked": {
-    parameters: robot,
-    post: {
-      operationId: "blockScript",
-      summary: "Block a script",
-      description:
-        "The relay closes the script's connections, rejects its requests and cancels its open commands. " +
-        "Other scripts with the same key are not affected. Blocking is not access control: a script can use another name. To exclude all scripts with a key, revoke the key.",
-      security: owner,
-      requestBody: { required: true, content: { "application/json": { schema: scriptRefSchema } } },
-      responses: {
-        201: answer("The blocked script.", blockedScriptSchema, location),
-        ...refusals(...keyed, "unknown-driver", "too-many-blocked", "too-large", "not-json"),
-      },
-    },
-  },
-  "/api/v1/robots/{id}/blocked/{scriptId}": {
-    parameters: [...robot, ...parameters("path", scriptPath)],
-    delete: {
-      operationId: "unblockScript",
-      summary: "Unblock a script",
-      security: owner,
-      responses: {
-        204: { description: "The script can connect again." },
-        ...refusals(...keyed, "no-script"),
       },
     },
   },

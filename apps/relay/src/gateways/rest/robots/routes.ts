@@ -2,9 +2,9 @@
 import { Router } from "express";
 import type { RequestGuard } from "../../../platform/http/request-guard.ts";
 import type { SessionHub } from "../../../robots/registry.ts";
-import type { HeldSession } from "../../requests/answers.ts";
+import type { HeldSession } from "./openapi.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
-import { readBearer } from "../../requests/reading.ts";
+import { readBearer } from "../../../platform/http/reading.ts";
 
 export function robotRoutes(hub: SessionHub, guard: RequestGuard): Router {
   const router = Router();

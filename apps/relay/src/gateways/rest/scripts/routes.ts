@@ -11,7 +11,7 @@ import { z } from "zod";
 import { keyId } from "../../../platform/keys.ts";
 import type { SessionHub } from "../../../robots/registry.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
-import { jsonText, read, readBearer, readBody } from "../../requests/reading.ts";
+import { jsonText, read, readBearer, readBody } from "../../../platform/http/reading.ts";
 
 /** The id of a script, as the last segment of a path. */
 export const scriptPath = z.object({ scriptId: scriptIdSchema.describe("id of the script") });

@@ -4,7 +4,7 @@ import { Refusal } from "../../../platform/errors/problems.ts";
 import type { SessionHub } from "../../../robots/registry.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
 import { authoriseScript } from "../../requests/authorise-script.ts";
-import { waitLimitOf, readNewer } from "../../requests/reading.ts";
+import { callerWaitOf, readNewer } from "../../requests/reading.ts";
 
 export function sensorRoutes(hub: SessionHub): Router {
   const router = Router();
@@ -13,7 +13,7 @@ export function sensorRoutes(hub: SessionHub): Router {
     .get(async (request, response) => {
       const { session, key } = await authoriseScript(hub, request, response, "read");
       const { after = -1, wait } = readNewer(request);
-      const snapshot = await session.readers.nextSnapshot(after, waitLimitOf(response, wait, key));
+      const snapshot = await session.readers.nextSnapshot(after, callerWaitOf(response, wait, key));
       if (snapshot === null) {
         throw new Refusal(
           "no-snapshot",

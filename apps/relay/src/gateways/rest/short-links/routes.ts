@@ -5,7 +5,7 @@ import { documentSchema } from "../../../short-links/document-schema.ts";
 import type { DocumentService } from "../../../short-links/document-service.ts";
 import type { RequestGuard } from "../../../platform/http/request-guard.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
-import { jsonText, readBearer, readBody } from "../../requests/reading.ts";
+import { jsonText, readBearer, readBody } from "../../../platform/http/reading.ts";
 
 export function documentRoutes(service: DocumentService, guard: RequestGuard): Router {
   const router = Router();
