@@ -138,6 +138,19 @@ describe("a planted violation of an app's layers", () => {
     expect(found.join("\n")).toContain(says);
   });
 
+  it("lets only tests import the folder that starts the whole app", () => {
+    const rules = { layers, forTests: "testing" };
+    const files = {
+      "testing/start.ts": 'import { a } from "../main.ts";',
+      "base/a.test.ts": 'import { b } from "../testing/start.ts";',
+      "main.test.ts": 'import { a } from "./main.ts"; import { b } from "./testing/start.ts";',
+    };
+    expect(layerViolations(sourcesIn(files), { [app]: rules })).toEqual([]);
+    const wrong = { "base/a.ts": 'import { b } from "../testing/start.ts";' };
+    const found = layerViolations(sourcesIn(wrong), { [app]: rules });
+    expect(found.join("\n")).toContain("base must not import testing");
+  });
+
   it("allows imports that go down", () => {
     const files = {
       "main.ts": 'import { a } from "./rooms/one/a.ts"; import { b } from "./base/b.ts";',
