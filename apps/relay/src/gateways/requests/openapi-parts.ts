@@ -22,4 +22,7 @@ export const robot: oas31.ParameterObject[] = parameters("path", z.object({ id: 
 
 export const idempotencyKey: oas31.ParameterObject[] = parameters("header", idempotencyHeader);
 /** Headers with which a script identifies itself. */
-export const ofScript: oas31.ParameterObject[] = [...parameters("header", nameHeader), ...parameters("header", clockHeader)];
+export const ofScript: oas31.ParameterObject[] = [
+  ...parameters("header", nameHeader),
+  ...parameters("header", clockHeader),
+];

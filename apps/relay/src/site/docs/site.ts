@@ -7,7 +7,7 @@ import { problemPages } from "./problem-pages.ts";
 import { CONSOLE_PATH, sections } from "./sections.ts";
 import { htmlWithTabs } from "./tabs.ts";
 
-const ROOT = join(import.meta.dirname, "../../../..");
+const ROOT = join(import.meta.dirname, "../../../../..");
 
 /** Pages with at least this number of sections have a table of contents. */
 const MIN_SECTIONS = 6;
