@@ -1,5 +1,5 @@
 import { useEffect } from "react";
-import { useServices } from "../shell/services.ts";
+import { useServices } from "./use-services.ts";
 
 /**
  * Announces a state whenever it changes; null while there is nothing to announce.

@@ -5,7 +5,7 @@
  */
 import { useLayoutEffect, useState } from "react";
 import { createStore, type StoreApi } from "zustand";
-import { useServices } from "../shell/services.ts";
+import { useServices } from "./use-services.ts";
 import { describeTick, type TickDescription } from "./run/tick-description.ts";
 import { timelineOf } from "./run/timeline-of.ts";
 

@@ -25,7 +25,7 @@ import { LoadingPage } from "./LoadingPage.tsx";
 import { ErrorBoundary } from "../ui/ErrorBoundary.tsx";
 import { lazyRestoreFocus } from "./lazy-restore-focus.ts";
 import { PhoneSheet } from "./PhoneSheet.tsx";
-import { useServices } from "./services.ts";
+import { useServices } from "../model/use-services.ts";
 import { SidePanel } from "./SidePanel.tsx";
 import { TopBar } from "./TopBar.tsx";
 import { useKeyboard } from "./use-keyboard.ts";

@@ -9,7 +9,7 @@ import { LanguageSelect } from "../features/language/LanguageSelect.tsx";
 import { ThemeChoice } from "../features/theme/ThemeChoice.tsx";
 import { Icon } from "../ui/Icon.tsx";
 import { MenuItem } from "../ui/Popover.tsx";
-import { useServices } from "./services.ts";
+import { useServices } from "../model/use-services.ts";
 import styles from "./more-menu.module.css";
 
 export interface TopBarProps {

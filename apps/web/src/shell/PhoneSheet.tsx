@@ -15,7 +15,7 @@ import { Icon } from "../ui/Icon.tsx";
 import { Deferred } from "../ui/Deferred.tsx";
 import { Tabs } from "../ui/Tabs.tsx";
 import styles from "./phone-sheet.module.css";
-import { useServices } from "./services.ts";
+import { useServices } from "../model/use-services.ts";
 import { sheetTabs, type SheetTab } from "../model/screen/screen-store.ts";
 import { afterDrag, afterPress, type SheetPosition } from "./sheet.ts";
 

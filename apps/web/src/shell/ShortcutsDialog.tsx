@@ -8,7 +8,7 @@ import { Dialog } from "../ui/Dialog.tsx";
 import { Kbd } from "../ui/Kbd.tsx";
 import styles from "./shortcuts-dialog.module.css";
 import { capsOf } from "./key-caps.ts";
-import { useServices } from "./services.ts";
+import { useServices } from "../model/use-services.ts";
 
 /** Each row: its label, and keys with the same function (see key-caps.ts). */
 const rows = [

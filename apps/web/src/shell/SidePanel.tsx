@@ -10,7 +10,7 @@ import { ProgramEditor } from "../features/program-editor/ProgramEditor.tsx";
 import { LazyRemotePanel } from "../features/remote/lazy-remote-panel.ts";
 import { Deferred } from "../ui/Deferred.tsx";
 import styles from "./side-panel.module.css";
-import { useServices } from "./services.ts";
+import { useServices } from "../model/use-services.ts";
 
 export function SidePanel({ hold }: { hold: HoldStore }) {
   const { t } = useTranslation();

@@ -16,7 +16,7 @@ import { useMediaQuery } from "../ui/use-media-query.ts";
 import styles from "./top-bar.module.css";
 import { Brand } from "../ui/Brand.tsx";
 import type { TopBarProps } from "./MoreMenu.tsx";
-import { useServices } from "./services.ts";
+import { useServices } from "../model/use-services.ts";
 
 const MoreMenu = lazyPart(async () => (await import("./MoreMenu.tsx")).MoreMenu);
 

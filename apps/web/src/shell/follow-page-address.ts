@@ -8,7 +8,7 @@ import { programForMaze } from "../model/workspace/own-program.ts";
 import { holdAgain } from "../features/share/held-link.ts";
 import { openEmptyMaze } from "../features/projects/empty-maze.ts";
 import { dismiss, showMessage } from "../model/screen/screen-store.ts";
-import type { Services } from "./services.ts";
+import type { Services } from "../model/services.ts";
 import { followAddress } from "../model/address/url-sync.ts";
 
 /**

@@ -7,7 +7,7 @@ import { snapshotOf } from "@corridor/protocol/testing";
 import { frameOf } from "../stage/testing/frame-of.ts";
 import { runEventAt } from "../simulator/worker/testing/run-event-at.ts";
 import type { FromWorker, ToWorker } from "../simulator/protocol/worker-messages.ts";
-import { createServices } from "./services.ts";
+import { createServices } from "./create-services.ts";
 import { MemoryStorage } from "../model/storage/testing/memory-storage.ts";
 import { ProjectReader } from "../model/projects/project-reader.ts";
 

@@ -11,7 +11,8 @@ import { describeRobot } from "../features/speech/describe-later.ts";
 import { isProgramRefused, runButton, runOrPause, stepOn } from "../model/run/run-button.ts";
 import { redo, undo } from "../model/workspace/workspace-store.ts";
 import type { DriveKey } from "../simulator/protocol/worker-messages.ts";
-import { useServices, type Services } from "./services.ts";
+import { useServices } from "../model/use-services.ts";
+import type { Services } from "../model/services.ts";
 import { shortcutOf, type Place, type Shortcut } from "./shortcuts.ts";
 
 /**

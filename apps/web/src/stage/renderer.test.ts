@@ -7,7 +7,7 @@ import type { MazeDocument } from "@corridor/maze";
 import type { Snapshot } from "@corridor/protocol";
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import { frameOf } from "./testing/frame-of.ts";
-import type { Frame } from "../simulator/protocol/worker-messages.ts";
+import type { Frame } from "./drawing/frame.ts";
 import type { LayerCanvas, LayerCanvases } from "./drawing/drawing-context.ts";
 import { readPalette } from "./drawing/palette.ts";
 import { StageRenderer } from "./renderer.ts";

@@ -9,7 +9,7 @@
  * depends on neither page nor worker and runs in both.
  */
 import type { Snapshot } from "@corridor/protocol";
-import type { Frame } from "../simulator/protocol/worker-messages.ts";
+import type { Frame } from "./drawing/frame.ts";
 import type { LayerCanvases } from "./drawing/drawing-context.ts";
 import { Camera } from "./camera.ts";
 import { bumpMarks, drawBumps, type BumpMark } from "./layers/bumps.ts";

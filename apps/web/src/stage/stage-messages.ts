@@ -1,5 +1,7 @@
 /** Messages between page and worker for drawing the stage. */
 import type { Snapshot } from "@corridor/protocol";
+import type { Scroll } from "./drawing/viewport.ts";
+import type { Frame } from "./drawing/frame.ts";
 import type { LayerCanvases } from "./drawing/drawing-context.ts";
 import type { StageModel } from "./layers/stage-model.ts";
 
@@ -16,3 +18,9 @@ export type StageToWorker =
   | { type: "stage-numbers"; snapshot: Snapshot }
   /** the canvases were removed */
   | { type: "stage-unmount" };
+
+export type StageFromWorker =
+  /** every frame, for a page that draws the stage by itself; in addition to `frame` */
+  | { type: "picture"; frame: Frame }
+  /** the camera follows the robot: scroll the stage there */
+  | { type: "stage-scroll-to"; scroll: Scroll };

@@ -1,11 +1,11 @@
 import { describe, expect, it } from "vitest";
 import { StagePainter } from "./stage-painter.ts";
 import { frameOf } from "./testing/frame-of.ts";
-import type { FromWorker } from "../simulator/protocol/worker-messages.ts";
+import type { StageFromWorker } from "./stage-messages.ts";
 
 /** A painter whose animation frames run when the test requests them. */
 function newPainter() {
-  const posted: FromWorker[] = [];
+  const posted: StageFromWorker[] = [];
   const waiting: (() => void)[] = [];
   const counts = { caughtUp: 0, fonts: 0 };
   const painter: StagePainter = new StagePainter({

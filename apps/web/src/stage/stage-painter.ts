@@ -10,8 +10,8 @@ import { StageRenderer } from "./renderer.ts";
 import type { Palette } from "./drawing/palette.ts";
 import type { StageModel } from "./layers/stage-model.ts";
 import { FrameBuffer } from "./frame-buffer.ts";
-import type { StageToWorker } from "./stage-messages.ts";
-import type { Frame, FromWorker } from "../simulator/protocol/worker-messages.ts";
+import type { StageFromWorker, StageToWorker } from "./stage-messages.ts";
+import type { Frame } from "./drawing/frame.ts";
 
 /**
  * The page's font under its own name: a canvas that has drawn with a fallback uses it as long as
@@ -20,7 +20,7 @@ import type { Frame, FromWorker } from "../simulator/protocol/worker-messages.ts
 const STAGE_FONT = "Corridor Stage";
 
 export interface StagePainterPort {
-  post: (message: FromWorker) => void;
+  post: (message: StageFromWorker) => void;
   requestFrame: (paint: () => void) => number;
   cancelFrame: (request: number) => void;
   /** brings the run up to now, immediately before it is drawn; may `add` a frame */

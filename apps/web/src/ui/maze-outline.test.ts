@@ -1,8 +1,15 @@
+import type { MazeDocument } from "@corridor/maze";
 import { describe, expect, it } from "vitest";
-import { firstMaze } from "../simulator/protocol/first-project.ts";
 import { blocksPath, edgesPath } from "./maze-outline.ts";
 
-const maze = (...blocks: string[]) => ({ ...firstMaze, blocks });
+const maze = (...blocks: string[]): MazeDocument => ({
+  format: "corridor/maze",
+  version: 1,
+  name: "",
+  blocks,
+  start: { column: 0, row: 0, heading: "north" },
+  goals: [],
+});
 
 describe("the picture of a maze", () => {
   it("draws neighbouring blocks of a row as one", () => {

@@ -4,7 +4,7 @@ import { History, Play } from "lucide";
 import { useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { useWaited } from "../../model/use-waited.ts";
 import type { Explanation } from "../../model/run/card-store.ts";
 import { Icon } from "../../ui/Icon.tsx";

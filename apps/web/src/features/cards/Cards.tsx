@@ -1,7 +1,7 @@
 /** The card for the displayed tick: why the robot bumped, or that the maze is solved. */
 import { useEffect, useState } from "react";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import type { Explanation } from "../../model/run/card-store.ts";
 import {
   challengeResult,

@@ -1,6 +1,6 @@
 /** Mounts the cards on the stage. Their code is a separate chunk. */
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { lazyPart } from "../../ui/lazy-part.tsx";
 import type { StageViewStore } from "../../stage/page/stage-view.ts";
 

@@ -4,7 +4,7 @@ import { Flag, History, Share } from "lucide";
 import { useMemo, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { useWaited } from "../../model/use-waited.ts";
 import { allOf } from "../../text/all-of.ts";
 import { formatClock, formatSeconds } from "../../text/numbers.ts";

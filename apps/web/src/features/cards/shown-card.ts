@@ -2,7 +2,8 @@
 import type { Snapshot } from "@corridor/protocol";
 import type { CardState } from "../../model/run/card-store.ts";
 import type { ChallengeResult } from "../../model/challenge/challenge-store.ts";
-import type { RunEvent, RunView } from "../../simulator/protocol/worker-messages.ts";
+import type { RunEvent } from "../../simulator/protocol/worker-messages.ts";
+import type { RunView } from "../../stage/drawing/frame.ts";
 
 /** The state of the open challenge. */
 export interface ShownAttempt {

@@ -3,7 +3,7 @@ import { sensorNames, type SensorName } from "@corridor/protocol";
 import { useLayoutEffect, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { contactSensor } from "../../stage/drawing/contact-sensor.ts";
 import type { RunState } from "../../model/run/run-store.ts";
 import { decimalSign, formatReading } from "../../text/numbers.ts";

@@ -2,7 +2,7 @@
 import { FileDown } from "lucide";
 import { useCallback, useEffect, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { showMessage } from "../../model/screen/screen-store.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { lazyDialog } from "../../ui/lazy-part.tsx";

@@ -2,7 +2,7 @@
 import { FileBraces, FileInput, FileText, Film, Image, ListOrdered } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { MenuItem } from "../../ui/Popover.tsx";
 import { RaceMenuItem } from "../race/RaceButton.tsx";

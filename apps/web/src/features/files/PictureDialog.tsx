@@ -1,13 +1,14 @@
 /** Saves a picture of the maze, with or without the run of the robot. */
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Checkbox } from "../../ui/Checkbox.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
 import { FieldError } from "../../ui/FieldError.tsx";
 import { fileName } from "../../ui/file-name.ts";
-import { drawPicture, pngOf, type Picture } from "./picture.ts";
+import { pngOf, type Picture } from "../../stage/svg/picture.ts";
+import { drawPicture } from "./draw-picture.ts";
 import { saveFile } from "../../ui/save-file.ts";
 import styles from "./picture-dialog.module.css";
 

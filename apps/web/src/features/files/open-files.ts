@@ -7,7 +7,7 @@ import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { FieldProblem } from "@corridor/protocol";
 import type { i18n } from "i18next";
-import type { Services } from "../../shell/services.ts";
+import type { Services } from "../../model/services.ts";
 import { dismiss, showMessage } from "../../model/screen/screen-store.ts";
 import { joinList } from "../../text/joined.ts";
 import { programForMaze } from "../../model/workspace/own-program.ts";

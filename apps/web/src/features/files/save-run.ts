@@ -1,7 +1,7 @@
 /** Saves the run so far, which the simulator writes on request. */
 import type { RunDocument } from "@corridor/recording";
 import type { i18n } from "i18next";
-import type { Services } from "../../shell/services.ts";
+import type { Services } from "../../model/services.ts";
 import { showMessage } from "../../model/screen/screen-store.ts";
 import { saveRun as askForRun } from "../../model/run/run-requests.ts";
 import { saveDocument } from "../../ui/save-file.ts";

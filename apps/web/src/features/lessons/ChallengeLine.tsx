@@ -5,7 +5,7 @@
 import { Check, Target } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { challengeResult } from "../../model/challenge/challenge-store.ts";
 import { allOf } from "../../text/all-of.ts";
 import { metText } from "../../model/lessons/failure-text.ts";

@@ -1,13 +1,13 @@
 /** End of the path: a picture to save with the trail of the student's own program. */
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { formatClock } from "../../text/numbers.ts";
 import { Button } from "../../ui/Button.tsx";
 import { FieldError } from "../../ui/FieldError.tsx";
 import type { SolvedTrail } from "../../simulator/protocol/project-request.ts";
 import { fileName } from "../../ui/file-name.ts";
-import { lightPalette, pngOf } from "../files/picture.ts";
+import { lightPalette, pngOf } from "../../stage/svg/picture.ts";
 import { saveFile } from "../../ui/save-file.ts";
 import { finishPicture } from "./finish-picture.ts";
 import type { LessonsRecord } from "../../model/lessons/lessons-storage.ts";

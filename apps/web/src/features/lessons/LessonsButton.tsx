@@ -1,7 +1,7 @@
 /** Top bar button that opens the path of missions. */
 import { Target } from "lucide";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import styles from "./lessons-button.module.css";

@@ -3,7 +3,7 @@ import { ArrowRight, ChevronDown, ChevronUp, House, ListChecks, ListRestart } fr
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { isJudgedByRun } from "../../model/challenge/challenge-store.ts";
 import { allOf } from "../../text/all-of.ts";
 import { Icon } from "../../ui/Icon.tsx";

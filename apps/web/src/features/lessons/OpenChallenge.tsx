@@ -3,7 +3,7 @@
  * open.
  */
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { ChallengeLine, MissionCard } from "./lazy-lessons.ts";
 import { LessonsInvitation } from "./LessonsInvitation.tsx";
 

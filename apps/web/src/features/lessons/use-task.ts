@@ -4,7 +4,7 @@
  */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
 import { missionIds } from "../../model/lessons/missions/mission.ts";
 import { projectOf } from "../../model/lessons/missions/projects.ts";

@@ -1,7 +1,7 @@
 /** Clear maze, the only edit that asks for confirmation. */
 import { clearBlocks } from "@corridor/maze";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { setMaze } from "../../model/workspace/workspace-store.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";

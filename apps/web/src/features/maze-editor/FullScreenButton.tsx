@@ -2,7 +2,7 @@
 import { Maximize, Minimize } from "lucide";
 import { useSyncExternalStore } from "react";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { showMessage } from "../../model/screen/screen-store.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { IconButton } from "../../ui/Button.tsx";

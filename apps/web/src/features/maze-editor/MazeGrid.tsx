@@ -8,7 +8,7 @@ import { useId, type KeyboardEvent, type RefObject } from "react";
 import { flushSync } from "react-dom";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { asSentence, joinSentences } from "../../text/joined.ts";
 import { classNames } from "../../ui/class-names.ts";
 import { useAnnouncement } from "../../model/use-announcement.ts";

@@ -3,7 +3,7 @@ import { MAX_SIDE, resize, sizeOf } from "@corridor/maze";
 import { useId, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { joinSentences } from "../../text/joined.ts";
 import { setMaze } from "../../model/workspace/workspace-store.ts";
 import { Button } from "../../ui/Button.tsx";

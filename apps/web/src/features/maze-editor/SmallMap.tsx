@@ -7,7 +7,7 @@
 import { sizeOf } from "@corridor/maze";
 import { useEffect, useRef, type PointerEvent } from "react";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import {
   CELL,
   viewX,

@@ -2,7 +2,7 @@
 import { useEffect, useLayoutEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { RunEventCards } from "../cards/RunEventCards.tsx";
 import { lazyPart } from "../../ui/lazy-part.tsx";
 import { MazeGrid } from "./MazeGrid.tsx";

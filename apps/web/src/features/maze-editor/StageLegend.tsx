@@ -2,7 +2,7 @@
 import { useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import type { RunState } from "../../model/run/run-store.ts";
 import { preparePhrase } from "../../text/phrase.ts";
 import { LiveText } from "../../ui/LiveText.tsx";

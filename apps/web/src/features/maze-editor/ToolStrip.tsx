@@ -13,7 +13,7 @@ import {
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { tools, type Tool } from "../../model/screen/screen-store.ts";
 import { redo, undo } from "../../model/workspace/workspace-store.ts";
 import { Icon } from "../../ui/Icon.tsx";

@@ -2,7 +2,7 @@
 import { Eraser, MessageSquareText, Redo2, Scaling, Undo2 } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { redo, undo } from "../../model/workspace/workspace-store.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Checkbox } from "../../ui/Checkbox.tsx";

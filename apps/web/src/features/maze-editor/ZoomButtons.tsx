@@ -1,7 +1,7 @@
 /** Zoom out, whole maze, zoom in: below the maze, or in the View menu where the stage is small. */
 import { Scan, ZoomIn, ZoomOut } from "lucide";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { IconButton } from "../../ui/Button.tsx";
 import styles from "./zoom-buttons.module.css";

@@ -5,7 +5,7 @@
 import { MAX_GOALS, MAX_SIDE, sizeOf, type Cell, type MazeDocument } from "@corridor/maze";
 import type { Pose } from "@corridor/protocol";
 import type { i18n } from "i18next";
-import type { Services } from "../../shell/services.ts";
+import type { Services } from "../../model/services.ts";
 import type { CameraState } from "../../model/screen/camera-store.ts";
 import type { EditPreview } from "../../stage/layers/edit-preview.ts";
 import { Camera } from "../../stage/camera.ts";
@@ -30,6 +30,7 @@ import {
   readScroll,
   setLayout,
 } from "../../stage/page/stage-scroll.ts";
+import { stageLinkOf } from "../../simulator/stage-link.ts";
 import { openStageScreen } from "../../stage/page/open-stage-screen.ts";
 import type { StageScreen } from "../../stage/page/stage-screen.ts";
 import { tapePointAt, tapeWords, type Tape, type TapePoint } from "../../stage/page/tape.ts";
@@ -95,7 +96,7 @@ export class StageController {
   mount(elements: StageElements): () => void {
     const { workspace, screen, run, simulator, camera } = this.#services;
     const { scroller } = elements;
-    const drawing = openStageScreen(simulator, elements.layers, (scroll) =>
+    const drawing = openStageScreen(stageLinkOf(simulator), elements.layers, (scroll) =>
       followRequest(this.view, scroller, scroll),
     );
     this.#elements = elements;

@@ -5,7 +5,7 @@
  */
 import type { Cell } from "@corridor/maze";
 import { useEffect, useState } from "react";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import type { RunState } from "../../model/run/run-store.ts";
 import { Throttle } from "../../ui/throttle.ts";
 import { isAround } from "./grid-cursor.ts";

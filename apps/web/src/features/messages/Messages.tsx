@@ -6,7 +6,7 @@ import { CircleAlert, X } from "lucide";
 import { useEffect, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { dismiss, type Message } from "../../model/screen/screen-store.ts";
 import { useAnnouncement } from "../../model/use-announcement.ts";
 import { joinSentences } from "../../text/joined.ts";

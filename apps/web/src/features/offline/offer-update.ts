@@ -3,7 +3,7 @@
  * progress.
  */
 import type { i18n } from "i18next";
-import type { Services } from "../../shell/services.ts";
+import type { Services } from "../../model/services.ts";
 import { dismiss, showMessage } from "../../model/screen/screen-store.ts";
 import { startServiceWorker } from "./service-worker.ts";
 

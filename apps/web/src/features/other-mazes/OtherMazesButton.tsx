@@ -1,7 +1,7 @@
 /** The button below the lines of the program that opens "Try it in other mazes". */
 import { LayoutGrid } from "lucide";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 

@@ -1,7 +1,7 @@
 /** All mazes of a set as one tab stop; arrow keys move from maze to maze. */
 import { useCallback, useEffect, useRef, useState, type KeyboardEvent } from "react";
 import { useTranslation } from "react-i18next";
-import type { TrialResult } from "../../simulator/trial-worker/maze-trial.ts";
+import type { TrialResult } from "../../simulator/protocol/trial-messages.ts";
 import { nextTile } from "./next-tile.ts";
 import styles from "./other-mazes.module.css";
 import { TrialTile } from "./TrialTile.tsx";

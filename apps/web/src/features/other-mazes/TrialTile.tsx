@@ -7,7 +7,7 @@ import { Check, Clock, X } from "lucide";
 import { memo, useDeferredValue } from "react";
 import { useTranslation } from "react-i18next";
 import { formatClock } from "../../text/numbers.ts";
-import type { TrialResult } from "../../simulator/trial-worker/maze-trial.ts";
+import type { TrialResult } from "../../simulator/protocol/trial-messages.ts";
 import { MazePicture } from "../../ui/MazePicture.tsx";
 import { Icon } from "../../ui/Icon.tsx";
 import styles from "./other-mazes.module.css";

@@ -6,10 +6,10 @@ import type { ProgramDocument } from "@corridor/program";
 import { TICKS_PER_SECOND } from "@corridor/simulation";
 import type { i18n } from "i18next";
 import { loadRun } from "../../model/run/run-requests.ts";
-import type { Services } from "../../shell/services.ts";
+import type { Services } from "../../model/services.ts";
 import { dismiss, showMessage } from "../../model/screen/screen-store.ts";
 import { setProgram } from "../../model/workspace/workspace-store.ts";
-import type { TrialMazes, TrialResult } from "../../simulator/trial-worker/maze-trial.ts";
+import type { TrialMazes, TrialResult } from "../../simulator/protocol/trial-messages.ts";
 import { watchAgain } from "../../model/run/watch-again.ts";
 import type { TrialPool } from "./trial-pool.ts";
 

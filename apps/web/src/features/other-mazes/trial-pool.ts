@@ -5,7 +5,7 @@
  */
 import type { ProgramDocument } from "@corridor/program";
 import type { WrittenRun } from "@corridor/recording";
-import type { TrialMazes, TrialResult } from "../../simulator/trial-worker/maze-trial.ts";
+import type { TrialMazes, TrialResult } from "../../simulator/protocol/trial-messages.ts";
 import type { FromTrialWorker, ToTrialWorker } from "../../simulator/protocol/trial-messages.ts";
 
 /** The part of `Worker` that is used. */

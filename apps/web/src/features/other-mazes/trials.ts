@@ -5,7 +5,7 @@ import type {
   TrialMazes,
   TrialOutcome,
   TrialResult,
-} from "../../simulator/trial-worker/maze-trial.ts";
+} from "../../simulator/protocol/trial-messages.ts";
 import type { TrialPool } from "./trial-pool.ts";
 
 /** Mazes of one set. */

@@ -1,5 +1,5 @@
 /** Starts the trials when the button is pressed, and retains the workers for the next press. */
-import type { Services } from "../../shell/services.ts";
+import type { Services } from "../../model/services.ts";
 import { trialChoice, type Trials } from "./trials.ts";
 
 /** Time in ms after which idle workers end. */

@@ -3,7 +3,7 @@ import { dailyMaze, dayAfter, type Day, type MazeDocument } from "@corridor/maze
 import { ChevronLeft, ChevronRight } from "lucide";
 import { useId, useState } from "react";
 import { useTranslation } from "react-i18next";
-import { storageOrNone } from "../../model/projects/project-storage.ts";
+import { storageOrNone } from "../../model/storage/key-value-storage.ts";
 import { formatClock } from "../../text/numbers.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button, IconButton } from "../../ui/Button.tsx";

@@ -1,7 +1,7 @@
 /** Opens the presets from the top bar. */
 import { ChevronDown, LayoutGrid } from "lucide";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { Popover, usePopover } from "../../ui/Popover.tsx";

@@ -4,7 +4,7 @@ import { programPresets } from "@corridor/program";
 import { useId } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { AlgorithmChoice } from "../program-editor/AlgorithmChoice.tsx";
 import { DailyMaze } from "./DailyMaze.tsx";
 import { useRights } from "../../model/use-rights.ts";

@@ -7,7 +7,7 @@ import { Plus } from "lucide";
 import { useId } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { OtherMazesButton } from "../other-mazes/OtherMazesButton.tsx";
 import { useRights } from "../../model/use-rights.ts";
 import { Icon } from "../../ui/Icon.tsx";

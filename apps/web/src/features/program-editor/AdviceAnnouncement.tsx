@@ -5,7 +5,7 @@
 import { useEffect } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { useAnnouncement } from "../../model/use-announcement.ts";
 import { adviceOn } from "../../model/advice/advice-store.ts";
 import { lineElementId } from "../../model/workspace/focus-line.ts";

@@ -6,7 +6,7 @@ import type { ProgramDocument } from "@corridor/program";
 import { useRef, useState, type ReactNode } from "react";
 import { flushSync } from "react-dom";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { Button } from "../../ui/Button.tsx";
 import styles from "./algorithm-choice.module.css";
 import { chooseAlgorithm } from "./choose-algorithm.ts";

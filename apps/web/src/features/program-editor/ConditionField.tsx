@@ -9,7 +9,7 @@ import {
 } from "@corridor/program";
 import { useEffect, useRef } from "react";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { beginStroke } from "../../model/workspace/workspace-store.ts";
 import { classNames } from "../../ui/class-names.ts";
 import { FieldError } from "../../ui/FieldError.tsx";

@@ -2,7 +2,7 @@
 import type { LineRef } from "@corridor/protocol";
 import { useLayoutEffect, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import type { RunState } from "../../model/run/run-store.ts";
 import { Throttle } from "../../ui/throttle.ts";
 import { memoize } from "../../ui/memoize.ts";

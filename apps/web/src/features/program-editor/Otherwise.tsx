@@ -4,7 +4,7 @@ import { useLayoutEffect, type RefObject } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useShallow } from "zustand/react/shallow";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import type { RunState } from "../../model/run/run-store.ts";
 import { classNames } from "../../ui/class-names.ts";
 import { followText } from "../../ui/follow-text.ts";

@@ -4,7 +4,7 @@ import { Fragment, useLayoutEffect, useRef, useState, type RefObject } from "rea
 import { flushSync } from "react-dom";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import type { RunState } from "../../model/run/run-store.ts";
 import { showMessage } from "../../model/screen/screen-store.ts";
 import { lazyPart } from "../../ui/lazy-part.tsx";

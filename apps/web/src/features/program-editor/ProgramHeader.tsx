@@ -4,7 +4,7 @@ import { BookOpen, Redo2, Undo2 } from "lucide";
 import { useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { beginStroke, redo, undo } from "../../model/workspace/workspace-store.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { IconButton } from "../../ui/Button.tsx";

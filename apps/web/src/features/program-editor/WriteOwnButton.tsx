@@ -1,7 +1,7 @@
 /** "Write my own" beside Run, while the program is the example and no script drives. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { showMessage } from "../../model/screen/screen-store.ts";
 import { Button } from "../../ui/Button.tsx";
 import { useRights } from "../../model/use-rights.ts";

@@ -1,7 +1,7 @@
 import type { Advice } from "@corridor/coach";
 import type { Condition } from "@corridor/program";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import type { AdviceText } from "../../model/advice/advice-text.ts";
 
 /**

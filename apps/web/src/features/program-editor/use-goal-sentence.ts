@@ -1,7 +1,7 @@
 /** The goal sentence of the open maze, outside of challenges. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 
 export function useGoalSentence(): string {
   const { t } = useTranslation();

@@ -6,7 +6,7 @@
 import type { LineRef } from "@corridor/protocol";
 import { useLayoutEffect, useRef, type RefObject } from "react";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import type { RunState } from "../../model/run/run-store.ts";
 import { lineElementId } from "../../model/workspace/focus-line.ts";
 import type { LineFollower } from "./line-follower.ts";

@@ -1,6 +1,6 @@
 import { emptyProgram } from "@corridor/program";
 import type { i18n } from "i18next";
-import type { Services } from "../../shell/services.ts";
+import type { Services } from "../../model/services.ts";
 import { showUndoable } from "../../model/workspace/show-undoable.ts";
 import { loadProgram } from "../../model/workspace/program-actions.ts";
 

@@ -2,7 +2,7 @@
 import { FilePlus2 } from "lucide";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import type { Project } from "../../model/projects/project-storage.ts";
 import { FileMenuItems } from "../files/FileMenuItems.tsx";
 import { Icon } from "../../ui/Icon.tsx";

@@ -2,7 +2,7 @@
 import { sizeOf } from "@corridor/maze";
 import { Trash2 } from "lucide";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import type { Project } from "../../model/projects/project-storage.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { IconButton } from "../../ui/Button.tsx";

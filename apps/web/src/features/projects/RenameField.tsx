@@ -3,7 +3,7 @@ import { MAX_NAME_LENGTH, rename } from "@corridor/maze";
 import { useEffect, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { beginStroke, setMaze } from "../../model/workspace/workspace-store.ts";
 import { TextField } from "../../ui/TextField.tsx";
 import styles from "./maze-menu.module.css";

@@ -1,7 +1,7 @@
 /** Opens a new empty maze as its own project. */
 import type { MazeDocument } from "@corridor/maze";
 import type { i18n } from "i18next";
-import type { Services } from "../../shell/services.ts";
+import type { Services } from "../../model/services.ts";
 import { dismiss, showMessage } from "../../model/screen/screen-store.ts";
 import { programForMaze } from "../../model/workspace/own-program.ts";
 

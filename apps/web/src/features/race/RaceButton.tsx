@@ -2,7 +2,7 @@
 import { Ghost } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button, type ButtonProps } from "../../ui/Button.tsx";
 import { MenuItem } from "../../ui/Popover.tsx";

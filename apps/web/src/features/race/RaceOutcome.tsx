@@ -5,7 +5,7 @@
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { Button } from "../../ui/Button.tsx";
 import styles from "./race.module.css";
 import { RaceDialog } from "./RaceDialog.tsx";

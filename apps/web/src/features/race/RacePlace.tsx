@@ -2,7 +2,7 @@
  * Slot in the strip above the maze: the current race, or a button to race the past run on display.
  */
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { lazyPart } from "../../ui/lazy-part.tsx";
 
 const RaceChip = lazyPart(async () => (await import("./RaceChip.tsx")).RaceChip);

@@ -1,6 +1,6 @@
 /** The ghosts of a race in the storage of this tab, so that they survive a reload. */
 import { readRun, type RunDocument } from "@corridor/recording";
-import type { KeyValueStorage } from "../../model/projects/project-storage.ts";
+import type { KeyValueStorage } from "../../model/storage/key-value-storage.ts";
 import { RACE_KEY } from "../../model/run/race-store.ts";
 
 export interface StoredGhost {

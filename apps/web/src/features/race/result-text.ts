@@ -1,7 +1,7 @@
 /** The result of the race in one sentence. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { formatSeconds } from "../../text/numbers.ts";
 import { raceResult } from "./race-result.ts";
 

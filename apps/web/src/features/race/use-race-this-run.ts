@@ -1,7 +1,7 @@
 /** Handler of "Race this run". The rest of the code loads with the first press. */
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 
 export function useRaceThisRun() {
   const services = useServices();

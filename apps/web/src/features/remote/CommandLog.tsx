@@ -1,7 +1,7 @@
 /** Every command in the page's log, newest first. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { Button } from "../../ui/Button.tsx";
 import { CommandTable } from "./CommandTable.tsx";
 import styles from "./remote.module.css";

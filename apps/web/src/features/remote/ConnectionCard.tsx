@@ -1,7 +1,7 @@
 /** The state of the connection in words, and the button that changes it. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { Button } from "../../ui/Button.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import { useOnline } from "../../ui/use-online.ts";

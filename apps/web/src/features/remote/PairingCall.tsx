@@ -8,7 +8,7 @@ import { useEffect, useId, useSyncExternalStore } from "react";
 import { createPortal } from "react-dom";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { showMessage } from "../../model/screen/screen-store.ts";
 import { joinSentences } from "../../text/joined.ts";
 import { Button } from "../../ui/Button.tsx";

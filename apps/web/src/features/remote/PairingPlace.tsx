@@ -1,6 +1,6 @@
 /** The place of a script's question. Only a page with a remote session renders it. */
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { lazyPart } from "../../ui/lazy-part.tsx";
 
 const PairingCall = lazyPart(async () => (await import("./PairingCall.tsx")).PairingCall);

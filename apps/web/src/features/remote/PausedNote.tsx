@@ -2,7 +2,7 @@
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { Button } from "../../ui/Button.tsx";
 import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { pauseDriving } from "./owner-calls.ts";

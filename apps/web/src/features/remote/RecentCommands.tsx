@@ -1,7 +1,7 @@
 /** The running command of a script, and the last five that ended. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { CommandTable } from "./CommandTable.tsx";
 import { recentCommands } from "./recent-commands.ts";
 import { useSelectedCommand } from "./use-selected-command.ts";

@@ -3,7 +3,7 @@
  * "More".
  */
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { AddressField } from "./AddressField.tsx";
 import { ConnectionCard } from "./ConnectionCard.tsx";
 import { PausedNote } from "./PausedNote.tsx";

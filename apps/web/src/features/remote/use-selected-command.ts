@@ -1,6 +1,6 @@
 /** The command of a script at the displayed tick. */
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { useDisplayedTick } from "../../model/use-displayed-tick.ts";
 
 /**

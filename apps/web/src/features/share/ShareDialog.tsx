@@ -8,7 +8,7 @@ import { Icon } from "../../ui/Icon.tsx";
 import { Checkbox } from "../../ui/Checkbox.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { sharedSearch } from "../../model/preferences/language.ts";
 import { missionHash } from "../../model/address/mission-address.ts";
 import { holdLink } from "./held-link.ts";

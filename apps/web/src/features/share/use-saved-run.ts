@@ -1,6 +1,6 @@
 import { useEffect, useState } from "react";
 import type { RunDocument, WrittenRun } from "@corridor/recording";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { saveRun } from "../../model/run/run-requests.ts";
 
 /**

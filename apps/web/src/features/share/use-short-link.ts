@@ -3,7 +3,7 @@ import type { ChallengeDocument } from "@corridor/challenge";
 import type { MazeDocument } from "@corridor/maze";
 import type { ShortLink } from "@corridor/protocol";
 import { useEffect, useState } from "react";
-import { storageOrNone } from "../../model/projects/project-storage.ts";
+import { storageOrNone } from "../../model/storage/key-value-storage.ts";
 import { ShortLinkService } from "./short-link-service.ts";
 
 export interface ShortLinkState {

@@ -3,7 +3,7 @@ import { sensorNames } from "@corridor/protocol";
 import { useId, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { Checkbox } from "../../ui/Checkbox.tsx";
 import { FieldError } from "../../ui/FieldError.tsx";
 import { Select } from "../../ui/Select.tsx";

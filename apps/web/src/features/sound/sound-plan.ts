@@ -4,7 +4,7 @@
  * Minimum gaps between sounds keep speed "max" quiet.
  */
 import type { LineRef, SensorName, Snapshot } from "@corridor/protocol";
-import type { RunView } from "../../simulator/protocol/worker-messages.ts";
+import type { RunView } from "../../stage/drawing/frame.ts";
 
 /** Plays the sounds. */
 export interface SoundPort {

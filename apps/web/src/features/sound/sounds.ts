@@ -5,7 +5,7 @@
  */
 import type { SensorName } from "@corridor/protocol";
 import { createStore } from "zustand/vanilla";
-import { storageOrNone } from "../../model/projects/project-storage.ts";
+import { storageOrNone } from "../../model/storage/key-value-storage.ts";
 import type { RunStore } from "../../model/run/run-store.ts";
 import { readSoundChoice, SOUND_KEY, type SoundChoice } from "./sound-choice.ts";
 import { SoundPlan } from "./sound-plan.ts";

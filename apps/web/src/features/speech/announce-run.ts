@@ -1,6 +1,6 @@
 /** Connects the run to the announcements: puts the announcements of `RunListener` into words. */
 import { causeLine, type Diagnosis } from "@corridor/coach";
-import type { Services } from "../../shell/services.ts";
+import type { Services } from "../../model/services.ts";
 import { asSentence, joinSentences } from "../../text/joined.ts";
 import { formatSeconds } from "../../text/numbers.ts";
 import type { RunState } from "../../model/run/run-store.ts";

@@ -4,7 +4,7 @@
  * side.
  */
 import type { i18n } from "i18next";
-import type { Services } from "../../shell/services.ts";
+import type { Services } from "../../model/services.ts";
 import { dismiss, showMessage, type ScreenStore } from "../../model/screen/screen-store.ts";
 
 const shown = new WeakMap<ScreenStore, number>();

@@ -7,7 +7,7 @@ import type { LineRef } from "@corridor/protocol";
 import { CornerDownRight, Flag, RadioTower, User } from "lucide";
 import { useLayoutEffect, useRef } from "react";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Badge } from "../../ui/Badge.tsx";
 import { classNames } from "../../ui/class-names.ts";

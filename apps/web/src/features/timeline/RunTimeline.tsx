@@ -5,7 +5,7 @@
 import { useRef, useState, type KeyboardEvent, type PointerEvent } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore, type StoreApi } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { commandUnder } from "./command-marks.ts";
 import { markUnder } from "./event-marks.ts";
 import { EventMarks } from "./EventMarks.tsx";

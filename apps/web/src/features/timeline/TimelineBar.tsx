@@ -4,7 +4,7 @@
  */
 import { useDeferredValue, useEffect, useRef, useState } from "react";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { deferredPart } from "../../ui/lazy-part.tsx";
 import { axisOf, scaleOf } from "./time-scale.ts";
 import { TimelineAxis } from "./TimelineAxis.tsx";

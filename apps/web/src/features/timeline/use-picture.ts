@@ -4,7 +4,7 @@
  */
 import { useLayoutEffect, useState, type RefObject } from "react";
 import { createStore, useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import type { TimelineZoomStore } from "./timeline-zoom-store.ts";
 import { pictureMark, pictureOf, type TimelinePicture } from "./picture.ts";
 import { timelineOf } from "../../model/run/timeline-of.ts";

@@ -3,7 +3,7 @@ import { History } from "lucide";
 import { useCallback } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import type { RunState } from "../../model/run/run-store.ts";
 import { formatClock } from "../../text/numbers.ts";
 import { Icon } from "../../ui/Icon.tsx";

@@ -5,7 +5,7 @@
  */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { useServices } from "../../shell/services.ts";
+import { useServices } from "../../model/use-services.ts";
 import { useWaited } from "../../model/use-waited.ts";
 import { classNames } from "../../ui/class-names.ts";
 import { useRights } from "../../model/use-rights.ts";

@@ -10,7 +10,7 @@ import { I18nextProvider } from "react-i18next";
 import { LanguageProvider } from "../../model/language-context.ts";
 import type { LanguageChoice } from "../../model/preferences/language.ts";
 import { startTheme } from "../../model/preferences/theme.ts";
-import { storageOrNone, type KeyValueStorage } from "../../model/projects/project-storage.ts";
+import { storageOrNone, type KeyValueStorage } from "../../model/storage/key-value-storage.ts";
 import type { ScreenStore } from "../../model/screen/screen-store.ts";
 import { takeVisit, type Visit } from "./watch-address.ts";
 import { WatchClient } from "./watch-client.ts";

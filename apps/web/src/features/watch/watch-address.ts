@@ -2,7 +2,7 @@
  * Reads the address of a robot, which is for a viewer if it contains a watch key. The key is
  * removed from the address at once and stored for this tab, so that a reload continues to watch.
  */
-import type { KeyValueStorage } from "../../model/projects/project-storage.ts";
+import type { KeyValueStorage } from "../../model/storage/key-value-storage.ts";
 import type { WatchedRobot } from "../../simulator/protocol/watch-messages.ts";
 
 export type Visit =

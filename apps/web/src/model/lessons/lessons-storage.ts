@@ -3,7 +3,8 @@
  * project from before. A shared challenge is stored under the id of its project. The first screen
  * imports this module, so it uses no schema.
  */
-import { challengeKey, type KeyValueStorage } from "../projects/project-storage.ts";
+import { challengeKey } from "../projects/project-storage.ts";
+import type { KeyValueStorage } from "../storage/key-value-storage.ts";
 
 /** The best result of a finished mission: fewest lines, then shortest time. */
 export interface Done {

@@ -6,7 +6,7 @@ import type { i18n } from "i18next";
 import { showLanguage, shownLanguage } from "../../text/i18n.ts";
 import { languageOf, languages, matchLanguage, type LanguageTag } from "../../text/languages.ts";
 import { showMessage, type ScreenStore } from "../screen/screen-store.ts";
-import type { KeyValueStorage } from "../projects/project-storage.ts";
+import type { KeyValueStorage } from "../storage/key-value-storage.ts";
 
 const LANGUAGE_KEY = "corridor.language";
 const PARAMETER = "lang";

@@ -1,6 +1,6 @@
 /** Stores the switches of single-key shortcuts and spoken messages on the device. */
 import type { ScreenState, ScreenStore } from "../screen/screen-store.ts";
-import type { KeyValueStorage } from "../projects/project-storage.ts";
+import type { KeyValueStorage } from "../storage/key-value-storage.ts";
 
 const keys = {
   singleKeys: "corridor.single-keys",

@@ -4,7 +4,7 @@
  * in other colours.
  */
 import type { ScreenStore, Theme } from "../screen/screen-store.ts";
-import type { KeyValueStorage } from "../projects/project-storage.ts";
+import type { KeyValueStorage } from "../storage/key-value-storage.ts";
 
 /** Also read by `public/first.js`. */
 const THEME_KEY = "corridor.theme";

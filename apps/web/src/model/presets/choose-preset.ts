@@ -4,14 +4,31 @@
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { i18n } from "i18next";
-import type { Services } from "../../shell/services.ts";
-import { dismiss, dismissOfProject, showMessage } from "../screen/screen-store.ts";
-import { newLineIds, setMaze, setProgram, undo } from "../workspace/workspace-store.ts";
+import type { SimulatorClient } from "../../simulator/simulator-client.ts";
+import {
+  dismiss,
+  dismissOfProject,
+  showMessage,
+  type ScreenStore,
+} from "../screen/screen-store.ts";
+import {
+  newLineIds,
+  setMaze,
+  setProgram,
+  undo,
+  type WorkspaceStore,
+} from "../workspace/workspace-store.ts";
 import { programForMaze } from "../workspace/own-program.ts";
+
+interface ChoicePorts {
+  workspace: WorkspaceStore;
+  simulator: Pick<SimulatorClient, "send">;
+  screen: ScreenStore;
+}
 
 /** Resets the robot to the start of the maze. Maze and program are one step of the history. */
 export function chooseMaze(
-  { workspace, simulator, screen }: Pick<Services, "workspace" | "simulator" | "screen">,
+  { workspace, simulator, screen }: ChoicePorts,
   words: Pick<i18n, "t">,
   maze: MazeDocument,
 ): void {

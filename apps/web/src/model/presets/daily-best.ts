@@ -3,7 +3,7 @@
  * fewer bumps.
  */
 import { dailyMaze, dayAfter, type Day, type MazeDocument } from "@corridor/maze";
-import type { KeyValueStorage } from "../projects/project-storage.ts";
+import type { KeyValueStorage } from "../storage/key-value-storage.ts";
 
 /** Number of days before today whose mazes can be chosen. */
 export const EARLIER_DAYS = 30;

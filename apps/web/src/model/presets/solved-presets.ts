@@ -3,7 +3,7 @@
  * start moved, a maze is no longer the preset.
  */
 import { createStore, type StoreApi } from "zustand/vanilla";
-import type { KeyValueStorage } from "../projects/project-storage.ts";
+import type { KeyValueStorage } from "../storage/key-value-storage.ts";
 import type { RunStore } from "../run/run-store.ts";
 import type { WorkspaceStore } from "../workspace/workspace-store.ts";
 

@@ -4,7 +4,8 @@
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
-import type { KeyValueStorage, Project, ProjectStorage } from "./project-storage.ts";
+import type { Project, ProjectStorage } from "./project-storage.ts";
+import type { KeyValueStorage } from "../storage/key-value-storage.ts";
 
 /** sessionStorage lives as long as the tab and survives a reload. */
 const CURRENT_KEY = "corridor.current";

@@ -5,11 +5,21 @@
 import type { FieldProblem } from "@corridor/protocol";
 import type { RunDocument } from "@corridor/recording";
 import type { i18n } from "i18next";
-import type { Services } from "../../shell/services.ts";
-import { dismiss, showMessage, setMessageProgress } from "../screen/screen-store.ts";
+import {
+  dismiss,
+  showMessage,
+  setMessageProgress,
+  type ScreenStore,
+} from "../screen/screen-store.ts";
+import type { SimulatorClient } from "../../simulator/simulator-client.ts";
+import type { ProjectService } from "./project-service.ts";
 import { loadRun } from "../run/run-requests.ts";
 
-type Opener = Pick<Services, "simulator" | "projects" | "screen">;
+interface Opener {
+  simulator: Pick<SimulatorClient, "send" | "listen" | "isGone">;
+  projects: ProjectService;
+  screen: ScreenStore;
+}
 
 /**
  * @param run a document that has passed its schema

@@ -2,7 +2,8 @@ import { describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "../../simulator/protocol/first-project.ts";
 import { readProject } from "./read-project.ts";
 import { MemoryStorage } from "../storage/testing/memory-storage.ts";
-import { challengeKey, storageOrNone, ProjectStorage, type Project } from "./project-storage.ts";
+import { challengeKey, ProjectStorage, type Project } from "./project-storage.ts";
+import { storageOrNone } from "../storage/key-value-storage.ts";
 
 function project(id: string, savedAt: number, edited = true): Project {
   return { id, savedAt, revision: `r-${id}`, edited, maze: firstMaze, program: firstProgram };

@@ -12,6 +12,7 @@
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
+import type { KeyValueStorage } from "../storage/key-value-storage.ts";
 
 export interface Project {
   id: string;
@@ -35,12 +36,6 @@ type ProjectResult = { ok: true; value: Project } | { ok: false; reason: string 
 
 /** Parses stored text as the project of an id; the reason of a refusal is displayable. */
 export type ReadProject = (text: string, id: string) => ProjectResult;
-
-/** The part of the browser's Storage that is used. Any call may throw: full, forbidden. */
-export type KeyValueStorage = Pick<
-  Storage,
-  "length" | "key" | "getItem" | "setItem" | "removeItem"
->;
 
 const MAX_PROJECTS = 30;
 const PROJECT_PREFIX = "corridor.work.";
@@ -206,25 +201,5 @@ function revisionIn(text: string): string | null {
     return typeof revision === "string" ? revision : null;
   } catch {
     return null;
-  }
-}
-
-/**
- * The browser's storage or, if it is forbidden, an empty one that refuses writes.
- * @param open reads `localStorage` or `sessionStorage`, which may throw
- */
-export function storageOrNone(open: () => KeyValueStorage): KeyValueStorage {
-  try {
-    return open();
-  } catch (error) {
-    return {
-      length: 0,
-      key: () => null,
-      getItem: () => null,
-      setItem: () => {
-        throw error;
-      },
-      removeItem: () => undefined,
-    };
   }
 }

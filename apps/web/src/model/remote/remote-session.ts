@@ -6,7 +6,7 @@ import type { RemoteStore } from "./remote-store.ts";
 import type { RunStore } from "../run/run-store.ts";
 import type { SimulatorClient } from "../../simulator/simulator-client.ts";
 import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
-import type { KeyValueStorage } from "../projects/project-storage.ts";
+import type { KeyValueStorage } from "../storage/key-value-storage.ts";
 
 const SESSION_KEY = "corridor.remote";
 /** Stored while Remote drives and is connected, so that a reload resumes both. */

@@ -3,7 +3,8 @@
  */
 import type { Rights } from "@corridor/challenge";
 import type { Snapshot } from "@corridor/protocol";
-import type { RunView, StepLength, ToWorker } from "../../simulator/protocol/worker-messages.ts";
+import type { StepLength, ToWorker } from "../../simulator/protocol/worker-messages.ts";
+import type { RunView } from "../../stage/drawing/frame.ts";
 
 /** The part of the run store that is used here. */
 interface RunNow {

@@ -4,9 +4,10 @@
  */
 import type { WorkspaceStore } from "../workspace/workspace-store.ts";
 import type { SimulatorClient } from "../../simulator/simulator-client.ts";
-import type { Frame, LoadedRun } from "../../simulator/protocol/worker-messages.ts";
+import type { LoadedRun } from "../../simulator/protocol/worker-messages.ts";
+import type { Frame } from "../../stage/drawing/frame.ts";
 import { restoreRun, type RunLoad } from "./run-requests.ts";
-import type { KeyValueStorage } from "../projects/project-storage.ts";
+import type { KeyValueStorage } from "../storage/key-value-storage.ts";
 
 const KEY = "corridor.run";
 /** The documents that were open when the page was left, as one JSON text. */

@@ -6,7 +6,8 @@ import type { MazeDocument } from "@corridor/maze";
 import type { DriverName, Snapshot } from "@corridor/protocol";
 import type { Progress } from "@corridor/simulation";
 import { createStore } from "zustand/vanilla";
-import type { RunEvent, RunView, Speed } from "../../simulator/protocol/worker-messages.ts";
+import type { RunEvent, Speed } from "../../simulator/protocol/worker-messages.ts";
+import type { RunView } from "../../stage/drawing/frame.ts";
 
 export interface RunState {
   /** at the displayed tick; null before the worker's first frame */

@@ -4,7 +4,7 @@
  */
 import type { Snapshot } from "@corridor/protocol";
 import { Trail } from "../../stage/drawing/trail.ts";
-import type { Frame } from "../../simulator/protocol/worker-messages.ts";
+import type { Frame } from "../../stage/drawing/frame.ts";
 
 /** Two numbers per bump: the newest 100 bumps. */
 const MAX_BUMP_NUMBERS = 200;

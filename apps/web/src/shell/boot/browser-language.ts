@@ -3,7 +3,7 @@ import type { i18n } from "i18next";
 import type { ScreenStore } from "../../model/screen/screen-store.ts";
 import { offeredLanguages } from "../../text/languages.ts";
 import { LanguageChoice } from "../../model/preferences/language.ts";
-import type { KeyValueStorage } from "../../model/projects/project-storage.ts";
+import type { KeyValueStorage } from "../../model/storage/key-value-storage.ts";
 
 export function browserLanguage(
   words: i18n,

@@ -1,8 +1,8 @@
 /** Resumes sounds and the ghosts of a race after a reload. Loaded only if there were any. */
 import type { i18n } from "i18next";
 import { RACE_KEY } from "../../model/run/race-store.ts";
-import type { Services } from "../services.ts";
-import type { KeyValueStorage } from "../../model/projects/project-storage.ts";
+import type { Services } from "../../model/services.ts";
+import type { KeyValueStorage } from "../../model/storage/key-value-storage.ts";
 
 export async function resumeExtras(
   services: Services,

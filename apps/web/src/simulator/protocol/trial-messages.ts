@@ -1,8 +1,26 @@
 /** Requests to a worker that tries programs in other mazes, and its answers. */
-import type { MazeDocument } from "@corridor/maze";
+import type { MazeDocument, MazeKind } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { WrittenRun } from "@corridor/recording";
-import type { TrialMazes, TrialResult } from "../trial-worker/maze-trial.ts";
+
+/**
+ * The mazes to try. A seed of `generateMaze` identifies a maze, so that anybody can generate it.
+ */
+export interface TrialMazes {
+  kind: MazeKind;
+  /** columns and rows, odd */
+  side: number;
+}
+
+export type TrialOutcome = "works" | "bump" | "time-limit";
+
+export interface TrialResult {
+  seed: number;
+  maze: MazeDocument;
+  outcome: TrialOutcome;
+  /** when the goal was reached, the robot bumped, or the time was over */
+  tick: number;
+}
 
 export type ToTrialWorker =
   /** queues mazes; each is answered by a result */

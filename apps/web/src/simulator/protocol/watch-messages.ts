@@ -2,8 +2,7 @@
 import type { WatchStatus } from "@corridor/client/watch";
 import type { MazeDocument } from "@corridor/maze";
 import type { Snapshot } from "@corridor/protocol";
-import type { StageToWorker } from "../../stage/stage-messages.ts";
-import type { FromWorker } from "./worker-messages.ts";
+import type { StageFromWorker, StageToWorker } from "../../stage/stage-messages.ts";
 
 /** The watched robot, and its watch key. */
 export interface WatchedRobot {
@@ -19,7 +18,7 @@ export type ToWatcher =
   | { type: "watch-again" };
 
 export type FromWatcher =
-  | Extract<FromWorker, { type: "picture" | "stage-scroll-to" }>
+  | StageFromWorker
   | { type: "watch-status"; status: WatchStatus }
   /** a few times a second, and at once if more than numbers have changed */
   | { type: "watch-snapshot"; snapshot: Snapshot }

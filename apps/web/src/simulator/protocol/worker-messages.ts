@@ -13,16 +13,15 @@ import type {
   LineRef,
   Pose,
   ScriptView,
-  Snapshot,
   TimedCommand,
 } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { RunDocument, TimelineDelta, WrittenRun } from "@corridor/recording";
-import type { BumpCause, Progress } from "@corridor/simulation";
-import type { Scroll } from "../../stage/drawing/viewport.ts";
+import type { BumpCause } from "@corridor/simulation";
 import type { CancelReason } from "./cancel-reason.ts";
-import type { StageToWorker } from "../../stage/stage-messages.ts";
+import type { Frame } from "../../stage/drawing/frame.ts";
+import type { StageFromWorker, StageToWorker } from "../../stage/stage-messages.ts";
 
 /** Simulated seconds per second; "max" is as many as the machine can. */
 export const speeds = [0.25, 0.5, 1, 2, 4, 8, 16, "max"] as const;
@@ -138,52 +137,6 @@ export type ToWorker =
       ticks: number;
     };
 
-/** Which tick is displayed: the newest, an earlier one, or a playback towards the newest. */
-export type RunView = "now" | "past" | "playing";
-
-/**
- * The drawn state: the snapshot at the displayed tick, and changes of the trail since the last
- * frame.
- */
-export interface Frame {
-  snapshot: Snapshot;
-  /**
-   * whether the run ended at the displayed tick: by a bump, at the goal, or with the time of the
-   * challenge. The snapshot then names the line that drove last, and no line decides on its readings
-   */
-  hasEnded: boolean;
-  /** progress of the running manoeuvre at the displayed tick; null if none runs */
-  progress: Progress | null;
-  view: RunView;
-  /** the run's last tick; the displayed tick is the snapshot's */
-  nowTick: number;
-  /** ticks up to the displayed one in which a script made the robot wait */
-  waited: number;
-  /** the driver at the newest tick; the driver at the displayed tick is the snapshot's */
-  nowDriver: DriverName;
-  /** increases with each added or discarded input: a run saved before is outdated then */
-  revision: number;
-  /**
-   * New corners of the trail, x and y alternating, in units; its end is the pose. Packed when sent
-   * to the page: a jump has 40,000 numbers, and as many objects cost 15 ms of garbage collection.
-   */
-  corners: readonly number[] | Float64Array;
-  /** positions of the robot's centre at new bumps, x and y alternating, in units */
-  bumps: number[];
-  /** true if the trail and the bumps start again: discard those drawn so far */
-  trailReset: boolean;
-  /** the ghosts of a race at the displayed tick; absent without a race */
-  ghosts?: readonly GhostPose[];
-}
-
-/** A ghost of a race: its letter, its centre in units and its heading in degrees. */
-export interface GhostPose {
-  badge: string;
-  x: number;
-  y: number;
-  heading: number;
-}
-
 /** Result of one run of a race, at the goal or at its end if it reached none. */
 export interface Finish {
   /** null: the run ended before it reached the goal */
@@ -291,10 +244,7 @@ export type FromWorker =
    * timeline: one message, so that the page draws both together
    */
   | { type: "frame"; frame: Frame; timeline: TimelineDelta | null }
-  /** every frame, for a page that draws the stage by itself; in addition to `frame` */
-  | { type: "picture"; frame: Frame }
-  /** the camera follows the robot: scroll the stage there */
-  | { type: "stage-scroll-to"; scroll: Scroll }
+  | StageFromWorker
   /**
    * the run was truncated after this tick and continues differently; -1: it is another run.
    * Precedes the frames and events of the continued run.

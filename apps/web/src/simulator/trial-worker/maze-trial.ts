@@ -2,29 +2,11 @@
  * Runs a program in a generated maze without a page, and records the run so that the page can
  * display it.
  */
-import { generateMaze, type MazeDocument, type MazeKind } from "@corridor/maze";
+import { generateMaze, type MazeDocument } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
 import { Recording, type WrittenRun } from "@corridor/recording";
 import { ProgramRun, Simulation, TICKS_PER_SECOND } from "@corridor/simulation";
-
-/**
- * The mazes to try. A seed of `generateMaze` identifies a maze, so that anybody can generate it.
- */
-export interface TrialMazes {
-  kind: MazeKind;
-  /** columns and rows, odd */
-  side: number;
-}
-
-export type TrialOutcome = "works" | "bump" | "time-limit";
-
-export interface TrialResult {
-  seed: number;
-  maze: MazeDocument;
-  outcome: TrialOutcome;
-  /** when the goal was reached, the robot bumped, or the time was over */
-  tick: number;
-}
+import type { TrialMazes, TrialOutcome, TrialResult } from "../protocol/trial-messages.ts";
 
 /**
  * Simulated minutes for a program in a maze: about three times as long as following a wall takes.

@@ -5,7 +5,7 @@
  * time.
  */
 import type { Pose, Snapshot } from "@corridor/protocol";
-import type { Frame } from "../protocol/worker-messages.ts";
+import type { Frame } from "../../stage/drawing/frame.ts";
 
 /** A robot this far from its last position, in units, did not drive there. */
 const JUMP = 400;

@@ -6,7 +6,7 @@ import type { LiveRun } from "./live-run.ts";
 import { displayedLine, isDecidedAnew, lastLine } from "./displayed-line.ts";
 import { PastPlayback } from "./past-playback.ts";
 import { TrailFeed } from "./trail-feed.ts";
-import type { Frame, RunView } from "../protocol/worker-messages.ts";
+import type { Frame, RunView } from "../../stage/drawing/frame.ts";
 
 export class DisplayedTick {
   readonly #live: LiveRun;

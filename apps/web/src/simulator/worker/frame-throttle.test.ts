@@ -3,7 +3,7 @@ import type { Snapshot } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { FrameThrottle } from "./frame-throttle.ts";
 import { frameOf } from "../../stage/testing/frame-of.ts";
-import type { Frame } from "../protocol/worker-messages.ts";
+import type { Frame } from "../../stage/drawing/frame.ts";
 
 /** A throttle with a clock that the test controls. */
 function start() {

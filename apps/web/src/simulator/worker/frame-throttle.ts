@@ -3,7 +3,7 @@
  * displayed at once. It runs in the worker, so that nothing is sent in vain.
  */
 import { FrameBuffer } from "../../stage/frame-buffer.ts";
-import type { Frame } from "../protocol/worker-messages.ts";
+import type { Frame } from "../../stage/drawing/frame.ts";
 
 /**
  * Milliseconds between two frames without important changes; four frames a second on average.

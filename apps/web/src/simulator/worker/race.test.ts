@@ -4,12 +4,8 @@ import { describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "../protocol/first-project.ts";
 import { Race } from "./race.ts";
 import { Bench } from "./testing/bench.ts";
-import {
-  MAX_GHOSTS,
-  type AddedGhost,
-  type GhostPose,
-  type Speed,
-} from "../protocol/worker-messages.ts";
+import { MAX_GHOSTS, type AddedGhost, type Speed } from "../protocol/worker-messages.ts";
+import type { GhostPose } from "../../stage/drawing/frame.ts";
 
 /** A run of the first maze that lasts so many seconds. */
 function recorded(seconds: number, program = firstProgram): RunDocument {

@@ -9,8 +9,8 @@ import {
   type AddedGhost,
   type AddGhost,
   type FromWorker,
-  type GhostPose,
 } from "../protocol/worker-messages.ts";
+import type { GhostPose } from "../../stage/drawing/frame.ts";
 
 /** Longest slice of loading, in milliseconds, so that a driving robot does not stutter. */
 const SLICE_MS = 8;

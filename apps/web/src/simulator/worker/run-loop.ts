@@ -20,14 +20,8 @@ import type { Diagnostics } from "./run-diagnosis.ts";
 import type { RunJudge } from "./run-judge.ts";
 import { RunObserver } from "./run-observer.ts";
 import { DisplayedTick } from "./displayed-tick.ts";
-import type {
-  DriveKey,
-  Frame,
-  GhostPose,
-  RunEvent,
-  Speed,
-  StepLength,
-} from "../protocol/worker-messages.ts";
+import type { DriveKey, RunEvent, Speed, StepLength } from "../protocol/worker-messages.ts";
+import type { Frame, GhostPose } from "../../stage/drawing/frame.ts";
 
 /** Poses of a race's ghosts at the end of a tick. */
 interface Ghosts {

@@ -3,7 +3,7 @@
  * forward, all of it after a jump.
  */
 import type { PositionLog } from "@corridor/recording";
-import type { Frame } from "../protocol/worker-messages.ts";
+import type { Frame } from "../../stage/drawing/frame.ts";
 
 type Places = Pick<PositionLog, "countUpTo" | "slice">;
 

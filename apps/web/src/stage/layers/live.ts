@@ -8,7 +8,7 @@ import { endOf } from "./path-ahead.ts";
 import type { StageModel } from "./stage-model.ts";
 import type { CanvasLayer } from "./canvas-layer.ts";
 import { runBox, type Viewport } from "../drawing/viewport.ts";
-import type { Frame } from "../../simulator/protocol/worker-messages.ts";
+import type { Frame } from "../drawing/frame.ts";
 import { drawBeams } from "./beams.ts";
 import { drawPreview } from "./edit-preview.ts";
 import { drawHit, hitSensor, isAtHit, type Hit } from "./hit.ts";

@@ -3,7 +3,7 @@
  * badge with a letter. Each letter has its own corner, so that ghosts at one position can be
  * distinguished.
  */
-import type { GhostPose } from "../../simulator/protocol/worker-messages.ts";
+import type { GhostPose } from "../drawing/frame.ts";
 import type { DrawingContext } from "../drawing/drawing-context.ts";
 import type { DirtyRects } from "../drawing/dirty-rects.ts";
 import type { Palette } from "../drawing/palette.ts";

@@ -1,14 +1,23 @@
 /** The drawing of the stage, in the simulator worker or on the page. */
 import type { StageModel } from "../layers/stage-model.ts";
-import type { StageToWorker } from "../stage-messages.ts";
-import type { FromWorker } from "../../simulator/protocol/worker-messages.ts";
+import type { Frame } from "../drawing/frame.ts";
+import type { StageFromWorker, StageToWorker } from "../stage-messages.ts";
+
+/** A frame for the panels. The stage writes the same numbers. */
+export interface PanelFrame {
+  type: "frame";
+  frame: Frame;
+}
 
 /** The worker that draws: the simulator's, or that of a viewer's page. */
 export interface StageLink {
   /** @param transfer objects that are transferred, not copied */
   send(message: StageToWorker, transfer?: Transferable[]): void;
-  /** @returns a function that removes the listener */
-  listen(listener: (message: FromWorker) => void): () => void;
+  /**
+   * Listens to the messages for the stage, and to the frames for the panels.
+   * @returns a function that removes the listener
+   */
+  listen(listener: (message: StageFromWorker | PanelFrame) => void): () => void;
 }
 
 export interface StageScreen {

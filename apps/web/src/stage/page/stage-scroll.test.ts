@@ -14,7 +14,7 @@ import { readPalette } from "../drawing/palette.ts";
 import { StageRenderer } from "../renderer.ts";
 import { CELL, cellAt, type Layout, type Scroll } from "../drawing/viewport.ts";
 import { frameOf } from "../testing/frame-of.ts";
-import type { Frame } from "../../simulator/protocol/worker-messages.ts";
+import type { Frame } from "../drawing/frame.ts";
 import { gridOffset, isInPort } from "./grid-place.ts";
 import { divideStage, type StageRoom } from "./stage-layout.ts";
 import { applyScroll, followRequest, readScroll, setLayout } from "./stage-scroll.ts";

@@ -1,6 +1,6 @@
 /** A frame for tests: the newest state of a robot at its start, with changes. */
 import { snapshotOf } from "@corridor/protocol/testing";
-import type { Frame } from "../../simulator/protocol/worker-messages.ts";
+import type { Frame } from "../drawing/frame.ts";
 
 export function frameOf(changes: Partial<Frame> = {}): Frame {
   const snapshot = changes.snapshot ?? snapshotOf();

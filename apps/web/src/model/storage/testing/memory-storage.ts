@@ -1,5 +1,5 @@
 /** The browser's Storage for tests in Node, which can be full. */
-import type { KeyValueStorage } from "../../projects/project-storage.ts";
+import type { KeyValueStorage } from "../key-value-storage.ts";
 
 export class MemoryStorage implements KeyValueStorage {
   readonly #values = new Map<string, string>();

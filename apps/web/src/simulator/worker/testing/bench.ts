@@ -5,7 +5,7 @@ import type { Command, DeliveredCommand, Snapshot } from "@corridor/protocol";
 import { RemoteDriver } from "../../drivers/remote-driver.ts";
 import { firstMaze, firstProgram } from "../../protocol/first-project.ts";
 import { RunLoop } from "../run-loop.ts";
-import type { Frame } from "../../protocol/worker-messages.ts";
+import type { Frame } from "../../../stage/drawing/frame.ts";
 
 /** A loop whose real time passes when the test requests it. */
 export class Bench {

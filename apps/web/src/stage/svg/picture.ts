@@ -1,8 +1,5 @@
-/** Draws what is open as an SVG picture, and converts it to a PNG. */
-import { faceOf } from "../../stage/layers/robot.ts";
-import { readPalette, type Palette } from "../../stage/drawing/palette.ts";
-import type { Services } from "../../shell/services.ts";
-import { mazeSvg, type PictureScene } from "../../stage/svg/maze-svg.ts";
+/** SVG pictures for files, their colours, and the conversion to PNG. */
+import { readPalette, type Palette } from "../drawing/palette.ts";
 
 /** PNG pixels for one pixel of the picture, and the longest side that every browser can draw. */
 const PNG_SCALE = 2;
@@ -12,29 +9,6 @@ export interface Picture {
   svg: string;
   width: number;
   height: number;
-}
-
-export interface PictureChoice {
-  withRun: boolean;
-  hasRulers: boolean;
-}
-
-/** Draws the maze of the displayed tick. */
-export function drawPicture(
-  { workspace, run, runTrace }: Pick<Services, "workspace" | "run" | "runTrace">,
-  words: Pick<PictureScene, "startWord" | "goalWord">,
-  { withRun, hasRulers }: PictureChoice,
-): Picture {
-  const shown = withRun ? runTrace.take() : null;
-  const { text, width, height } = mazeSvg({
-    ...words,
-    maze: run.getState().pastMaze ?? workspace.getState().maze,
-    palette: lightPalette(),
-    hasRulers,
-    run:
-      shown === null ? null : { ...shown, pose: shown.snapshot.pose, face: faceOf(shown.snapshot) },
-  });
-  return { svg: text, width, height };
 }
 
 /**

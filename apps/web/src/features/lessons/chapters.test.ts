@@ -2,11 +2,11 @@ import { isBlock, type MazeDocument } from "@corridor/maze";
 import { renderToStaticMarkup } from "react-dom/server";
 import { createElement } from "react";
 import { describe, expect, it } from "vitest";
-import { MissionPicture } from "../../../features/lessons/MissionPicture.tsx";
-import { chapterIds, chapters } from "./chapters.ts";
-import { ideas, type Mark, type Point } from "./ideas.ts";
-import { missionIds } from "./mission.ts";
-import { missions } from "./missions.ts";
+import { MissionPicture } from "./MissionPicture.tsx";
+import { chapterIds, chapters } from "../../model/lessons/missions/chapters.ts";
+import { ideas, type Mark, type Point } from "../../model/lessons/missions/ideas.ts";
+import { missionIds } from "../../model/lessons/missions/mission.ts";
+import { missions } from "../../model/lessons/missions/missions.ts";
 
 describe("the chapters", () => {
   it("hold every mission once, in the order of the path", () => {

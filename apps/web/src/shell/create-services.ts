@@ -1,35 +1,32 @@
 /**
- * Composition root of the page: the only place that creates the stores and the worker. Components
- * access them through `useServices`.
+ * Composition root of the page: the only place that creates the stores. Components access them
+ * through `useServices`.
  */
 import type { i18n } from "i18next";
-import { createContext, useContext } from "react";
-import { createAdviceStore, type AdviceStore } from "../model/advice/advice-store.ts";
+import { createAdviceStore } from "../model/advice/advice-store.ts";
 import { followLanguage } from "../model/projects/follow-language.ts";
 import { namedAfterEdit } from "../model/workspace/own-program.ts";
-import { createSolvedStore, type SolvedStore } from "../model/presets/solved-presets.ts";
+import { createSolvedStore } from "../model/presets/solved-presets.ts";
 import { Speech } from "../model/speech/speech.ts";
 import { LessonsEntry } from "../model/lessons/lessons-entry.ts";
 import { LessonsStorage } from "../model/lessons/lessons-storage.ts";
-import { createCameraStore, type CameraStore } from "../model/screen/camera-store.ts";
+import { createCameraStore } from "../model/screen/camera-store.ts";
 import {
   createCardDock,
   createCardStore,
   explain,
   truncateCards,
-  type CardDock,
-  type CardStore,
 } from "../model/run/card-store.ts";
-import { createChallengeStore, type ChallengeStore } from "../model/challenge/challenge-store.ts";
+import { createChallengeStore } from "../model/challenge/challenge-store.ts";
 import { createEventThrottle } from "../model/run/event-throttle.ts";
 import { DeferredRun } from "../model/run/deferred-run.ts";
-import { createRaceStore, type RaceStore } from "../model/run/race-store.ts";
-import { createRemoteStore, type RemoteStore } from "../model/remote/remote-store.ts";
-import { createRunStore, type RunStore } from "../model/run/run-store.ts";
+import { createRaceStore } from "../model/run/race-store.ts";
+import { createRemoteStore } from "../model/remote/remote-store.ts";
+import { createRunStore } from "../model/run/run-store.ts";
 import { showMessage, type ScreenStore } from "../model/screen/screen-store.ts";
 import { TimelineStore } from "../model/run/timeline-store.ts";
 import { RunTrace } from "../model/run/run-trace.ts";
-import { createWorkspaceStore, type WorkspaceStore } from "../model/workspace/workspace-store.ts";
+import { createWorkspaceStore } from "../model/workspace/workspace-store.ts";
 import { SimulatorClient, type WorkerPort } from "../simulator/simulator-client.ts";
 import type { RunEvent } from "../simulator/protocol/worker-messages.ts";
 import { CurrentProject } from "../model/projects/current-project.ts";
@@ -38,9 +35,11 @@ import { RemoteConnection } from "../model/remote/remote-session.ts";
 import { RunRestorer } from "../model/run/run-restorer.ts";
 import { whenIdle } from "./boot/page-idle.ts";
 import type { ProjectReader } from "../model/projects/project-reader.ts";
+import type { Services } from "../model/services.ts";
 import { sendEdits } from "../model/workspace/send-edits.ts";
 import { ProjectService } from "../model/projects/project-service.ts";
-import { ProjectStorage, type KeyValueStorage } from "../model/projects/project-storage.ts";
+import { ProjectStorage } from "../model/projects/project-storage.ts";
+import type { KeyValueStorage } from "../model/storage/key-value-storage.ts";
 
 /** Dependencies from the browser; tests inject others. */
 export interface Browser {
@@ -56,38 +55,6 @@ export interface Browser {
   screen: ScreenStore;
   /** parser of stored projects; already loaded if something is stored */
   reader: ProjectReader;
-}
-
-export interface Services {
-  simulator: SimulatorClient;
-  workspace: WorkspaceStore;
-  run: RunStore;
-  /** the run for output that is not urgent and has no numbers: see deferred-run.ts */
-  deferred: RunStore;
-  /** explanations of the run */
-  cards: CardStore;
-  cardDock: CardDock;
-  timeline: TimelineStore;
-  remote: RemoteStore;
-  race: RaceStore;
-  screen: ScreenStore;
-  /** the displayed run with its trail */
-  runTrace: RunTrace;
-  projects: ProjectService;
-  /** restores the run after a reload */
-  restorer: RunRestorer;
-  /** presets that were solved on this device */
-  solved: SolvedStore;
-  /** advice of the coach for the program's lines */
-  advice: AdviceStore;
-  connection: RemoteConnection;
-  /** the open challenge, if any */
-  challenge: ChallengeStore;
-  lessons: LessonsEntry;
-  /** camera of the stage */
-  camera: CameraStore;
-  /** the live region for screen readers */
-  speech: Speech;
 }
 
 /** Creates and connects everything: documents flow to the worker, its messages to the stores. */
@@ -242,13 +209,4 @@ export function createServices(browser: Browser): Services {
 function newTextId(): string {
   const bytes = crypto.getRandomValues(new Uint8Array(12));
   return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
-}
-
-const ServicesContext = createContext<Services | null>(null);
-export const ServicesProvider = ServicesContext.Provider;
-
-export function useServices(): Services {
-  const services = useContext(ServicesContext);
-  if (services === null) throw new Error("useServices needs a ServicesProvider above it");
-  return services;
 }
