@@ -1,3 +1,4 @@
+// cspell:words Alles funktioniert Ergebnis kopieren
 /** The network check at /check, on an open network and where connections are blocked. */
 import { AxeBuilder } from "@axe-core/playwright";
 import { expect, test } from "./fixtures.ts";

@@ -1,3 +1,4 @@
+// cspell:words Vorlagen öffnen Januar
 import { expect, test } from "./fixtures.ts";
 
 test("opens the maze of the day, the same for everyone, and stores the best run", async ({

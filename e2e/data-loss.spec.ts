@@ -156,7 +156,7 @@ test("reports that a part did not load, and loads it with Try again", async ({
     isDown ? route.abort() : route.continue(),
   );
   await corridor.open();
-  await corridor.program.name.fill("Kept");
+  await corridor.program.name.fill("Retained");
   await corridor.maze.button("Resize").click();
   const failure = corridor.dialog("This part did not load");
   await expect(failure).toContainText("Nothing is lost.");
@@ -168,11 +168,11 @@ test("reports that a part did not load, and loads it with Try again", async ({
   await failure.getByRole("button", { name: "Try again" }).click();
   await retried;
   await expect(failure).toBeVisible();
-  await expect(corridor.program.name).toHaveValue("Kept");
+  await expect(corridor.program.name).toHaveValue("Retained");
   isDown = false;
   await failure.getByRole("button", { name: "Try again" }).click();
   await expect(corridor.dialog("Resize the maze")).toBeVisible();
   await corridor.page.keyboard.press("Escape");
-  await expect(corridor.program.name).toHaveValue("Kept");
+  await expect(corridor.program.name).toHaveValue("Retained");
   await context.close();
 });

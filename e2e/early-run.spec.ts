@@ -1,3 +1,4 @@
+// cspell:words Lauf Starten Umweg
 /**
  * Before the page's main script: index.html draws a static shell, and on a first visit its Run
  * button already drives the robot. The page takes over the shell's state.

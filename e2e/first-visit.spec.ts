@@ -1,3 +1,4 @@
+// cspell:words Programms Beispiel rechte Vorlagen Kamm Roboter Ziel
 /** A first-time visitor: finds a robot in a maze, with a program that solves it. */
 import { expect, test } from "./fixtures.ts";
 

@@ -1,3 +1,4 @@
+// cspell:words Meins
 /**
  * Texts fit in every language: nothing is cut off or overlaps, on the smallest phone and on a
  * desktop.

@@ -1,3 +1,4 @@
+// cspell:words Diese Seite gibt nicht
 /** The page for unknown addresses, with a link to the start page. */
 import { AxeBuilder } from "@axe-core/playwright";
 import { expect, test } from "./fixtures.ts";

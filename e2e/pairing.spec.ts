@@ -1,3 +1,4 @@
+// cspell:words إيقاف مؤقّت
 /** Pairing: a script with a typed code drives once the page's owner allows it. */
 import type { Registration } from "@corridor/protocol";
 import type { Page } from "playwright/test";

@@ -1,3 +1,4 @@
+// cspell:words beginnen Programm starten
 /**
  * Driving on a phone with a thumb: the stage follows the robot, and manual missions can be solved.
  */

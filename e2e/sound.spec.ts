@@ -44,7 +44,7 @@ test("is silent until sound is turned on, and stores the choice across a reload"
   await expect(sound.getByRole("checkbox", { name: "Play sounds" })).not.toBeChecked();
   await sound.getByRole("checkbox", { name: "Play sounds" }).check();
   await expect.poll(async () => (await audio()).contexts).toBe(1);
-  await sound.getByRole("combobox", { name: "Beam to hear" }).selectOption("right");
+  await sound.getByRole("combobox", { name: "Beam that ticks" }).selectOption("right");
   await page.keyboard.press("Escape");
   const before = (await audio()).tones;
   await corridor.run.click();
@@ -55,5 +55,5 @@ test("is silent until sound is turned on, and stores the choice across a reload"
   expect((await audio()).contexts).toBe(0);
   await view.click();
   await expect(sound.getByRole("checkbox", { name: "Play sounds" })).toBeChecked();
-  await expect(sound.getByRole("combobox", { name: "Beam to hear" })).toHaveValue("right");
+  await expect(sound.getByRole("combobox", { name: "Beam that ticks" })).toHaveValue("right");
 });

@@ -96,7 +96,7 @@ export class TestBed {
       logs.set(robot, compared.log);
       faults.push(...compared.faults);
     }
-    const transitTimes = this.robots.map(({ history }) => history.longestWay);
+    const transitTimes = this.robots.map(({ history }) => history.longestTransit);
     this.#context.log(
       `a command needed at most ${Math.round(Math.max(...transitTimes))} ms to reach the relay`,
     );

@@ -1,3 +1,4 @@
+// cspell:words Cøpy lïñk łonġ wörđs
 /**
  * The texts of the page in one language, read from its catalogues, and a pseudolocale: English with
  * accents and 40 % more letters, which finds texts that do not fit before a translator does.

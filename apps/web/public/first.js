@@ -22,14 +22,14 @@
       return null;
     }
   };
-  const kept = (key) => ask(() => localStorage.getItem(`corridor.${key}`));
+  const stored = (key) => ask(() => localStorage.getItem(`corridor.${key}`));
 
-  const asksFor = (wish) => matchMedia(`(prefers-${wish})`).matches;
-  let theme = kept("theme");
+  const asksFor = (feature) => matchMedia(`(prefers-${feature})`).matches;
+  let theme = stored("theme");
   if (theme !== "light" && theme !== "dark") {
     theme = asksFor("color-scheme: dark") ? "dark" : "light";
   }
-  const isStrong = kept("contrast") === "more" || asksFor("contrast: more");
+  const isStrong = stored("contrast") === "more" || asksFor("contrast: more");
   Object.assign(root.dataset, { theme, contrast: isStrong ? "more" : "normal" });
 
   /** The texts below, by language. */
@@ -42,17 +42,17 @@
   const tags = Object.keys(catalogues);
   // "en-GB" is English without a lookup. Only other tags use Intl, whose initialization takes
   // milliseconds.
-  const find = (wish) => {
-    const [, language] = /^([a-z]{2})(-[A-Z]{2})?$/.exec(wish) ?? [];
+  const find = (tag) => {
+    const [, language] = /^([a-z]{2})(-[A-Z]{2})?$/.exec(tag) ?? [];
     if (tags.includes(language)) return language;
-    return wish ? tags.find((tag) => writing(tag) === writing(wish)) : undefined;
+    return tag ? tags.find((each) => writing(each) === writing(tag)) : undefined;
   };
   const lang = [
     new URLSearchParams(location.search).get("lang"),
-    kept("language"),
+    stored("language"),
     ...navigator.languages,
     "en",
-  ].reduce((found, wish) => found ?? find(wish), undefined);
+  ].reduce((found, tag) => found ?? find(tag), undefined);
   Object.assign(root, { lang, dir: lang === "ar" ? "rtl" : "ltr" });
 
   // Without the page's script, or without texts, only the English of index.html is available.
@@ -139,7 +139,7 @@
       };
     }
     // A visitor who has opened or dismissed the lessons is not invited again.
-    root.dataset.first = kept("lessons") === null ? "invited" : "";
+    root.dataset.first = stored("lessons") === null ? "invited" : "";
   });
   watch.observe(document, { childList: true, subtree: true });
 })();

@@ -42,24 +42,24 @@ const worker = startSimulator();
 const reader = new ProjectReader();
 const screen = createScreenStore();
 
-const house = requireHouse();
-const root = createRoot(house);
+const container = requireContainer();
+const root = createRoot(container);
 
 async function start(): Promise<void> {
   const english = await englishWords().catch(() => window.corridorFailed());
   if (english === undefined) return;
   const words = createI18n(english);
   const language = browserLanguage(words, screen, device);
-  // All that is shown and told is in the reader's language.
+  // Load the user's language before anything is displayed.
   await language.start();
-  // Another page's robot is looked at: this one has none then.
+  // The page of a viewer displays the robot of another page and has none of its own.
   if (location.pathname.startsWith("/r/")) {
     return import("./features/watch/open-watch.tsx").then(
       ({ openWatch }) => openWatch({ root, words, language, screen, device }),
       () => window.corridorFailed(),
     );
   }
-  // What this visit needs before anything is shown: most first visits need nothing.
+  // Load what this visit needs before the first paint. Most first visits need nothing.
   try {
     if (!new ProjectStorage(device, () => null).isEmpty) await reader.load();
   } catch {
@@ -118,12 +118,12 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
     const { followPageAddress } = await import("./shell/follow-page-address.ts");
     await followPageAddress(services, words, isLoad);
   };
-  const followOrTell = (isLoad: boolean) =>
+  const followOrReport = (isLoad: boolean) =>
     follow(isLoad).catch(() => {
       showMessage(screen, { tone: "bad", text: words.t("offline.linkFailed") });
     });
   window.addEventListener("online", () => services.connection.reconnect());
-  window.addEventListener("hashchange", () => void followOrTell(false));
+  window.addEventListener("hashchange", () => void followOrReport(false));
 
   screen.setState({ isOpening: isAsked() });
   const page = (
@@ -135,11 +135,11 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
       </ServicesProvider>
     </I18nextProvider>
   );
-  // In pieces of 5 ms, between which the house of index.html answers.
-  await replaceStaticPage(house, () => startTransition(() => root.render(page)));
+  // React renders in slices of 5 ms, so that the static page of index.html stays responsive.
+  await replaceStaticPage(container, () => startTransition(() => root.render(page)));
 
-  // The page stands before what its address asks for: a link may take long, or never come to an end.
-  void followOrTell(true).finally(() => {
+  // The page appears before the content of its address: a link may take long or never load.
+  void followOrReport(true).finally(() => {
     screen.setState({ isOpening: false });
     void services.restorer.resume().then(() => {
       services.connection.resume();
@@ -166,7 +166,7 @@ async function resume(services: Services, words: i18n): Promise<void> {
   await extras?.resumeExtras(services, words, tab);
 }
 
-function requireHouse(): HTMLElement {
+function requireContainer(): HTMLElement {
   const element = document.getElementById("root");
   if (element === null) throw new Error("index.html has no #root");
   return element;

@@ -51,7 +51,7 @@ export class CommandLog {
   }
 
   recordState(record: CommandRecord): void {
-    this.#robot.history.told(record);
+    this.#robot.history.reported(record);
   }
 
   /** Records that a newer velocity was sent in place of this one. */

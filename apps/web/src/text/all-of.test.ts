@@ -1,3 +1,4 @@
+// cspell:words افحص المتاهتين
 import i18next from "i18next";
 import { describe, expect, it } from "vitest";
 import arabic from "./ar/missions.json";

@@ -1,3 +1,4 @@
+// cspell:words geht Stoß Stöße kein Ziel Ziele fertig mehr صدمة
 import { readdirSync, readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import { en } from "./en/index.ts";
@@ -5,7 +6,7 @@ import { languages } from "./languages.ts";
 import { loadWords } from "./load-words.ts";
 import { catalogueFaults, sourceFaults, type Catalogue } from "./testing/catalogue-faults.ts";
 
-/** A language's JSON files as they are on the disk: one member a file, named as the file. */
+/** The JSON files of a language: one property per file. */
 function readCatalogue(tag: string): Catalogue {
   const folder = new URL(`${tag}/`, import.meta.url);
   const files = readdirSync(folder).filter((name) => name.endsWith(".json"));
@@ -21,25 +22,25 @@ const english = readCatalogue("en");
 const others = languages.filter(({ tag }) => tag !== "en");
 
 describe("the catalogues", () => {
-  it("are those of the languages that there are", () => {
+  it("exist for every language, and for no other", () => {
     const folders = readdirSync(new URL(".", import.meta.url), { withFileTypes: true })
       .filter((entry) => entry.isDirectory() && entry.name !== "testing")
       .map(({ name }) => name);
     expect(folders.toSorted()).toEqual(languages.map(({ tag }) => tag).toSorted());
   });
 
-  it("have no fault in English", () => {
+  it("have valid English texts", () => {
     expect(sourceFaults(english)).toEqual([]);
   });
 
-  it.each(others)("have no fault in $name", (language) => {
+  it.each(others)("are complete and valid in $name", (language) => {
     const mayLack = "isDraft" in language;
     expect(
       catalogueFaults(english, readCatalogue(language.tag), language.tag, { mayLack }),
     ).toEqual([]);
   });
 
-  it.each(others)("load what the page says in $name", async (language) => {
+  it.each(others)("load the texts of the page in $name", async (language) => {
     const files = readCatalogue(language.tag);
     const loaded = await loadWords(language.tag, "words");
     const names = Object.keys("isDraft" in language ? loaded : en);
@@ -69,7 +70,7 @@ describe("a translation", () => {
     done: "Das Labyrinth ist fertig.",
   };
 
-  it("without a fault has none", () => {
+  it("that is complete has no faults", () => {
     expect(catalogueFaults(source, german, "de")).toEqual([]);
   });
 
@@ -84,11 +85,11 @@ describe("a translation", () => {
     { fault: "goals_one: {{all}} is missing", change: { goals_one: "ein Ziel" } },
     { fault: "done: is still English: The maze is ready.", change: { done: source.done } },
     { fault: "done: does not end as a sentence", change: { done: "Fertig" } },
-    { fault: "done: holds HTML", change: { done: "<b>Fertig</b>." } },
+    { fault: "done: contains HTML", change: { done: "<b>Fertig</b>." } },
     { fault: "done: is empty", change: { done: "" } },
     { fault: "key: has a broken placeholder", change: { key: "Taste {{" } },
-    { fault: "key: has spaces that nobody sees", change: { key: " Taste" } },
-  ])("is told: $fault", ({ fault, change }) => {
+    { fault: "key: has invisible spaces", change: { key: " Taste" } },
+  ])("is reported: $fault", ({ fault, change }) => {
     const changed: Record<string, string | undefined> = { ...german, ...change };
     const texts = Object.entries(changed).flatMap(([key, text]) =>
       text === undefined ? [] : [[key, text] as const],
@@ -96,7 +97,7 @@ describe("a translation", () => {
     expect(catalogueFaults(source, Object.fromEntries(texts), "de")).toContain(fault);
   });
 
-  it("needs every form that its language counts with", () => {
+  it("requires every plural form of its language", () => {
     const bumps = { bumps_one: source.bumps_one, bumps_other: source.bumps_other };
     expect(catalogueFaults(bumps, { bumps_other: "{{count}} 回" }, "ja")).toEqual([]);
     expect(catalogueFaults(bumps, { bumps_other: "{{count}} صدمة" }, "ar")).toEqual(
@@ -104,7 +105,7 @@ describe("a translation", () => {
     );
   });
 
-  it("is in its own script, but for names", () => {
+  it("uses the script of its language, except for names", () => {
     const words = { key: "Key", python: "Python" };
     expect(catalogueFaults(words, { key: "Key", python: "Python" }, "ja")).toEqual([
       "key: is still English: Key",

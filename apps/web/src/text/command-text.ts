@@ -1,4 +1,4 @@
-/** A command and what became of it, in few characters. */
+/** Short texts of a command and its result. */
 import type { Command, CommandRecord } from "@corridor/protocol";
 
 /** The action with its numbers, as in the API: "left 90", "move 120", "drive 0.2 -0.2 602 ms". */
@@ -10,7 +10,10 @@ export function commandText(command: Command): string {
   return `drive ${command.left} ${command.right}${time}`;
 }
 
-/** The distance that is worth telling, in whole cm: where the robot hit something or was stopped. */
+/**
+ * The distance, in whole cm, after which a command ended early; null if it did not, or if it ended
+ * at once.
+ */
 export function cutShortAfter({
   state,
   distance,

@@ -1,7 +1,7 @@
 /**
- * Rounded numbers that stand beside a comparison: short, but never so short that they would contradict it.
- * 250.46 > 60 is "250 > 60", but 50.4 > 50 is "50.4 > 50", because "50 > 50" reads as false. Numbers that are
- * nearer than any ruler shows are told apart by the last digit: 49.9999999 < 50 is "49.99 < 50".
+ * Rounds the two numbers of a comparison as far as possible without contradicting it. 250.46 > 60
+ * becomes "250 > 60", but 50.4 > 50 stays "50.4 > 50", because "50 > 50" reads as false. Numbers that
+ * differ by less than the last digit get different digits: 49.9999999 < 50 becomes "49.99 < 50".
  */
 import {
   evaluateCondition,
@@ -11,10 +11,10 @@ import {
 } from "@corridor/program";
 import type { SensorReadings } from "@corridor/protocol";
 
-/** Digits after the point that the row of a line has room for. */
+/** Largest number of decimals that fits into the row of a line. */
 const MOST_DECIMALS = 2;
 
-/** @param fewest digits after the point, of a number that has so many */
+/** @param fewest smallest number of decimals, for a number that has them */
 export function roundedSides(
   { left, is, right, isTrue }: EvaluatedCondition,
   fewest: number,
@@ -23,16 +23,16 @@ export function roundedSides(
     const shown = { left: round(left, decimals), right: round(right, decimals) };
     if (holds(shown.left, is, shown.right) === isTrue) return shown;
   }
-  // Rounding keeps the order: only what is true, by less than a digit, comes here.
+  // Rounding preserves the order, so only a true comparison by less than one digit gets here.
   const shownRight = round(right, MOST_DECIMALS);
   const apart = (is === ">" ? 1 : -1) / 10 ** MOST_DECIMALS;
   return { left: round(shownRight + apart, MOST_DECIMALS), right: shownRight };
 }
 
 /**
- * The readings of one moment, in whole cm. A reading has decimals if the whole number would
+ * The readings of one tick, in whole cm. A reading has decimals if the whole number would
  * contradict one of the conditions.
- * @param conditions all comparisons that stand beside these readings, on any surface
+ * @param conditions all comparisons that are displayed with these readings
  */
 export function roundedReadings(
   readings: SensorReadings,

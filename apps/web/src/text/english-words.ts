@@ -1,11 +1,11 @@
-/** English, which the page always has: the other languages lean on it. See build/english-words.ts. */
+/** English, the fallback of every other language. See build/english-words.ts. */
 import address from "virtual:english-words-address";
 import type { en } from "./en/index.ts";
 
-/** @throws when the words cannot be fetched: nothing can be said then */
+/** @throws if the texts cannot be fetched: the page then has no texts at all */
 export async function englishWords(): Promise<typeof en> {
   if (import.meta.env.DEV) return (await import("./en/index.ts")).en;
-  const answer = await fetch(address);
-  if (!answer.ok) throw new Error(`${address}: ${answer.status}`);
-  return (await answer.json()) as typeof en;
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(`${address}: ${response.status}`);
+  return (await response.json()) as typeof en;
 }

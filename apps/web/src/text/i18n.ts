@@ -1,6 +1,6 @@
 /**
- * Every word on the screen comes from a catalogue: `t("stage.clear")`, with keys that the compiler
- * checks. English comes with the page (`english-words.ts`), other languages by `load-words.ts`.
+ * All texts on the screen come from a catalogue: `t("stage.clear")`. The compiler checks the keys.
+ * English is part of the page (`english-words.ts`); `load-words.ts` loads the other languages.
  */
 import i18next, { type i18n } from "i18next";
 import { initReactI18next } from "react-i18next";
@@ -17,7 +17,7 @@ declare module "i18next" {
   }
 }
 
-/** Ready at once, in English. React escapes text itself. */
+/** Returns an instance that is ready, in English. React escapes texts itself. */
 export function createI18n(english: typeof en): i18n {
   const instance = i18next.createInstance();
   void instance
@@ -41,15 +41,15 @@ export function createI18n(english: typeof en): i18n {
   return instance;
 }
 
-/** The language that is shown. */
+/** The displayed language. */
 export function shownLanguage({ language }: Pick<i18n, "language">): LanguageTag {
   return language as LanguageTag;
 }
 
 /**
- * Shows another language: first everything that is in use is fetched, then all of it changes at once.
- * @param isWanted asked when all is there; a later choice may have come in between
- * @throws when words cannot be fetched; the language is then the one from before
+ * Displays another language. Loads all namespaces in use first, then changes them together.
+ * @param isWanted called after loading; false if the user has chosen another language meanwhile
+ * @throws if texts cannot be fetched; the language then stays the same
  */
 export async function showLanguage(
   words: i18n,
@@ -69,8 +69,8 @@ function usedNamespaces(words: i18n): Namespace[] {
 }
 
 /**
- * A value inside a sentence: a number as the language writes it, and, where the sentence runs the other
- * way, set apart by "first strong isolate" and its end.
+ * A value inside a sentence, with the number format of the language. In a right-to-left language,
+ * the value is wrapped in a first strong isolate (U+2068).
  */
 function written(value: string, tag: LanguageTag): string {
   const text = /^-?\d+\.\d+$/.test(value) ? localNumber(value, tag) : value;

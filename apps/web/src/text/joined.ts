@@ -1,11 +1,11 @@
 /**
- * Texts side by side, joined as the language joins them: "row 3, column 7" is 「3段目、7列目」 in Japanese,
- * and its sentences stand without spaces. Only for parts that are whole by themselves: what bends with
- * its neighbours is one sentence of the catalogue.
+ * Joins texts with the separators of the language: "row 3, column 7" is 「3段目、7列目」 in Japanese, which
+ * has no spaces between sentences. Only for independent parts: words that inflect together are one
+ * sentence of the catalogue.
  */
 import type { TFunction } from "i18next";
 
-/** The parts were written by the catalogue already: nothing in them is set apart or changed again. */
+/** The catalogue has already escaped and isolated the parts. */
 const interpolation = { escapeValue: false };
 
 /** "row 3, column 7, open" */
@@ -13,12 +13,12 @@ export function joinList(t: TFunction, parts: readonly string[]): string {
   return joined(t, "list", parts);
 }
 
-/** Sentences after one another, each with its full stop. */
+/** Joins sentences that end with their full stops. */
 export function joinSentences(t: TFunction, sentences: readonly string[]): string {
   return joined(t, "sentences", sentences);
 }
 
-/** A text without a full stop as a sentence of its own. */
+/** Adds the full stop to a text. */
 export function asSentence(t: TFunction, text: string): string {
   return t("language.join.sentence", { text, interpolation });
 }

@@ -1,6 +1,6 @@
-/** The languages of the page, and which of them fits what a reader asks for. */
+/** The languages of the page, and the choice of one for a list of preferred languages. */
 
-/** Tags are BCP 47. Names are in the language itself, so that readers find their own. */
+/** BCP 47 tags. Each name is in its own language, so that readers recognize it. */
 export const languages = [
   { tag: "en", name: "English", dir: "ltr" },
   { tag: "ar", name: "العربية", dir: "rtl" },
@@ -14,16 +14,16 @@ export const languages = [
   tag: string;
   name: string;
   dir: "ltr" | "rtl";
-  /** still being translated: `?lang=` opens it for its translators, no menu and no browser does */
+  /** incomplete: only `?lang=` opens it, for its translators; menus and browsers do not */
   isDraft?: boolean;
 }[];
 
 export type LanguageTag = (typeof languages)[number]["tag"];
 
-/** What a reader can choose: the languages whose words are complete. */
+/** The languages that a user can choose: those with complete texts. */
 export const offeredLanguages = languages.filter((each) => !("isDraft" in each));
 
-/** The languages that a menu lists: those that are complete, and the one that is shown. */
+/** The languages in the menu: the complete ones and the displayed one. */
 export function listedLanguages(shown: LanguageTag): readonly (typeof languages)[number][] {
   return languages.filter((each) => !("isDraft" in each) || each.tag === shown);
 }
@@ -35,17 +35,18 @@ export function languageOf(tag: LanguageTag): (typeof languages)[number] {
 }
 
 /**
- * The first wanted language that there is: "de-AT" is served by "de" and "zh-CN" by "zh-Hans", but
- * "zh-TW" is not, since its readers read another script.
- * @param wanted BCP 47 tags, the dearest first; ones that are none are passed over
- * @param among the tags to choose from
+ * The first preferred language that is available. "de" matches "de-AT" and "zh-Hans" matches "zh-CN",
+ * but not "zh-TW", which uses another script.
+ * @param wanted BCP 47 tags by preference; invalid tags are ignored
+ * @param among the available tags
+ * @returns null if none matches
  */
 export function matchLanguage<Tag extends string>(
   wanted: readonly string[],
   among: readonly Tag[],
 ): Tag | null {
   for (const tag of wanted) {
-    // "en-GB" is English, wherever that is read: only the rest asks Intl, which takes 3 ms to wake.
+    // "en-GB" matches "en" without Intl, whose initialization takes 3 ms.
     const plain = /^([a-z]{2})(?:-[A-Z]{2})?$/.exec(tag)?.[1];
     const own = among.find((each) => each === plain);
     if (own !== undefined) return own;
@@ -56,7 +57,7 @@ export function matchLanguage<Tag extends string>(
   return null;
 }
 
-/** Language and script, such as "zh-Hans"; null for what is no tag. */
+/** Language and script, such as "zh-Hans"; null for an invalid tag. */
 function writingOf(tag: string): string | null {
   try {
     const { language, script } = new Intl.Locale(tag).maximize();

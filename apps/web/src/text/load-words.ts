@@ -1,6 +1,6 @@
 /**
- * Fetches words: each language is a chunk of its own for each namespace, so that nobody loads a
- * language that they do not read. English "words" are part of the page.
+ * Loads texts. Each namespace of each language is a separate chunk, so that users load one language
+ * only. The English namespace "words" is part of the page.
  */
 import type { LanguageTag } from "./languages.ts";
 import type { Namespace } from "./namespaces.ts";
@@ -8,14 +8,14 @@ import type { Words } from "./en/words.ts";
 
 type Loader = () => Promise<Words>;
 
-/** A language's files under their names: "./cards.json" has the words of `cards`. */
+/** A language's files by name: "./cards.json" contains the texts of `cards`. */
 function byName(files: Readonly<Record<string, Words>>): Words {
   return Object.fromEntries(
     Object.entries(files).map(([path, words]) => [path.slice("./".length, -".json".length), words]),
   );
 }
 
-/** The compiler asks for a line here for each language. */
+/** The compiler requires an entry for each language. */
 const loaders: Record<Exclude<LanguageTag, "en">, Loader> = {
   ar: async () => byName((await import("./ar/index.ts")).files),
   de: async () => byName((await import("./de/index.ts")).files),
@@ -27,11 +27,11 @@ const loaders: Record<Exclude<LanguageTag, "en">, Loader> = {
 };
 
 /**
- * One namespace in one language.
- * @throws when the chunk cannot be fetched, or when it is part of the page already
+ * Loads one namespace in one language.
+ * @throws if the chunk cannot be fetched, or does not exist because it is part of the page
  */
 export async function loadWords(language: LanguageTag, namespace: Namespace): Promise<Words> {
-  // Where the parts are is known by a file of its own: most readers need none of them.
+  // The loaders of the other namespaces are in a separate file, which most users do not need.
   const known =
     namespace === "words" ? loaders : (await import("./part-words.ts")).partLoaders[namespace];
   const load = (known as Partial<Record<LanguageTag, Loader>>)[language];
@@ -39,12 +39,12 @@ export async function loadWords(language: LanguageTag, namespace: Namespace): Pr
   return load();
 }
 
-/** Lets i18next fetch a namespace when a component first asks for it. */
+/** Loads a namespace when a component first requests it. */
 export const wordsBackend = {
   type: "backend",
   callbackApi: false,
   init: () => undefined,
-  // It asks for what the page speaks and uses alone; anything else has no chunk.
+  // i18next requests only namespaces in use and the displayed language.
   read: (tag: string, namespace: string): Promise<Words> =>
     loadWords(tag as LanguageTag, namespace as Namespace),
 } as const;

@@ -1,7 +1,7 @@
 /**
- * The parts that the words come in, as English has them; `t` checks its keys against these.
- * "words" is what the page itself says. A part that only some readers need is a namespace of its own,
- * loaded in whatever language the page has when it is first used: `useTranslation("missions")`.
+ * The namespaces of the texts. The compiler checks keys of `t` against the English files. "words"
+ * contains the texts of the page itself. Texts that only some users need are separate namespaces,
+ * loaded on first use: `useTranslation("missions")`.
  */
 import type { en } from "./en/index.ts";
 import type diagnosis from "./en/diagnosis.json";
@@ -21,7 +21,7 @@ export interface Namespaces {
   missions: typeof missions;
   /** "Try it in other mazes" */
   otherMazes: typeof otherMazes;
-  /** what the run's controls say only once they are used: taking over, zoom, commands */
+  /** texts that the controls of a run need only in use: taking over, zoom, commands */
   runDetails: typeof runDetails;
   /** races against recorded runs */
   race: typeof race;
@@ -29,7 +29,7 @@ export interface Namespaces {
   daily: typeof daily;
   /** sounds of the run */
   sound: typeof sound;
-  /** the page of whoever looks on */
+  /** the page of a viewer */
   watch: typeof watch;
 }
 

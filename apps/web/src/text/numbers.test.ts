@@ -28,7 +28,7 @@ describe("formatClock", () => {
 });
 
 describe("formatSeconds", () => {
-  it("tells the same tenths as the clock", () => {
+  it("has the same tenths as the clock", () => {
     expect(formatSeconds(2352)).toBe("39.2");
     expect(formatSeconds(3599)).toBe("59.9");
   });

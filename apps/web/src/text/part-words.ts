@@ -1,9 +1,9 @@
-/** Where the parts of the words are that only some readers need: a chunk for each language and each part. */
+/** Loaders of the namespaces that only some users need: one chunk per language and namespace. */
 import type { LanguageTag } from "./languages.ts";
 import type { Namespace } from "./namespaces.ts";
 import type { Words } from "./en/words.ts";
 
-/** The compiler asks for a line here for each language and each part. */
+/** The compiler requires an entry for each namespace and language. */
 export const partLoaders: Record<
   Exclude<Namespace, "words">,
   Record<LanguageTag, () => Promise<Words>>

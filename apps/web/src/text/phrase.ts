@@ -1,7 +1,7 @@
 /**
- * A sentence whose values change many times a second: it is looked up once, with marks in the places of
- * its values, and filled by joining. For values that bend no other word of the sentence; a number that
- * decides between "degree" and "degrees" is looked up by its count.
+ * A sentence whose values change many times a second. The catalogue is read once, with markers in place
+ * of the values, which are then replaced. Only for values that change no other word of the sentence: a
+ * number that decides between "degree" and "degrees" needs a lookup by its count.
  */
 const BEGIN = "\ue000";
 const END = "\ue001";
@@ -9,14 +9,14 @@ const MARK = new RegExp(`${BEGIN}(.*?)${END}`, "u");
 
 /**
  * @param names of the values
- * @param say looks the sentence up with the marks as its values
- * @returns fills the sentence; numbers with a decimal sign must be written as the language writes them
+ * @param translate looks up the sentence with the given values
+ * @returns a function that inserts values; format numbers with decimals for the language first
  */
 export function preparePhrase<Name extends string>(
   names: readonly Name[],
-  say: (marks: Readonly<Record<Name, string>>) => string,
+  translate: (marks: Readonly<Record<Name, string>>) => string,
 ): (values: Readonly<Record<Name, string | number>>) => string {
   const marks = Object.fromEntries(names.map((name) => [name, BEGIN + name + END]));
-  const parts = say(marks as Record<Name, string>).split(MARK);
+  const parts = translate(marks as Record<Name, string>).split(MARK);
   return (values) => parts.map((part, at) => (at % 2 === 0 ? part : values[part as Name])).join("");
 }

@@ -105,9 +105,9 @@ export class FaultyPage {
   #connect(url: string, events: SocketEvents): SocketPort {
     this.#opened();
     if (!this.#isAlive) return { send: noop, close: noop, isOpen: false, waitingBytes: 0 };
-    const ifAlive = (tell: () => void): void => {
-      if (this.#options.time.now() < this.#thawsAt) this.#queued.push(() => ifAlive(tell));
-      else if (this.#isAlive) tell();
+    const ifAlive = (notify: () => void): void => {
+      if (this.#options.time.now() < this.#thawsAt) this.#queued.push(() => ifAlive(notify));
+      else if (this.#isAlive) notify();
     };
     this.#socket = this.#options.platform.connect(url, {
       opened: () => ifAlive(() => events.opened()),
@@ -126,7 +126,7 @@ export class FaultyPage {
     }
     const queued = this.#queued;
     this.#queued = [];
-    for (const hear of queued) hear();
+    for (const deliver of queued) deliver();
     this.#loop.advance();
     this.#loop.takeUpdate();
     this.#loop.takeTimeline();

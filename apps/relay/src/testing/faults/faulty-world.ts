@@ -240,7 +240,7 @@ export class FaultyWorld {
     if (!read.ok) return;
     const onSent = read.value as { type: string; record: CommandRecord };
     if (onSent.type === "ack") this.#history.acknowledged(onSent.record);
-    if (onSent.type === "state") this.#history.told(onSent.record);
+    if (onSent.type === "state") this.#history.reported(onSent.record);
   }
 
   #platform(net: FaultyNet) {

@@ -22,7 +22,7 @@ class Story {
     this.did(seq, "started");
     this.did(seq, "completed");
     const ended = { ...this.record(seq, "completed"), acceptedAt: record.acceptedAt };
-    this.history.told(ended);
+    this.history.reported(ended);
     this.stored.push(ended);
   }
 
@@ -70,7 +70,7 @@ describe("a consistent history", () => {
     story.stored.push(story.record(1, "completed"));
     for (const what of ["started", "completed"] as const) story.did(1, what);
     expect(story.faults()).toEqual([]);
-    expect(story.history.longestWay).toBe(800);
+    expect(story.history.longestTransit).toBe(800);
   });
 
   it("may contain a first attempt that was accepted late, despite a retry in between", () => {
@@ -84,7 +84,7 @@ describe("a consistent history", () => {
     story.pass(TTL);
     for (const what of ["started", "completed"] as const) story.did(1, what);
     expect(story.faults()).toEqual([]);
-    expect(story.history.longestWay).toBe(800);
+    expect(story.history.longestTransit).toBe(800);
   });
 
   it("may lack the ending of a command that a page had started before a reload", () => {
@@ -171,8 +171,8 @@ describe("a fault is detected:", () => {
       name: "a script receives two endings",
       is: ["ended twice"],
       happens: (story) => {
-        story.history.told(story.record(2, "expired"));
-        story.history.told(story.record(2, "completed"));
+        story.history.reported(story.record(2, "expired"));
+        story.history.reported(story.record(2, "completed"));
       },
     },
     {

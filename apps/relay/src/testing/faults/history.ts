@@ -46,7 +46,7 @@ export class History {
   readonly #tolerance: number;
   /** converts a time of this history to the relay's clock */
   readonly #wallClock: (at: number) => number;
-  #longestWay = 0;
+  #longestTransit = 0;
   /** by number: start deadlines of the relay, by its clock */
   readonly #deadlines = new Map<number, number>();
   #actions: Action[] = [];
@@ -63,14 +63,14 @@ export class History {
   }
 
   /** Longest transit time of an attempt in ms, including the network and waits for a processor. */
-  get longestWay(): number {
-    return this.#longestWay;
+  get longestTransit(): number {
+    return this.#longestTransit;
   }
 
-  tried(key: string, wish: Try): void {
+  tried(key: string, attempt: Try): void {
     const first = this.#tries.get(key);
-    if (first === undefined) this.#tries.set(key, { ...wish, again: [] });
-    else first.again.push(Math.round(wish.at - first.at));
+    if (first === undefined) this.#tries.set(key, { ...attempt, again: [] });
+    else first.again.push(Math.round(attempt.at - first.at));
   }
 
   acknowledged(record: CommandRecord): void {
@@ -79,7 +79,7 @@ export class History {
       this.#report("doubled", `${record.seq} was acknowledged to ${before.key} and ${record.key}`);
     }
     this.#acknowledged.set(record.seq, record);
-    this.told(record);
+    this.reported(record);
   }
 
   /**
@@ -90,17 +90,17 @@ export class History {
     if (!this.#deadlines.has(seq)) this.#deadlines.set(seq, deadline);
   }
 
-  told({ seq, state }: CommandRecord): void {
+  reported({ seq, state }: CommandRecord): void {
     if (!hasEnded(state)) return;
     const before = this.#endings.get(seq);
     if (before !== undefined && before !== state) {
-      this.#report("ended twice", `${seq} was told as ${before}, then as ${state}`);
+      this.#report("ended twice", `${seq} was reported as ${before}, then as ${state}`);
     }
     this.#endings.set(seq, state);
   }
 
-  did(deed: Action): void {
-    this.#actions.push(deed);
+  did(action: Action): void {
+    this.#actions.push(action);
   }
 
   /**
@@ -110,12 +110,12 @@ export class History {
    */
   left(page: number, isKnown: (seq: number, at: number) => boolean = () => true): void {
     this.#actions = this.#actions.filter(
-      (deed) => deed.page !== page || isKnown(deed.seq, deed.at),
+      (action) => action.page !== page || isKnown(action.seq, action.at),
     );
     const begun = new Set(
       this.#actions.flatMap(({ seq, what }) => (what === "started" ? [seq] : [])),
     );
-    this.#actions = this.#actions.filter((deed) => deed.page !== page || begun.has(deed.seq));
+    this.#actions = this.#actions.filter((action) => action.page !== page || begun.has(action.seq));
   }
 
   /** Current state of the commands that a page has started. */
@@ -150,22 +150,23 @@ export class History {
   }
 
   #checkOne({ seq, key, state, reason, action, acceptedAt }: CommandRecord): void {
-    const deeds = this.#actions.filter((deed) => deed.seq === seq);
-    const starts = deeds.filter(({ what }) => what === "started");
-    const ends = deeds.filter(({ what }) => hasEnded(what));
+    const actions = this.#actions.filter((action) => action.seq === seq);
+    const starts = actions.filter(({ what }) => what === "started");
+    const ends = actions.filter(({ what }) => hasEnded(what));
     const endedTwice = (words: string): void => this.#report("ended twice", `${seq} ${words}`);
     if (!hasEnded(state)) this.#report("lost", `${seq} never ended: ${state}`);
     if (starts.length > 1) this.#report("doubled", `${seq} started ${starts.length} times`);
     if (ends.length > 1) {
       endedTwice(`ended as ${ends.map(({ what, page }) => `${what} (page ${page})`).join(", ")}`);
     }
-    const told = this.#endings.get(seq);
-    if (told !== undefined && told !== state) endedTwice(`is ${state} and was told as ${told}`);
+    const reported = this.#endings.get(seq);
+    if (reported !== undefined && reported !== state)
+      endedTwice(`is ${state} and was reported as ${reported}`);
     const [start] = starts;
     const [end] = ends;
     // The link executes a stop before the driver can report it.
     const isDone = action !== "stop" && (state === "completed" || state === "collided");
-    if (isDone && end?.what !== state) endedTwice(`is ${state}, the robot says ${end?.what}`);
+    if (isDone && end?.what !== state) endedTwice(`is ${state}, the robot reported ${end?.what}`);
     if (state === "expired" && start !== undefined) endedTwice("expired and was started");
     // The relay writes these reasons only for commands that no robot has.
     const byRelay =
@@ -177,14 +178,14 @@ export class History {
     if (end !== undefined && end.what !== state && !isLost) {
       endedTwice(`is ${state} (${reason}), the robot ended it as ${end.what}`);
     }
-    const wish = this.#attemptOf(key);
-    if (start !== undefined && wish !== null) {
+    const attempt = this.#attemptOf(key);
+    if (start !== undefined && attempt !== null) {
       const transitOf = (): number =>
-        this.#transitOf(wish, Date.parse(acceptedAt), this.#deadlines.get(seq));
-      const way = wish.isTimed === true ? 0 : transitOf();
-      const late = start.at - wish.at - wish.ttl - way;
+        this.#transitOf(attempt, Date.parse(acceptedAt), this.#deadlines.get(seq));
+      const transit = attempt.isTimed === true ? 0 : transitOf();
+      const late = start.at - attempt.at - attempt.ttl - transit;
       if (late > this.#tolerance) {
-        const { sender, ttl, again } = wish;
+        const { sender, ttl, again } = attempt;
         const terms = `of ${sender}, ttl ${ttl} ms, tried again after ${again.join(", ") || "nothing"} ms`;
         this.#report("late", `${seq} (${action} ${terms}) started ${Math.round(late)} ms late`);
       }
@@ -198,16 +199,16 @@ export class History {
    */
   #transitOf({ at, again, ttl }: Tries, arrivedAt: number, deadline: number | undefined): number {
     const age = deadline === undefined ? NaN : arrivedAt + ttl - deadline;
-    const told = [0, ...again].filter((ms) => Math.abs(ms - age) <= AGE_MS);
+    const matching = [0, ...again].filter((ms) => Math.abs(ms - age) <= AGE_MS);
     // Attempts older than their ttl are rejected, so an earlier attempt was accepted, after this
     // one.
-    const possible = told.length > 0 ? told : [0, ...again.filter((ms) => ms < ttl)];
+    const possible = matching.length > 0 ? matching : [0, ...again.filter((ms) => ms < ttl)];
     const tries = possible.map((ms) => this.#wallClock(at + ms));
     // Clocks of two processes agree to about a millisecond.
     const taken = tries.findLast((tried) => tried <= arrivedAt + CLOCKS_MS) ?? arrivedAt;
-    const way = Math.max(0, arrivedAt - taken);
-    this.#longestWay = Math.max(this.#longestWay, way);
-    return way;
+    const transit = Math.max(0, arrivedAt - taken);
+    this.#longestTransit = Math.max(this.#longestTransit, transit);
+    return transit;
   }
 
   /** Checks one record per key, and the order of each sender. */

@@ -1,4 +1,4 @@
-/** Words by key, nested; their leaves are texts. */
+/** Nested texts by key. */
 export interface Words {
   readonly [key: string]: string | Words;
 }

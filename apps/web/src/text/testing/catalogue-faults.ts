@@ -1,6 +1,6 @@
-/** What is wrong with a translated catalogue, beside the English one. */
+/** Checks a translated catalogue against the English one. */
 
-/** A catalogue as its JSON files hold it. */
+/** The contents of a language's JSON files. */
 export interface Catalogue {
   readonly [key: string]: string | Catalogue;
 }
@@ -15,9 +15,9 @@ const names = new Set(
 const plural = /^(?<base>.+)_(?<form>zero|one|two|few|many|other)$/;
 
 /**
- * @param tag BCP 47, for its plural forms and its script
- * @param mayLack of a draft, missing texts are no fault
- * @returns one sentence a fault, beginning with the key
+ * @param tag BCP 47 tag, for plural forms and script
+ * @param mayLack permits missing texts, for a draft
+ * @returns one message per fault, starting with the key
  */
 export function catalogueFaults(
   english: Catalogue,
@@ -44,7 +44,7 @@ export function catalogueFaults(
   return faults;
 }
 
-/** What can be wrong with English itself. */
+/** Checks the English catalogue itself. */
 export function sourceFaults(english: Catalogue): string[] {
   return [...flat(english)].flatMap(([key, text]) =>
     shapeFaults(text).map((fault) => `${key}: ${fault}`),
@@ -61,7 +61,7 @@ function flat(catalogue: Catalogue, path = ""): Map<string, string> {
   return texts;
 }
 
-/** The keys that a language needs, each with the English keys that say the same. */
+/** The keys that a language needs, each with the corresponding English keys. */
 function expectedKeys(keys: readonly string[], tag: string): Map<string, string[]> {
   const expected = new Map<string, string[]>();
   const forms = new Intl.PluralRules(tag).resolvedOptions().pluralCategories;
@@ -72,7 +72,7 @@ function expectedKeys(keys: readonly string[], tag: string): Map<string, string[
       continue;
     }
     const models = keys.filter((other) => plural.exec(other)?.groups?.["base"] === base);
-    // "zero" is a form that English may add: i18next takes it for 0 in any language.
+    // English may add the form "zero", which i18next uses for 0 in any language.
     for (const each of form === "zero" ? [form] : forms) expected.set(`${base}_${each}`, models);
   }
   return expected;
@@ -85,7 +85,7 @@ function textFaults(english: readonly string[], text: string, tag: string): stri
   const has = placeholders(text);
   for (const name of has) if (!known.has(name)) faults.push(`{{${name}}} is not in English`);
   for (const name of known) {
-    // A form for one or none may say the number in words, or not at all.
+    // A form for 0 or 1 may omit the number or write it in words.
     const isFree = name === "count" && english.length > 1;
     if (!has.has(name) && !isFree && wanted.every((each) => each.has(name))) {
       faults.push(`{{${name}}} is missing`);
@@ -101,8 +101,8 @@ function textFaults(english: readonly string[], text: string, tag: string): stri
 function shapeFaults(text: string): string[] {
   const faults: string[] = [];
   if (text.trim() === "") faults.push("is empty");
-  if (text !== text.trim() || / {2}/.test(text)) faults.push("has spaces that nobody sees");
-  if (/<[a-z/!]|&[a-z]+;|&#/i.test(text)) faults.push("holds HTML");
+  if (text !== text.trim() || / {2}/.test(text)) faults.push("has invisible spaces");
+  if (/<[a-z/!]|&[a-z]+;|&#/i.test(text)) faults.push("contains HTML");
   if (text.replaceAll(/\{\{\w+\}\}/g, "").match(/[{}]/) !== null) {
     faults.push("has a broken placeholder");
   }
@@ -113,7 +113,7 @@ function placeholders(text: string): Set<string> {
   return new Set([...text.matchAll(/\{\{(\w+)\}\}/g)].map(([, name = ""]) => name));
 }
 
-/** The same sentence, or, in another script, words without a letter of it. */
+/** Whether a text equals the English one or, in another script, has no letter of that script. */
 function isLeftEnglish(english: readonly string[], text: string, tag: string): boolean {
   const words = (text.replaceAll(/\{\{\w+\}\}/g, "").match(/\p{L}+/gu) ?? []).filter(
     (word) => !names.has(word),

@@ -1,14 +1,14 @@
-/** How hard English sentences are to read: their grade by the formula of Flesch and Kincaid. */
+/** The reading level of English sentences: their Flesch-Kincaid grade. */
 import { fleschKincaid } from "flesch-kincaid";
 import { syllable } from "syllable";
 
-/** Texts for students stay at this grade of US schools or below: a reader of 11 or 12 years. */
+/** Highest US school grade for student texts: readers of 11 or 12 years. */
 export const MAX_GRADE = 6;
 
-/** A shorter sentence is a label or a value; one long word would decide its grade. */
+/** Shorter texts are labels, whose grade would depend on a single word. */
 const FEWEST_WORDS = 5;
 
-/** Words of the field that students meet all the time, and names: each counts as one syllable. */
+/** Names and terms that students use all the time: each counts as one syllable. */
 const easyWords = new Set(
   `robot sensor program otherwise delayed condition action decision corridor opening timeline
    centimetre internet connection Python JavaScript`
@@ -16,7 +16,7 @@ const easyWords = new Set(
     .split(/\s+/),
 );
 
-/** What stands in a text's gaps; a number where nothing is said here. */
+/** Example values of placeholders; all others are numbers. */
 const values: Readonly<Record<string, string>> = {
   action: "delayed right 90",
   sensor: "front",
@@ -48,7 +48,7 @@ const values: Readonly<Record<string, string>> = {
 /** A text of a catalogue, by its key. */
 export type Texts = ReadonlyMap<string, string>;
 
-/** @returns one line for each sentence that is too hard: its key, its grade, the sentence */
+/** @returns key, grade and sentence of each sentence above the grade */
 export function hardSentences(texts: Texts): string[] {
   return [...texts].flatMap(([key, text]) =>
     sentencesOf(text)
@@ -57,7 +57,7 @@ export function hardSentences(texts: Texts): string[] {
   );
 }
 
-/** As Flesch counts them: a colon and a semicolon end a sentence, too. */
+/** Splits a text into sentences; in this formula, colons and semicolons end a sentence, too. */
 function sentencesOf(text: string): { sentence: string; grade: number }[] {
   const filled = text.replaceAll(/\{\{(\w+)\}\}/g, (_, name: string) => values[name] ?? "12");
   return filled.split(/(?<=[.?!:;]\p{Pf}?)\s+/u).flatMap((sentence) => {
