@@ -159,12 +159,6 @@ describe("a planted violation of an app's layers", () => {
     expect(layerViolations(sourcesIn(files), { [app]: { layers } })).toEqual([]);
   });
 
-  it("reports exceptions that are no longer needed", () => {
-    const exceptions = { imports: ["base -> words"], circles: ["base"] };
-    const found = layerViolations(new Map(), { [app]: { layers, exceptions } });
-    expect(found).toHaveLength(2);
-  });
-
   function sourcesIn(files: Record<string, string>): Sources {
     return new Map(Object.entries(files).map(([file, source]) => [`${app}/src/${file}`, source]));
   }

@@ -3,7 +3,6 @@
  * workspaces. Tests and testing folders obey the direction too.
  */
 import { importsOf, resolve, withoutComments, type Sources } from "./boundaries.ts";
-import { webExceptions } from "./layer-exceptions.ts";
 
 /**
  * The units of each app by layer, from top to bottom. A file may import from its own unit and from
@@ -11,19 +10,10 @@ import { webExceptions } from "./layer-exceptions.ts";
  */
 export type Layers = readonly (readonly string[])[];
 
-/** Violations that still exist. An entry without a violation is a violation itself. */
-export interface Exceptions {
-  /** pairs of units, such as `stage -> model` */
-  imports: readonly string[];
-  /** folders in a circle of imports */
-  circles: readonly string[];
-}
-
 export interface AppLayers {
   layers: Layers;
   /** a folder of helpers that start the whole app: it may import all, and only tests import it */
   forTests?: string;
-  exceptions?: Exceptions;
 }
 
 export const appLayers: Record<string, AppLayers> = {
@@ -52,7 +42,6 @@ export const appLayers: Record<string, AppLayers> = {
       ["stage"],
       ["ui", "text"],
     ],
-    exceptions: webExceptions,
   },
 };
 
@@ -63,18 +52,12 @@ const testPattern = /\.(?:test|cases)\.tsx?$|(?:^|\/)(?:cases|testing)\//;
 export function layerViolations(sources: Sources, apps = appLayers): string[] {
   return Object.entries(apps).flatMap(([app, rules]) => [
     ...unitViolations(app, rules, sources),
-    ...circleViolations(app, rules, sources),
+    ...circleViolations(app, sources),
   ]);
 }
 
-function unitViolations(
-  app: string,
-  { layers, forTests, exceptions }: AppLayers,
-  sources: Sources,
-): string[] {
-  const excepted = exceptions?.imports ?? [];
+function unitViolations(app: string, { layers, forTests }: AppLayers, sources: Sources): string[] {
   const found: string[] = [];
-  const used = new Set<string>();
   const unlisted = new Set<string>();
   for (const [from, target] of importsIn(app, sources)) {
     const unit = unitOf(from, layers);
@@ -83,34 +66,25 @@ function unitViolations(
     const layer = layerOf(unit, layers);
     if (layer < 0) unlisted.add(unit);
     if (unit === other || (layer >= 0 && layer < layerOf(other, layers))) continue;
-    const pair = `${unit} -> ${other}`;
-    used.add(pair);
-    if (excepted.includes(pair)) continue;
     found.push(`${app}: ${from} imports ${target}, but ${unit} must not import ${other}`);
   }
   for (const unit of unlisted) {
-    if (excepted.some((pair) => pair.startsWith(`${unit} -> `))) continue;
     found.push(`${app}: scripts/layers.ts lists no layer for ${unit}`);
   }
-  return [...found, ...unusedExceptions(app, excepted, used)];
+  return found;
 }
 
-/** Circles of folders inside a unit, and across units where the direction is excepted. */
-function circleViolations(app: string, { exceptions }: AppLayers, sources: Sources): string[] {
-  const excepted = exceptions?.circles ?? [];
+/** Circles of folders; only folders of one unit can be in a circle if the layers hold. */
+function circleViolations(app: string, sources: Sources): string[] {
   const graph = new Map<string, Set<string>>();
   for (const [from, target] of importsIn(app, sources)) {
     if (testPattern.test(from) || folderOf(from) === folderOf(target)) continue;
     const targets = graph.get(folderOf(from)) ?? new Set();
     graph.set(folderOf(from), targets.add(folderOf(target)));
   }
-  const circular = [...graph.keys()].filter((folder) => reachable(graph, folder).has(folder));
-  return [
-    ...circular
-      .filter((folder) => !excepted.includes(folder))
-      .map((folder) => `${app}: the folder ${folder} is in a circle of imports`),
-    ...unusedExceptions(app, excepted, new Set(circular)),
-  ];
+  return [...graph.keys()]
+    .filter((folder) => reachable(graph, folder).has(folder))
+    .map((folder) => `${app}: the folder ${folder} is in a circle of imports`);
 }
 
 /** The imports between files of an app, as paths from its `src`; worker addresses count too. */
@@ -153,14 +127,4 @@ function reachable(graph: ReadonlyMap<string, ReadonlySet<string>>, start: strin
     }
   }
   return found;
-}
-
-function unusedExceptions(
-  app: string,
-  excepted: readonly string[],
-  used: ReadonlySet<string>,
-): string[] {
-  return excepted
-    .filter((exception) => !used.has(exception))
-    .map((exception) => `${app}: delete the exception "${exception}", nothing needs it`);
 }

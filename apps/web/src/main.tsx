@@ -4,6 +4,7 @@ import { startTransition } from "react";
 import { createRoot } from "react-dom/client";
 import { I18nextProvider } from "react-i18next";
 import { App } from "./shell/App.tsx";
+import { PageTools } from "./shell/PageTools.tsx";
 import { flushWhenHidden, type PageLife } from "./model/projects/autosave.ts";
 import { browserLanguage } from "./shell/boot/browser-language.ts";
 import type { LanguageChoice } from "./model/preferences/language.ts";
@@ -55,7 +56,8 @@ async function start(): Promise<void> {
   // The page of a viewer displays the robot of another page and has none of its own.
   if (location.pathname.startsWith("/r/")) {
     return import("./features/watch/open-watch.tsx").then(
-      ({ openWatch }) => openWatch({ root, words, language, screen, device }),
+      ({ openWatch }) =>
+        openWatch({ root, words, language, screen, device, tools: <PageTools screen={screen} /> }),
       () => window.corridorFailed(),
     );
   }

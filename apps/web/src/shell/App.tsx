@@ -13,8 +13,6 @@ import { Messages } from "../features/messages/Messages.tsx";
 import { LazyRemotePanel } from "../features/remote/lazy-remote-panel.ts";
 import { PairingPlace } from "../features/remote/PairingPlace.tsx";
 import { SpokenRun } from "../features/speech/SpokenRun.tsx";
-import { Stage } from "../features/maze-editor/Stage.tsx";
-import { Transport } from "../features/transport/Transport.tsx";
 import { Button } from "../ui/Button.tsx";
 import { Dialog } from "../ui/Dialog.tsx";
 import { Deferred } from "../ui/Deferred.tsx";
@@ -26,6 +24,8 @@ import { ErrorBoundary } from "../ui/ErrorBoundary.tsx";
 import { lazyRestoreFocus } from "./lazy-restore-focus.ts";
 import { PhoneSheet } from "./PhoneSheet.tsx";
 import { useServices } from "../model/use-services.ts";
+import { RunControls } from "./RunControls.tsx";
+import { StageArea } from "./StageArea.tsx";
 import { SidePanel } from "./SidePanel.tsx";
 import { TopBar } from "./TopBar.tsx";
 import { useKeyboard } from "./use-keyboard.ts";
@@ -69,7 +69,7 @@ function Page() {
       />
       <main className={styles["stage"]}>
         <Deferred>
-          <Stage />
+          <StageArea />
         </Deferred>
         <FaultNotice />
         <Deferred>
@@ -84,7 +84,7 @@ function Page() {
               newest. */}
           {(!isDriving || !isNow) && (
             <div className={styles["footer"]}>
-              <Transport />
+              <RunControls />
             </div>
           )}
           <PhoneSheet hold={hold} />
@@ -93,7 +93,7 @@ function Page() {
         <>
           <SidePanel hold={hold} />
           <div className={styles["footer"]}>
-            <Transport />
+            <RunControls />
           </div>
         </>
       )}

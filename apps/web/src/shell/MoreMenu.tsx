@@ -4,7 +4,7 @@
  */
 import { Keyboard, RadioTower, Target } from "lucide";
 import { useTranslation } from "react-i18next";
-import { FileMenuItems } from "../features/files/FileMenuItems.tsx";
+import { FileItems } from "./lazy-menus.tsx";
 import { LanguageSelect } from "../features/language/LanguageSelect.tsx";
 import { ThemeChoice } from "../features/theme/ThemeChoice.tsx";
 import { Icon } from "../ui/Icon.tsx";
@@ -37,7 +37,7 @@ export function MoreMenu({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) 
       <MenuItem icon={<Icon of={Keyboard} />} onSelect={onKeys}>
         {t("shell.keys.title")}
       </MenuItem>
-      <FileMenuItems />
+      <FileItems />
       <div className={styles["choice"]}>
         <ThemeChoice screen={screen} />
       </div>

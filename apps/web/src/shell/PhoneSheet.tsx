@@ -15,6 +15,7 @@ import { Icon } from "../ui/Icon.tsx";
 import { Deferred } from "../ui/Deferred.tsx";
 import { Tabs } from "../ui/Tabs.tsx";
 import styles from "./phone-sheet.module.css";
+import { algorithms } from "./lazy-menus.tsx";
 import { useServices } from "../model/use-services.ts";
 import { sheetTabs, type SheetTab } from "../model/screen/screen-store.ts";
 import { afterDrag, afterPress, type SheetPosition } from "./sheet.ts";
@@ -99,7 +100,7 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
               <ProgramEditor />
             </>
           )}
-          {tab === "presets" && <LazyPresetsPanel />}
+          {tab === "presets" && <LazyPresetsPanel algorithms={algorithms} />}
         </Tabs>
       </Deferred>
     </aside>

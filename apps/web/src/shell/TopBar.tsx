@@ -1,11 +1,9 @@
 /** The bar at the top: logo, maze, and actions. */
 import { Ellipsis, Keyboard } from "lucide";
 import { useTranslation } from "react-i18next";
-import { LanguageButton } from "../features/language/LanguageButton.tsx";
 import { LessonsButton } from "../features/lessons/LessonsButton.tsx";
 import { PresetsButton } from "../features/presets/PresetsButton.tsx";
 import { ShareButton } from "../features/share/ShareButton.tsx";
-import { ThemeButton } from "../features/theme/ThemeButton.tsx";
 import { MazeMenu } from "../features/projects/MazeMenu.tsx";
 import { Icon } from "../ui/Icon.tsx";
 import { IconButton } from "../ui/Button.tsx";
@@ -16,6 +14,8 @@ import { useMediaQuery } from "../ui/use-media-query.ts";
 import styles from "./top-bar.module.css";
 import { Brand } from "../ui/Brand.tsx";
 import type { TopBarProps } from "./MoreMenu.tsx";
+import { PageTools } from "./PageTools.tsx";
+import { algorithms, FileItems } from "./lazy-menus.tsx";
 import { useServices } from "../model/use-services.ts";
 
 const MoreMenu = lazyPart(async () => (await import("./MoreMenu.tsx")).MoreMenu);
@@ -29,9 +29,9 @@ export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
     <header className={styles["bar"]}>
       <Brand />
       <Deferred>
-        <MazeMenu />
+        <MazeMenu files={<FileItems />} />
         <div className={styles["end"]}>
-          {!isPhone && <PresetsButton />}
+          {!isPhone && <PresetsButton algorithms={algorithms} />}
           {!isPhone && <LessonsButton />}
           <ShareButton />
           {isNarrow ? (
@@ -41,8 +41,7 @@ export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
               <IconButton label={t("shell.keys.title")} size="medium" onClick={onKeys}>
                 <Icon of={Keyboard} />
               </IconButton>
-              <ThemeButton screen={screen} />
-              <LanguageButton />
+              <PageTools screen={screen} />
             </div>
           )}
         </div>

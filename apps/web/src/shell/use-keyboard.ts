@@ -7,7 +7,7 @@ import { useEffect, useEffectEvent, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { handAction } from "../features/drive/hand-control.ts";
 import { createHoldStore, type HoldStore } from "../features/drive/hold-store.ts";
-import { describeRobot } from "../features/speech/describe-later.ts";
+import { describeRobot } from "../model/speech/describe-later.ts";
 import { isProgramRefused, runButton, runOrPause, stepOn } from "../model/run/run-button.ts";
 import { redo, undo } from "../model/workspace/workspace-store.ts";
 import type { DriveKey } from "../simulator/protocol/worker-messages.ts";

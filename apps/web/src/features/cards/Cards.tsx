@@ -11,11 +11,15 @@ import {
 import type { StageViewStore } from "../../stage/page/stage-view.ts";
 import { BumpCard } from "./BumpCard.tsx";
 import { shownCard } from "./shown-card.ts";
-import { SolvedCard, type Solved } from "./SolvedCard.tsx";
+import { SolvedCard, type Solved, type SolvedRace } from "./SolvedCard.tsx";
 
 type Met = Extract<ChallengeResult, { state: "met" }>;
 
-export function Cards({ view }: { view: StageViewStore }) {
+interface CardsProps extends SolvedRace {
+  view: StageViewStore;
+}
+
+export function Cards({ view, ...race }: CardsProps) {
   const { run, cards, workspace, challenge } = useServices();
   const { bump, goal } = useStore(cards);
   const result = useStore(challenge, challengeResult);
@@ -56,5 +60,5 @@ export function Cards({ view }: { view: StageViewStore }) {
       : pose === undefined
         ? null
         : { ...open, pose };
-  return solved && <SolvedCard view={view} solved={solved} onClose={close} />;
+  return solved && <SolvedCard {...race} view={view} solved={solved} onClose={close} />;
 }

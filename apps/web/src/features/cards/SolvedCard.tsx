@@ -1,7 +1,7 @@
 /** The card for a reached goal: the figures of the run, and the next steps. */
 import type { DriverName, Pose } from "@corridor/protocol";
 import { Flag, History, Share } from "lucide";
-import { useMemo, useState } from "react";
+import { useMemo, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
@@ -10,9 +10,6 @@ import { allOf } from "../../text/all-of.ts";
 import { formatClock, formatSeconds } from "../../text/numbers.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
-import { RaceButton } from "../race/RaceButton.tsx";
-import { RaceOutcome } from "../race/RaceOutcome.tsx";
-import { ShareDialog } from "../share/lazy-share-dialog.ts";
 import type { StageViewStore } from "../../stage/page/stage-view.ts";
 import styles from "./cards.module.css";
 import { FloatingCard } from "./FloatingCard.tsx";
@@ -33,15 +30,23 @@ export interface Solved {
   pose: Pose;
 }
 
-interface SolvedCardProps {
+/** The parts of the card that the race adds. */
+export interface SolvedRace {
+  /** the result of the race, if there is one */
+  raceOutcome: ReactNode;
+  /** the button that races this run */
+  raceButton: ReactNode;
+}
+
+interface SolvedCardProps extends SolvedRace {
   view: StageViewStore;
   solved: Solved;
   onClose: () => void;
 }
 
-export function SolvedCard({ view, solved, onClose }: SolvedCardProps) {
+export function SolvedCard({ view, solved, raceOutcome, raceButton, onClose }: SolvedCardProps) {
   const { t, i18n } = useTranslation(["words", "missions"], { useSuspense: false });
-  const { simulator, workspace, challenge } = useServices();
+  const { simulator, workspace, challenge, screen } = useServices();
   const { ticks, bumps, driver, pose } = solved;
   // Time in which a script made its robot wait is displayed separately.
   const waited = useWaited(ticks);
@@ -58,7 +63,6 @@ export function SolvedCard({ view, solved, onClose }: SolvedCardProps) {
   const isMetInAll = useStore(challenge, ({ result }) => result.state === "met") && mazes > 1;
   // The clock displays the run in one of the mazes.
   const ofTime = isMetInAll ? "words:cards.solved.longestTime" : "words:cards.solved.time";
-  const [isSharing, setSharing] = useState(false);
   const keepClear = useMemo(() => maze.goals, [maze]);
   // A challenge that allows no lines has no lines to count.
   const hasLines = driver === "program" && allowed !== 0;
@@ -103,18 +107,17 @@ export function SolvedCard({ view, solved, onClose }: SolvedCardProps) {
           <dd>{bumps}</dd>
         </div>
       </dl>
-      <RaceOutcome />
+      {raceOutcome}
       <div className={styles["actions"]}>
         <Onward maze={maze} onClose={onClose} />
-        <Button icon={<Icon of={Share} />} onClick={() => setSharing(true)}>
+        <Button icon={<Icon of={Share} />} onClick={() => screen.setState({ isSharing: true })}>
           {t("words:cards.solved.share")}
         </Button>
         <Button kind="quiet" icon={<Icon of={History} />} onClick={() => watchAgain(simulator, 0)}>
           {t("words:cards.watchAgain")}
         </Button>
-        <RaceButton kind="quiet" />
+        {raceButton}
       </div>
-      <ShareDialog isOpen={isSharing} onClose={() => setSharing(false)} />
     </FloatingCard>
   );
 }

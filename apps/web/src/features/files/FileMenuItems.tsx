@@ -1,16 +1,17 @@
 /** The menu items that open and save files. */
 import { FileBraces, FileInput, FileText, Film, Image, ListOrdered } from "lucide";
+import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { MenuItem } from "../../ui/Popover.tsx";
-import { RaceMenuItem } from "../race/RaceButton.tsx";
 import { useFileActions } from "./file-actions.ts";
 import { saveDocument, saveTextMaze } from "../../ui/save-file.ts";
 import { saveRun } from "./save-run.ts";
 
-export function FileMenuItems() {
+/** @param race the item that races the run, below the one that saves it */
+export function FileMenuItems({ race }: { race: ReactNode }) {
   const { t, i18n } = useTranslation();
   const services = useServices();
   const { workspace } = services;
@@ -46,7 +47,7 @@ export function FileMenuItems() {
       >
         {t("files.saveRun")}
       </MenuItem>
-      <RaceMenuItem />
+      {race}
       <MenuItem icon={<Icon of={Image} />} onSelect={savePicture}>
         {t("files.savePicture")}
       </MenuItem>

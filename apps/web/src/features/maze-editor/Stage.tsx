@@ -1,10 +1,10 @@
 /** The maze with the robot, the tools that edit it, and the legend. */
-import { useEffect, useLayoutEffect, useRef, useState } from "react";
+import { useEffect, useLayoutEffect, useRef, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
-import { RunEventCards } from "../cards/RunEventCards.tsx";
 import { lazyPart } from "../../ui/lazy-part.tsx";
+import type { StageViewStore } from "../../stage/page/stage-view.ts";
 import { MazeGrid } from "./MazeGrid.tsx";
 import { StageController } from "./stage-controller.ts";
 import { StageLegend } from "./StageLegend.tsx";
@@ -17,11 +17,20 @@ const CameraView = lazyPart(async () => (await import("./CameraView.tsx")).Camer
 /** For a maze that is larger than the stage. */
 const SmallMap = lazyPart(async () => (await import("./SmallMap.tsx")).SmallMap);
 
+interface StageProps {
+  /** in the strip above the maze: the open challenge and the race */
+  strip: ReactNode;
+  /** in the View menu */
+  sound: ReactNode;
+  /** the cards over the maze */
+  cards: (view: StageViewStore) => ReactNode;
+}
+
 /**
  * Fills its grid area. The stage holds the trail, so that it stays mounted while the page's layout
  * changes.
  */
-export function Stage() {
+export function Stage({ strip, sound, cards }: StageProps) {
   const services = useServices();
   const { t, i18n } = useTranslation();
   const [controller] = useState(() => new StageController(services, i18n));
@@ -43,7 +52,11 @@ export function Stage() {
   useLayoutEffect(() => controller.layoutApplied(), [controller, layout]);
   return (
     <section className={styles["stage"]} aria-label={t("stage.name")} data-driving={isDriving}>
-      {isDriving ? <CameraView view={controller.view} /> : <ToolStrip />}
+      {isDriving ? (
+        <CameraView view={controller.view} />
+      ) : (
+        <ToolStrip sound={sound}>{strip}</ToolStrip>
+      )}
       <div
         ref={scroller}
         className={layout?.overflows === true ? styles["scroller"] : styles["still"]}
@@ -51,7 +64,7 @@ export function Stage() {
         <div className={styles["content"]} style={layout?.content} data-ready={layout !== null}>
           <div ref={layers} className={styles["layers"]} style={layout?.view} aria-hidden="true" />
           <MazeGrid controller={controller} element={grid} />
-          <RunEventCards view={controller.view} />
+          {cards(controller.view)}
         </div>
       </div>
       {layout?.overflows === true && (

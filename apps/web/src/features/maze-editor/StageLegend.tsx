@@ -7,7 +7,7 @@ import type { RunState } from "../../model/run/run-store.ts";
 import { preparePhrase } from "../../text/phrase.ts";
 import { LiveText } from "../../ui/LiveText.tsx";
 import { memoize } from "../../ui/memoize.ts";
-import { DescribeButton } from "../speech/DescribeButton.tsx";
+import { DescribeButton } from "./DescribeButton.tsx";
 import { deferredPart } from "../../ui/lazy-part.tsx";
 import { facingOf, type Facing } from "../../stage/page/robot-place.ts";
 import type { StageViewStore } from "../../stage/page/stage-view.ts";

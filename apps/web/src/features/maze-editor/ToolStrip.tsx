@@ -10,7 +10,7 @@ import {
   Undo2,
   type IconNode,
 } from "lucide";
-import { useState } from "react";
+import { useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
@@ -21,8 +21,6 @@ import { Button, IconButton } from "../../ui/Button.tsx";
 import { lazyDialog } from "../../ui/lazy-part.tsx";
 import { Segmented } from "../../ui/Segmented.tsx";
 import { ViewMenu } from "./ViewMenu.tsx";
-import { ChallengePlace } from "../lessons/OpenChallenge.tsx";
-import { RacePlace } from "../race/RacePlace.tsx";
 import { useRights } from "../../model/use-rights.ts";
 import styles from "./tool-strip.module.css";
 
@@ -36,7 +34,14 @@ const icons: Record<Tool, IconNode> = {
   measure: Ruler,
 };
 
-export function ToolStrip() {
+interface ToolStripProps {
+  /** in the View menu */
+  sound: ReactNode;
+  /** before the View menu */
+  children: ReactNode;
+}
+
+export function ToolStrip({ sound, children }: ToolStripProps) {
   const { screen, race } = useServices();
   const { t } = useTranslation();
   const isFixed = useRights()?.maze === false;
@@ -68,9 +73,12 @@ export function ToolStrip() {
           <WholeMaze onClear={() => setDialog("clear")} onResize={() => setDialog("resize")} />
         )}
       </div>
-      <ChallengePlace />
-      <RacePlace />
-      <ViewMenu onClear={() => setDialog("clear")} onResize={() => setDialog("resize")} />
+      {children}
+      <ViewMenu
+        sound={sound}
+        onClear={() => setDialog("clear")}
+        onResize={() => setDialog("resize")}
+      />
       <ClearDialog isOpen={dialog === "clear"} onClose={close} />
       <ResizeDialog isOpen={dialog === "resize"} onClose={close} />
     </div>

@@ -1,5 +1,6 @@
 /** The content of the View menu. */
 import { Eraser, MessageSquareText, Redo2, Scaling, Undo2 } from "lucide";
+import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
@@ -8,14 +9,14 @@ import { Icon } from "../../ui/Icon.tsx";
 import { Checkbox } from "../../ui/Checkbox.tsx";
 import { MenuItem } from "../../ui/Popover.tsx";
 import { useRights } from "../../model/use-rights.ts";
-import { SoundMenu } from "../sound/SoundMenu.tsx";
-import { describeRobot } from "../speech/describe-later.ts";
+import { describeRobot } from "../../model/speech/describe-later.ts";
 import { ZoomButtons } from "./ZoomButtons.tsx";
 import styles from "./tool-strip.module.css";
 
 const choices = ["showBeams", "showTrail", "showRulers"] as const;
 
 export interface ViewMenuProps {
+  sound: ReactNode;
   onClear: () => void;
   onResize: () => void;
 }
@@ -24,7 +25,7 @@ export interface ViewMenuProps {
  * Includes the commands for which a phone has no room in the strip or the legend. A phone has no
  * rulers.
  */
-export function ViewMenuContent({ onClear, onResize }: ViewMenuProps) {
+export function ViewMenuContent({ sound, onClear, onResize }: ViewMenuProps) {
   const services = useServices();
   const { screen } = services;
   const { t, i18n } = useTranslation();
@@ -63,7 +64,7 @@ export function ViewMenuContent({ onClear, onResize }: ViewMenuProps) {
           </MenuItem>
         </div>
       )}
-      <SoundMenu />
+      {sound}
       <p className={styles["figures"]}>{t("stage.figures")}</p>
     </div>
   );

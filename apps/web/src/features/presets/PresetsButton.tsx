@@ -6,9 +6,10 @@ import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { Popover, usePopover } from "../../ui/Popover.tsx";
 import { LazyPresetsPanel } from "./lazy-presets-panel.ts";
+import type { PresetsPanelProps } from "./PresetsPanel.tsx";
 import styles from "./presets.module.css";
 
-export function PresetsButton() {
+export function PresetsButton({ algorithms }: Pick<PresetsPanelProps, "algorithms">) {
   const { t } = useTranslation();
   const { screen } = useServices();
   const menu = usePopover();
@@ -30,7 +31,7 @@ export function PresetsButton() {
         align="end"
         className={styles["popover"]}
       >
-        <LazyPresetsPanel onChosen={menu.close} />
+        <LazyPresetsPanel algorithms={algorithms} onChosen={menu.close} />
       </Popover>
     </>
   );

@@ -1,39 +1,38 @@
 /** Preset mazes, the daily maze, random mazes, and algorithms to choose from. */
 import { mazePresets } from "@corridor/maze";
-import { programPresets } from "@corridor/program";
-import { useId } from "react";
+import { useId, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
-import { AlgorithmChoice } from "../program-editor/AlgorithmChoice.tsx";
 import { DailyMaze } from "./DailyMaze.tsx";
 import { useRights } from "../../model/use-rights.ts";
 import { chooseMaze } from "../../model/presets/choose-preset.ts";
 import { MazePicture } from "../../ui/MazePicture.tsx";
 import { presetOf } from "../../model/presets/preset-of.ts";
-import { PresetCard } from "./PresetCard.tsx";
+import { ChoiceCard } from "../../ui/ChoiceCard.tsx";
 import { RandomMaze } from "./RandomMaze.tsx";
 import styles from "./presets.module.css";
 
-interface PresetsPanelProps {
+export interface PresetsPanelProps {
+  /** the preset algorithms, in the same layout as the mazes */
+  algorithms: (onChosen: (() => void) | undefined) => ReactNode;
   /** called after a choice, so that a dialog can close */
   onChosen?: () => void;
 }
 
-export function PresetsPanel({ onChosen }: PresetsPanelProps) {
+export function PresetsPanel({ algorithms, onChosen }: PresetsPanelProps) {
   const { t, i18n } = useTranslation();
   const services = useServices();
   const rights = useRights();
   const randomId = useId();
   const algorithmsId = useId();
   const opened = useStore(services.workspace, (state) => presetOf(state.maze));
-  const program = useStore(services.workspace, (state) => state.program);
   const solved = useStore(services.solved, (state) => state.ids);
   return (
     <div className={styles["presets"]}>
       <ul className={styles["grid"]} aria-label={t("presets.presets")}>
         {mazePresets.map(({ id, maze }) => (
-          <PresetCard
+          <ChoiceCard
             key={id}
             title={t(`presets.${id}.title`)}
             hint={t(`presets.${id}.hint`)}
@@ -74,28 +73,7 @@ export function PresetsPanel({ onChosen }: PresetsPanelProps) {
           </h2>
           <details>
             <summary className={styles["summary"]}>{t("program.algorithms")}</summary>
-            <AlgorithmChoice onChosen={onChosen}>
-              {(choose) => (
-                <ul className={styles["algorithms"]}>
-                  {programPresets.map((preset) => {
-                    const name = t(`program.preset.${preset.id}.name`);
-                    const { rules, default: otherwise } = preset.program;
-                    return (
-                      <PresetCard
-                        key={preset.id}
-                        title={name}
-                        hint={t(`program.preset.${preset.id}.note`)}
-                        isOpen={
-                          JSON.stringify([rules, otherwise]) ===
-                          JSON.stringify([program.rules, program.default])
-                        }
-                        onChoose={() => choose({ ...preset.program, name })}
-                      />
-                    );
-                  })}
-                </ul>
-              )}
-            </AlgorithmChoice>
+            {algorithms(onChosen)}
           </details>
         </section>
       )}

@@ -8,7 +8,7 @@ import { useId } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
-import { OtherMazesButton } from "../other-mazes/OtherMazesButton.tsx";
+import { OtherMazesButton } from "./OtherMazesButton.tsx";
 import { useRights } from "../../model/use-rights.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { classNames } from "../../ui/class-names.ts";

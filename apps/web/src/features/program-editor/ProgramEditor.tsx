@@ -11,7 +11,7 @@ import { lazyPart } from "../../ui/lazy-part.tsx";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
 import { useRights } from "../../model/use-rights.ts";
 import { AddLine } from "./AddLine.tsx";
-import { isExample } from "./example.ts";
+import { isExample } from "../../model/workspace/example.ts";
 import { LazyAdviceAnnouncement } from "./lazy-advice.ts";
 import { decidingLine } from "../../model/run/line-state.ts";
 import { Otherwise } from "./Otherwise.tsx";

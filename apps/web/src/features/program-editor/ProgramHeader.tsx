@@ -11,7 +11,7 @@ import { IconButton } from "../../ui/Button.tsx";
 import { lazyPart } from "../../ui/lazy-part.tsx";
 import { Popover, usePopover } from "../../ui/Popover.tsx";
 import { useRights } from "../../model/use-rights.ts";
-import { isExample } from "./example.ts";
+import { isExample } from "../../model/workspace/example.ts";
 import { applyEdit } from "../../model/workspace/program-actions.ts";
 import styles from "./program-header.module.css";
 import { useGoalSentence } from "./use-goal-sentence.ts";

@@ -1,5 +1,6 @@
 /** The maze's name, which opens its menu. */
 import { ChevronDown } from "lucide";
+import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
@@ -15,7 +16,8 @@ const MazeMenuContent = lazyPart(
   async () => (await import("./MazeMenuContent.tsx")).MazeMenuContent,
 );
 
-export function MazeMenu() {
+/** @param files the items for files in the menu */
+export function MazeMenu({ files }: { files: ReactNode }) {
   const { t } = useTranslation();
   const { workspace } = useServices();
   const name = useStore(workspace, (state) => state.maze.name);
@@ -34,7 +36,7 @@ export function MazeMenu() {
       </Button>
       <SaveState />
       <Popover {...menu.panel} label={t("projects.menu")} className={styles["panel"]}>
-        <MazeMenuContent onDone={menu.close} />
+        <MazeMenuContent files={files} onDone={menu.close} />
       </Popover>
     </div>
   );

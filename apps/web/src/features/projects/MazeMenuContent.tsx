@@ -1,10 +1,9 @@
 /** The content of the maze menu: the maze's name, a new maze, and the projects on this device. */
 import { FilePlus2 } from "lucide";
-import { useState } from "react";
+import { useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useServices } from "../../model/use-services.ts";
 import type { Project } from "../../model/projects/project-storage.ts";
-import { FileMenuItems } from "../files/FileMenuItems.tsx";
 import { Icon } from "../../ui/Icon.tsx";
 import { MenuItem } from "../../ui/Popover.tsx";
 import { openEmptyMaze } from "./empty-maze.ts";
@@ -13,11 +12,13 @@ import { SaveState } from "./SaveState.tsx";
 import { ProjectList } from "./ProjectList.tsx";
 
 interface MazeMenuContentProps {
+  /** the items for files */
+  files: ReactNode;
   /** closes the menu */
   onDone: () => void;
 }
 
-export function MazeMenuContent({ onDone }: MazeMenuContentProps) {
+export function MazeMenuContent({ files, onDone }: MazeMenuContentProps) {
   const { t, i18n } = useTranslation();
   const services = useServices();
   const [projects, setProjects] = useState<readonly Project[]>(() => services.projects.list());
@@ -31,7 +32,7 @@ export function MazeMenuContent({ onDone }: MazeMenuContentProps) {
       >
         {t("projects.newMaze")}
       </MenuItem>
-      <FileMenuItems />
+      {files}
       <ProjectList
         projects={projects}
         onOpen={(project) => {

@@ -14,7 +14,7 @@ import { describeTick, tickText } from "../../model/run/tick-description.ts";
 import { timelineOf } from "../../model/run/timeline-of.ts";
 import { storyOf, storyText } from "../../model/run/story.ts";
 import { RunListener, type RunAnnouncement } from "./run-listener.ts";
-import { decisionText, spoken, type Words } from "./run-words.ts";
+import { decisionText, spoken, type Words } from "../../model/speech/run-words.ts";
 
 type Ports = Pick<Services, "challenge" | "run" | "workspace" | "screen" | "timeline" | "speech">;
 

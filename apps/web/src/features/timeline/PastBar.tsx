@@ -1,15 +1,18 @@
 /** The controls of the past: play the recorded run from the displayed tick, or return to now. */
 import { Play, SkipForward } from "lucide";
+import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
-import { RaceButton } from "../race/RaceButton.tsx";
 import styles from "./past-bar.module.css";
 
-/** Renders only while the past is displayed. */
-export function PastBar() {
+/**
+ * Renders only while the past is displayed.
+ * @param race the button that races the run
+ */
+export function PastBar({ race }: { race: ReactNode }) {
   const { t } = useTranslation();
   const { run, simulator } = useServices();
   const view = useStore(run, (state) => state.view);
@@ -36,7 +39,7 @@ export function PastBar() {
       >
         {t("timeline.backToNow")}
       </Button>
-      <RaceButton size="small" className={styles["race"]} />
+      <span className={styles["race"]}>{race}</span>
     </fieldset>
   );
 }

@@ -1,16 +1,15 @@
 /** Run or Pause, Step, Reset, speed, the clock, bumps, and the timeline of the run. */
 import { RotateCcw, SkipBack, SkipForward } from "lucide";
+import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button, IconButton } from "../../ui/Button.tsx";
-import { lazyPart } from "../../ui/lazy-part.tsx";
 import { Select } from "../../ui/Select.tsx";
 import { speeds } from "../../simulator/protocol/worker-messages.ts";
 import { useRights } from "../../model/use-rights.ts";
-import { WriteOwnButton } from "../program-editor/WriteOwnButton.tsx";
-import { TimelineBar } from "../timeline/TimelineBar.tsx";
+import { WriteOwnButton } from "./WriteOwnButton.tsx";
 import { Clock } from "./Clock.tsx";
 import { useLongPress } from "../../ui/use-long-press.ts";
 import { isProgramRefused, startHint, stepBack, stepOn } from "../../model/run/run-button.ts";
@@ -18,9 +17,13 @@ import { RunButton } from "./RunButton.tsx";
 import { RunStory } from "./RunStory.tsx";
 import styles from "./transport.module.css";
 
-const PastBar = lazyPart(async () => (await import("../timeline/PastBar.tsx")).PastBar);
+interface TransportProps {
+  timeline: ReactNode;
+  /** the controls of the past, while it is displayed */
+  past: ReactNode;
+}
 
-export function Transport() {
+export function Transport({ timeline, past }: TransportProps) {
   const { t } = useTranslation();
   const { run } = useServices();
   const isFresh = useStore(run, ({ nowTick }) => nowTick === 0);
@@ -45,11 +48,11 @@ export function Transport() {
         {canStepBack && <StepBack />}
         <Reset />
         <SpeedMenu />
-        {view !== "now" && <PastBar />}
+        {view !== "now" && past}
       </div>
       <div className={styles["report"]}>
         <Clock />
-        <TimelineBar />
+        {timeline}
         <RunStory />
       </div>
     </section>

@@ -1,6 +1,6 @@
 /** The page of a viewer: the robot in its maze, its state and its readings, without controls. */
 import { Eye } from "lucide";
-import { useEffect } from "react";
+import { useEffect, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { Brand } from "../../ui/Brand.tsx";
@@ -8,9 +8,6 @@ import { ErrorBoundary } from "../../ui/ErrorBoundary.tsx";
 import { Icon } from "../../ui/Icon.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import buttons from "../../ui/button.module.css";
-import type { ScreenStore } from "../../model/screen/screen-store.ts";
-import { LanguageButton } from "../language/LanguageButton.tsx";
-import { ThemeButton } from "../theme/ThemeButton.tsx";
 import type { WatchClient } from "./watch-client.ts";
 import { endingOf, type WatchStore } from "./watch-store.ts";
 import { WatchEnding } from "./WatchEnding.tsx";
@@ -20,12 +17,13 @@ import styles from "./watch.module.css";
 
 interface WatchPageProps {
   store: WatchStore;
-  screen: ScreenStore;
+  /** the buttons for theme and language */
+  tools: ReactNode;
   /** null while there is nothing to watch */
   client: () => WatchClient | null;
 }
 
-export function WatchPage({ store, screen, client }: WatchPageProps) {
+export function WatchPage({ store, tools, client }: WatchPageProps) {
   const { t } = useTranslation(["words", "watch"], { useSuspense: false });
   const ending = useStore(store, endingOf);
   const title = t("watch:title");
@@ -46,8 +44,7 @@ export function WatchPage({ store, screen, client }: WatchPageProps) {
             </p>
           )}
           <div className={styles["end"]}>
-            <ThemeButton screen={screen} />
-            <LanguageButton />
+            {tools}
             {isWatching && (
               <a
                 className={classNames(buttons["button"], buttons["outline"], buttons["medium"])}

@@ -5,6 +5,7 @@
 import "../../ui/base.css";
 import "../../ui/fonts/inter.css";
 import type { i18n } from "i18next";
+import type { ReactNode } from "react";
 import type { Root } from "react-dom/client";
 import { I18nextProvider } from "react-i18next";
 import { LanguageProvider } from "../../model/language-context.ts";
@@ -26,10 +27,12 @@ export interface WatchParts {
   screen: ScreenStore;
   /** localStorage, with the theme that the user has chosen */
   device: KeyValueStorage;
+  /** the buttons for theme and language */
+  tools: ReactNode;
 }
 
 export async function openWatch(parts: WatchParts): Promise<void> {
-  const { root, words, language, screen, device } = parts;
+  const { root, words, language, screen, device, tools } = parts;
   const tab = storageOrNone(() => sessionStorage);
   const read = (): Visit =>
     takeVisit({
@@ -64,7 +67,7 @@ export async function openWatch(parts: WatchParts): Promise<void> {
   root.render(
     <I18nextProvider i18n={words}>
       <LanguageProvider value={language}>
-        <WatchPage store={store} screen={screen} client={() => client} />
+        <WatchPage store={store} tools={tools} client={() => client} />
       </LanguageProvider>
     </I18nextProvider>,
   );

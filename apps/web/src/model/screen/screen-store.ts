@@ -43,6 +43,8 @@ export interface ScreenState {
   sheetTab: SheetTab | null;
   /** whether "Try it in other mazes" is open; stays set when a phone is rotated */
   isTryingMazes: boolean;
+  /** whether the share dialog is open */
+  isSharing: boolean;
   /**
    * whether the document of the page's address is still loading; no other project is displayed
    * meanwhile
@@ -67,6 +69,7 @@ export function createScreenStore() {
     messages: [],
     sheetTab: null,
     isTryingMazes: false,
+    isSharing: false,
     isOpening: false,
     singleKeys: true,
     speakRun: true,

@@ -5,7 +5,7 @@ import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { IconButton } from "../../ui/Button.tsx";
-import { describeRobot } from "./describe-later.ts";
+import { describeRobot } from "../../model/speech/describe-later.ts";
 
 export function DescribeButton({ className }: { className?: string | undefined }) {
   const { t, i18n } = useTranslation();

@@ -1,11 +1,11 @@
-/** One choice of the presets: a picture if it has one, its name, and a hint below. */
+/** A choice in a list, such as a preset: a picture if it has one, its name, and a hint below. */
 import { CircleCheck } from "lucide";
 import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
-import { Icon } from "../../ui/Icon.tsx";
-import styles from "./presets.module.css";
+import { Icon } from "./Icon.tsx";
+import styles from "./choice-card.module.css";
 
-interface PresetCardProps {
+interface ChoiceCardProps {
   title: string;
   hint: string;
   picture?: ReactNode;
@@ -15,14 +15,14 @@ interface PresetCardProps {
   onChoose: () => void;
 }
 
-export function PresetCard({
+export function ChoiceCard({
   title,
   hint,
   picture,
   isOpen,
   isSolved = false,
   onChoose,
-}: PresetCardProps) {
+}: ChoiceCardProps) {
   const { t } = useTranslation();
   return (
     <li className={styles["item"]}>

@@ -4,14 +4,21 @@
  * side.
  */
 import type { i18n } from "i18next";
-import type { Services } from "../../model/services.ts";
-import { dismiss, showMessage, type ScreenStore } from "../../model/screen/screen-store.ts";
+import type { RunStore } from "../run/run-store.ts";
+import type { WorkspaceStore } from "../workspace/workspace-store.ts";
+import { dismiss, showMessage, type ScreenStore } from "../screen/screen-store.ts";
+
+export interface DescribePorts {
+  run: RunStore;
+  workspace: WorkspaceStore;
+  screen: ScreenStore;
+}
 
 const shown = new WeakMap<ScreenStore, number>();
 
 /** Describes the robot at the displayed tick. Shows a message if a file fails to load. */
 export async function describeRobot(
-  { run, workspace, screen }: Pick<Services, "run" | "workspace" | "screen">,
+  { run, workspace, screen }: DescribePorts,
   words: i18n,
 ): Promise<void> {
   let text: string;

@@ -5,7 +5,7 @@ import { useServices } from "../../model/use-services.ts";
 import { showMessage } from "../../model/screen/screen-store.ts";
 import { Button } from "../../ui/Button.tsx";
 import { useRights } from "../../model/use-rights.ts";
-import { isExample } from "./example.ts";
+import { isExample } from "../../model/workspace/example.ts";
 
 /** Selector of the first action in an empty program. */
 const ADD_LINE = "#add-line";

@@ -5,7 +5,7 @@ import { createWorkspaceStore } from "../../model/workspace/workspace-store.ts";
 import { en } from "../../text/en/index.ts";
 import { createI18n } from "../../text/i18n.ts";
 import { firstMaze, firstProgram } from "../../simulator/protocol/first-project.ts";
-import { isExample } from "./example.ts";
+import { isExample } from "../../model/workspace/example.ts";
 import { writeOwn } from "./write-own.ts";
 
 it("recognizes the example in every language, and no other program", () => {

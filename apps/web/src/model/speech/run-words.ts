@@ -4,8 +4,8 @@ import type { LineRef, Snapshot } from "@corridor/protocol";
 import type { TFunction } from "i18next";
 import { joinSentences } from "../../text/joined.ts";
 import { formatReading, formatSeconds, localNumber } from "../../text/numbers.ts";
-import { decidingLine, shownTruth } from "../../model/run/line-state.ts";
-import { lineName } from "../../model/run/line-name.ts";
+import { decidingLine, shownTruth } from "../run/line-state.ts";
+import { lineName } from "../run/line-name.ts";
 import { cellOf, facingOf } from "../../stage/page/robot-place.ts";
 
 /** A translator and its language. */

@@ -1,0 +1,42 @@
+/** The preset algorithms as cards. */
+import { programPresets, type ProgramDocument } from "@corridor/program";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useServices } from "../../model/use-services.ts";
+import { ChoiceCard } from "../../ui/ChoiceCard.tsx";
+import { AlgorithmChoice } from "./AlgorithmChoice.tsx";
+import styles from "./algorithm-choice.module.css";
+
+export function AlgorithmCards({ onChosen }: { onChosen?: (() => void) | undefined }) {
+  const { t } = useTranslation();
+  const { workspace } = useServices();
+  const program = useStore(workspace, (state) => state.program);
+  return (
+    <AlgorithmChoice onChosen={onChosen}>
+      {(choose) => (
+        <ul className={styles["cards"]}>
+          {programPresets.map((preset) => {
+            const name = t(`program.preset.${preset.id}.name`);
+            return (
+              <ChoiceCard
+                key={preset.id}
+                title={name}
+                hint={t(`program.preset.${preset.id}.note`)}
+                isOpen={isSame(preset.program, program)}
+                onChoose={() => choose({ ...preset.program, name })}
+              />
+            );
+          })}
+        </ul>
+      )}
+    </AlgorithmChoice>
+  );
+}
+
+/** Ignores names, which may be in another language. */
+function isSame(preset: ProgramDocument, program: ProgramDocument): boolean {
+  return (
+    JSON.stringify([preset.rules, preset.default]) ===
+    JSON.stringify([program.rules, program.default])
+  );
+}

@@ -1,0 +1,28 @@
+/** The stage, with the parts that other features add. */
+import { RunEventCards } from "../features/cards/RunEventCards.tsx";
+import { ChallengePlace } from "../features/lessons/OpenChallenge.tsx";
+import { Stage } from "../features/maze-editor/Stage.tsx";
+import { RacePlace } from "../features/race/RacePlace.tsx";
+import { lazyPart } from "../ui/lazy-part.tsx";
+
+const StageCards = lazyPart(async () => (await import("./StageCards.tsx")).StageCards);
+const SoundMenu = lazyPart(async () => (await import("../features/sound/SoundMenu.tsx")).SoundMenu);
+
+export function StageArea() {
+  return (
+    <Stage
+      strip={
+        <>
+          <ChallengePlace />
+          <RacePlace />
+        </>
+      }
+      sound={<SoundMenu />}
+      cards={(view) => (
+        <RunEventCards>
+          <StageCards view={view} />
+        </RunEventCards>
+      )}
+    />
+  );
+}
