@@ -13,11 +13,11 @@ import { Readiness } from "./ops/readiness.ts";
 import { systemClock } from "./platform/time/clock.ts";
 import { DocumentService } from "./short-links/document-service.ts";
 import { PairingService } from "./pairing/pairing-service.ts";
-import { SessionHub } from "./robots/registry.ts";
+import { RobotRegistry } from "./robots/registry.ts";
 import { SqliteDocumentStore } from "./store/sqlite/sqlite-document-store.ts";
 import { SqliteFile } from "./store/sqlite/file/sqlite-file.ts";
 import { SqlitePairingStore } from "./store/sqlite/sqlite-pairing-store.ts";
-import { SqliteStore } from "./store/sqlite/sqlite-store.ts";
+import { SqliteRobotStore } from "./store/sqlite/sqlite-robot-store.ts";
 import { DescribedRelay, describedCalls, METHODS } from "./testing/described-relay.ts";
 import { challenge, maze, program } from "./platform/testing/sample-documents.ts";
 import { completed } from "./platform/testing/messages.ts";
@@ -61,24 +61,24 @@ function servedCalls(layers: Layer[], prefix = ""): string[] {
 
 function appWithoutPage(): Express {
   const file = new SqliteFile(join(testFolder(), "corridor.sqlite"));
-  const store = new SqliteStore(file);
+  const store = new SqliteRobotStore(file);
   const log = pino({ level: "silent" });
-  const hub = new SessionHub(store, systemClock, log);
+  const registry = new RobotRegistry(store, systemClock, log);
   const documents = new DocumentService(new SqliteDocumentStore(file), systemClock, log);
   const pairings = new SqlitePairingStore(file);
-  const pairing = new PairingService({ pairings, sessions: store, clock: systemClock, log });
+  const pairing = new PairingService({ pairings, robots: store, clock: systemClock, log });
   onTestFinished(async () => {
     lines.close();
     pairing.close();
     await documents.close();
-    await hub.close();
+    await registry.close();
     await store.close();
   });
   const guard = new RequestGuard(defaults());
   const readiness = new Readiness(store, systemClock, log);
   const metrics = new Metrics();
-  const lines = new LongPollConnections({ hub, clock: systemClock, log, metrics });
-  const served = { hub, lines, documents, pairing, guard, readiness, metrics };
+  const lines = new LongPollConnections({ registry, clock: systemClock, log, metrics });
+  const served = { registry, lines, documents, pairing, guard, readiness, metrics };
   const parts = { ...served, clock: systemClock, log, page: Router() };
   return createApp({ ...parts, isDevelopment: false });
 }

@@ -28,10 +28,10 @@ import { openToAllSites, securityHeaders } from "./platform/http/security-header
 import { scriptRoutes } from "./gateways/rest/scripts/routes.ts";
 import { sensorRoutes } from "./gateways/rest/sensors/routes.ts";
 import { unreadableAddress, wrongAddress } from "./site/wrong-address.ts";
-import type { SessionHub } from "./robots/registry.ts";
+import type { RobotRegistry } from "./robots/registry.ts";
 
 export interface AppDependencies {
-  hub: SessionHub;
+  registry: RobotRegistry;
   lines: LongPollConnections;
   documents: DocumentService;
   pairing: PairingService;
@@ -47,7 +47,7 @@ export interface AppDependencies {
 
 /** Builds the application from its parts. */
 export function createApp(dependencies: AppDependencies): Express {
-  const { hub, lines, documents, pairing, clock, log, guard, readiness } = dependencies;
+  const { registry, lines, documents, pairing, clock, log, guard, readiness } = dependencies;
   const { metrics, page, isDevelopment } = dependencies;
   const app = express();
   app.disable("x-powered-by");
@@ -73,14 +73,14 @@ export function createApp(dependencies: AppDependencies): Express {
   app.use(javascriptClientRoutes());
   const api = Router();
   api.use(openToAllSites);
-  api.use(robotRoutes(hub, guard));
-  api.use(keyRoutes(hub, guard));
-  api.use(pairingRoutes(hub, pairing, guard));
-  api.use(scriptRoutes(hub));
-  api.use(sensorRoutes(hub));
-  api.use(mazeRoutes(hub));
-  api.use(commandRoutes(hub));
-  api.use(eventRoutes(hub, clock));
+  api.use(robotRoutes(registry, guard));
+  api.use(keyRoutes(registry, guard));
+  api.use(pairingRoutes(registry, pairing, guard));
+  api.use(scriptRoutes(registry));
+  api.use(sensorRoutes(registry));
+  api.use(mazeRoutes(registry));
+  api.use(commandRoutes(registry));
+  api.use(eventRoutes(registry, clock));
   api.use(longPollRoutes(lines, guard));
   api.use(documentRoutes(documents, guard));
   api.use(notFound);

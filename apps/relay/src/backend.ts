@@ -18,17 +18,17 @@ import { ForgottenBytes } from "./store/redis/forgotten-bytes.ts";
 import { RedisClock } from "./store/redis/redis-clock.ts";
 import { RedisDocumentStore } from "./store/redis/redis-document-store.ts";
 import { RedisPairingStore } from "./store/redis/redis-pairing-store.ts";
-import { RedisSessionStore } from "./store/redis/redis-session-store.ts";
-import type { SessionStore } from "./store/port.ts";
+import { RedisRobotStore } from "./store/redis/redis-robot-store.ts";
+import type { RobotStore } from "./store/port.ts";
 import { SqliteDocumentStore } from "./store/sqlite/sqlite-document-store.ts";
 import { SqliteFile } from "./store/sqlite/file/sqlite-file.ts";
 import { SqlitePairingStore } from "./store/sqlite/sqlite-pairing-store.ts";
-import { SqliteStore } from "./store/sqlite/sqlite-store.ts";
+import { SqliteRobotStore } from "./store/sqlite/sqlite-robot-store.ts";
 
 export interface Backend {
   /** clock that produces and compares stored times */
   clock: Clock;
-  sessions: SessionStore;
+  robots: RobotStore;
   documents: DocumentStore;
   pairings: PairingStore;
   switchboard: Switchboard;
@@ -58,7 +58,7 @@ function sqliteBackend(dataDir: string, clock: Clock, log: Logger): Backend {
   });
   return {
     clock,
-    sessions: new SqliteStore(file),
+    robots: new SqliteRobotStore(file),
     documents: new SqliteDocumentStore(file),
     pairings: new SqlitePairingStore(file),
     switchboard: new LocalSwitchboard(),
@@ -88,7 +88,7 @@ async function redisBackend(url: string, machine: Clock, log: Logger): Promise<B
     const forgotten = new ForgottenBytes(redis);
     return {
       clock,
-      sessions: new RedisSessionStore(redis, forgotten, relay),
+      robots: new RedisRobotStore(redis, forgotten, relay),
       documents: new RedisDocumentStore(redis, forgotten),
       pairings: new RedisPairingStore(redis, forgotten),
       switchboard,

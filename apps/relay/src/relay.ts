@@ -1,4 +1,4 @@
-/** A complete relay: store, sessions, HTTP and WebSockets on one port, from start to shutdown. */
+/** A complete relay: store, robots, HTTP and WebSockets on one port, from start to shutdown. */
 import "./platform/process/schema-messages.ts";
 import { createServer } from "node:http";
 import { join } from "node:path";
@@ -21,7 +21,7 @@ import { PairingService } from "./pairing/pairing-service.ts";
 import { Readiness } from "./ops/readiness.ts";
 import { builtPage } from "./site/page/built-page.ts";
 import { developmentPage, HOT_RELOAD_PREFIX } from "./site/page/development-page.ts";
-import { SessionHub } from "./robots/registry.ts";
+import { RobotRegistry } from "./robots/registry.ts";
 import { timedStore } from "./store/timed-store.ts";
 
 /**
@@ -60,22 +60,22 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   const backend = await openBackend(config, options.clock, log);
   const { clock } = backend;
   const metrics = new Metrics();
-  const store = timedStore(backend.sessions, (seconds) => metrics.committed(seconds));
+  const store = timedStore(backend.robots, (seconds) => metrics.committed(seconds));
   const documents = new DocumentService(backend.documents, clock, log);
-  const hub = new SessionHub(store, clock, log, {
+  const registry = new RobotRegistry(store, clock, log, {
     witness: metrics,
     switchboard: backend.switchboard,
   });
   const pairing = new PairingService({
     pairings: backend.pairings,
-    sessions: store,
+    robots: store,
     clock,
     log,
   });
   const guard = new RequestGuard(config);
   const readiness = new Readiness(store, clock, log);
-  const gateway = new WebSocketGateway({ hub, clock, log, guard, metrics });
-  const lines = new LongPollConnections({ hub, clock, log, metrics });
+  const gateway = new WebSocketGateway({ registry, clock, log, guard, metrics });
+  const lines = new LongPollConnections({ registry, clock, log, metrics });
   const checkSocket = new CheckSocket(guard, clock);
   const server = createServer({
     // Old HTTP clients offer "Upgrade: h2c"; that is an ordinary request, not a WebSocket.
@@ -90,7 +90,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   });
   const development = isDevelopment ? await developmentPage(webRoot, server) : null;
   const page: Router = development?.router ?? builtPage(join(webRoot, "dist"));
-  const parts = { hub, lines, documents, pairing, clock, log, guard, readiness, metrics };
+  const parts = { registry, lines, documents, pairing, clock, log, guard, readiness, metrics };
   const application = createApp({ ...parts, page, isDevelopment });
   answerBrokenRequests(server, application, (kind) => metrics.refused(kind));
   server.on("request", application);
@@ -111,7 +111,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     lines.close();
     checkSocket.close();
     pairing.close();
-    await hub.close();
+    await registry.close();
     await development?.close();
     await closeServer(server, SHUTDOWN_MS, () => gateway.destroyAll());
     await closeServer(metricsHttp, 0, () => undefined);
@@ -120,7 +120,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   };
   try {
     if (config.metricsPort !== null) {
-      metrics.observeGauges(() => hub.census());
+      metrics.observeGauges(() => registry.census());
       await listen(metricsHttp, config.metricsPort, config.metricsHost);
     }
     await listen(server, config.port, config.host);

@@ -4,7 +4,7 @@ import { describe, expect, it, vi } from "vitest";
 import { CarriedSnapshot } from "./carried-snapshot.ts";
 import { pageState } from "../store/cases/robot-in-store.ts";
 import { sentCommand } from "../store/cases/sent-command.ts";
-import type { SessionStore } from "../store/port.ts";
+import type { RobotStore } from "../store/port.ts";
 import type { Line, News, Switchboard } from "./bus.ts";
 
 const ID = "AAAAAAAAAAAAAAAAAAAAAA";
@@ -13,7 +13,7 @@ const nothingDone = pageState({ settled: null });
 const scripts = { connected: 1, client: "Python", silentMs: 5, alive: [], scripts: [] };
 
 export interface TestRelay {
-  store: SessionStore;
+  store: RobotStore;
   switchboard: Switchboard;
 }
 
@@ -46,7 +46,7 @@ export async function subscribe({ store, switchboard }: TestRelay, robot = ID) {
     },
     take: async () => {
       const taken = await store.takeOver(robot, nothingDone);
-      if (taken === null) throw new Error("there is no such session");
+      if (taken === null) throw new Error("there is no such robot");
       line.stepped({ added: null, ended: [], changed: taken.changed });
       line.tell({ kind: "page", epoch: taken.epoch, name: "page-of-test" });
       return taken.epoch;

@@ -3,7 +3,7 @@ import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { systemClock, type Clock } from "../platform/time/clock.ts";
 import { connectRedis } from "../store/redis/connection.ts";
 import { ForgottenBytes } from "../store/redis/forgotten-bytes.ts";
-import { RedisSessionStore } from "../store/redis/redis-session-store.ts";
+import { RedisRobotStore } from "../store/redis/redis-robot-store.ts";
 import { swallowingNet } from "../platform/testing/swallowing-net.ts";
 import { hasRedis, startTestRedis } from "../platform/testing/test-redis.ts";
 import { RedisSwitchboard } from "./redis.ts";
@@ -49,7 +49,7 @@ async function relayAt(
   const log = pino({ level: "silent" });
   const options = { redis, subscriber, relay, clock, log };
   const switchboard = await RedisSwitchboard.open(options);
-  const store = new RedisSessionStore(redis, new ForgottenBytes(redis), relay);
+  const store = new RedisRobotStore(redis, new ForgottenBytes(redis), relay);
   const die = (): void => {
     redis.destroy();
     subscriber.destroy();

@@ -17,7 +17,7 @@ import type { Clock } from "../platform/time/clock.ts";
 import type { CarriedSnapshot } from "./carried-snapshot.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { asked, type Redis } from "../store/redis/connection.ts";
-import { lineOf, postOf, RELAYS, sessionOf } from "../store/redis/redis-keys.ts";
+import { lineOf, postOf, RELAYS, robotKeyOf } from "../store/redis/redis-keys.ts";
 import { termedRow } from "../store/redis/rows.ts";
 import { Script } from "../store/redis/script.ts";
 import { readPost, SnapshotPost } from "./snapshot-post.ts";
@@ -271,7 +271,7 @@ export class RedisSwitchboard implements Switchboard {
   /** Sends a heartbeat and checks who owns the pages, because relays may have died or recovered. */
   async #refreshOwners(): Promise<void> {
     const members = [...this.#members].map(([robot, member]) => ({
-      session: sessionOf(robot),
+      session: robotKeyOf(robot),
       member,
       pageMessages: member.pageMessages,
     }));
@@ -297,6 +297,6 @@ export class RedisSwitchboard implements Switchboard {
   }
 
   async #run(step: string, robot: string, values: unknown = {}): Promise<unknown> {
-    return this.#script.run(step, [sessionOf(robot), lineOf(robot), RELAYS], values);
+    return this.#script.run(step, [robotKeyOf(robot), lineOf(robot), RELAYS], values);
   }
 }

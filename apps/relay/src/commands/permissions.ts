@@ -41,7 +41,7 @@ export type KeysResult =
   /** `ended`: accepted commands of removed keys, which are now cancelled */
   | { outcome: "changed"; keys: StoredKey[]; ended: TermedRecord[] }
   | { outcome: "full" }
-  | { outcome: "no-session" };
+  | { outcome: "no-robot" };
 
 export interface ScriptChange {
   add: StoredScript | null;
@@ -57,7 +57,7 @@ export type AwayResult =
   /** `ended`: accepted commands of the script, which are now cancelled */
   | { outcome: "changed"; away: StoredScript[]; ended: TermedRecord[] }
   | { outcome: "full" }
-  | { outcome: "no-session" };
+  | { outcome: "no-robot" };
 
 /** The keys and the blocked scripts of a robot. */
 export interface Permissions {

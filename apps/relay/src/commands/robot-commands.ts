@@ -6,7 +6,7 @@ import { hasEnded, type CommandState } from "@corridor/protocol";
 import type { CommandRow } from "./command-row.ts";
 import { KeyIndex } from "./key-index.ts";
 
-/** Session state that determines which commands are accepted. */
+/** Robot state that determines which commands are accepted. */
 export interface Standing {
   epoch: number;
   lastSeq: number;

@@ -42,7 +42,7 @@ export type AddResult =
   | { outcome: "blocked" }
   /** the owner has paused all scripts */
   | { outcome: "paused" }
-  | { outcome: "no-session" };
+  | { outcome: "no-robot" };
 
 /** A record with the command details that only the relay and the robot need. */
 export interface TermedRecord {

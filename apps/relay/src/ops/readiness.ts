@@ -6,7 +6,7 @@
  */
 import type { Logger } from "pino";
 import type { Clock } from "../platform/time/clock.ts";
-import type { SessionStore } from "../store/port.ts";
+import type { RobotStore } from "../store/port.ts";
 
 /** A check costs a commit, so its result is reused for this time. */
 const FRESH_MS = 2_000;
@@ -14,13 +14,13 @@ const FRESH_MS = 2_000;
 export type ReadyStatus = "ready" | "degraded" | "draining" | "unavailable";
 
 export class Readiness {
-  readonly #store: Pick<SessionStore, "check">;
+  readonly #store: Pick<RobotStore, "check">;
   readonly #clock: Clock;
   readonly #log: Logger;
   #isDraining = false;
   #lastCheck: { at: number; status: Promise<ReadyStatus> } | null = null;
 
-  constructor(store: Pick<SessionStore, "check">, clock: Clock, log: Logger) {
+  constructor(store: Pick<RobotStore, "check">, clock: Clock, log: Logger) {
     this.#store = store;
     this.#clock = clock;
     this.#log = log;

@@ -11,7 +11,7 @@ import { noRobot, Refusal } from "../platform/errors/problems.ts";
 import type { WaitLimit } from "../platform/time/wait-limit.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { PairingStore, StoredPairing } from "../store/pairing-store.ts";
-import type { SessionStore } from "../store/port.ts";
+import type { RobotStore } from "../store/port.ts";
 import { CheckQueue } from "../platform/limits/check-queue.ts";
 import { Waits } from "./waits.ts";
 
@@ -20,7 +20,7 @@ const CLEANUP_MS = 60_000;
 export interface PairingServiceParts {
   pairings: PairingStore;
   /** provides the valid keys */
-  sessions: Pick<SessionStore, "find">;
+  robots: Pick<RobotStore, "find">;
   clock: Clock;
   log: Logger;
 }
@@ -178,8 +178,8 @@ export class PairingService {
     const found = await this.#find({ key: hash });
     if (found === null || !isSameHash(found.question?.key ?? "", hash)) return null;
     if (found.state !== "accepted") return found;
-    const session = await this.#parts.sessions.find(found.robot);
-    const isValid = session?.keys.some((key) => key.hash === hash) === true;
+    const robot = await this.#parts.robots.find(found.robot);
+    const isValid = robot?.keys.some((key) => key.hash === hash) === true;
     return isValid ? found : { ...found, state: "asked" };
   }
 

@@ -1,12 +1,12 @@
 /**
- * The robot's maze, as its page publishes it. The session stores it, because snapshots contain the
+ * The robot's maze, as its page publishes it. The relay stores it, because snapshots contain the
  * pose but not the blocks. Readers can request it and are notified of changes.
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { Clock } from "../platform/time/clock.ts";
 import { hashKey } from "../platform/keys.ts";
 import { noRobot, Refusal, retryAfter } from "../platform/errors/problems.ts";
-import type { SessionStore } from "../store/port.ts";
+import type { RobotStore } from "../store/port.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { TokenBucket } from "../platform/limits/token-bucket.ts";
 
@@ -22,7 +22,7 @@ export interface KeptMaze {
 
 export interface MazeBoardParts {
   robot: string;
-  store: Pick<SessionStore, "keepMaze" | "maze">;
+  store: Pick<RobotStore, "keepMaze" | "maze">;
   clock: Clock;
   /** notifies the readers at this relay of a new maze */
   tell: (version: string) => void;

@@ -1,4 +1,4 @@
-/** Handles the messages of other relays for one robot's session. */
+/** Handles the messages of other relays for one robot. */
 import { closeReasons } from "@corridor/protocol";
 import type { Clock } from "../platform/time/clock.ts";
 import type { News } from "../bus/bus.ts";

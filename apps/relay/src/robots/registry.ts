@@ -1,5 +1,5 @@
 /**
- * All robot sessions of this relay: creates, finds and deletes them. A session is held in memory
+ * All robots of this relay: creates, finds and deletes them. A robot is held in memory
  * while it is in use. The store holds the rest.
  */
 import type { Registration } from "@corridor/protocol";
@@ -15,14 +15,14 @@ import {
   retryAfter,
   restarting,
 } from "../platform/errors/problems.ts";
-import type { SessionStore, StoredKey } from "../store/port.ts";
+import type { RobotStore, StoredKey } from "../store/port.ts";
 import type { ReaderDoor } from "./readers/subscribers.ts";
 import { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
 import { StaggeredInterval } from "../platform/time/staggered-interval.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { checkRight, type Verb } from "./access/rights.ts";
 import { callerOf, unknownScript, type Caller, type Introduction } from "./access/caller.ts";
-import { Session } from "./robot.ts";
+import { Robot } from "./robot.ts";
 import { TokenBucket } from "../platform/limits/token-bucket.ts";
 import { noWitness, type Witness } from "./delivery/witness.ts";
 
@@ -51,27 +51,27 @@ export interface HubOptions {
 }
 
 export interface Grant {
-  session: Session;
+  robot: Robot;
   key: Caller;
 }
 
-export class SessionHub {
-  readonly #store: SessionStore;
+export class RobotRegistry {
+  readonly #store: RobotStore;
   readonly #clock: Clock;
   readonly #timers: CoalescedTimers;
   readonly #log: Logger;
   readonly #witness: Witness;
   readonly #switchboard: Switchboard;
-  readonly #sessions = new Map<string, Promise<Session | null>>();
+  readonly #robots = new Map<string, Promise<Robot | null>>();
   /** by address; in memory only */
   readonly #registrations = new Map<string, TokenBucket>();
-  readonly #lives: StaggeredInterval<[id: string, found: Promise<Session | null>]>;
+  readonly #lives: StaggeredInterval<[id: string, found: Promise<Robot | null>]>;
   #cancelExpiry: () => void;
   #isClosing = false;
-  /** number of sessions whose use may still be stored before the next pass */
+  /** number of robots whose use may still be stored before the next pass */
   #notesLeft = 0;
 
-  constructor(store: SessionStore, clock: Clock, log: Logger, options: HubOptions = {}) {
+  constructor(store: RobotStore, clock: Clock, log: Logger, options: HubOptions = {}) {
     this.#store = store;
     this.#clock = clock;
     this.#timers = new CoalescedTimers(clock);
@@ -83,7 +83,7 @@ export class SessionHub {
       everyMs: LIFE_CHECK_MS,
       members: () => {
         this.#rationNotes();
-        return this.#sessions;
+        return this.#robots;
       },
       visit: ([id, found]) => this.#tried(this.#checkLife(id, found)),
     });
@@ -125,7 +125,7 @@ export class SessionHub {
   }
 
   /**
-   * Finds the session and checks the permissions of the key.
+   * Finds the robot and checks the permissions of the key.
    * @param introduction what a script sends about itself
    * @throws Refusal no-robot, not-authorised, forbidden, blocked or restarting
    */
@@ -139,15 +139,15 @@ export class SessionHub {
     if (this.#isClosing) throw restarting();
     // Without a key, the response must not reveal which robots exist.
     if (!canBeKey(key)) throw wrongKey(key);
-    const session = await this.#find(id);
+    const robot = await this.#find(id);
     if (this.#isClosing) throw restarting();
-    if (session === null) throw noRobot();
-    const stored = session.grantOf(key);
+    if (robot === null) throw noRobot();
+    const stored = robot.grantOf(key);
     if (stored === null) throw wrongKey(key);
     checkRight(stored.kind, verb);
     const caller = callerOf(stored, introduction);
-    session.gate.check(caller);
-    return { session, key: caller };
+    robot.gate.check(caller);
+    return { robot, key: caller };
   }
 
   async census(): Promise<Census> {
@@ -155,11 +155,11 @@ export class SessionHub {
       pages: 0,
       readers: { websocket: 0, line: 0, events: 0, "long-poll": 0 },
     };
-    for (const found of this.#sessions.values()) {
-      const session = await found.catch(() => null);
-      if (session === null) continue;
-      if (session.hasPage) census.pages += 1;
-      const { websocket, line, events, "long-poll": waiting } = session.readers.count;
+    for (const found of this.#robots.values()) {
+      const robot = await found.catch(() => null);
+      if (robot === null) continue;
+      if (robot.hasPage) census.pages += 1;
+      const { websocket, line, events, "long-poll": waiting } = robot.readers.count;
       census.readers.websocket += websocket;
       census.readers.line += line;
       census.readers.events += events;
@@ -168,11 +168,11 @@ export class SessionHub {
     return census;
   }
 
-  /** Deletes a session with all its stored data, and disconnects all clients. */
-  async remove(session: Session): Promise<void> {
-    session.close("over");
-    this.#sessions.delete(session.id);
-    await this.#store.remove(session.id);
+  /** Deletes a robot with all its stored data, and disconnects all clients. */
+  async remove(robot: Robot): Promise<void> {
+    robot.close("over");
+    this.#robots.delete(robot.id);
+    await this.#store.remove(robot.id);
   }
 
   /** Disconnects all clients because the relay stops. Stored data remains. */
@@ -180,33 +180,33 @@ export class SessionHub {
     this.#isClosing = true;
     this.#lives.close();
     this.#cancelExpiry();
-    const sessions = [...this.#sessions.values()];
-    this.#sessions.clear();
-    for (const found of sessions) (await found.catch(() => null))?.close("restart");
+    const robots = [...this.#robots.values()];
+    this.#robots.clear();
+    for (const found of robots) (await found.catch(() => null))?.close("restart");
   }
 
-  async #find(id: string): Promise<Session | null> {
-    let found = this.#sessions.get(id);
+  async #find(id: string): Promise<Robot | null> {
+    let found = this.#robots.get(id);
     if (found === undefined) {
       found = this.#load(id);
-      this.#sessions.set(id, found);
+      this.#robots.set(id, found);
       // Unknown ids and failed reads are not cached.
-      const forget = (): void => void this.#sessions.delete(id);
-      void found.then((session) => session === null && forget(), forget);
+      const forget = (): void => void this.#robots.delete(id);
+      void found.then((robot) => robot === null && forget(), forget);
     }
     return found;
   }
 
-  async #load(id: string): Promise<Session | null> {
+  async #load(id: string): Promise<Robot | null> {
     const stored = await this.#store.find(id);
     if (stored === null) return null;
-    return Session.open(stored, {
+    return Robot.open(stored, {
       store: this.#store,
       clock: this.#clock,
       timers: this.#timers,
       witness: this.#witness,
       switchboard: this.#switchboard,
-      forgotten: () => this.#sessions.delete(id),
+      forgotten: () => this.#robots.delete(id),
     });
   }
 
@@ -217,31 +217,31 @@ export class SessionHub {
     this.#cancelExpiry = this.#clock.after(EXPIRY_CHECK_MS, () => void this.#expire());
   }
 
-  /** Logs a failure. It does not affect other sessions, and the next pass retries the work. */
+  /** Logs a failure. It does not affect other robots, and the next pass retries the work. */
   async #tried(work: Promise<void>): Promise<void> {
     try {
       await work;
     } catch (error) {
-      this.#log.error({ err: error }, "session cleanup failed");
+      this.#log.error({ err: error }, "cleaning up robots failed");
     }
   }
 
   #rationNotes(): void {
-    this.#notesLeft = Math.max(NOTED_AT_LEAST, Math.ceil(this.#sessions.size * NOTED_SHARE));
+    this.#notesLeft = Math.max(NOTED_AT_LEAST, Math.ceil(this.#robots.size * NOTED_SHARE));
   }
 
-  async #checkLife(id: string, found: Promise<Session | null>): Promise<void> {
-    const session = await found.catch(() => null);
-    if (session === null || session.isOver) return;
-    await session.checkLife();
-    if (session.isUseDue) {
+  async #checkLife(id: string, found: Promise<Robot | null>): Promise<void> {
+    const robot = await found.catch(() => null);
+    if (robot === null || robot.isOver) return;
+    await robot.checkLife();
+    if (robot.isUseDue) {
       if (this.#notesLeft <= 0) return;
       this.#notesLeft -= 1;
-      await session.noteUse();
+      await robot.noteUse();
     }
-    if (!session.isQuiet || session.isOver) return;
-    if (this.#sessions.get(id) === found) this.#sessions.delete(id);
-    session.leave();
+    if (!robot.isQuiet || robot.isOver) return;
+    if (this.#robots.get(id) === found) this.#robots.delete(id);
+    robot.leave();
   }
 
   async #checkExpiry(): Promise<void> {
@@ -251,23 +251,23 @@ export class SessionHub {
     }
     await this.#noteUrgent();
     const ids = await this.#store.removeExpired({
-      lastUsedAt: now - limits.sessionIdleMs,
-      createdAt: now - limits.sessionLifeMs,
+      lastUsedAt: now - limits.robotIdleMs,
+      createdAt: now - limits.robotLifeMs,
     });
     for (const id of ids) {
-      const session = await this.#sessions.get(id);
-      session?.close("over");
-      this.#sessions.delete(id);
+      const robot = await this.#robots.get(id);
+      robot?.close("over");
+      this.#robots.delete(id);
     }
-    if (ids.length > 0) this.#log.info({ count: ids.length }, "deleted expired sessions");
+    if (ids.length > 0) this.#log.info({ count: ids.length }, "deleted expired robots");
   }
 
-  /** Stores uses before the deletion, so that no session in use expires. */
+  /** Stores uses before the deletion, so that no robot in use expires. */
   async #noteUrgent(): Promise<void> {
     const urgent: Promise<void>[] = [];
-    for (const found of this.#sessions.values()) {
-      const session = await found.catch(() => null);
-      if (session?.isUseUrgent === true) urgent.push(session.noteUse());
+    for (const found of this.#robots.values()) {
+      const robot = await found.catch(() => null);
+      if (robot?.isUseUrgent === true) urgent.push(robot.noteUse());
     }
     await Promise.all(urgent);
   }

@@ -5,11 +5,11 @@ import { limits } from "../platform/limits/limits.ts";
 import type { PageLink } from "./page/page-link.ts";
 import { deafReader, LEFT, withRobot, page } from "./testing/robot-at-relay.ts";
 
-describe("a robot session: delivery", () => {
+describe("a robot: delivery", () => {
   it("lets commands wait for the page, then gives it eight at a time, in order", async () => {
-    const robot = await withRobot();
-    for (let n = 0; n < 10; n++) await robot.submit(LEFT);
-    const host = await page(robot);
+    const setup = await withRobot();
+    for (let n = 0; n < 10; n++) await setup.submit(LEFT);
+    const host = await page(setup);
     expect(host.seqs("command")).toEqual([1, 2, 3, 4, 5, 6, 7, 8]);
     await host.started(1);
     await host.ended(completed(1));
@@ -18,8 +18,8 @@ describe("a robot session: delivery", () => {
   });
 
   it("gives nothing to a page that went while it took the robot, and all to the next", async () => {
-    const robot = await withRobot();
-    await robot.submit(LEFT);
+    const setup = await withRobot();
+    await setup.submit(LEFT);
     const told: RelayToPage[] = [];
     let isOpen = true;
     const link: PageLink = {
@@ -30,31 +30,31 @@ describe("a robot session: delivery", () => {
       close: () => undefined,
     };
     const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
-    const taken = robot.session.takePage(link, nothing);
+    const taken = setup.robot.takePage(link, nothing);
     isOpen = false;
-    robot.session.leavePage(link, true);
+    setup.robot.leavePage(link, true);
     await taken;
-    expect(robot.session.hasPage).toBe(false);
+    expect(setup.robot.hasPage).toBe(false);
     expect(told.filter(({ type }) => type === "command")).toEqual([]);
-    expect(await robot.states()).toEqual(["1 accepted"]);
-    const host = await page(robot);
+    expect(await setup.states()).toEqual(["1 accepted"]);
+    const host = await page(setup);
     expect(host.seqs("command")).toEqual([1]);
   });
 
   it("tells the page its time, so that the page knows what a frame was held up", async () => {
-    const robot = await withRobot();
-    const host = await page(robot);
-    await robot.session.hearPage(host.link, { type: "time", epoch: host.epoch });
+    const setup = await withRobot();
+    const host = await page(setup);
+    await setup.robot.hearPage(host.link, { type: "time", epoch: host.epoch });
     const welcome = host.told.find(({ type }) => type === "welcome");
     expect(host.told.at(-1)).toEqual({ type: "time", at: (welcome as { at: number }).at });
   });
 
   it("acknowledges a command before anything else is said about it", async () => {
-    const robot = await withRobot();
-    await page(robot);
+    const setup = await withRobot();
+    await page(setup);
     const said: string[] = [];
-    robot.session.readers.join(
-      robot.key,
+    setup.robot.readers.join(
+      setup.key,
       {
         snapshot: () => undefined,
         state: ({ record }) => said.push(record.state),
@@ -62,46 +62,46 @@ describe("a robot session: delivery", () => {
       },
       null,
     );
-    await robot.session.submit(robot.key, { key: null, ...termsOf(LEFT) }, ({ state }) =>
+    await setup.robot.submit(setup.key, { key: null, ...termsOf(LEFT) }, ({ state }) =>
       said.push(`ack ${state}`),
     );
     expect(said).toEqual(["ack accepted", "delivered"]);
   });
 
   it("gives a page that comes back what it has not begun, and takes its endings first", async () => {
-    const robot = await withRobot();
-    for (let n = 0; n < 3; n++) await robot.submit(LEFT);
-    const before = await page(robot);
+    const setup = await withRobot();
+    for (let n = 0; n < 3; n++) await setup.submit(LEFT);
+    const before = await page(setup);
     await before.started(1);
-    robot.session.leavePage(before.link, true);
-    const after = await page(robot, { lastApplied: 2, endings: [completed(1)] });
+    setup.robot.leavePage(before.link, true);
+    const after = await page(setup, { lastApplied: 2, endings: [completed(1)] });
     expect(after.seqs("command")).toEqual([3]);
     expect(after.told).toContainEqual({ type: "stored", seq: 1 });
-    expect(await robot.states()).toEqual(["1 completed", "2 started", "3 delivered"]);
+    expect(await setup.states()).toEqual(["1 completed", "2 started", "3 delivered"]);
   });
 
   it("sends the page before away, and refuses what it still says", async () => {
-    const robot = await withRobot();
-    await robot.submit(LEFT);
-    const first = await page(robot);
-    const second = await page(robot);
+    const setup = await withRobot();
+    await setup.submit(LEFT);
+    const first = await page(setup);
+    const second = await page(setup);
     expect(first.closed).toEqual([closeReasons.replaced.code]);
     expect(second.epoch).toBe(first.epoch + 1);
     await first.started(1);
-    robot.session.leavePage(first.link, true);
-    expect(await robot.states()).toEqual(["1 delivered"]);
-    await robot.session.hearPage(second.link, { type: "started", epoch: first.epoch, seq: 1 });
+    setup.robot.leavePage(first.link, true);
+    expect(await setup.states()).toEqual(["1 delivered"]);
+    await setup.robot.hearPage(second.link, { type: "started", epoch: first.epoch, seq: 1 });
     expect(second.closed).toEqual([closeReasons.replaced.code]);
-    expect(await robot.states()).toEqual(["1 delivered"]);
+    expect(await setup.states()).toEqual(["1 delivered"]);
   });
 
   it("tells the page to stop at once, past a full window", async () => {
-    const robot = await withRobot();
-    const host = await page(robot);
-    for (let n = 0; n < 10; n++) await robot.submit(LEFT);
-    await robot.submit({ action: "stop" });
+    const setup = await withRobot();
+    const host = await page(setup);
+    for (let n = 0; n < 10; n++) await setup.submit(LEFT);
+    await setup.submit({ action: "stop" });
     expect(host.seqs("stop")).toEqual([11]);
-    expect((await robot.states()).slice(7)).toEqual([
+    expect((await setup.states()).slice(7)).toEqual([
       "8 delivered",
       "9 cancelled",
       "10 cancelled",
@@ -110,16 +110,16 @@ describe("a robot session: delivery", () => {
   });
 
   it("ends what runs once the page has been away for two minutes, and says so", async () => {
-    const robot = await withRobot();
-    await robot.submit(LEFT);
-    const host = await page(robot);
+    const setup = await withRobot();
+    await setup.submit(LEFT);
+    const host = await page(setup);
     await host.started(1);
-    robot.session.leavePage(host.link, true);
-    await robot.clock.pass(limits.pageAwayMs - 2_000);
-    expect(await robot.states()).toEqual(["1 started"]);
-    await robot.clock.pass(5_000);
-    expect(await robot.states()).toEqual(["1 cancelled"]);
-    const late = await page(robot, { lastApplied: 1, endings: [completed(1)] });
+    setup.robot.leavePage(host.link, true);
+    await setup.clock.pass(limits.pageAwayMs - 2_000);
+    expect(await setup.states()).toEqual(["1 started"]);
+    await setup.clock.pass(5_000);
+    expect(await setup.states()).toEqual(["1 cancelled"]);
+    const late = await page(setup, { lastApplied: 1, endings: [completed(1)] });
     const { told } = late;
     expect(told.find(({ type }) => type === "refused")).toMatchObject({
       record: {
@@ -130,6 +130,6 @@ describe("a robot session: delivery", () => {
       },
     });
     expect(told.some(({ type }) => type === "stored")).toBe(false);
-    expect(await robot.states()).toEqual(["1 cancelled"]);
+    expect(await setup.states()).toEqual(["1 cancelled"]);
   });
 });

@@ -2,41 +2,43 @@ import { closeReasons } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { LEFT, withRobot, page } from "./testing/robot-at-relay.ts";
 
-describe("a robot session: its end", () => {
+describe("a robot: its end", () => {
   it("is forgotten two hours after its last use, with everyone sent away", async () => {
-    const robot = await withRobot();
-    const host = await page(robot);
-    await robot.clock.pass(60 * 60 * 1000);
+    const setup = await withRobot();
+    const host = await page(setup);
+    await setup.clock.pass(60 * 60 * 1000);
     await host.report();
-    await robot.clock.pass(90 * 60 * 1000);
+    await setup.clock.pass(90 * 60 * 1000);
     expect(host.closed).toEqual([]);
-    await robot.clock.pass(35 * 60 * 1000);
+    await setup.clock.pass(35 * 60 * 1000);
     expect(host.closed).toEqual([closeReasons.over.code]);
-    const { hub, robot: registration } = robot;
+    const { registry, registration } = setup;
     await expect(
-      hub.authorise(registration.id, registration.driverKey, "command"),
+      registry.authorise(registration.id, registration.driverKey, "command"),
     ).rejects.toMatchObject({ kind: "no-robot" });
   });
 
   it("is forgotten after a day, however busy it is", async () => {
-    const robot = await withRobot();
-    const host = await page(robot);
+    const setup = await withRobot();
+    const host = await page(setup);
     for (let hour = 0; hour < 24; hour++) {
       await host.report();
-      await robot.clock.pass(60 * 60 * 1000);
+      await setup.clock.pass(60 * 60 * 1000);
     }
-    await robot.clock.pass(2 * 60 * 1000);
+    await setup.clock.pass(2 * 60 * 1000);
     expect(host.closed).toEqual([closeReasons.over.code]);
   });
 });
 
 describe("a relay that ends", () => {
   it("asks for another try, and never calls a robot or a key unknown", async () => {
-    const { hub, robot, submit } = await withRobot();
-    await hub.close();
+    const { registry, registration, submit } = await withRobot();
+    await registry.close();
     const restarting = expect.objectContaining({ kind: "restarting" });
     await expect(submit(LEFT)).rejects.toEqual(restarting);
-    await expect(hub.authorise(robot.id, robot.driverKey, "command")).rejects.toEqual(restarting);
-    await expect(hub.register("10.0.0.1", "http://localhost")).rejects.toEqual(restarting);
+    await expect(
+      registry.authorise(registration.id, registration.driverKey, "command"),
+    ).rejects.toEqual(restarting);
+    await expect(registry.register("10.0.0.1", "http://localhost")).rejects.toEqual(restarting);
   });
 });

@@ -1,15 +1,15 @@
 import { describe, expect, it } from "vitest";
 import type { Refusal } from "../platform/errors/problems.ts";
 import { completed } from "../platform/testing/messages.ts";
-import { LEFT, withRobot, page, type Robot, type Host } from "./testing/robot-at-relay.ts";
+import { LEFT, withRobot, page, type Setup, type Host } from "./testing/robot-at-relay.ts";
 
-describe("a robot session: limits", () => {
+describe("a robot: limits", () => {
   it("takes 40 commands at once and 20 a second, and always a stop", async () => {
-    const robot = await withRobot();
-    const host = await page(robot);
+    const setup = await withRobot();
+    const host = await page(setup);
     const send = async (): Promise<string> => {
       try {
-        const record = await robot.submit(LEFT);
+        const record = await setup.submit(LEFT);
         await host.ended(completed(record?.seq ?? 0));
         return "stored";
       } catch (error) {
@@ -20,45 +20,45 @@ describe("a robot session: limits", () => {
     for (let n = 0; n < 45; n++) outcomes.push(await send());
     expect(outcomes.filter((outcome) => outcome === "stored")).toHaveLength(40);
     expect(outcomes.at(-1)).toBe("too-fast");
-    expect(await robot.submit({ action: "stop" })).toMatchObject({ state: "accepted" });
-    await robot.clock.pass(50);
+    expect(await setup.submit({ action: "stop" })).toMatchObject({ state: "accepted" });
+    await setup.clock.pass(50);
     expect([await send(), await send()]).toEqual(["stored", "too-fast"]);
   });
 
   it("stores 20 stops at once and 5 a second; the open one answers for more", async () => {
-    const robot = await withRobot();
-    await page(robot);
+    const setup = await withRobot();
+    await page(setup);
     for (let n = 1; n <= 20; n++) {
-      expect(await robot.submit({ action: "stop" })).toMatchObject({ seq: n, duplicate: false });
+      expect(await setup.submit({ action: "stop" })).toMatchObject({ seq: n, duplicate: false });
     }
-    expect(await robot.submit({ action: "stop" })).toMatchObject({ seq: 20, duplicate: true });
-    const keyed = robot.submit({ action: "stop" }, "key-0001");
+    expect(await setup.submit({ action: "stop" })).toMatchObject({ seq: 20, duplicate: true });
+    const keyed = setup.submit({ action: "stop" }, "key-0001");
     await expect(keyed).rejects.toMatchObject({ kind: "too-fast" });
-    await robot.clock.pass(200);
-    expect(await robot.submit({ action: "stop" }, "key-0001")).toMatchObject({ seq: 21 });
-    expect(await robot.submit({ action: "stop" }, "key-0001")).toMatchObject({ seq: 21 });
+    await setup.clock.pass(200);
+    expect(await setup.submit({ action: "stop" }, "key-0001")).toMatchObject({ seq: 21 });
+    expect(await setup.submit({ action: "stop" }, "key-0001")).toMatchObject({ seq: 21 });
   });
 
   it.each([
     { name: "has ended", meanwhile: (host: Host) => host.ended(completed(20)) },
-    { name: "is followed by a command", meanwhile: (_: Host, robot: Robot) => robot.submit(LEFT) },
+    { name: "is followed by a command", meanwhile: (_: Host, setup: Setup) => setup.submit(LEFT) },
   ])("refuses a stop too many when the one before $name", async ({ meanwhile }) => {
-    const robot = await withRobot();
-    const host = await page(robot);
-    for (let n = 0; n < 20; n++) await robot.submit({ action: "stop" });
-    await meanwhile(host, robot);
-    await expect(robot.submit({ action: "stop" })).rejects.toMatchObject({ kind: "too-fast" });
-    await robot.clock.pass(200);
-    expect(await robot.submit({ action: "stop" })).toMatchObject({ duplicate: false });
+    const setup = await withRobot();
+    const host = await page(setup);
+    for (let n = 0; n < 20; n++) await setup.submit({ action: "stop" });
+    await meanwhile(host, setup);
+    await expect(setup.submit({ action: "stop" })).rejects.toMatchObject({ kind: "too-fast" });
+    await setup.clock.pass(200);
+    expect(await setup.submit({ action: "stop" })).toMatchObject({ duplicate: false });
   });
 
   it("lets 64 commands wait and names the 65th", async () => {
-    const robot = await withRobot();
+    const setup = await withRobot();
     for (let n = 0; n < 64; n++) {
-      await robot.submit(LEFT);
-      await robot.clock.pass(50);
+      await setup.submit(LEFT);
+      await setup.clock.pass(50);
     }
-    const refused = robot.submit(LEFT, "key-0001");
+    const refused = setup.submit(LEFT, "key-0001");
     await expect(refused).rejects.toMatchObject({
       kind: "queue-full",
       headers: { "Retry-After": "1" },
@@ -66,10 +66,10 @@ describe("a robot session: limits", () => {
   });
 
   it("lets a class register at once, not a flood", async () => {
-    const { hub } = await withRobot();
-    const register = () => hub.register("10.0.0.2", "http://localhost");
+    const { registry } = await withRobot();
+    const register = () => registry.register("10.0.0.2", "http://localhost");
     for (let n = 0; n < 200; n++) await register();
     await expect(register()).rejects.toMatchObject({ kind: "too-fast" });
-    await expect(hub.register("10.0.0.3", "http://localhost")).resolves.toBeDefined();
+    await expect(registry.register("10.0.0.3", "http://localhost")).resolves.toBeDefined();
   });
 });

@@ -5,29 +5,29 @@ import { completed } from "../platform/testing/messages.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { deafReader, LEFT, waitLimit, withRobot, page } from "./testing/robot-at-relay.ts";
 
-describe("a robot session: what scripts see", () => {
+describe("a robot: what scripts see", () => {
   it("sends a reader at most 20 snapshots a second, the newest each time", async () => {
-    const robot = await withRobot();
-    const host = await page(robot);
+    const setup = await withRobot();
+    const host = await page(setup);
     const seen: number[] = [];
-    robot.session.readers.join(
-      robot.key,
+    setup.robot.readers.join(
+      setup.key,
       { snapshot: ({ seq }) => seen.push(seq), state: () => undefined, ...deafReader },
       null,
     );
     for (let seq = 1; seq <= 100; seq++) {
       await host.report({ seq });
-      await robot.clock.pass(10);
+      await setup.clock.pass(10);
     }
-    await robot.clock.pass(100);
+    await setup.clock.pass(100);
     expect(seen.length).toBeGreaterThan(15);
     expect(seen.length).toBeLessThanOrEqual(22);
     expect(seen.at(-1)).toBe(100);
   });
 
   it("sends a slow reader nothing old, and drops one that does not read", async () => {
-    const robot = await withRobot();
-    const host = await page(robot);
+    const setup = await withRobot();
+    const host = await page(setup);
     const flow = { sentBytes: 0, takenBytes: 0, isProof: false, ask: () => undefined };
     const seen: number[] = [];
     const over: string[] = [];
@@ -35,8 +35,8 @@ describe("a robot session: what scripts see", () => {
       seen.push(seq);
       flow.sentBytes += 400;
     };
-    robot.session.readers.join(
-      robot.key,
+    setup.robot.readers.join(
+      setup.key,
       {
         ...deafReader,
         snapshot,
@@ -49,24 +49,24 @@ describe("a robot session: what scripts see", () => {
     );
     for (let seq = 1; seq <= 9; seq++) {
       await host.report({ seq });
-      await robot.clock.pass(limits.snapshotIntervalMs);
+      await setup.clock.pass(limits.snapshotIntervalMs);
     }
     expect(seen).toEqual([1, 2]);
     flow.takenBytes = flow.sentBytes;
-    await robot.clock.pass(limits.snapshotIntervalMs);
+    await setup.clock.pass(limits.snapshotIntervalMs);
     expect(seen).toEqual([1, 2, 9]);
     flow.sentBytes += limits.stuckReaderBytes + 1;
-    await robot.submit(LEFT);
+    await setup.submit(LEFT);
     expect(over).toEqual(["tooSlow"]);
   });
 
   it("shows a newer snapshot before the ending that came after it", async () => {
-    const robot = await withRobot();
-    const host = await page(robot);
-    await robot.submit(LEFT);
+    const setup = await withRobot();
+    const host = await page(setup);
+    await setup.submit(LEFT);
     const said: string[] = [];
-    robot.session.readers.join(
-      robot.key,
+    setup.robot.readers.join(
+      setup.key,
       {
         snapshot: ({ seq }) => said.push(`snapshot ${seq}`),
         state: ({ record }) => said.push(record.state),
@@ -81,112 +81,112 @@ describe("a robot session: what scripts see", () => {
   });
 
   it("shows the robot as it is before the endings that a page brings along", async () => {
-    const robot = await withRobot();
-    const host = await page(robot);
-    await robot.submit(LEFT);
+    const setup = await withRobot();
+    const host = await page(setup);
+    await setup.submit(LEFT);
     await host.started(1);
     await host.report({ seq: 1, tick: 100 });
-    robot.session.leavePage(host.link, true);
-    const ended = robot.session.endOf(1, waitLimit(20_000));
-    const read = ended.then(({ state }) => `${state} at ${robot.session.newest?.tick}`);
+    setup.robot.leavePage(host.link, true);
+    const ended = setup.robot.endOf(1, waitLimit(20_000));
+    const read = ended.then(({ state }) => `${state} at ${setup.robot.newest?.tick}`);
     const snapshot = snapshotOf({ seq: 2, tick: 200 });
-    await page(robot, { lastApplied: 1, endings: [completed(1)], snapshot });
+    await page(setup, { lastApplied: 1, endings: [completed(1)], snapshot });
     expect(await read).toBe("completed at 200");
   });
 
   it("tells apart a robot that runs, one that sleeps and one that is gone", async () => {
-    const robot = await withRobot();
-    const host = await page(robot);
+    const setup = await withRobot();
+    const host = await page(setup);
     await host.report({ tick: 1 });
-    expect(robot.session.newest?.state).toBe("running");
-    await robot.clock.pass(5_000);
-    expect(robot.session.newest?.state).toBe("paused");
-    robot.session.leavePage(host.link, true);
-    expect(robot.session.newest?.state).toBe("gone");
+    expect(setup.robot.newest?.state).toBe("running");
+    await setup.clock.pass(5_000);
+    expect(setup.robot.newest?.state).toBe("paused");
+    setup.robot.leavePage(host.link, true);
+    expect(setup.robot.newest?.state).toBe("gone");
   });
 
   it("takes a robot whose ticks stand still for asleep, until they go on", async () => {
-    const robot = await withRobot();
-    const host = await page(robot);
+    const setup = await withRobot();
+    const host = await page(setup);
     for (let second = 0; second < 5; second++) {
       await host.report({ seq: second, tick: 7 });
-      await robot.clock.pass(1_000);
+      await setup.clock.pass(1_000);
     }
-    expect(robot.session.newest?.state).toBe("paused");
+    expect(setup.robot.newest?.state).toBe("paused");
     await host.report({ seq: 9, tick: 8 });
-    expect(robot.session.newest?.state).toBe("running");
+    expect(setup.robot.newest?.state).toBe("running");
   });
 
   it("keeps counting snapshots when a reloaded page begins at 1 again", async () => {
-    const robot = await withRobot();
-    await (await page(robot)).report({ seq: 900 });
-    await (await page(robot)).report({ seq: 1 });
-    expect(robot.session.newest?.seq).toBe(901);
+    const setup = await withRobot();
+    await (await page(setup)).report({ seq: 900 });
+    await (await page(setup)).report({ seq: 1 });
+    expect(setup.robot.newest?.seq).toBe(901);
   });
 
   it("answers a long poll when there is news, and after the wait when there is none", async () => {
-    const robot = await withRobot();
-    const host = await page(robot);
+    const setup = await withRobot();
+    const host = await page(setup);
     await host.report({ seq: 7 });
-    const newer = robot.session.readers.nextSnapshot(7, waitLimit(25_000));
+    const newer = setup.robot.readers.nextSnapshot(7, waitLimit(25_000));
     await host.report({ seq: 8 });
     expect(await newer).toMatchObject({ seq: 8 });
-    const none = robot.session.readers.nextSnapshot(8, waitLimit(25_000));
-    await robot.clock.pass(3_000);
+    const none = setup.robot.readers.nextSnapshot(8, waitLimit(25_000));
+    await setup.clock.pass(3_000);
     await host.report({ seq: 8 });
     expect(await none).toMatchObject({ seq: 9 });
-    const gone = robot.session.readers.nextSnapshot(9, waitLimit(25_000));
-    robot.session.leavePage(host.link, true);
+    const gone = setup.robot.readers.nextSnapshot(9, waitLimit(25_000));
+    setup.robot.leavePage(host.link, true);
     expect(await gone).toMatchObject({ seq: 9, state: "gone" });
-    const quiet = robot.session.readers.nextSnapshot(9, waitLimit(25_000));
-    await robot.clock.pass(25_000);
+    const quiet = setup.robot.readers.nextSnapshot(9, waitLimit(25_000));
+    await setup.clock.pass(25_000);
     expect(await quiet).toMatchObject({ seq: 9, state: "gone" });
   });
 
   it("waits for the end of a command", async () => {
-    const robot = await withRobot();
-    const host = await page(robot);
-    await robot.submit(LEFT);
-    const end = robot.session.endOf(1, waitLimit(25_000));
+    const setup = await withRobot();
+    const host = await page(setup);
+    await setup.submit(LEFT);
+    const end = setup.robot.endOf(1, waitLimit(25_000));
     await settled();
     await host.ended(completed(1));
     expect(await end).toMatchObject({ state: "completed" });
-    expect(await robot.session.endOf(1, waitLimit(25_000))).toMatchObject({ state: "completed" });
-    await expect(robot.session.endOf(2, waitLimit(0))).rejects.toMatchObject({
+    expect(await setup.robot.endOf(1, waitLimit(25_000))).toMatchObject({ state: "completed" });
+    await expect(setup.robot.endOf(2, waitLimit(0))).rejects.toMatchObject({
       kind: "no-command",
     });
   });
 
   it("names what to check where a command does not end because the page is gone or paused", async () => {
-    const robot = await withRobot();
-    const host = await page(robot);
-    for (let n = 0; n < 2; n++) await robot.submit(LEFT);
+    const setup = await withRobot();
+    const host = await page(setup);
+    for (let n = 0; n < 2; n++) await setup.submit(LEFT);
     await host.started(1);
     const end = async (seq: number, ms = 5_000) => {
-      const waits = robot.session.endOf(seq, waitLimit(ms));
+      const waits = setup.robot.endOf(seq, waitLimit(ms));
       await settled();
-      await robot.clock.pass(ms);
+      await setup.clock.pass(ms);
       return waits;
     };
     await host.report({ tick: 1 });
     expect(await end(1, 100)).toMatchObject({ state: "started", reason: null });
-    const advice = /check that the robot's page is open, connected under Remote and not paused/;
+    const advice = /check that the setup's page is open, connected under Remote and not paused/;
     await host.report({ tick: 2, state: "paused" });
     expect((await end(1, 100)).reason).toMatch(advice);
-    robot.session.leavePage(host.link, true);
+    setup.robot.leavePage(host.link, true);
     for (const seq of [1, 2]) expect((await end(seq)).reason).toMatch(advice);
     // The advice is not stored.
-    expect(await robot.session.endOf(1, waitLimit(0))).toMatchObject({ reason: null });
+    expect(await setup.robot.endOf(1, waitLimit(0))).toMatchObject({ reason: null });
   });
 
   it("tells the page about its scripts, at most once a second", async () => {
-    const robot = await withRobot();
-    const host = await page(robot);
-    await robot.clock.pass(2_000);
+    const setup = await withRobot();
+    const host = await page(setup);
+    await setup.clock.pass(2_000);
     const before = host.told.length;
     for (let n = 0; n < 50; n++) {
-      robot.session.heard(robot.key)();
-      await robot.clock.pass(100);
+      setup.robot.heard(setup.key)();
+      await setup.clock.pass(100);
     }
     const drivers = host.told.slice(before).filter(({ type }) => type === "drivers");
     expect(drivers.length).toBeGreaterThanOrEqual(5);

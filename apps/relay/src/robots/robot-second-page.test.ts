@@ -6,28 +6,28 @@ import { reloadReasons, replacedReasons } from "../store/port.ts";
 import { StoreAway } from "../platform/errors/store-away.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { PageLink } from "./page/page-link.ts";
-import { LEFT, page, withRobot, type Robot } from "./testing/robot-at-relay.ts";
+import { LEFT, page, withRobot, type Setup } from "./testing/robot-at-relay.ts";
 
 const DOUBT = replacedReasons.delivered;
 const FIRST = "page-one";
 const SECOND = "page-two";
 
 /** A page that received three commands and reported the start of the first. */
-async function withBusyPage(robot: Robot, isSilent = false) {
-  const host = await page(robot, { page: FIRST }, isSilent);
-  for (let n = 0; n < 3; n++) await robot.submit(LEFT);
+async function withBusyPage(setup: Setup, isSilent = false) {
+  const host = await page(setup, { page: FIRST }, isSilent);
+  for (let n = 0; n < 3; n++) await setup.submit(LEFT);
   await host.started(1);
   return host;
 }
 
 /** Connects another, newly loaded page. */
-const anotherPage = (robot: Robot) => page(robot, { page: SECOND, fresh: true });
+const anotherPage = (setup: Setup) => page(setup, { page: SECOND, fresh: true });
 
-describe("a robot session: a second page", () => {
+describe("a robot: a second page", () => {
   it("gets what the first has not begun, once that one has told what it has", async () => {
-    const robot = await withRobot();
-    const first = await withBusyPage(robot, true);
-    const coming = anotherPage(robot);
+    const setup = await withRobot();
+    const first = await withBusyPage(setup, true);
+    const coming = anotherPage(setup);
     await settled();
     expect(first.told.at(-1)).toEqual({ type: "yield" });
     // These reports were in transit when the relay asked the first page.
@@ -37,21 +37,21 @@ describe("a robot session: a second page", () => {
     const second = await coming;
     expect(first.closed).toEqual([4409]);
     expect(second.seqs("command")).toEqual([3]);
-    expect(await robot.states()).toEqual(["1 completed", "2 cancelled", "3 delivered"]);
+    expect(await setup.states()).toEqual(["1 completed", "2 cancelled", "3 delivered"]);
   });
 
   it("gets nothing of what a silent page may have begun", async () => {
-    const robot = await withRobot();
-    const first = await withBusyPage(robot, true);
-    const coming = anotherPage(robot);
+    const setup = await withRobot();
+    const first = await withBusyPage(setup, true);
+    const coming = anotherPage(setup);
     await settled();
-    await robot.submit(LEFT);
+    await setup.submit(LEFT);
     expect(first.seqs("command")).toEqual([1, 2, 3]);
-    await robot.clock.pass(limits.yieldMs);
+    await setup.clock.pass(limits.yieldMs);
     const second = await coming;
     expect(first.closed).toEqual([4409]);
     expect(second.seqs("command")).toEqual([4]);
-    const records = await robot.session.commandsAfter(0);
+    const records = await setup.robot.commandsAfter(0);
     expect(records.map(({ state, reason }) => [state, reason])).toEqual([
       ["cancelled", replacedReasons.started],
       ["cancelled", DOUBT],
@@ -62,66 +62,66 @@ describe("a robot session: a second page", () => {
 
   it("gets what a page has left that said goodbye, but not of one whose line was lost", async () => {
     for (const saidGoodbye of [true, false]) {
-      const robot = await withRobot();
-      const first = await withBusyPage(robot);
-      robot.session.leavePage(first.link, saidGoodbye);
-      const second = await anotherPage(robot);
+      const setup = await withRobot();
+      const first = await withBusyPage(setup);
+      setup.robot.leavePage(first.link, saidGoodbye);
+      const second = await anotherPage(setup);
       expect(second.seqs("command")).toEqual(saidGoodbye ? [2, 3] : []);
     }
   });
 
   it("ends what was given to a page whose connection broke because of the reload", async () => {
-    const reasons = async (robot: Robot) =>
-      (await robot.session.commandsAfter(0)).map(({ reason }) => reason);
+    const reasons = async (setup: Setup) =>
+      (await setup.robot.commandsAfter(0)).map(({ reason }) => reason);
     const reloaded = reloadReasons.delivered;
     const ended = [reloadReasons.started, reloaded, reloaded];
-    const robot = await withRobot();
-    const first = await withBusyPage(robot);
-    robot.session.leavePage(first.link, false);
-    await anotherPage(robot);
-    expect(await reasons(robot)).toEqual(ended);
+    const setup = await withRobot();
+    const first = await withBusyPage(setup);
+    setup.robot.leavePage(first.link, false);
+    await anotherPage(setup);
+    expect(await reasons(setup)).toEqual(ended);
     // The connection breaks only after the reloaded page has arrived.
     const slow = await withRobot();
     const before = await withBusyPage(slow, true);
     const coming = anotherPage(slow);
     await settled();
-    slow.session.leavePage(before.link, false);
+    slow.robot.leavePage(before.link, false);
     await coming;
     expect(await reasons(slow)).toEqual(ended);
   });
 
   it("hears to the end what a page said before its goodbye", async () => {
-    const robot = await withRobot();
-    const first = await withBusyPage(robot);
+    const setup = await withRobot();
+    const first = await withBusyPage(setup);
     const heard = first.started(2);
-    robot.session.leavePage(first.link, true);
+    setup.robot.leavePage(first.link, true);
     await heard;
-    expect((await anotherPage(robot)).seqs("command")).toEqual([3]);
+    expect((await anotherPage(setup)).seqs("command")).toEqual([3]);
   });
 
   it("is not waited for where it is the same page on a new line, which says itself what it has begun", async () => {
-    const robot = await withRobot();
-    await withBusyPage(robot);
-    const again = await page(robot, { page: FIRST, lastApplied: 2 });
+    const setup = await withRobot();
+    await withBusyPage(setup);
+    const again = await page(setup, { page: FIRST, lastApplied: 2 });
     expect(again.seqs("command")).toEqual([3]);
-    expect(await robot.states()).toEqual(["1 started", "2 started", "3 delivered"]);
+    expect(await setup.states()).toEqual(["1 started", "2 started", "3 delivered"]);
   });
 
   it("is known as the same page by a relay that was started anew", async () => {
-    const robot = await withRobot();
-    await withBusyPage(robot);
-    const restarted = await robot.restarted();
+    const setup = await withRobot();
+    await withBusyPage(setup);
+    const restarted = await setup.restarted();
     const again = await page(restarted, { page: FIRST, lastApplied: 2 });
     expect(again.seqs("command")).toEqual([3]);
-    const other = await robot.restarted();
+    const other = await setup.restarted();
     const second = await anotherPage(other);
     expect(second.seqs("command")).toEqual([]);
     expect(await other.states()).toEqual(["1 cancelled", "2 cancelled", "3 cancelled"]);
   });
 
   it("leaves the robot to the first page where it goes before it has it", async () => {
-    const robot = await withRobot();
-    const first = await withBusyPage(robot, true);
+    const setup = await withRobot();
+    const first = await withBusyPage(setup, true);
     const told: string[] = [];
     const gone: PageLink = {
       isOpen: false,
@@ -135,29 +135,29 @@ describe("a robot session: a second page", () => {
       endings: [],
       page: SECOND,
     };
-    const coming = robot.session.takePage(gone, resume);
+    const coming = setup.robot.takePage(gone, resume);
     await settled();
-    await robot.clock.pass(2 * limits.yieldMs);
+    await setup.clock.pass(2 * limits.yieldMs);
     await coming;
     expect(told).toEqual([]);
     // The first page reconnects and continues.
     expect(first.closed).toEqual([1013]);
-    robot.session.leavePage(first.link, false);
-    const again = await page(robot, { page: FIRST, lastApplied: 1 });
+    setup.robot.leavePage(first.link, false);
+    const again = await page(setup, { page: FIRST, lastApplied: 1 });
     expect(again.seqs("command")).toEqual([2, 3]);
   });
 
   it("does not count what the first page says once its store has failed it", async () => {
-    const robot = await withRobot();
-    const first = await withBusyPage(robot, true);
-    const coming = anotherPage(robot);
+    const setup = await withRobot();
+    const first = await withBusyPage(setup, true);
+    const coming = anotherPage(setup);
     await settled();
-    robot.cut.isCut = true;
+    setup.cut.isCut = true;
     await expect(first.started(2)).rejects.toBeInstanceOf(StoreAway);
-    robot.cut.isCut = false;
+    setup.cut.isCut = false;
     expect(first.closed).toEqual([1013]);
     await first.yielded();
-    await robot.clock.pass(limits.yieldMs);
+    await setup.clock.pass(limits.yieldMs);
     expect((await coming).seqs("command")).toEqual([]);
   });
 });

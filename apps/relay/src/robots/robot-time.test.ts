@@ -3,46 +3,46 @@ import { describe, expect, it } from "vitest";
 import { completed } from "../platform/testing/messages.ts";
 import { LEFT, waitLimit, withRobot, page } from "./testing/robot-at-relay.ts";
 
-describe("a robot session: time to live", () => {
+describe("a robot: time to live", () => {
   it("expires what no page takes in time, and tells who waits for its end", async () => {
-    const robot = await withRobot();
-    await robot.submit({ ...LEFT, ttl: 400 });
-    await robot.submit(LEFT);
-    const end = robot.session.endOf(1, waitLimit(25_000));
-    await robot.clock.pass(399);
-    expect(await robot.states()).toEqual(["1 accepted", "2 accepted"]);
-    await robot.clock.pass(1);
+    const setup = await withRobot();
+    await setup.submit({ ...LEFT, ttl: 400 });
+    await setup.submit(LEFT);
+    const end = setup.robot.endOf(1, waitLimit(25_000));
+    await setup.clock.pass(399);
+    expect(await setup.states()).toEqual(["1 accepted", "2 accepted"]);
+    await setup.clock.pass(1);
     expect(await end).toMatchObject({ state: "expired", reason: expiredReason(400) });
-    await robot.clock.pass(9_600);
-    expect(await robot.states()).toEqual(["1 expired", "2 expired"]);
+    await setup.clock.pass(9_600);
+    expect(await setup.states()).toEqual(["1 expired", "2 expired"]);
   });
 
   it("tells the robot how much time is left, counted from the first try", async () => {
-    const robot = await withRobot();
-    await robot.submit({ ...LEFT, ttl: 2_000, age: 300 });
-    await robot.clock.pass(500);
-    const host = await page(robot);
+    const setup = await withRobot();
+    await setup.submit({ ...LEFT, ttl: 2_000, age: 300 });
+    await setup.clock.pass(500);
+    const host = await page(setup);
     expect(host.told.find(({ type }) => type === "command")).toMatchObject({
       seq: 1,
       ttl: 2_000,
       remaining: 1_200,
-      driver: robot.key.hash.slice(0, 6),
+      driver: setup.key.hash.slice(0, 6),
       replace: false,
       lease: null,
     });
-    await robot.clock.pass(60_000);
-    expect(await robot.states()).toEqual(["1 delivered"]);
+    await setup.clock.pass(60_000);
+    expect(await setup.states()).toEqual(["1 delivered"]);
     await host.ended({ ...completed(1), state: "expired" });
-    expect(await robot.states()).toEqual(["1 expired"]);
+    expect(await setup.states()).toEqual(["1 expired"]);
   });
 
   it("refuses a try that comes too late, keeps its key free, and answers a known key at any age", async () => {
-    const robot = await withRobot();
-    const late = robot.submit({ ...LEFT, ttl: 1_000, age: 1_000 }, "key-0001");
+    const setup = await withRobot();
+    const late = setup.submit({ ...LEFT, ttl: 1_000, age: 1_000 }, "key-0001");
     await expect(late).rejects.toMatchObject({ kind: "too-late" });
-    expect(await robot.submit({ ...LEFT, ttl: 1_000 }, "key-0001")).toMatchObject({ seq: 1 });
-    await robot.clock.pass(1_500);
-    expect(await robot.submit({ ...LEFT, ttl: 1_000, age: 1_500 }, "key-0001")).toMatchObject({
+    expect(await setup.submit({ ...LEFT, ttl: 1_000 }, "key-0001")).toMatchObject({ seq: 1 });
+    await setup.clock.pass(1_500);
+    expect(await setup.submit({ ...LEFT, ttl: 1_000, age: 1_500 }, "key-0001")).toMatchObject({
       seq: 1,
       state: "expired",
       duplicate: true,
@@ -50,10 +50,10 @@ describe("a robot session: time to live", () => {
   });
 
   it("shows the page what waits for it and how it ends", async () => {
-    const robot = await withRobot();
-    const host = await page(robot);
-    for (let n = 0; n < 9; n++) await robot.submit({ ...LEFT, ttl: 2_000 });
-    await robot.clock.pass(2_000);
+    const setup = await withRobot();
+    const host = await page(setup);
+    for (let n = 0; n < 9; n++) await setup.submit({ ...LEFT, ttl: 2_000 });
+    await setup.clock.pass(2_000);
     const shown = host.told.flatMap((message) =>
       message.type === "state" ? [[message.record.seq, message.record.state, message.ttl]] : [],
     );
@@ -64,15 +64,15 @@ describe("a robot session: time to live", () => {
   });
 
   it("does not deliver again what has expired while the page was away", async () => {
-    const robot = await withRobot();
-    const before = await page(robot);
-    await robot.submit({ ...LEFT, ttl: 400 });
-    await robot.submit(LEFT);
-    robot.session.leavePage(before.link, true);
-    await robot.clock.pass(500);
-    expect(await robot.states()).toEqual(["1 delivered", "2 delivered"]);
-    const after = await page(robot);
+    const setup = await withRobot();
+    const before = await page(setup);
+    await setup.submit({ ...LEFT, ttl: 400 });
+    await setup.submit(LEFT);
+    setup.robot.leavePage(before.link, true);
+    await setup.clock.pass(500);
+    expect(await setup.states()).toEqual(["1 delivered", "2 delivered"]);
+    const after = await page(setup);
     expect(after.seqs("command")).toEqual([2]);
-    expect(await robot.states()).toEqual(["1 expired", "2 delivered"]);
+    expect(await setup.states()).toEqual(["1 expired", "2 delivered"]);
   });
 });

@@ -1,23 +1,23 @@
-/** Last use of a session and its keys: immediate in memory, once a minute in the store. */
+/** Last use of a robot and its keys: immediate in memory, once a minute in the store. */
 import type { Clock } from "../platform/time/clock.ts";
-import type { SessionStore, StoredSession } from "../store/port.ts";
+import type { RobotStore, StoredRobot } from "../store/port.ts";
 import type { KeyRing } from "./access/key-ring.ts";
 import { limits } from "../platform/limits/limits.ts";
 
-export interface SessionUseParts {
-  store: Pick<SessionStore, "touch">;
+export interface RobotUseParts {
+  store: Pick<RobotStore, "touch">;
   clock: Clock;
   keys: Pick<KeyRing, "dueUses" | "usesNoted">;
 }
 
-export class SessionUse {
+export class RobotUse {
   readonly #robot: string;
-  readonly #parts: SessionUseParts;
+  readonly #parts: RobotUseParts;
   #lastAt: number;
   /** last use that is stored */
   #notedAt: number;
 
-  constructor({ id, lastUsedAt }: StoredSession, parts: SessionUseParts) {
+  constructor({ id, lastUsedAt }: StoredRobot, parts: RobotUseParts) {
     this.#robot = id;
     this.#parts = parts;
     this.#lastAt = lastUsedAt;
@@ -39,9 +39,9 @@ export class SessionUse {
     return isLong || this.#parts.keys.dueUses().length > 0;
   }
 
-  /** Whether the store may soon treat the session as expired although it is in use. */
+  /** Whether the store may soon treat the robot as expired although it is in use. */
   isUrgent(now: number): boolean {
-    const isOld = now - this.#notedAt >= limits.sessionIdleMs - 2 * limits.touchMs;
+    const isOld = now - this.#notedAt >= limits.robotIdleMs - 2 * limits.touchMs;
     return isOld && this.#lastAt > this.#notedAt;
   }
 

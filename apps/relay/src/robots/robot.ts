@@ -1,5 +1,5 @@
 /**
- * One robot session: permissions, reports of the robot, and expiry. `command-life.ts` implements
+ * One robot at this relay: permissions, reports of its page, and expiry. `command-life.ts` implements
  * the lifecycle of its commands. Independent of WebSocket and HTTP.
  */
 import {
@@ -15,7 +15,7 @@ import {
 import type { Clock } from "../platform/time/clock.ts";
 import type { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
 import type { Switchboard } from "../bus/bus.ts";
-import type { SessionStore, StoredKey, StoredScript, StoredSession } from "../store/port.ts";
+import type { RobotStore, StoredKey, StoredScript, StoredRobot } from "../store/port.ts";
 import { Audience, type CallerWait } from "./readers/subscribers.ts";
 import { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import { CommandLife } from "./delivery/command-life.ts";
@@ -35,13 +35,13 @@ import { RightsVersion, type Verb } from "./access/rights.ts";
 import type { Caller } from "./access/caller.ts";
 import { ScriptClocks } from "./delivery/script-clocks.ts";
 import { ScriptGate } from "./access/script-gate.ts";
-import { SessionUse } from "./robot-use.ts";
+import { RobotUse } from "./robot-use.ts";
 import type { Witness } from "./delivery/witness.ts";
 
-export interface SessionParts {
-  store: SessionStore;
+export interface RobotParts {
+  store: RobotStore;
   clock: Clock;
-  /** shared by all sessions */
+  /** shared by all robots */
   timers: CoalescedTimers;
   witness: Witness;
   switchboard: Switchboard;
@@ -49,7 +49,7 @@ export interface SessionParts {
   forgotten: () => void;
 }
 
-export class Session {
+export class Robot {
   readonly id: string;
   readonly createdAt: number;
   readonly roster: DriverRoster;
@@ -69,10 +69,10 @@ export class Session {
   readonly #life: CommandLife;
   readonly #line: RobotLine;
   readonly #others: OtherRelays;
-  readonly #use: SessionUse;
+  readonly #use: RobotUse;
   #isOver = false;
 
-  private constructor(stored: StoredSession, parts: SessionParts) {
+  private constructor(stored: StoredRobot, parts: RobotParts) {
     const { store, clock, timers, witness } = parts;
     this.id = stored.id;
     this.createdAt = stored.createdAt;
@@ -101,7 +101,7 @@ export class Session {
       revoked: (key) => this.#revoked(key),
       doubted: () => audience.dismiss(({ kind }) => kind !== "own", "busy"),
     });
-    this.#use = new SessionUse(stored, { store, clock, keys: this.keys });
+    this.#use = new RobotUse(stored, { store, clock, keys: this.keys });
     this.gate = new ScriptGate({
       robot: this.id,
       rights: this.rights,
@@ -154,19 +154,19 @@ export class Session {
     });
   }
 
-  /** Loads a session into memory and subscribes it to the channel of its robot. */
-  static async open(stored: StoredSession, parts: SessionParts): Promise<Session> {
-    const session = new Session(stored, parts);
-    await session.#line.open(parts.switchboard, stored.id, {
-      stepped: (step, isOwn) => session.#life.heardStep(step, isOwn),
-      missed: () => session.missedNews(),
-      heard: (news) => session.#others.heard(news),
+  /** Loads a robot into memory and subscribes to its channel. */
+  static async open(stored: StoredRobot, parts: RobotParts): Promise<Robot> {
+    const robot = new Robot(stored, parts);
+    await robot.#line.open(parts.switchboard, stored.id, {
+      stepped: (step, isOwn) => robot.#life.heardStep(step, isOwn),
+      missed: () => robot.missedNews(),
+      heard: (news) => robot.#others.heard(news),
     });
-    await session.#others.meet();
-    return session;
+    await robot.#others.meet();
+    return robot;
   }
 
-  /** The stored key that matches a bearer key; null if none matches, or the session has ended. */
+  /** The stored key that matches a bearer key; null if none matches, or the robot has ended. */
   grantOf(key: string): StoredKey | null {
     if (this.isOver) return null;
     const grant = this.keys.match(key);
@@ -182,9 +182,9 @@ export class Session {
     return this.#use.lastAt;
   }
 
-  /** Milliseconds until the session reaches its maximum lifetime. */
+  /** Milliseconds until the robot reaches its maximum lifetime. */
   get leftMs(): number {
-    return Math.max(0, this.createdAt + limits.sessionLifeMs - this.#clock.now());
+    return Math.max(0, this.createdAt + limits.robotLifeMs - this.#clock.now());
   }
 
   get hasPage(): boolean {
@@ -203,7 +203,7 @@ export class Session {
   }
 
   /**
-   * Whether the session is unused, has no pending work and can leave memory. If its robot reported
+   * Whether the robot is unused, has no pending work and can leave memory. If its page reported
    * here, it stays until it expires, because nothing else holds the newest snapshot.
    */
   get isQuiet(): boolean {
@@ -354,22 +354,22 @@ export class Session {
     if (this.#seat.awayMs(now) >= limits.pageAwayMs) await this.#life.pageIsGone();
   }
 
-  /** Whether a use of the session or its keys is due to be stored. */
+  /** Whether a use of the robot or its keys is due to be stored. */
   get isUseDue(): boolean {
     return this.#use.isDue;
   }
 
-  /** Whether the store may soon treat the session as expired although it is in use. */
+  /** Whether the store may soon treat the robot as expired although it is in use. */
   get isUseUrgent(): boolean {
     return this.#use.isUrgent(this.#clock.now());
   }
 
-  /** Stores the latest uses of the session and its keys. */
+  /** Stores the latest uses of the robot and its keys. */
   async noteUse(): Promise<void> {
     await this.#use.note();
   }
 
-  /** Ends the session for all connected clients. */
+  /** Ends the robot for all connected clients. */
   close(reason: "over" | "restart"): void {
     this.#isOver = true;
     if (this.hasPage) this.#line.pageLeft(this.#seat.epoch, false);
@@ -382,7 +382,7 @@ export class Session {
     this.leave();
   }
 
-  /** Releases the session from memory. Other relays may still hold it. */
+  /** Releases the robot from memory. Other relays may still hold it. */
   leave(): void {
     this.keys.close();
     this.#line.leave();

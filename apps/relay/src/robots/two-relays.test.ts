@@ -1,5 +1,5 @@
 /**
- * Sessions of one robot at two relays that share a store and a message bus, in one process with a
+ * One robot at two relays that share a store and a message bus, in one process with a
  * fake clock.
  */
 import { join } from "node:path";
@@ -16,7 +16,7 @@ import { pino } from "pino";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { LocalSwitchboard } from "../bus/local.ts";
 import type { Ears, News } from "../bus/bus.ts";
-import { SqliteStore } from "../store/sqlite/sqlite-store.ts";
+import { SqliteRobotStore } from "../store/sqlite/sqlite-robot-store.ts";
 import { StoreAway } from "../platform/errors/store-away.ts";
 import { cutStore } from "../store/cases/cut-store.ts";
 import { FakeClock, settled } from "../platform/testing/fake-clock.ts";
@@ -25,7 +25,7 @@ import { maze } from "../platform/testing/sample-documents.ts";
 import { testFolder } from "../testing/test-relay.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { PageLink } from "./page/page-link.ts";
-import { SessionHub } from "./registry.ts";
+import { RobotRegistry } from "./registry.ts";
 
 const LEFT: Order = { action: "left 90" };
 const waitLimit = (milliseconds: number) => ({
@@ -36,25 +36,25 @@ const waitLimit = (milliseconds: number) => ({
 /** A robot with its page at the first relay and its scripts at the second. */
 async function withRelays() {
   const clock = new FakeClock();
-  const store = new SqliteStore(join(testFolder(), "corridor.sqlite"));
+  const store = new SqliteRobotStore(join(testFolder(), "corridor.sqlite"));
   onTestFinished(() => store.close());
   const switchboard = new LocalSwitchboard();
   const log = pino({ level: "silent" });
   const ears: Ears[] = [];
-  const pages = new SessionHub(store, clock, log, {
+  const pages = new RobotRegistry(store, clock, log, {
     switchboard: {
-      join: (robot, own) => {
+      join: (registration, own) => {
         ears.push(own);
-        return switchboard.join(robot, own);
+        return switchboard.join(registration, own);
       },
       close: () => switchboard.close(),
     },
   });
   const cut = cutStore(store);
-  const scripts = new SessionHub(cut.store, clock, log, { switchboard });
-  const robot = await pages.register("10.0.0.1", "http://localhost");
-  const atPages = (await pages.authorise(robot.id, robot.ownerKey, "host")).session;
-  const page = async (session = atPages, resume: Partial<Resume> = {}, isSilent = false) => {
+  const scripts = new RobotRegistry(cut.store, clock, log, { switchboard });
+  const registration = await pages.register("10.0.0.1", "http://localhost");
+  const atPages = (await pages.authorise(registration.id, registration.ownerKey, "host")).robot;
+  const page = async (robot = atPages, resume: Partial<Resume> = {}, isSilent = false) => {
     const told: RelayToPage[] = [];
     const closed: number[] = [];
     let epoch = 0;
@@ -63,20 +63,20 @@ async function withRelays() {
       send: (...messages) => {
         told.push(...messages);
         if (messages.some(({ type }) => type === "yield") && !isSilent)
-          void session.hearPage(link, { type: "yielded", epoch });
+          void robot.hearPage(link, { type: "yielded", epoch });
       },
       close: ({ code }) => closed.push(code),
     };
     const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
-    await session.takePage(link, { ...nothing, ...resume });
+    await robot.takePage(link, { ...nothing, ...resume });
     const welcome = told.find((message) => message.type === "welcome");
     epoch = welcome?.epoch ?? 0;
-    return { session, link, told, closed, epoch };
+    return { robot, link, told, closed, epoch };
   };
   const host = await page();
-  const { session: atScripts, key } = await scripts.authorise(
-    robot.id,
-    robot.driverKey,
+  const { robot: atScripts, key } = await scripts.authorise(
+    registration.id,
+    registration.driverKey,
     "command",
     {
       client: "Python",
@@ -113,13 +113,13 @@ async function withRelays() {
     clock,
     cut,
     /** A relay that shares the store, but not the message bus. */
-    newRelay: () => new SessionHub(store, clock, log),
+    newRelay: () => new RobotRegistry(store, clock, log),
     /** Delivers a message to the first relay, as its channel would. */
     tellPages: (news: News) => ears.at(-1)?.heard(news),
     switchboard,
     pages,
     scripts,
-    robot,
+    registration,
     atPages,
     atScripts,
     key,
@@ -132,8 +132,8 @@ async function withRelays() {
 
 type Host = Awaited<ReturnType<Awaited<ReturnType<typeof withRelays>>["page"]>>;
 
-const report = ({ session, link, epoch }: Host, change = {}) =>
-  session.hearPage(link, { type: "snapshot", epoch, snapshot: snapshotOf(change) });
+const report = ({ robot, link, epoch }: Host, change = {}) =>
+  robot.hearPage(link, { type: "snapshot", epoch, snapshot: snapshotOf(change) });
 const seqs = ({ told }: Host): number[] =>
   told.flatMap((message) =>
     message.type === "command" || message.type === "stop" ? [message.seq] : [],
@@ -145,10 +145,10 @@ describe("page and script at different relays", () => {
     const said = read();
     expect(await submit(LEFT)).toMatchObject({ seq: 1, state: "accepted" });
     expect(seqs(host)).toEqual([1]);
-    const { session, link, epoch } = host;
-    await session.hearPage(link, { type: "started", epoch, seq: 1 });
+    const { robot, link, epoch } = host;
+    await robot.hearPage(link, { type: "started", epoch, seq: 1 });
     const end = atScripts.endOf(1, waitLimit(25_000));
-    await session.hearPage(link, { type: "ended", epoch, ...completed(1) });
+    await robot.hearPage(link, { type: "ended", epoch, ...completed(1) });
     expect(await end).toMatchObject({ seq: 1, state: "completed" });
     expect(said).toEqual(["1 delivered", "1 started", "1 completed"]);
   });
@@ -182,20 +182,20 @@ describe("page and script at different relays", () => {
     await report(host, { seq: 8, tick: 9 });
     await clock.pass(limits.snapshotIntervalMs);
     expect(await next).toMatchObject({ seq: 8 });
-    host.session.leavePage(host.link, true);
+    host.robot.leavePage(host.link, true);
     await clock.pass(limits.snapshotIntervalMs);
     expect(said.at(-1)).toBe("snapshot 8 gone");
     expect(atScripts.newest).toMatchObject({ state: "gone" });
   });
 
   it("knows the newest snapshot at once where a script comes to a relay that never saw the robot", async () => {
-    const { host, scripts, atScripts, robot, clock } = await withRelays();
+    const { host, scripts, atScripts, registration, clock } = await withRelays();
     await report(host, { seq: 7 });
-    // Nobody used the session there for a while, so it left memory.
+    // Nobody used the robot there for a while, so it left memory.
     await clock.pass(limits.touchMs + 2_000);
-    const again = await scripts.authorise(robot.id, robot.driverKey, "command");
-    expect(again.session).not.toBe(atScripts);
-    expect(again.session.newest).toMatchObject({ seq: 7 });
+    const again = await scripts.authorise(registration.id, registration.driverKey, "command");
+    expect(again.robot).not.toBe(atScripts);
+    expect(again.robot.newest).toMatchObject({ seq: 7 });
   });
 
   it("shows readers at the other relay the newest snapshot before an ending that came after it", async () => {
@@ -205,31 +205,31 @@ describe("page and script at different relays", () => {
     const said = read();
     await report(host, { seq: 1 });
     await report(host, { seq: 2 });
-    const { session, link, epoch } = host;
-    await session.hearPage(link, { type: "ended", epoch, ...completed(1) });
+    const { robot, link, epoch } = host;
+    await robot.hearPage(link, { type: "ended", epoch, ...completed(1) });
     await settled();
     expect(said).toEqual(["snapshot 1 running", "snapshot 2 running", "1 completed"]);
   });
 
   it("keeps counting snapshots when a reloaded page meets a relay that never held the robot", async () => {
-    const { host, page, clock, robot, newRelay } = await withRelays();
+    const { host, page, clock, registration, newRelay } = await withRelays();
     await clock.pass(30_000);
     await report(host, { seq: 900 });
-    const { session } = await newRelay().authorise(robot.id, robot.ownerKey, "host");
-    const reloaded = await page(session, { fresh: true });
+    const { robot } = await newRelay().authorise(registration.id, registration.ownerKey, "host");
+    const reloaded = await page(robot, { fresh: true });
     await report(reloaded, { seq: 1 });
-    expect(session.newest?.seq).toBeGreaterThan(900);
-    const seq = session.newest?.seq ?? 0;
+    expect(robot.newest?.seq).toBeGreaterThan(900);
+    const seq = robot.newest?.seq ?? 0;
     await report(reloaded, { seq: 2 });
-    expect(session.newest?.seq).toBe(seq + 1);
+    expect(robot.newest?.seq).toBe(seq + 1);
   });
 
   it("sends nothing to a relay that does not hold the robot any more", async () => {
-    const { host, clock, atScripts, switchboard, robot } = await withRelays();
+    const { host, clock, atScripts, switchboard, registration } = await withRelays();
     atScripts.leave();
     await clock.pass(limits.relaySilenceMs + 2_000);
     const heard: string[] = [];
-    await switchboard.join(robot.id, {
+    await switchboard.join(registration.id, {
       stepped: () => undefined,
       missed: () => undefined,
       heard: ({ kind }) => heard.push(kind),
@@ -258,7 +258,7 @@ describe("page and script at different relays", () => {
     expect(host.closed).toEqual([closeReasons.replaced.code]);
     expect(second.epoch).toBe(host.epoch + 1);
     expect(seqs(second)).toEqual([1]);
-    await host.session.hearPage(host.link, { type: "started", epoch: host.epoch, seq: 1 });
+    await host.robot.hearPage(host.link, { type: "started", epoch: host.epoch, seq: 1 });
     expect(await atScripts.commandsAfter(0)).toMatchObject([{ seq: 1, state: "delivered" }]);
   });
 
@@ -266,8 +266,8 @@ describe("page and script at different relays", () => {
     const { atPages, atScripts, page, submit } = await withRelays();
     const first = await page(atPages, { page: "page-one", fresh: true });
     for (let n = 0; n < 2; n++) await submit(LEFT);
-    const { session, link, epoch } = first;
-    void session.hearPage(link, { type: "started", epoch, seq: 1 });
+    const { robot, link, epoch } = first;
+    void robot.hearPage(link, { type: "started", epoch, seq: 1 });
     const second = await page(atScripts, { page: "page-two", fresh: true });
     expect(first.told.at(-1)).toEqual({ type: "yield" });
     expect(first.closed).toEqual([closeReasons.replaced.code]);
@@ -292,7 +292,7 @@ describe("page and script at different relays", () => {
   it("ends what a page has left behind once, and nothing of one that has come back elsewhere", async () => {
     const { host, atScripts, page, submit, clock, read } = await withRelays();
     await submit(LEFT);
-    host.session.leavePage(host.link, true);
+    host.robot.leavePage(host.link, true);
     await clock.pass(limits.pageAwayMs - 5_000);
     const second = await page(atScripts, { lastApplied: 1 });
     await clock.pass(20_000);
@@ -308,7 +308,7 @@ describe("page and script at different relays", () => {
     await submit(LEFT);
     tellPages({ kind: "lapsed" });
     expect(host.closed).toEqual([closeReasons.restart.code]);
-    const again = await page(host.session, { lastApplied: 1 });
+    const again = await page(host.robot, { lastApplied: 1 });
     await clock.pass(limits.pageAwayMs + 5_000);
     expect(again.epoch).toBe(host.epoch + 1);
     expect(await atScripts.commandsAfter(0)).toMatchObject([{ seq: 1, state: "started" }]);
@@ -325,38 +325,44 @@ describe("page and script at different relays", () => {
   });
 
   it("says gap, and delivers what waits, when news between the relays were lost", async () => {
-    const { host, robot, pages, atScripts, read, submit } = await withRelays();
+    const { host, registration, pages, atScripts, read, submit } = await withRelays();
     const said = read();
-    for (const session of [host.session, atScripts]) session.missedNews();
+    for (const robot of [host.robot, atScripts]) robot.missedNews();
     await settled();
     await submit(LEFT);
     expect(said).toEqual(["gap ", "1 delivered"]);
     expect(seqs(host)).toEqual([1]);
-    expect((await pages.authorise(robot.id, robot.ownerKey, "host")).session).toBe(host.session);
+    expect((await pages.authorise(registration.id, registration.ownerKey, "host")).robot).toBe(
+      host.robot,
+    );
   });
 
   it("ends a revoked key at every relay at once", async () => {
-    const { host, scripts, robot, read, submit } = await withRelays();
+    const { host, scripts, registration, read, submit } = await withRelays();
     const said = read();
     await submit(LEFT);
-    await host.session.keys.make({ kind: "drive", replace: true });
+    await host.robot.keys.make({ kind: "drive", replace: true });
     await settled();
     expect(said).toEqual(["1 delivered", "revoked"]);
     expect(host.told.filter(({ type }) => type === "cancel")).not.toEqual([]);
-    await expect(scripts.authorise(robot.id, robot.driverKey, "read")).rejects.toMatchObject({
+    await expect(
+      scripts.authorise(registration.id, registration.driverKey, "read"),
+    ).rejects.toMatchObject({
       kind: "not-authorised",
     });
   });
 
   it("sends scripts away within a second where nobody can say whether their key was revoked", async () => {
-    const { host, scripts, robot, read, clock, cut } = await withRelays();
+    const { host, scripts, registration, read, clock, cut } = await withRelays();
     const said = read();
     cut.isCut = true;
-    await host.session.keys.make({ kind: "drive", replace: true });
+    await host.robot.keys.make({ kind: "drive", replace: true });
     await clock.pass(1_000);
     expect(said).toEqual(["busy"]);
     const again = (): Promise<unknown> =>
-      scripts.authorise(robot.id, robot.driverKey, "read").catch((error: unknown) => error);
+      scripts
+        .authorise(registration.id, registration.driverKey, "read")
+        .catch((error: unknown) => error);
     expect(await again()).toBeInstanceOf(StoreAway);
     cut.isCut = false;
     await clock.pass(limits.keysRetryMs);
@@ -367,7 +373,7 @@ describe("page and script at different relays", () => {
     const { host, atScripts, key, read, clock, cut } = await withRelays();
     const said = read();
     cut.isCut = true;
-    await host.session.keys.make({ kind: "watch" });
+    await host.robot.keys.make({ kind: "watch" });
     await clock.pass(limits.keysRetryMs);
     cut.isCut = false;
     await clock.pass(1_000);
@@ -381,9 +387,9 @@ describe("page and script at different relays", () => {
     await atScripts.gate.pause(true);
     await settled();
     expect(host.told).toContainEqual({ type: "cancel", seq: 1, cause: "paused" });
-    expect(host.session.gate.isPaused).toBe(true);
+    expect(host.robot.gate.isPaused).toBe(true);
     await expect(submit(LEFT)).rejects.toMatchObject({ kind: "driving-paused" });
-    await host.session.gate.pause(false);
+    await host.robot.gate.pause(false);
     await settled();
     expect(await submit(LEFT)).toMatchObject({ seq: 2 });
   });
@@ -391,26 +397,28 @@ describe("page and script at different relays", () => {
   it("tells readers at every relay of another maze, also when that went unheard", async () => {
     const { host, atScripts, read, cut } = await withRelays();
     const said = read();
-    const first = await host.session.mazes.keep(maze);
+    const first = await host.robot.mazes.keep(maze);
     expect(said).toEqual([`maze ${first}`]);
     expect(await atScripts.mazes.read()).toEqual({ text: JSON.stringify(maze), version: first });
-    await host.session.mazes.keep(maze);
+    await host.robot.mazes.keep(maze);
     atScripts.missedNews();
     await settled();
     const ofMazes = () => said.filter((words) => words.startsWith("maze"));
     expect(ofMazes()).toEqual([`maze ${first}`]);
-    await cut.store.keepMaze(host.session.id, "{}");
+    await cut.store.keepMaze(host.robot.id, "{}");
     atScripts.missedNews();
     await settled();
     expect(ofMazes()).toHaveLength(2);
   });
 
   it("forgets the robot at every relay at once", async () => {
-    const { host, pages, scripts, robot, read } = await withRelays();
+    const { host, pages, scripts, registration, read } = await withRelays();
     const said = read();
-    await pages.remove(host.session);
+    await pages.remove(host.robot);
     expect(said).toEqual(["over"]);
-    await expect(scripts.authorise(robot.id, robot.driverKey, "command")).rejects.toMatchObject({
+    await expect(
+      scripts.authorise(registration.id, registration.driverKey, "command"),
+    ).rejects.toMatchObject({
       kind: "no-robot",
     });
   });

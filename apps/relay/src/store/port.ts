@@ -1,5 +1,5 @@
 /**
- * Storage of the relay: robot sessions, their hashed keys and the state of every command.
+ * Storage of the relay: robots, their hashed keys and the state of every command.
  *
  * Each method is one atomic step, so that several relays can share a store. An ended command never
  * changes again: every transition names the states that it starts from, and the first writer wins.
@@ -60,7 +60,7 @@ export interface KeyUse {
   at: number;
 }
 
-export interface StoredSession {
+export interface StoredRobot {
   id: string;
   /** incremented each time a page acquires the robot; 0 before the first */
   epoch: number;
@@ -76,11 +76,11 @@ export interface StoredSession {
   isPaused: boolean;
 }
 
-export interface SessionStore {
+export interface RobotStore {
   create(
-    session: Omit<StoredSession, "epoch" | "page" | "lastUsedAt" | "away" | "isPaused">,
+    robot: Omit<StoredRobot, "epoch" | "page" | "lastUsedAt" | "away" | "isPaused">,
   ): Promise<void>;
-  find(id: string): Promise<StoredSession | null>;
+  find(id: string): Promise<StoredRobot | null>;
   /**
    * Creates and revokes keys in one step, and cancels the commands of revoked keys; see `cancel`.
    * Scripts of a revoked key are removed from the blocked ones.
@@ -91,24 +91,24 @@ export interface SessionStore {
   /**
    * Pauses remote driving and cancels all commands except stops, or resumes it.
    * @param reason why the commands are cancelled
-   * @returns the accepted commands that ended; null if there is no such session
+   * @returns the accepted commands that ended; null if there is no such robot
    */
   pause(id: string, isPaused: boolean, reason: string): Promise<TermedRecord[] | null>;
   /**
    * Stores the maze that the robot is in, in place of the previous one.
    * @param text the document as JSON
-   * @returns false if there is no such session
+   * @returns false if there is no such robot
    */
   keepMaze(id: string, text: string): Promise<boolean>;
   /** The maze that the robot is in; null if none is stored. */
   maze(id: string): Promise<string | null>;
-  /** Times of the session's keys, in no particular order. */
+  /** Times of the robot's keys, in no particular order. */
   keyTimes(id: string): Promise<KeyTimes[]>;
-  /** Records a use of the session and of its keys. Times never decrease. */
+  /** Records a use of the robot and of its keys. Times never decrease. */
   touch(id: string, now: number, keys: readonly KeyUse[]): Promise<void>;
-  /** Deletes the session and all of its data. @returns false if there was none */
+  /** Deletes the robot and all of its data. @returns false if there was none */
   remove(id: string): Promise<boolean>;
-  /** Deletes sessions last used or created before these times. @returns their ids */
+  /** Deletes robots last used or created before these times. @returns their ids */
   removeExpired(before: { lastUsedAt: number; createdAt: number }): Promise<string[]>;
 
   /**
@@ -153,7 +153,7 @@ export interface SessionStore {
    * superseded meanwhile. If it is unknown whether they started, they end as cancelled; see
    * `PageState.settled`.
    * @returns the changed records, and the records whose ending differs from the page's report; null
-   *   if there is no such session
+   *   if there is no such robot
    */
   takeOver(
     id: string,

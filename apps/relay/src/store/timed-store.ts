@@ -1,5 +1,5 @@
 /** Measures the commits of a store, for any database. */
-import type { SessionStore } from "./port.ts";
+import type { RobotStore } from "./port.ts";
 
 /** Every step that ends in a commit. */
 const COMMITS: ReadonlySet<string | symbol> = new Set([
@@ -19,16 +19,13 @@ const COMMITS: ReadonlySet<string | symbol> = new Set([
   "cancel",
   "abandon",
   "takeOver",
-] as const satisfies readonly (keyof SessionStore)[]);
+] as const satisfies readonly (keyof RobotStore)[]);
 
 /**
  * Wraps each method once, because a store receives thousands of calls a second.
  * @param observe receives the seconds of each commit, including failed ones
  */
-export function timedStore<T extends SessionStore>(
-  store: T,
-  observe: (seconds: number) => void,
-): T {
+export function timedStore<T extends RobotStore>(store: T, observe: (seconds: number) => void): T {
   const wrapped = new Map<string | symbol, unknown>();
   return new Proxy(store, {
     get(target, name) {

@@ -8,7 +8,7 @@ import { scriptIsAway } from "../../robots/access/script-gate.ts";
 
 export interface Conversation {
   /**
-   * Handles one client message, JSON in UTF-8. The conversation owns the bytes. The session
+   * Handles one client message, JSON in UTF-8. The conversation owns the bytes. The robot
    * serialises the effects of calls.
    * @returns a promise for completion, or undefined if already complete. Most messages are
    * snapshots and acknowledgements of them, tens of thousands a second, which never wait

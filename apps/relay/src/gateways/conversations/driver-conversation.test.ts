@@ -5,7 +5,7 @@ import { RightsVersion } from "../../robots/access/rights.ts";
 import { callerOf, unknownScript } from "../../robots/access/caller.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { FakeClock } from "../../platform/testing/fake-clock.ts";
-import type { Session } from "../../robots/robot.ts";
+import type { Robot } from "../../robots/robot.ts";
 import { DriverConversation } from "./driver-conversation.ts";
 
 function withSlowStore() {
@@ -13,7 +13,7 @@ function withSlowStore() {
   const told: RelayToDriver[] = [];
   const closed: number[] = [];
   const key = callerOf({ kind: "drive", hash: "d" }, unknownScript);
-  const session = {
+  const robot = {
     check: () => undefined,
     spoke: () => undefined,
     rights: new RightsVersion(),
@@ -21,8 +21,8 @@ function withSlowStore() {
     submit: async () => new Promise<void>((resolve) => void waiting.push(resolve)),
   };
   const conversation = new DriverConversation({
-    // oxlint-disable-next-line typescript/consistent-type-assertions -- the part of a session that a conversation uses
-    grant: { session: session as unknown as Session, key },
+    // oxlint-disable-next-line typescript/consistent-type-assertions -- the part of a robot that a conversation uses
+    grant: { robot: robot as unknown as Robot, key },
     connection: {
       door: "websocket",
       flow: { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined },

@@ -61,7 +61,7 @@ export class DriverConversation implements Conversation, ReaderSink {
   #unfinished = 0;
 
   /**
-   * Joins the session as a reader, which sends the welcome.
+   * Joins the robot as a reader, which sends the welcome.
    * @throws Refusal if the robot has too many readers
    */
   constructor(options: DriverOptions) {
@@ -72,8 +72,8 @@ export class DriverConversation implements Conversation, ReaderSink {
     // Before the welcome: the time until it arrives bounds the transit time of the hello for the
     // script.
     this.#transitTime(sentAt);
-    this.#reader = grant.session.readers.join(grant.key, this, since);
-    grant.session.spoke(grant.key);
+    this.#reader = grant.robot.readers.join(grant.key, this, since);
+    grant.robot.spoke(grant.key);
   }
 
   // --- messages to the client, as a ReaderSink ---
@@ -107,7 +107,7 @@ export class DriverConversation implements Conversation, ReaderSink {
 
   received(bytes: Buffer): Promise<void> | undefined {
     const text = bytes.toString();
-    const { session, key: grant } = this.#options.grant;
+    const { robot, key: grant } = this.#options.grant;
     const message = decodeDriverFrame(text);
     if (!message.ok) {
       return this.#refuse(badRequest("Invalid message.", message.problems), keyIn(text));
@@ -115,22 +115,22 @@ export class DriverConversation implements Conversation, ReaderSink {
     const { value } = message;
     const { type } = value;
     // The result of a check holds until rights change or a second has passed.
-    if (this.#checkedAt[type] !== session.rights.value) {
-      session.check(grant, verbs[type]);
-      this.#checkedAt[type] = session.rights.value;
+    if (this.#checkedAt[type] !== robot.rights.value) {
+      robot.check(grant, verbs[type]);
+      this.#checkedAt[type] = robot.rights.value;
     }
     if (value.type === "command") {
-      session.spoke(grant);
+      robot.spoke(grant);
       return this.#submit(value);
     }
     // Motions without an end continue while their script is active.
-    if (grant.script !== null) session.spoke(grant);
+    if (grant.script !== null) robot.spoke(grant);
     this.#reader.seen(value.seq);
     return undefined;
   }
 
   async #submit(message: CommandMessage): Promise<void> {
-    const { session, key: grant } = this.#options.grant;
+    const { robot, key: grant } = this.#options.grant;
     const { key = null, command, sentAt } = message;
     const terms = termsOf(command);
     terms.age += this.#transitTime(sentAt);
@@ -139,7 +139,7 @@ export class DriverConversation implements Conversation, ReaderSink {
     this.#unfinished += 1;
     try {
       if (this.#unfinished > maxUnfinished) throw tooManyUnfinished();
-      await session.submit(grant, { key, ...terms }, (record) => {
+      await robot.submit(grant, { key, ...terms }, (record) => {
         this.#tooFastInARow = 0;
         this.#send({ type: "ack", record });
       });

@@ -39,26 +39,26 @@ export class PageConversation implements Conversation {
   }
 
   received(bytes: Buffer): Promise<void> | undefined {
-    const { session, key } = this.#grant;
+    const { robot, key } = this.#grant;
     // The result of a check holds until rights change or a second has passed.
-    if (this.#checkedAt !== session.rights.value) {
-      session.check(key, "host");
-      this.#checkedAt = session.rights.value;
+    if (this.#checkedAt !== robot.rights.value) {
+      robot.check(key, "host");
+      this.#checkedAt = robot.rights.value;
     }
     if (!this.#hasResumed) {
       const resume = decodeFrame(resumeSchema, bytes.toString());
       if (!resume.ok) return this.#refuse(resume.problems);
       this.#hasResumed = true;
-      return session.takePage(this.#link, resume.value);
+      return robot.takePage(this.#link, resume.value);
     }
     const report = readSnapshotMessage(bytes);
     if (report !== null) {
-      session.hearSnapshot(this.#link, report.epoch, report.snapshot);
+      robot.hearSnapshot(this.#link, report.epoch, report.snapshot);
       return undefined;
     }
     const message = decodeFrame(pageToRelaySchema, bytes.toString());
     if (!message.ok) return this.#refuse(message.problems);
-    return session.hearPage(this.#link, message.value);
+    return robot.hearPage(this.#link, message.value);
   }
 
   heartbeat(): void {
@@ -66,7 +66,7 @@ export class PageConversation implements Conversation {
   }
 
   closed(isClosedByClient: boolean): void {
-    this.#grant.session.leavePage(this.#link, isClosedByClient);
+    this.#grant.robot.leavePage(this.#link, isClosedByClient);
   }
 
   #refuse([first]: FieldProblem[]): undefined {

@@ -179,7 +179,7 @@ describe("a long-poll connection", () => {
     await expect(script.next("heartbeat")).rejects.toThrow("4400");
   });
 
-  it("ends with its session and with the relay", async () => {
+  it("ends with its robot and with the relay", async () => {
     const { relay, robot } = await withRobot();
     const script = await TestLine.open(relay, robot, { role: "drive", key: robot.driverKey });
     await script.next("welcome");

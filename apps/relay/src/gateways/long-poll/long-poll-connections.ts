@@ -47,8 +47,8 @@ export class LongPollConnections {
    * @throws Refusal if the key does not permit it, or if there are too many connections
    */
   async open(robot: string, hello: Hello, from: string, client: string): Promise<OpenedConnection> {
-    const { hub, clock, log, metrics } = this.#options;
-    const grant = await hub.authorise(
+    const { registry, clock, log, metrics } = this.#options;
+    const grant = await registry.authorise(
       robot,
       hello.key,
       verbOfRole[hello.role],
@@ -75,7 +75,7 @@ export class LongPollConnections {
       // Counts as activity of a script, like a message on a socket. A waiting request does not
       // count.
       onRequest: () => {
-        if (hello.role !== "own") grant.session.spoke(grant.key);
+        if (hello.role !== "own") grant.robot.spoke(grant.key);
       },
       onEnded: () => void this.#connections.delete(hash),
     });

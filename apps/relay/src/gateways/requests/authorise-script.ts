@@ -1,6 +1,6 @@
 /** Authorises a request of a script and marks the script as active until the response has ended. */
 import type { Request, Response } from "express";
-import type { Grant, SessionHub } from "../../robots/registry.ts";
+import type { Grant, RobotRegistry } from "../../robots/registry.ts";
 import type { Verb } from "../../robots/access/rights.ts";
 import { readBearer } from "../../platform/http/reading.ts";
 import { readIntroduction, readScriptTime } from "./reading.ts";
@@ -16,21 +16,21 @@ export interface AuthorisedRequest extends Grant {
 
 /** @throws Refusal with the same errors as `SessionHub.authorise` */
 export async function authoriseScript(
-  hub: SessionHub,
+  registry: RobotRegistry,
   request: Request<{ id: string }>,
   response: Response,
   verb: Verb,
 ): Promise<AuthorisedRequest> {
-  const cameAt = hub.clock.now();
-  const grant = await hub.authorise(
+  const cameAt = registry.clock.now();
+  const grant = await registry.authorise(
     request.params.id,
     readBearer(request),
     verb,
     readIntroduction(request),
   );
-  const { session, key } = grant;
-  const transitMs = session.scriptClocks.came(key.hash, readScriptTime(request), cameAt);
-  const markAnswered = session.heard(key);
+  const { robot, key } = grant;
+  const transitMs = robot.scriptClocks.came(key.hash, readScriptTime(request), cameAt);
+  const markAnswered = robot.heard(key);
   response.once("close", markAnswered);
   // The client may have disconnected during authorisation.
   if (response.closed) markAnswered();

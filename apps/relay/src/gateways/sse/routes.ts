@@ -7,7 +7,7 @@ import { Router, type Response } from "express";
 import type { Clock } from "../../platform/time/clock.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import type { OverReason, ReaderSink } from "../../robots/readers/feed.ts";
-import type { SessionHub } from "../../robots/registry.ts";
+import type { RobotRegistry } from "../../robots/registry.ts";
 import type { JoinedReader } from "../../robots/readers/readers.ts";
 import { methodNotAllowed } from "../../platform/http/fallbacks.ts";
 import { authoriseScript } from "../requests/authorise-script.ts";
@@ -20,15 +20,20 @@ const HEADERS = {
   "X-Accel-Buffering": "no",
 };
 
-export function eventRoutes(hub: SessionHub, clock: Clock): Router {
+export function eventRoutes(registry: RobotRegistry, clock: Clock): Router {
   const router = Router();
   router
     .route("/robots/:id/events")
     .get(async (request, response) => {
-      const { session, key, markAnswered } = await authoriseScript(hub, request, response, "read");
+      const { robot, key, markAnswered } = await authoriseScript(
+        registry,
+        request,
+        response,
+        "read",
+      );
       const { since, after, wait } = readEvents(request);
       if (wait !== undefined) {
-        const page = await session.readers.nextEvents(
+        const page = await robot.readers.nextEvents(
           { since, after },
           callerWaitOf(response, wait, key),
         );
@@ -36,7 +41,7 @@ export function eventRoutes(hub: SessionHub, clock: Clock): Router {
       }
       // A script that only reads does not count as active while its stream is open.
       markAnswered();
-      streamTo(response, clock, (sink) => session.readers.join(key, sink, since ?? null));
+      streamTo(response, clock, (sink) => robot.readers.join(key, sink, since ?? null));
     })
     .all(methodNotAllowed("GET"));
   return router;

@@ -24,7 +24,7 @@ import type { RequestGuard } from "../../platform/http/request-guard.ts";
 import { asRefusal, Refusal } from "../../platform/errors/problems.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { verbOfRole } from "../../robots/access/rights.ts";
-import type { SessionHub } from "../../robots/registry.ts";
+import type { RobotRegistry } from "../../robots/registry.ts";
 import { StaggeredInterval } from "../../platform/time/staggered-interval.ts";
 import { closeWith, handleMessage, type Conversation } from "../conversations/conversation.ts";
 import {
@@ -67,7 +67,7 @@ interface Client {
 }
 
 export interface GatewayOptions {
-  hub: SessionHub;
+  registry: RobotRegistry;
   clock: Clock;
   log: Logger;
   guard: RequestGuard;
@@ -222,7 +222,7 @@ export class WebSocketGateway {
     if (!robotIdSchema.safeParse(id).success) return closeWith(socket, closeReasons.noRobot);
     const { role, key } = hello.value;
     const introduction = introductionOf(hello.value, language);
-    const grant = await this.#options.hub.authorise(id, key, verbOfRole[role], introduction);
+    const grant = await this.#options.registry.authorise(id, key, verbOfRole[role], introduction);
     if (socket.readyState !== socket.OPEN) return;
     client.key = markOf(key);
     this.#options.log.info(

@@ -112,8 +112,8 @@ export const limits = {
   driversIntervalMs: 1_000,
   /** minimum interval between stored uses */
   touchMs: 60_000,
-  sessionIdleMs: 2 * 60 * 60 * 1000,
-  sessionLifeMs: 24 * 60 * 60 * 1000,
+  robotIdleMs: 2 * 60 * 60 * 1000,
+  robotLifeMs: 24 * 60 * 60 * 1000,
   /** longest long poll; below the 30 s after which many proxies time out */
   longPollSeconds: 25,
   /** commands in one response of the command log */

@@ -7,9 +7,9 @@ import type {
   KeyChange,
   KeysResult,
   KeyUse,
-  SessionStore,
+  RobotStore,
   StoredKey,
-  StoredSession,
+  StoredRobot,
 } from "../../store/port.ts";
 import { StoreAway } from "../../platform/errors/store-away.ts";
 import { limits } from "../../platform/limits/limits.ts";
@@ -19,14 +19,14 @@ export interface KeyRingParts {
   robot: string;
   rights: RightsVersion;
   keys: readonly StoredKey[];
-  store: Pick<SessionStore, "find" | "keyTimes">;
+  store: Pick<RobotStore, "find" | "keyTimes">;
   clock: Clock;
   /** changes the stored keys and recalls the affected commands */
   change: (change: Omit<KeyChange, "reason">) => Promise<KeysResult>;
   /** called after this relay has changed the keys */
   changed: () => void;
-  /** called with the stored session after it was read again */
-  found: (stored: StoredSession) => void;
+  /** called with the stored robot after it was read again */
+  found: (stored: StoredRobot) => void;
   /** called with a key that is no longer valid */
   revoked: (key: StoredKey) => void;
   /** called when the valid keys are unknown, because the store does not respond */
@@ -235,7 +235,7 @@ export class KeyRing {
       most: MAX_KEYS,
       now: this.#parts.clock.now(),
     });
-    if (result.outcome === "no-session") throw noRobot();
+    if (result.outcome === "no-robot") throw noRobot();
     if (result.outcome === "full") {
       throw new Refusal(
         "too-many-keys",

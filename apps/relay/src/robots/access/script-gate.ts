@@ -9,9 +9,9 @@ import { noRobot, Refusal } from "../../platform/errors/problems.ts";
 import type {
   AwayResult,
   ScriptChange,
-  SessionStore,
+  RobotStore,
   StoredScript,
-  StoredSession,
+  StoredRobot,
 } from "../../store/port.ts";
 import type { RightsVersion } from "./rights.ts";
 import { scriptOf, type Caller } from "./caller.ts";
@@ -20,7 +20,7 @@ export interface ScriptGateParts {
   robot: string;
   rights: RightsVersion;
   stored: Standing;
-  store: Pick<SessionStore, "find">;
+  store: Pick<RobotStore, "find">;
   /** changes the blocked scripts in the store and recalls the affected commands */
   change: (change: Omit<ScriptChange, "reason">) => Promise<AwayResult>;
   /** pauses in the store and recalls the affected commands; false if there is no such robot */
@@ -34,7 +34,7 @@ export interface ScriptGateParts {
 }
 
 /** Permissions of scripts, as the owner has set them. */
-type Standing = Pick<StoredSession, "away" | "isPaused">;
+type Standing = Pick<StoredRobot, "away" | "isPaused">;
 
 export class ScriptGate {
   readonly #parts: ScriptGateParts;
@@ -111,13 +111,13 @@ export class ScriptGate {
   }
 
   /** Reads the store, because another relay may have just changed it. */
-  async #stored(): Promise<StoredSession | null> {
+  async #stored(): Promise<StoredRobot | null> {
     return this.#parts.store.find(this.#parts.robot);
   }
 
   async #change(change: Pick<ScriptChange, "add" | "remove">): Promise<void> {
     const result = await this.#parts.change({ ...change, most: MAX_BLOCKED_SCRIPTS });
-    if (result.outcome === "no-session") throw noRobot();
+    if (result.outcome === "no-robot") throw noRobot();
     if (result.outcome === "full") {
       throw new Refusal(
         "too-many-blocked",

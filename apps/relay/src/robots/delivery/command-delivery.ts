@@ -4,7 +4,7 @@
  */
 import { closeReasons, type CommandRecord } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
-import type { SessionStore, TermedRecord } from "../../store/port.ts";
+import type { RobotStore, TermedRecord } from "../../store/port.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { commandFrame } from "../page/page-frames.ts";
 import type { PageDisplay } from "../page/page-display.ts";
@@ -22,7 +22,7 @@ export interface Due {
 
 export interface CommandDeliveryParts {
   robot: string;
-  store: Pick<SessionStore, "deliver" | "hasAll">;
+  store: Pick<RobotStore, "deliver" | "hasAll">;
   clock: Clock;
   seat: PageSeat;
   handover: PageHandover;

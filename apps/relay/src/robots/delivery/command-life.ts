@@ -20,7 +20,7 @@ import type { Clock } from "../../platform/time/clock.ts";
 import type { Step } from "../../bus/bus.ts";
 import { noRobot, restarting } from "../../platform/errors/problems.ts";
 import type { CoalescedTimers } from "../../platform/time/coalesced-timers.ts";
-import type { SessionStore, TermedRecord } from "../../store/port.ts";
+import type { RobotStore, TermedRecord } from "../../store/port.ts";
 import type { Audience } from "../readers/subscribers.ts";
 import { CommandDelivery, type Due } from "./command-delivery.ts";
 import { CommandLog } from "./command-log.ts";
@@ -40,7 +40,7 @@ import type { Witness } from "./witness.ts";
 
 export interface CommandLifeParts {
   robot: string;
-  store: SessionStore;
+  store: RobotStore;
   clock: Clock;
   timers: CoalescedTimers;
   witness: Witness;
@@ -51,7 +51,7 @@ export interface CommandLifeParts {
 
 export class CommandLife {
   readonly #robot: string;
-  readonly #store: SessionStore;
+  readonly #store: RobotStore;
   readonly #clock: Clock;
   readonly #witness: Witness;
   readonly #audience: Audience;

@@ -1,6 +1,6 @@
 /** Queries for the commands of one robot: one command, a list, the open ones, or the end of one. */
 import { hasEnded, type CommandRecord, type EventGap } from "@corridor/protocol";
-import type { SessionStore } from "../../store/port.ts";
+import type { RobotStore } from "../../store/port.ts";
 import type { Audience, CallerWait } from "../readers/subscribers.ts";
 import { noCommand } from "./command-refusals.ts";
 import { limits } from "../../platform/limits/limits.ts";
@@ -8,12 +8,12 @@ import type { OrderedWork } from "./ordered-work.ts";
 
 export class CommandLog {
   readonly #robot: string;
-  readonly #store: SessionStore;
+  readonly #store: RobotStore;
   readonly #audience: Audience;
   readonly #work: OrderedWork;
 
   /** @param work queue of all changes to commands; some reads run between two changes */
-  constructor(robot: string, store: SessionStore, audience: Audience, work: OrderedWork) {
+  constructor(robot: string, store: RobotStore, audience: Audience, work: OrderedWork) {
     this.#robot = robot;
     this.#store = store;
     this.#audience = audience;

@@ -16,7 +16,7 @@ import type {
   KeyChange,
   KeysResult,
   ScriptChange,
-  SessionStore,
+  RobotStore,
   StoredKey,
   TermedRecord,
 } from "../../store/port.ts";
@@ -25,7 +25,7 @@ import type { OrderedWork } from "./ordered-work.ts";
 
 export interface CommandRecallParts {
   robot: string;
-  store: SessionStore;
+  store: RobotStore;
   work: OrderedWork;
   /** called with commands that have ended at the relay */
   ended(commands: readonly TermedRecord[]): void;
@@ -97,7 +97,7 @@ export class CommandRecall {
 
   /**
    * Pauses remote driving and recalls the commands of scripts, or resumes it.
-   * @returns false if there is no such session
+   * @returns false if there is no such robot
    */
   async pause(isPaused: boolean): Promise<boolean> {
     const { robot, store, work } = this.#parts;

@@ -11,7 +11,7 @@ type NotStored = Exclude<AddResult, { outcome: "stored" | "duplicate" }>;
 
 export function notStored(result: NotStored, { ttl, age }: CommandTerms): Refusal {
   switch (result.outcome) {
-    case "no-session":
+    case "no-robot":
       return noRobot();
     case "revoked":
       return keyRevoked();

@@ -1,6 +1,6 @@
 /**
  * A hundred short simulations of a robot, its script and its relay, with random faults. No command
- * or event may be lost, duplicated, reordered, ended twice or late. The real sessions, store,
+ * or event may be lost, duplicated, reordered, ended twice or late. The real robots, store,
  * clients and the page's robot run in one process on virtual time, so that a failing seed fails
  * again.
  */

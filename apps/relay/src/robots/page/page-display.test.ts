@@ -155,9 +155,9 @@ describe("a page whose robot has more to do than it may have at a time", () => {
   const shown = ({ told }: Host): string[] => told.map(inWords).filter((words) => /\d/.test(words));
 
   it("sees each command as waiting before it gets it, in order", async () => {
-    const robot = await withRobot();
-    const host = await page(robot);
-    for (let n = 0; n < 12; n++) await robot.submit(LEFT);
+    const setup = await withRobot();
+    const host = await page(setup);
+    for (let n = 0; n < 12; n++) await setup.submit(LEFT);
     expect(shown(host).slice(8)).toEqual(["9 accepted"]);
     for (const seq of [1, 2]) await host.ended(completed(seq));
     expect(shown(host).slice(9)).toEqual([
@@ -172,10 +172,10 @@ describe("a page whose robot has more to do than it may have at a time", () => {
   });
 
   it("sees what a stop has cancelled before the stop", async () => {
-    const robot = await withRobot();
-    const host = await page(robot);
-    for (let n = 0; n < 10; n++) await robot.submit(LEFT);
-    await robot.submit({ action: "stop" });
+    const setup = await withRobot();
+    const host = await page(setup);
+    for (let n = 0; n < 10; n++) await setup.submit(LEFT);
+    await setup.submit({ action: "stop" });
     expect(shown(host).slice(8)).toEqual([
       "9 accepted",
       "10 accepted",
@@ -186,29 +186,29 @@ describe("a page whose robot has more to do than it may have at a time", () => {
   });
 
   it("sees what waits before it hears that what it cancelled is stored: it may take all of that back", async () => {
-    const robot = await withRobot();
-    const host = await page(robot);
-    for (let n = 0; n < 10; n++) await robot.submit(LEFT);
+    const setup = await withRobot();
+    const host = await page(setup);
+    for (let n = 0; n < 10; n++) await setup.submit(LEFT);
     await host.ended({ ...completed(1), state: "cancelled" });
     expect(shown(host).slice(8)).toEqual(["9 accepted", "10 accepted", "stored 1", "command 9"]);
   });
 
   it("sees what waits before its relay goes, and nothing after", async () => {
-    const robot = await withRobot();
-    const host = await page(robot);
-    for (let n = 0; n < 10; n++) await robot.submit(LEFT);
-    robot.session.close("restart");
+    const setup = await withRobot();
+    const host = await page(setup);
+    for (let n = 0; n < 10; n++) await setup.submit(LEFT);
+    setup.robot.close("restart");
     expect(shown(host).slice(8)).toEqual(["9 accepted", "10 accepted"]);
     const before = host.told.length;
-    await robot.clock.pass(10 * shownIntervalMs);
+    await setup.clock.pass(10 * shownIntervalMs);
     expect(host.told).toHaveLength(before);
   });
 
   it("sees what waits together with its scripts, when somebody is sent away", async () => {
-    const robot = await withRobot();
-    const host = await page(robot);
-    for (let n = 0; n < 10; n++) await robot.submit(LEFT);
-    robot.session.roster.awayChanged();
+    const setup = await withRobot();
+    const host = await page(setup);
+    for (let n = 0; n < 10; n++) await setup.submit(LEFT);
+    setup.robot.roster.awayChanged();
     expect(host.told.map(inWords).slice(-2)).toEqual(["10 accepted", "drivers"]);
   });
 });

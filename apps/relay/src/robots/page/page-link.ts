@@ -1,4 +1,4 @@
-/** The connection of a robot's page, as its session uses it. */
+/** The connection of a robot's page, as the robot uses it. */
 import type { CloseReason, RelayToPage } from "@corridor/protocol";
 
 export interface PageLink {

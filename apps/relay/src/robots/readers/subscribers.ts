@@ -26,7 +26,7 @@ interface Listener {
 }
 
 /**
- * Why the relay ends a subscription. over: the robot was deleted or its session expired; restart:
+ * Why the relay ends a subscription. over: the robot was deleted or has expired; restart:
  * the relay stops; revoked: the key was revoked; busy: the relay cannot read which keys are valid;
  * blocked: the owner blocked the script
  */
@@ -83,7 +83,7 @@ export class Audience {
 
   /**
    * Waits until the listener calls `done`, the wait times out or is aborted, states may have been
-   * missed, or the session ends.
+   * missed, or the robot ends.
    * @param listen returns the callbacks, which call `done` to end the wait
    * @throws Refusal too-many-readers, or the reason for which the relay ends the subscription;
    * StoreAway if the valid keys are unknown

@@ -1,5 +1,5 @@
 /**
- * Fixture for session tests: one robot, its page and its script, at one relay with a fake clock.
+ * Fixture for robot tests: one robot, its page and its script, at one relay with a fake clock.
  */
 import { snapshotOf } from "@corridor/protocol/testing";
 import { join } from "node:path";
@@ -14,12 +14,12 @@ import {
 } from "@corridor/protocol";
 import { pino } from "pino";
 import { onTestFinished } from "vitest";
-import { SqliteStore } from "../../store/sqlite/sqlite-store.ts";
+import { SqliteRobotStore } from "../../store/sqlite/sqlite-robot-store.ts";
 import { cutStore } from "../../store/cases/cut-store.ts";
 import { FakeClock } from "../../platform/testing/fake-clock.ts";
 import { testFolder } from "../../testing/test-relay.ts";
 import type { PageLink } from "../page/page-link.ts";
-import { SessionHub } from "../registry.ts";
+import { RobotRegistry } from "../registry.ts";
 
 /** No-op parts of a reader. */
 export const deafReader = {
@@ -40,39 +40,54 @@ export const waitLimit = (milliseconds: number) => ({
 /** Registers a robot at a relay of its own, with a script that drives it. */
 export async function withRobot() {
   const clock = new FakeClock();
-  const store = new SqliteStore(join(testFolder(), "corridor.sqlite"));
+  const store = new SqliteRobotStore(join(testFolder(), "corridor.sqlite"));
   onTestFinished(() => store.close());
   const cut = cutStore(store);
-  const hub = new SessionHub(cut.store, clock, pino({ level: "silent" }));
-  const robot = await hub.register("10.0.0.1", "http://localhost");
-  const { session, key } = await hub.authorise(robot.id, robot.driverKey, "command", {
-    client: "Python",
-    name: null,
-  });
+  const registry = new RobotRegistry(cut.store, clock, pino({ level: "silent" }));
+  const registration = await registry.register("10.0.0.1", "http://localhost");
+  const { robot, key } = await registry.authorise(
+    registration.id,
+    registration.driverKey,
+    "command",
+    {
+      client: "Python",
+      name: null,
+    },
+  );
   const submit = async (order: Order, idempotencyKey: string | null = null) => {
     const records: CommandRecord[] = [];
     const request = { key: idempotencyKey, ...termsOf(order) };
-    await session.submit(key, request, (record) => records.push(record));
+    await robot.submit(key, request, (record) => records.push(record));
     return records[0];
   };
   const states = async () =>
-    (await session.commandsAfter(0)).map(({ seq, state }) => `${seq} ${state}`);
+    (await robot.commandsAfter(0)).map(({ seq, state }) => `${seq} ${state}`);
   /** The same robot at a relay that has just started. */
   const restarted = async () => {
-    const anew = new SessionHub(cut.store, clock, pino({ level: "silent" }));
-    const { session: again } = await anew.authorise(robot.id, robot.ownerKey, "host");
-    return { clock, cut, hub: anew, robot, session: again, key, submit, states, restarted };
+    const anew = new RobotRegistry(cut.store, clock, pino({ level: "silent" }));
+    const { robot: again } = await anew.authorise(registration.id, registration.ownerKey, "host");
+    return {
+      clock,
+      cut,
+      registry: anew,
+      registration,
+      robot: again,
+      key,
+      submit,
+      states,
+      restarted,
+    };
   };
-  return { clock, cut, hub, robot, session, key, submit, states, restarted };
+  return { clock, cut, registry, registration, robot, key, submit, states, restarted };
 }
 
-export type Robot = Awaited<ReturnType<typeof withRobot>>;
+export type Setup = Awaited<ReturnType<typeof withRobot>>;
 
 /**
  * Connects a page to the robot and records all that it receives.
  * @param isSilent whether the page ignores the request to release the robot
  */
-export async function page({ session }: Robot, resume: Partial<Resume> = {}, isSilent = false) {
+export async function page({ robot }: Setup, resume: Partial<Resume> = {}, isSilent = false) {
   const told: RelayToPage[] = [];
   const closed: number[] = [];
   let epoch = 0;
@@ -90,8 +105,8 @@ export async function page({ session }: Robot, resume: Partial<Resume> = {}, isS
       closed.push(code);
     },
   };
-  const yielded = async () => session.hearPage(link, { type: "yielded", epoch });
-  await session.takePage(link, {
+  const yielded = async () => robot.hearPage(link, { type: "yielded", epoch });
+  await robot.takePage(link, {
     type: "resume",
     lastApplied: 0,
     fresh: false,
@@ -109,10 +124,10 @@ export async function page({ session }: Robot, resume: Partial<Resume> = {}, isS
     epoch,
     seqs,
     yielded,
-    started: (seq: number) => session.hearPage(link, { type: "started", epoch, seq }),
-    ended: (ending: Ending) => session.hearPage(link, { type: "ended", epoch, ...ending }),
+    started: (seq: number) => robot.hearPage(link, { type: "started", epoch, seq }),
+    ended: (ending: Ending) => robot.hearPage(link, { type: "ended", epoch, ...ending }),
     report: (change = {}) =>
-      session.hearPage(link, { type: "snapshot", epoch, snapshot: snapshotOf(change) }),
+      robot.hearPage(link, { type: "snapshot", epoch, snapshot: snapshotOf(change) }),
   };
 }
 

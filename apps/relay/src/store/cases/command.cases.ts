@@ -105,7 +105,7 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
 
     it("stores nothing for a robot that is not there", async () => {
       const { store } = await open();
-      expect(await store.add(ID, sent)).toEqual({ outcome: "no-session" });
+      expect(await store.add(ID, sent)).toEqual({ outcome: "no-robot" });
       expect(await store.takeOver(ID, nothingDone)).toBeNull();
     });
 

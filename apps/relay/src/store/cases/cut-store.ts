@@ -1,14 +1,14 @@
 /** A store with simulated failures: before a step, or after it, so that its result is lost. */
-import type { SessionStore } from "../port.ts";
+import type { RobotStore } from "../port.ts";
 import { StoreAway } from "../../platform/errors/store-away.ts";
 
 export interface CutStore {
-  store: SessionStore;
+  store: RobotStore;
   isCut: boolean;
   losesAnswers: boolean;
 }
 
-export function cutStore(whole: SessionStore): CutStore {
+export function cutStore(whole: RobotStore): CutStore {
   const cut: CutStore = { store: whole, isCut: false, losesAnswers: false };
   cut.store = new Proxy(whole, {
     get(target, name) {

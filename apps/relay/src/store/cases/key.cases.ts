@@ -89,7 +89,7 @@ export function keyCases(name: string, open: () => Promise<OpenStore>): void {
     it("has no keys where there is no robot", async () => {
       const { store } = await withRobot();
       const change = keyChange({ add: [watch] });
-      expect(await store.changeKeys("B".repeat(22), change)).toEqual({ outcome: "no-session" });
+      expect(await store.changeKeys("B".repeat(22), change)).toEqual({ outcome: "no-robot" });
     });
   });
 }

@@ -1,7 +1,7 @@
 /** Requirements for every pairing store, for any database. */
 import { describe, expect, it } from "vitest";
 import type { PairingStore } from "../pairing-store.ts";
-import type { SessionStore } from "../port.ts";
+import type { RobotStore } from "../port.ts";
 
 const ROBOT = "AAAAAAAAAAAAAAAAAAAAAA";
 const OTHER = "BBBBBBBBBBBBBBBBBBBBBB";
@@ -11,7 +11,7 @@ const NOW = 1_000;
 
 export interface OpenPairingStore {
   store: PairingStore;
-  sessions: SessionStore;
+  robots: RobotStore;
   /** The same data, opened again as after a restart. */
   reopen: () => Promise<PairingStore>;
   /** Whether the text is still in the files on disk. */
@@ -22,7 +22,7 @@ export interface OpenPairingStore {
 export function pairingStoreCases(name: string, open: () => Promise<OpenPairingStore>): void {
   const withRobots = async () => {
     const opened = await open();
-    for (const id of [ROBOT, OTHER]) await opened.sessions.create({ id, createdAt: 1, keys: [] });
+    for (const id of [ROBOT, OTHER]) await opened.robots.create({ id, createdAt: 1, keys: [] });
     return opened;
   };
 
@@ -95,12 +95,12 @@ export function pairingStoreCases(name: string, open: () => Promise<OpenPairingS
       },
       {
         when: "their robot is deleted",
-        forget: async ({ sessions }: OpenPairingStore) => void (await sessions.remove(ROBOT)),
+        forget: async ({ robots }: OpenPairingStore) => void (await robots.remove(ROBOT)),
       },
       {
         when: "their robot runs out",
-        forget: async ({ sessions }: OpenPairingStore) =>
-          void (await sessions.removeExpired({ lastUsedAt: 10, createdAt: 10 })),
+        forget: async ({ robots }: OpenPairingStore) =>
+          void (await robots.removeExpired({ lastUsedAt: 10, createdAt: 10 })),
       },
     ])("are gone from the files when $when", async ({ forget }) => {
       const opened = await withRobots();

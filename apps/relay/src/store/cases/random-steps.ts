@@ -2,12 +2,12 @@
 import type { Command, EndingState } from "@corridor/protocol";
 import fc from "fast-check";
 import { completed } from "../../platform/testing/messages.ts";
-import type { SessionStore } from "../port.ts";
+import type { RobotStore } from "../port.ts";
 import { DRIVERS, keyChange, NOW, pageState, ROBOTS, sent } from "./robot-in-store.ts";
 
 const COMMANDS: Command[] = [{ action: "left 90" }, { action: "forward" }, { action: "stop" }];
 
-export type Step = (store: SessionStore, robot: string) => Promise<unknown>;
+export type Step = (store: RobotStore, robot: string) => Promise<unknown>;
 
 export interface StepOfRobot {
   step: Step;
@@ -114,7 +114,7 @@ export const stepsKeeping = (...keep: number[]): fc.Arbitrary<Step> =>
   fc.oneof({ weight: 4, arbitrary: added(...keep) }, { weight: 6, arbitrary: done }, rare);
 
 /** All commands of all robots, in each form in which they can be read. */
-export async function told(store: SessionStore): Promise<unknown> {
+export async function told(store: RobotStore): Promise<unknown> {
   const all = [];
   for (const id of ROBOTS) {
     const listed = await store.commandsAfter(id, 0, 100);

@@ -5,7 +5,7 @@ import {
   type KeyChange,
   type NewCommand,
   type PageState,
-  type SessionStore,
+  type RobotStore,
 } from "../port.ts";
 
 export const ID = "AAAAAAAAAAAAAAAAAAAAAA";
@@ -52,9 +52,9 @@ export const pageState = (state: Partial<PageState> = {}): PageState => ({
 export const nothingDone = pageState();
 
 export interface OpenStore {
-  store: SessionStore;
+  store: RobotStore;
   /** The same data in a new store, as after a restart. Closes the previous store. */
-  reopen: () => Promise<SessionStore>;
+  reopen: () => Promise<RobotStore>;
   /** Whether the text is still in the files on disk. */
   holds: (text: string) => Promise<boolean>;
 }
@@ -79,7 +79,7 @@ export async function robotIn(open: () => Promise<OpenStore>) {
 export const ROBOTS = ["A".repeat(22), "B".repeat(22), "C".repeat(22)];
 export const DRIVERS = ["d", "e"];
 
-export async function withRobots(store: SessionStore): Promise<void> {
+export async function withRobots(store: RobotStore): Promise<void> {
   const keys = DRIVERS.map((hash) => ({ kind: "drive" as const, hash }));
   for (const id of ROBOTS) {
     await store.create({ id, createdAt: 1, keys });

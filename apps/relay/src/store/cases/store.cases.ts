@@ -3,7 +3,7 @@ import { commandCases } from "./command.cases.ts";
 import { keyCases } from "./key.cases.ts";
 import { mazeCases } from "./maze.cases.ts";
 import { pageCases } from "./page.cases.ts";
-import { sessionCases } from "./session.cases.ts";
+import { robotCases } from "./robot.cases.ts";
 import { takingBackCases } from "./taking-back.cases.ts";
 import { timeCases } from "./time.cases.ts";
 import type { OpenStore } from "./robot-in-store.ts";
@@ -11,7 +11,7 @@ import type { OpenStore } from "./robot-in-store.ts";
 /** @param open creates an empty store, which exists until the test ends */
 export function storeCases(name: string, open: () => Promise<OpenStore>): void {
   keyCases(name, open);
-  sessionCases(name, open);
+  robotCases(name, open);
   commandCases(name, open);
   timeCases(name, open);
   takingBackCases(name, open);

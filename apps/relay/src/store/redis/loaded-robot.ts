@@ -7,9 +7,9 @@ import { z } from "zod";
 import type { CommandRow } from "../../commands/command-row.ts";
 import { standingOf, type Permissions } from "../../commands/permissions.ts";
 import { RobotCommands } from "../../commands/robot-commands.ts";
-import { endedOf, keysOf, lineOf, openOf, sessionOf } from "./redis-keys.ts";
+import { endedOf, keysOf, lineOf, openOf, robotKeyOf } from "./redis-keys.ts";
 import { rowIn, textOf } from "./rows.ts";
-import { awayText, keysText } from "./session-texts.ts";
+import { awayText, keysText } from "./permission-texts.ts";
 import type { Words } from "./words.ts";
 
 /** The answer of commit.lua with the current robot. */
@@ -65,9 +65,9 @@ export class LoadedRobot {
     });
   }
 
-  /** Adds fields of the session to the changes. */
+  /** Adds fields of the robot to the changes. */
   set(fields: Record<string, string>): void {
-    this.#also.push(["HSET", sessionOf(this.#id), ...Object.entries(fields).flat()]);
+    this.#also.push(["HSET", robotKeyOf(this.#id), ...Object.entries(fields).flat()]);
   }
 
   /** Adds a Redis command to the changes. */
@@ -85,7 +85,7 @@ export class LoadedRobot {
     const changes = [...this.#also, ...this.#ofRows(), ...this.#ofStanding()];
     const step = this.#stepMessage();
     if (step !== null) {
-      changes.push(["HSET", sessionOf(this.#id), "n", String(this.#n)]);
+      changes.push(["HSET", robotKeyOf(this.#id), "n", String(this.#n)]);
       this.#messages.push(step);
     }
     for (const text of this.#messages) changes.push(["PUBLISH", lineOf(this.#id), text]);
@@ -124,7 +124,7 @@ export class LoadedRobot {
     if (epoch !== before.epoch) fields.push("epoch", String(epoch));
     if (lastSeq !== before.lastSeq) fields.push("seq", String(lastSeq));
     if (isPaused !== before.isPaused) fields.push("paused", isPaused ? "1" : "0");
-    return fields.length === 0 ? [] : [["HSET", sessionOf(this.#id), ...fields]];
+    return fields.length === 0 ? [] : [["HSET", robotKeyOf(this.#id), ...fields]];
   }
 
   /** The message about the changed commands, which lists them in order; null: there are none. */

@@ -4,12 +4,12 @@ import fc from "fast-check";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { hasRedis, startTestRedis } from "../../platform/testing/test-redis.ts";
 import { testFolder } from "../../testing/test-relay.ts";
-import { SqliteStore } from "../sqlite/sqlite-store.ts";
+import { SqliteRobotStore } from "../sqlite/sqlite-robot-store.ts";
 import { stepsKeeping, told, type StepOfRobot } from "../cases/random-steps.ts";
 import { ROBOTS, withRobots } from "../cases/robot-in-store.ts";
 import { connectRedis } from "./connection.ts";
 import { ForgottenBytes } from "./forgotten-bytes.ts";
-import { RedisSessionStore } from "./redis-session-store.ts";
+import { RedisRobotStore } from "./redis-robot-store.ts";
 
 interface Turn extends StepOfRobot {
   relay: 0 | 1;
@@ -44,9 +44,9 @@ describe.skipIf(!hasRedis)("a store in Redis", () => {
       fc.asyncProperty(turns, fc.constantFrom(1, 2, 8), async (all, most) => {
         await redis.flushAll();
         const relays = ["relay-a", "relay-b"].map(
-          (name) => new RedisSessionStore(redis, new ForgottenBytes(redis), name, most),
+          (name) => new RedisRobotStore(redis, new ForgottenBytes(redis), name, most),
         );
-        const sqlite = new SqliteStore(join(folder, `${runs++}.sqlite`), 1_000_000);
+        const sqlite = new SqliteRobotStore(join(folder, `${runs++}.sqlite`), 1_000_000);
         const [first] = relays;
         if (first === undefined) return;
         await Promise.all([withRobots(sqlite), withRobots(first)]);

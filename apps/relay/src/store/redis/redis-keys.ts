@@ -3,7 +3,7 @@
  * a cluster.
  */
 
-export function sessionOf(id: string): string {
+export function robotKeyOf(id: string): string {
   return `corridor:{${id}}`;
 }
 
@@ -12,7 +12,7 @@ export const RELAYS = "corridor:relays";
 
 /** The channel of a robot. */
 export function lineOf(id: string): string {
-  return `${sessionOf(id)}:line`;
+  return `${robotKeyOf(id)}:line`;
 }
 
 /** The channel with messages for a single relay. */
@@ -20,26 +20,26 @@ export function postOf(relay: string): string {
   return `corridor:relay:${relay}`;
 }
 
-/** Sessions by last use, and by creation. */
+/** Robots by last use, and by creation. */
 export const USES = "corridor:uses";
 export const BIRTHS = "corridor:births";
 
 /** Open commands by seq. */
 export function openOf(id: string): string {
-  return `${sessionOf(id)}:open`;
+  return `${robotKeyOf(id)}:open`;
 }
 
 /** Ended commands by seq. */
 export function endedOf(id: string): string {
-  return `${sessionOf(id)}:ended`;
+  return `${robotKeyOf(id)}:ended`;
 }
 
 /** Seq of ended commands by idempotency key. */
 export function keysOf(id: string): string {
-  return `${sessionOf(id)}:keys`;
+  return `${robotKeyOf(id)}:keys`;
 }
 
 /** The keys that commit.lua expects, in order. */
 export function commitKeys(id: string): string[] {
-  return [sessionOf(id), openOf(id), keysOf(id), endedOf(id), USES, BIRTHS, lineOf(id)];
+  return [robotKeyOf(id), openOf(id), keysOf(id), endedOf(id), USES, BIRTHS, lineOf(id)];
 }

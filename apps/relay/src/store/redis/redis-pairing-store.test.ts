@@ -4,7 +4,7 @@ import { pairingStoreCases } from "../cases/pairing-store.cases.ts";
 import { connectRedis } from "./connection.ts";
 import { ForgottenBytes } from "./forgotten-bytes.ts";
 import { RedisPairingStore } from "./redis-pairing-store.ts";
-import { RedisSessionStore } from "./redis-session-store.ts";
+import { RedisRobotStore } from "./redis-robot-store.ts";
 
 describe.skipIf(!hasRedis)("with Redis", () => {
   pairingStoreCases("RedisPairingStore", async () => {
@@ -16,7 +16,7 @@ describe.skipIf(!hasRedis)("with Redis", () => {
       const forgotten = new ForgottenBytes(redis);
       return {
         store: new RedisPairingStore(redis, forgotten),
-        sessions: new RedisSessionStore(redis, forgotten, "relay-a"),
+        robots: new RedisRobotStore(redis, forgotten, "relay-a"),
       };
     };
     return {

@@ -31,7 +31,7 @@ export class RobotCommits {
   async create(id: string, changes: Words[]): Promise<void> {
     const words = ["", this.#newVersion(), "", ...counted(changes)];
     const answer = await this.#script.call(commitKeys(id), words);
-    if (!created.safeParse(answer).success) throw new Error("a session with this id exists");
+    if (!created.safeParse(answer).success) throw new Error("a robot with this id exists");
   }
 
   /** Runs a step after all earlier steps of this robot. */

@@ -6,7 +6,7 @@ import { ID, keyChange, LEFT, NOW, nothingDone, sent, STOP } from "../cases/robo
 import { connectRedis, type Redis } from "./connection.ts";
 import { ForgottenBytes } from "./forgotten-bytes.ts";
 import { lineOf } from "./redis-keys.ts";
-import { RedisSessionStore } from "./redis-session-store.ts";
+import { RedisRobotStore } from "./redis-robot-store.ts";
 import { RobotQueue } from "./robot-queue.ts";
 import * as machine from "../../commands/state-machine.ts";
 import { StoreFull } from "../../platform/errors/disk-full.ts";
@@ -32,7 +32,7 @@ async function relayAt(url: string, name: string) {
       };
     },
   });
-  const store = new RedisSessionStore(counting, new ForgottenBytes(redis), name);
+  const store = new RedisRobotStore(counting, new ForgottenBytes(redis), name);
   const cost = async (step: () => Promise<unknown>): Promise<number> => {
     const before = requests;
     await step();
@@ -228,7 +228,7 @@ describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
     const { a, b } = await withRelays();
     await a.store.add(ID, sent);
     await b.store.remove(ID);
-    expect(await a.store.add(ID, sent)).toEqual({ outcome: "no-session" });
+    expect(await a.store.add(ID, sent)).toEqual({ outcome: "no-robot" });
     await a.store.touch(ID, 9_000, [{ hash: sent.driver, at: 9_000 }]);
     expect(await a.store.keepMaze(ID, "{}")).toBe(false);
     expect(await a.redis.keys("corridor:*")).toEqual([]);

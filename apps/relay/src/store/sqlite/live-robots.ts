@@ -41,7 +41,7 @@ const ENTRIES_AT_A_TIME = 256;
 const OPEN_ROWS =
   "SELECT entry FROM commands WHERE robot = ? AND seq >= ? AND is_open = 1 ORDER BY seq";
 
-interface SessionRow {
+interface RobotRow {
   epoch: number;
   last_seq: number;
   paused: 0 | 1;
@@ -200,9 +200,9 @@ export class LiveRobots implements Memory {
     const broken = this.#broken.get(id);
     if (broken !== undefined) throw broken.error;
     const sql = "SELECT epoch, last_seq, paused, open_from FROM sessions WHERE id = ?";
-    const [session] = this.#statements.all(sql, [id]) as unknown as SessionRow[];
-    if (session === undefined) return null;
-    const { epoch, last_seq: lastSeq, paused, open_from: openFrom } = session;
+    const [row] = this.#statements.all(sql, [id]) as unknown as RobotRow[];
+    if (row === undefined) return null;
+    const { epoch, last_seq: lastSeq, paused, open_from: openFrom } = row;
     const standing = { epoch, lastSeq, isPaused: paused === 1, ...this.#whoMay(id) };
     const open = rowsIn(this.#statements, OPEN_ROWS, [id, openFrom]);
     const robot = new LiveRobot(standing, open, (...kept) => this.#keep(id, ...kept));

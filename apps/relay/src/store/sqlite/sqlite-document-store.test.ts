@@ -5,7 +5,7 @@ import { testFolder } from "../../testing/test-relay.ts";
 import { SqliteDocumentStore } from "./sqlite-document-store.ts";
 import { SqliteFile } from "./file/sqlite-file.ts";
 import { openDatabase } from "./file/sqlite-schema.ts";
-import { SqliteStore } from "./sqlite-store.ts";
+import { SqliteRobotStore } from "./sqlite-robot-store.ts";
 import { documentStoreCases } from "../cases/document-store.cases.ts";
 
 documentStoreCases("SqliteDocumentStore", async () => {
@@ -42,10 +42,10 @@ it("brings a file from before there were short links and deadlines to this schem
   const file = new SqliteFile(path);
   onTestFinished(() => file.close());
   const documents = new SqliteDocumentStore(file);
-  const sessions = new SqliteStore(file);
+  const robots = new SqliteRobotStore(file);
   expect(await documents.read("AAAAAAAAAAAA", 1, 1)).toBeNull();
-  expect(await sessions.find(id)).toMatchObject({ id });
-  expect(await sessions.expire(id, 5_000)).toEqual({ ended: [], next: 15_000 });
+  expect(await robots.find(id)).toMatchObject({ id });
+  expect(await robots.expire(id, 5_000)).toEqual({ ended: [], next: 15_000 });
 });
 
 it("opens a link from before there were short codes, and gives the same text a code now", async () => {

@@ -1,4 +1,4 @@
-/** The hashed keys of a session in SQLite. */
+/** The hashed keys of a robot in SQLite. */
 import { z } from "zod";
 import { keyKinds, type KeyTimes, type KeyUse, type StoredKey } from "../port.ts";
 import type { Statements } from "./file/statements.ts";

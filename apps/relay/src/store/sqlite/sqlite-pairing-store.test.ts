@@ -4,7 +4,7 @@ import { onTestFinished } from "vitest";
 import { testFolder } from "../../testing/test-relay.ts";
 import { SqliteFile } from "./file/sqlite-file.ts";
 import { SqlitePairingStore } from "./sqlite-pairing-store.ts";
-import { SqliteStore } from "./sqlite-store.ts";
+import { SqliteRobotStore } from "./sqlite-robot-store.ts";
 import { pairingStoreCases } from "../cases/pairing-store.cases.ts";
 
 pairingStoreCases("SqlitePairingStore", async () => {
@@ -12,7 +12,7 @@ pairingStoreCases("SqlitePairingStore", async () => {
   const open = () => {
     const file = new SqliteFile(join(folder, "corridor.sqlite"));
     onTestFinished(() => file.close());
-    return { file, store: new SqlitePairingStore(file), sessions: new SqliteStore(file) };
+    return { file, store: new SqlitePairingStore(file), robots: new SqliteRobotStore(file) };
   };
   const { file, ...stores } = open();
   return {

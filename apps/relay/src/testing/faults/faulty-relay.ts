@@ -8,27 +8,27 @@ import type { Conversation } from "../../gateways/conversations/conversation.ts"
 import { DriverConversation } from "../../gateways/conversations/driver-conversation.ts";
 import { PageConversation } from "../../gateways/conversations/page-conversation.ts";
 import type { ReaderConnection } from "../../gateways/conversations/reader-connection.ts";
-import { SessionHub } from "../../robots/registry.ts";
+import { RobotRegistry } from "../../robots/registry.ts";
 import { verbOfRole } from "../../robots/access/rights.ts";
 import { SqliteFile } from "../../store/sqlite/file/sqlite-file.ts";
-import { SqliteStore } from "../../store/sqlite/sqlite-store.ts";
+import { SqliteRobotStore } from "../../store/sqlite/sqlite-robot-store.ts";
 import type { VirtualTime } from "./virtual-time.ts";
 
 const noBallast = { hold: () => true, giveUp: () => false };
 
 /** What survives a relay: its database, and the message bus to other relays. */
 export class Backend {
-  readonly store: SqliteStore;
+  readonly store: SqliteRobotStore;
   readonly switchboard = new LocalSwitchboard();
 
   constructor(path: string) {
-    this.store = new SqliteStore(new SqliteFile(path, { ballast: noBallast }));
+    this.store = new SqliteRobotStore(new SqliteFile(path, { ballast: noBallast }));
   }
 }
 
 export class FaultyRelay {
-  readonly store: SqliteStore;
-  readonly hub: SessionHub;
+  readonly store: SqliteRobotStore;
+  readonly registry: RobotRegistry;
   readonly #time: VirtualTime;
   readonly #lines: Line[] = [];
   #isAlive = true;
@@ -46,7 +46,7 @@ export class FaultyRelay {
     };
     this.store = withVirtualTime(store, time, () => this.#isAlive);
     const lines = { switchboard: this.#whileAlive(switchboard) };
-    this.hub = new SessionHub(this.store, clock, pino({ level: "silent" }), lines);
+    this.registry = new RobotRegistry(this.store, clock, pino({ level: "silent" }), lines);
   }
 
   get isAlive(): boolean {
@@ -104,7 +104,7 @@ export class FaultyRelay {
       const hello = decodeFrame(helloSchema, text);
       if (!hello.ok) throw new Error("The first message of the client is not a hello.");
       const { role, key, since = null, sentAt } = hello.value;
-      const grant = await this.hub.authorise(robot, key, verbOfRole[role]);
+      const grant = await this.registry.authorise(robot, key, verbOfRole[role]);
       if (isClosed) return;
       conversation =
         role === "own"
@@ -114,7 +114,7 @@ export class FaultyRelay {
               connection,
               since,
               sentAt,
-              clock: this.hub.clock,
+              clock: this.registry.clock,
               onRefusal: () => undefined,
             });
     };
@@ -149,10 +149,10 @@ export class FaultyRelay {
 
 /** The store. Virtual time stands still during its steps, and a dead relay gets no results. */
 function withVirtualTime(
-  store: SqliteStore,
+  store: SqliteRobotStore,
   time: VirtualTime,
   isAlive: () => boolean,
-): SqliteStore {
+): SqliteRobotStore {
   return new Proxy(store, {
     get(target, name) {
       const part: unknown = Reflect.get(target, name);

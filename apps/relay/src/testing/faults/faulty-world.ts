@@ -72,7 +72,7 @@ export class FaultyWorld {
     const backend = new Backend(join(folder, `${seed}-${relays}.sqlite`));
     const time = new VirtualTime();
     const first = new FaultyRelay(backend, time);
-    const robot = await first.hub.register("10.0.0.1", "http://robots.example");
+    const robot = await first.registry.register("10.0.0.1", "http://robots.example");
     first.kill();
     const world = new FaultyWorld(seed, backend, robot);
     return world.#simulate(steps, relays);
@@ -140,14 +140,14 @@ export class FaultyWorld {
   #cancel(): void {
     const relay = this.#anyRelay();
     if (!relay.isAlive) return;
-    const { hub } = relay;
+    const { registry } = relay;
     const { id, driverKey } = this.#registration;
     const back = this.#random.between(0, 4);
     this.#time.touch();
     void (async () => {
-      const { session, key } = await hub.authorise(id, driverKey, "command");
-      const { seq = 0 } = (await session.commandsAfter(0)).at(-1) ?? {};
-      await session.cancel(key, seq - back);
+      const { robot, key } = await registry.authorise(id, driverKey, "command");
+      const { seq = 0 } = (await robot.commandsAfter(0)).at(-1) ?? {};
+      await robot.cancel(key, seq - back);
     })().catch(() => undefined);
   }
 

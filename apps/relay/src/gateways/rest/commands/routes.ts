@@ -1,7 +1,7 @@
 /** Commands of scripts: send a command, read its record, read the log, stop everything. */
 import { termsOf, type CommandRecord } from "@corridor/protocol";
 import { Router, type Request, type Response } from "express";
-import type { SessionHub } from "../../../robots/registry.ts";
+import type { RobotRegistry } from "../../../robots/registry.ts";
 import type { CommandLog } from "./openapi.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
 import { authoriseScript, type AuthorisedRequest } from "../../requests/authorise-script.ts";
@@ -15,7 +15,7 @@ import {
   readWait,
 } from "../../requests/reading.ts";
 
-export function commandRoutes(hub: SessionHub): Router {
+export function commandRoutes(registry: RobotRegistry): Router {
   const router = Router();
   /** arrival times, taken before the robot lookup and the read of the body */
   const arrivals = new WeakMap<Request, AuthorisedRequest>();
@@ -25,46 +25,51 @@ export function commandRoutes(hub: SessionHub): Router {
     .post(
       // Rejects unauthorised requests before it reads the body.
       async (request, response, next) => {
-        arrivals.set(request, await authoriseScript(hub, request, response, "command"));
+        arrivals.set(request, await authoriseScript(registry, request, response, "command"));
         next();
       },
       jsonText(),
       async (request, response) => {
-        const heard = await authoriseScript(hub, request, response, "command");
-        const { session, key } = heard;
+        const heard = await authoriseScript(registry, request, response, "command");
+        const { robot, key } = heard;
         const command = readCommandRequest(request);
         const { cameAt, transitMs } = arrivals.get(request) ?? heard;
-        const age = command.age + transitMs + hub.clock.now() - cameAt;
+        const age = command.age + transitMs + registry.clock.now() - cameAt;
         const order = { ...command, age };
-        await session.submit(key, order, (record) => accepted(response, session.id, record));
+        await robot.submit(key, order, (record) => accepted(response, robot.id, record));
       },
     )
     .get(async (request, response) => {
-      const { session } = await authoriseScript(hub, request, response, "log");
+      const { robot } = await authoriseScript(registry, request, response, "log");
       const { after } = readAfter(request);
-      const log: CommandLog = { commands: await session.commandsAfter(after) };
+      const log: CommandLog = { commands: await robot.commandsAfter(after) };
       response.json(log);
     })
     .delete(async (request, response) => {
-      const { session, key, transitMs } = await authoriseScript(hub, request, response, "command");
+      const { robot, key, transitMs } = await authoriseScript(
+        registry,
+        request,
+        response,
+        "command",
+      );
       const terms = { ...termsOf({ action: "stop" }), age: transitMs };
       const stop = { key: readIdempotencyKey(request), ...terms };
-      await session.submit(key, stop, (record) => accepted(response, session.id, record));
+      await robot.submit(key, stop, (record) => accepted(response, robot.id, record));
     })
     .all(methodNotAllowed("POST, GET, DELETE"));
 
   router
     .route("/robots/:id/commands/:seq")
     .get(async (request, response) => {
-      const { session, key } = await authoriseScript(hub, request, response, "log");
+      const { robot, key } = await authoriseScript(registry, request, response, "log");
       const { wait } = readWait(request);
       const seq = readSeq(request.params.seq);
-      response.json(await session.endOf(seq, callerWaitOf(response, wait, key)));
+      response.json(await robot.endOf(seq, callerWaitOf(response, wait, key)));
     })
     .delete(async (request, response) => {
-      const { session, key } = await authoriseScript(hub, request, response, "command");
+      const { robot, key } = await authoriseScript(registry, request, response, "command");
       const seq = readSeq(request.params.seq);
-      accepted(response, session.id, await session.cancel(key, seq));
+      accepted(response, robot.id, await robot.cancel(key, seq));
     })
     .all(methodNotAllowed("GET, DELETE"));
 

@@ -9,14 +9,14 @@ import {
 import { Router } from "express";
 import { z } from "zod";
 import type { RequestGuard } from "../../../platform/http/request-guard.ts";
-import type { SessionHub } from "../../../robots/registry.ts";
+import type { RobotRegistry } from "../../../robots/registry.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
 import { jsonText, read, readBearer, readBody } from "../../../platform/http/reading.ts";
 
 /** The id of a key, as the last segment of a path. */
 export const keyPath = z.object({ keyId: keyIdSchema.describe("id of the key") });
 
-export function keyRoutes(hub: SessionHub, guard: RequestGuard): Router {
+export function keyRoutes(registry: RobotRegistry, guard: RequestGuard): Router {
   const router = Router();
 
   router
@@ -24,31 +24,31 @@ export function keyRoutes(hub: SessionHub, guard: RequestGuard): Router {
     .post(
       // Rejects unauthorised requests before it reads the body.
       async (request, _response, next) => {
-        await hub.authorise(request.params.id, readBearer(request), "grant");
+        await registry.authorise(request.params.id, readBearer(request), "grant");
         next();
       },
       jsonText(),
       async (request, response) => {
-        const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
+        const { robot } = await registry.authorise(request.params.id, readBearer(request), "grant");
         const options = readBody(
           request,
           keyRequestSchema,
           MAX_FRAME_BYTES,
           "Invalid key request.",
         );
-        const made = await session.keys.make(options);
-        const address = `${guard.originOf(request)}/r/${session.id}#${made.key}`;
+        const made = await robot.keys.make(options);
+        const address = `${guard.originOf(request)}/r/${robot.id}#${made.key}`;
         const created: CreatedKey = { ...made, address };
         response
           .status(201)
-          .location(`/api/v1/robots/${session.id}/keys/${made.id}`)
+          .location(`/api/v1/robots/${robot.id}/keys/${made.id}`)
           .set("Cache-Control", "no-store")
           .json(created);
       },
     )
     .get(async (request, response) => {
-      const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
-      const list: KeyList = { keys: await session.keys.list() };
+      const { robot } = await registry.authorise(request.params.id, readBearer(request), "grant");
+      const list: KeyList = { keys: await robot.keys.list() };
       response.json(list);
     })
     .all(methodNotAllowed("POST, GET"));
@@ -56,9 +56,9 @@ export function keyRoutes(hub: SessionHub, guard: RequestGuard): Router {
   router
     .route("/robots/:id/keys/:keyId")
     .delete(async (request, response) => {
-      const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
+      const { robot } = await registry.authorise(request.params.id, readBearer(request), "grant");
       const { keyId } = read(keyPath, { keyId: request.params.keyId }, "Invalid path.");
-      await session.keys.revoke(keyId);
+      await robot.keys.revoke(keyId);
       response.status(204).end();
     })
     .all(methodNotAllowed("DELETE"));

@@ -4,7 +4,7 @@ import { MAX_DOCUMENT_BYTES } from "@corridor/protocol";
 import { Router } from "express";
 import { z } from "zod";
 import { Refusal } from "../../../platform/errors/problems.ts";
-import type { SessionHub } from "../../../robots/registry.ts";
+import type { RobotRegistry } from "../../../robots/registry.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
 import { authoriseScript } from "../../requests/authorise-script.ts";
 import { jsonText, readBearer, readBody } from "../../../platform/http/reading.ts";
@@ -14,13 +14,13 @@ export const ifNoneMatchHeader = z.object({
   "If-None-Match": z.string().optional().describe("the `ETag` of the cached maze"),
 });
 
-export function mazeRoutes(hub: SessionHub): Router {
+export function mazeRoutes(registry: RobotRegistry): Router {
   const router = Router();
   router
     .route("/robots/:id/maze")
     .get(async (request, response) => {
-      const { session } = await authoriseScript(hub, request, response, "look");
-      const stored = await session.mazes.read();
+      const { robot } = await authoriseScript(registry, request, response, "look");
+      const stored = await robot.mazes.read();
       if (stored === null) {
         throw new Refusal(
           "no-maze",
@@ -35,14 +35,14 @@ export function mazeRoutes(hub: SessionHub): Router {
     .put(
       // Rejects unauthorised requests before it reads the body.
       async (request, _response, next) => {
-        await hub.authorise(request.params.id, readBearer(request), "host");
+        await registry.authorise(request.params.id, readBearer(request), "host");
         next();
       },
       jsonText(MAX_DOCUMENT_BYTES),
       async (request, response) => {
-        const { session } = await hub.authorise(request.params.id, readBearer(request), "host");
+        const { robot } = await registry.authorise(request.params.id, readBearer(request), "host");
         const maze = readBody(request, mazeSchema, MAX_DOCUMENT_BYTES, "Invalid maze.");
-        const version = await session.mazes.keep(maze);
+        const version = await robot.mazes.keep(maze);
         response.status(204).set("ETag", entityTag(version)).end();
       },
     )

@@ -10,7 +10,7 @@ import type { RequestGuard } from "../../../platform/http/request-guard.ts";
 import { canBeKey } from "../../../platform/keys.ts";
 import type { PairingService } from "../../../pairing/pairing-service.ts";
 import { notAuthorised } from "../../../platform/errors/problems.ts";
-import type { SessionHub } from "../../../robots/registry.ts";
+import type { RobotRegistry } from "../../../robots/registry.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
 import {
   jsonText,
@@ -22,7 +22,7 @@ import {
 import { readIntroduction, readWait } from "../../requests/reading.ts";
 
 export function pairingRoutes(
-  hub: SessionHub,
+  registry: RobotRegistry,
   service: PairingService,
   guard: RequestGuard,
 ): Router {
@@ -31,32 +31,32 @@ export function pairingRoutes(
   router
     .route("/robots/:id/pairing")
     .post(async (request, response) => {
-      const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
-      const made = await service.open(session.id);
+      const { robot } = await registry.authorise(request.params.id, readBearer(request), "grant");
+      const made = await service.open(robot.id);
       response.status(201).json(made);
     })
     .get(async (request, response) => {
       const { wait } = readWait(request);
-      const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
-      response.json(await service.show(session.id, waitLimitOf(response, wait)));
+      const { robot } = await registry.authorise(request.params.id, readBearer(request), "grant");
+      response.json(await service.show(robot.id, waitLimitOf(response, wait)));
     })
     .put(
       // Rejects unauthorised requests before it reads the body.
       async (request, _response, next) => {
-        await hub.authorise(request.params.id, readBearer(request), "grant");
+        await registry.authorise(request.params.id, readBearer(request), "grant");
         next();
       },
       jsonText(),
       async (request, response) => {
-        const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
+        const { robot } = await registry.authorise(request.params.id, readBearer(request), "grant");
         const reply = readBody(request, pairingReplySchema, MAX_FRAME_BYTES, "Invalid answer.");
-        await service.reply(session, reply.id, reply.accept);
+        await service.reply(robot, reply.id, reply.accept);
         response.status(204).end();
       },
     )
     .delete(async (request, response) => {
-      const { session } = await hub.authorise(request.params.id, readBearer(request), "grant");
-      await service.remove(session.id);
+      const { robot } = await registry.authorise(request.params.id, readBearer(request), "grant");
+      await service.remove(robot.id);
       response.status(204).end();
     })
     .all(methodNotAllowed("POST, GET, PUT, DELETE"));

@@ -1,19 +1,19 @@
 /** Registers, shows and deletes robots. */
 import { Router } from "express";
 import type { RequestGuard } from "../../../platform/http/request-guard.ts";
-import type { SessionHub } from "../../../robots/registry.ts";
+import type { RobotRegistry } from "../../../robots/registry.ts";
 import type { HeldSession } from "./openapi.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
 import { readBearer } from "../../../platform/http/reading.ts";
 
-export function robotRoutes(hub: SessionHub, guard: RequestGuard): Router {
+export function robotRoutes(registry: RobotRegistry, guard: RequestGuard): Router {
   const router = Router();
 
   router
     .route("/robots")
     .post(async (request, response) => {
       const origin = guard.originOf(request);
-      const registration = await hub.register(guard.addressOf(request), origin);
+      const registration = await registry.register(guard.addressOf(request), origin);
       response
         .status(201)
         .location(`/api/v1/robots/${registration.id}`)
@@ -25,21 +25,21 @@ export function robotRoutes(hub: SessionHub, guard: RequestGuard): Router {
   router
     .route("/robots/:id")
     .get(async (request, response) => {
-      const { session } = await hub.authorise(request.params.id, readBearer(request), "inspect");
+      const { robot } = await registry.authorise(request.params.id, readBearer(request), "inspect");
       const stored: HeldSession = {
-        id: session.id,
-        createdAt: new Date(session.createdAt).toISOString(),
-        lastUsedAt: new Date(session.lastUsedAt).toISOString(),
-        endsInSeconds: Math.floor(session.leftMs / 1000),
-        drivers: session.roster.now(),
-        maze: (await session.mazes.read())?.version ?? null,
-        snapshot: session.newest?.value ?? null,
+        id: robot.id,
+        createdAt: new Date(robot.createdAt).toISOString(),
+        lastUsedAt: new Date(robot.lastUsedAt).toISOString(),
+        endsInSeconds: Math.floor(robot.leftMs / 1000),
+        drivers: robot.roster.now(),
+        maze: (await robot.mazes.read())?.version ?? null,
+        snapshot: robot.newest?.value ?? null,
       };
       response.json(stored);
     })
     .delete(async (request, response) => {
-      const { session } = await hub.authorise(request.params.id, readBearer(request), "remove");
-      await hub.remove(session);
+      const { robot } = await registry.authorise(request.params.id, readBearer(request), "remove");
+      await registry.remove(robot);
       response.status(204).end();
     })
     .all(methodNotAllowed("GET, DELETE"));

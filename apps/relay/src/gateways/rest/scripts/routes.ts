@@ -9,21 +9,25 @@ import {
 import { Router } from "express";
 import { z } from "zod";
 import { keyId } from "../../../platform/keys.ts";
-import type { SessionHub } from "../../../robots/registry.ts";
+import type { RobotRegistry } from "../../../robots/registry.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
 import { jsonText, read, readBearer, readBody } from "../../../platform/http/reading.ts";
 
 /** The id of a script, as the last segment of a path. */
 export const scriptPath = z.object({ scriptId: scriptIdSchema.describe("id of the script") });
 
-export function scriptRoutes(hub: SessionHub): Router {
+export function scriptRoutes(registry: RobotRegistry): Router {
   const router = Router();
 
   router
     .route("/robots/:id/scripts")
     .get(async (request, response) => {
-      const { session } = await hub.authorise(request.params.id, readBearer(request), "moderate");
-      const list: ScriptList = { paused: session.gate.isPaused, scripts: session.scripts };
+      const { robot } = await registry.authorise(
+        request.params.id,
+        readBearer(request),
+        "moderate",
+      );
+      const list: ScriptList = { paused: robot.gate.isPaused, scripts: robot.scripts };
       response.json(list);
     })
     .all(methodNotAllowed("GET"));
@@ -31,13 +35,21 @@ export function scriptRoutes(hub: SessionHub): Router {
   router
     .route("/robots/:id/pause")
     .put(async (request, response) => {
-      const { session } = await hub.authorise(request.params.id, readBearer(request), "moderate");
-      await session.gate.pause(true);
+      const { robot } = await registry.authorise(
+        request.params.id,
+        readBearer(request),
+        "moderate",
+      );
+      await robot.gate.pause(true);
       response.status(204).end();
     })
     .delete(async (request, response) => {
-      const { session } = await hub.authorise(request.params.id, readBearer(request), "moderate");
-      await session.gate.pause(false);
+      const { robot } = await registry.authorise(
+        request.params.id,
+        readBearer(request),
+        "moderate",
+      );
+      await robot.gate.pause(false);
       response.status(204).end();
     })
     .all(methodNotAllowed("PUT, DELETE"));
@@ -47,18 +59,22 @@ export function scriptRoutes(hub: SessionHub): Router {
     .post(
       // Rejects unauthorised requests before it reads the body.
       async (request, _response, next) => {
-        await hub.authorise(request.params.id, readBearer(request), "moderate");
+        await registry.authorise(request.params.id, readBearer(request), "moderate");
         next();
       },
       jsonText(),
       async (request, response) => {
-        const { session } = await hub.authorise(request.params.id, readBearer(request), "moderate");
+        const { robot } = await registry.authorise(
+          request.params.id,
+          readBearer(request),
+          "moderate",
+        );
         const reference = readBody(request, scriptRefSchema, MAX_FRAME_BYTES, "Invalid script.");
-        const script = await session.gate.sendAway(reference);
+        const script = await robot.gate.sendAway(reference);
         const blocked: BlockedScript = { ...script, driver: keyId(script.driver) };
         response
           .status(201)
-          .location(`/api/v1/robots/${session.id}/blocked/${script.id}`)
+          .location(`/api/v1/robots/${robot.id}/blocked/${script.id}`)
           .json(blocked);
       },
     )
@@ -67,9 +83,13 @@ export function scriptRoutes(hub: SessionHub): Router {
   router
     .route("/robots/:id/blocked/:scriptId")
     .delete(async (request, response) => {
-      const { session } = await hub.authorise(request.params.id, readBearer(request), "moderate");
+      const { robot } = await registry.authorise(
+        request.params.id,
+        readBearer(request),
+        "moderate",
+      );
       const { scriptId } = read(scriptPath, { scriptId: request.params.scriptId }, "Invalid path.");
-      await session.gate.letBack(scriptId);
+      await robot.gate.letBack(scriptId);
       response.status(204).end();
     })
     .all(methodNotAllowed("DELETE"));

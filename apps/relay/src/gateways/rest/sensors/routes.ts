@@ -1,19 +1,19 @@
 /** The newest snapshot of a robot, immediately or by waiting for a newer one. */
 import { Router } from "express";
 import { Refusal } from "../../../platform/errors/problems.ts";
-import type { SessionHub } from "../../../robots/registry.ts";
+import type { RobotRegistry } from "../../../robots/registry.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
 import { authoriseScript } from "../../requests/authorise-script.ts";
 import { callerWaitOf, readNewer } from "../../requests/reading.ts";
 
-export function sensorRoutes(hub: SessionHub): Router {
+export function sensorRoutes(registry: RobotRegistry): Router {
   const router = Router();
   router
     .route("/robots/:id/sensors")
     .get(async (request, response) => {
-      const { session, key } = await authoriseScript(hub, request, response, "read");
+      const { robot, key } = await authoriseScript(registry, request, response, "read");
       const { after = -1, wait } = readNewer(request);
-      const snapshot = await session.readers.nextSnapshot(after, callerWaitOf(response, wait, key));
+      const snapshot = await robot.readers.nextSnapshot(after, callerWaitOf(response, wait, key));
       if (snapshot === null) {
         throw new Refusal(
           "no-snapshot",

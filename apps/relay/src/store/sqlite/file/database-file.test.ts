@@ -17,7 +17,7 @@ import { LONG } from "../live-robots.ts";
 import { SqliteDocumentStore } from "../sqlite-document-store.ts";
 import { SqliteFile } from "./sqlite-file.ts";
 
-import { SqliteStore } from "../sqlite-store.ts";
+import { SqliteRobotStore } from "../sqlite-robot-store.ts";
 import { ROBOTS, withRobots } from "../../cases/robot-in-store.ts";
 import { sentCommand } from "../../cases/sent-command.ts";
 
@@ -33,7 +33,7 @@ function opened(path: string) {
 }
 
 /** Executes 20 commands on a robot. */
-async function driven(store: SqliteStore): Promise<void> {
+async function driven(store: SqliteRobotStore): Promise<void> {
   await withRobots(store);
   const [robot = ""] = ROBOTS;
   const pose = { x: 50, y: 50, heading: 90 };
@@ -100,7 +100,7 @@ describe("the database file", () => {
     const before = new SqliteFile(path);
     const text = '{"format":"corridor/maze"}';
     await new SqliteDocumentStore(before).add({ ...document, text });
-    await driven(new SqliteStore(before, journal));
+    await driven(new SqliteRobotStore(before, journal));
     await before.close();
     const bytes = readFileSync(path);
     const at = bytes.lastIndexOf(begin);

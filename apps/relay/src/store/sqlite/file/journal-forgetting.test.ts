@@ -7,7 +7,7 @@ import { completed } from "../../../platform/testing/messages.ts";
 import { testFolder } from "../../../testing/test-relay.ts";
 import { LiveRobots } from "../live-robots.ts";
 import { openDatabase } from "./sqlite-schema.ts";
-import { SqliteStore } from "../sqlite-store.ts";
+import { SqliteRobotStore } from "../sqlite-robot-store.ts";
 import { Statements } from "./statements.ts";
 import { NOW, ROBOTS, sent, withRobots } from "../../cases/robot-in-store.ts";
 
@@ -16,11 +16,11 @@ describe("the journal", () => {
     const file = join(testFolder(), "corridor.sqlite");
     const [id = ""] = ROBOTS;
     for (const restarts of [false, true]) {
-      let store = new SqliteStore(`${file}-${restarts}`, 0);
+      let store = new SqliteRobotStore(`${file}-${restarts}`, 0);
       const maybeRestart = async (): Promise<void> => {
         if (!restarts) return;
         await store.close();
-        store = new SqliteStore(`${file}-${restarts}`, 0);
+        store = new SqliteRobotStore(`${file}-${restarts}`, 0);
       };
       await withRobots(store);
       const add = (key: string) => store.add(id, { ...sent, driver: "d", keep: 2, key });
@@ -50,7 +50,7 @@ describe("the journal", () => {
 
   it("lets a key be used again at once, though the tables still have the command that came with it", async () => {
     const file = join(testFolder(), "corridor.sqlite");
-    const store = new SqliteStore(file, 4);
+    const store = new SqliteRobotStore(file, 4);
     await withRobots(store);
     const [id = ""] = ROBOTS;
     for (let n = 1; n <= 40; n++) {
@@ -75,7 +75,7 @@ describe("the journal", () => {
 
   it("is read as an earlier Corridor wrote it, whose entries said nothing of what is forgotten", async () => {
     const file = join(testFolder(), "corridor.sqlite");
-    const before = new SqliteStore(file);
+    const before = new SqliteRobotStore(file);
     await withRobots(before);
     const [id = ""] = ROBOTS;
     for (let n = 1; n <= 3; n++) await before.add(id, { ...sent, driver: "d", key: `key-000${n}` });
@@ -88,7 +88,7 @@ describe("the journal", () => {
       n: 16,
     });
     db.close();
-    const after = new SqliteStore(file, 0);
+    const after = new SqliteRobotStore(file, 0);
     onTestFinished(() => after.close());
     expect(await after.commandsAfter(id, 0, 10)).toEqual(records);
     await after.add(id, { ...sent, driver: "d", keep: 1 });
@@ -98,7 +98,7 @@ describe("the journal", () => {
 
   it("deletes nothing of a robot whose deletion was undone", async () => {
     const file = join(testFolder(), "corridor.sqlite");
-    const store = new SqliteStore(file);
+    const store = new SqliteRobotStore(file);
     await withRobots(store);
     const [id = ""] = ROBOTS;
     for (let n = 1; n <= 3; n++) await store.add(id, { ...sent, driver: "d" });
@@ -115,7 +115,7 @@ describe("the journal", () => {
   it("forgets a robot wholly that has more in it than a call can be given", async () => {
     const file = join(testFolder(), "corridor.sqlite");
     const [id = ""] = ROBOTS;
-    const before = new SqliteStore(file);
+    const before = new SqliteRobotStore(file);
     await withRobots(before);
     await before.add(id, { ...sent, driver: "d" });
     await before.close();
@@ -125,7 +125,7 @@ describe("the journal", () => {
     db.exec(`WITH RECURSIVE more (id) AS (SELECT 1000 UNION ALL SELECT id + 1 FROM more WHERE id < 151000)
       INSERT INTO journal SELECT more.id, robot, entry FROM more, journal WHERE journal.id = 1`);
     expect(count()).toBeGreaterThan(150_000);
-    const store = new SqliteStore(file, 1_000_000);
+    const store = new SqliteRobotStore(file, 1_000_000);
     onTestFinished(() => store.close());
     expect(await store.remove(id)).toBe(true);
     expect(count()).toBe(0);

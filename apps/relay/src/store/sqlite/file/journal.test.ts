@@ -7,9 +7,9 @@ import fc from "fast-check";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { completed } from "../../../platform/testing/messages.ts";
 import { testFolder } from "../../../testing/test-relay.ts";
-import type { SessionStore } from "../../port.ts";
+import type { RobotStore } from "../../port.ts";
 import { SqliteFile } from "./sqlite-file.ts";
-import { SqliteStore } from "../sqlite-store.ts";
+import { SqliteRobotStore } from "../sqlite-robot-store.ts";
 import { NOW, ROBOTS, sent, withRobots } from "../../cases/robot-in-store.ts";
 import { stepsKeeping, told, type StepOfRobot } from "../../cases/random-steps.ts";
 
@@ -28,7 +28,7 @@ const turns = fc.array(
 );
 
 /** A step that fails, so that its group is rolled back and runs again. */
-const failing = async (store: SessionStore, id = ROBOTS[0] ?? ""): Promise<void> => {
+const failing = async (store: RobotStore, id = ROBOTS[0] ?? ""): Promise<void> => {
   const again = store.create({ id, createdAt: 1, keys: [] });
   await expect(again).rejects.toThrow(/UNIQUE/);
 };
@@ -49,8 +49,8 @@ describe("the journal", () => {
           fc.boolean(),
           async (all, long, isHurried) => {
             const file = join(folder, `${runs++}.sqlite`);
-            const open = () => new SqliteStore(new SqliteFile(file, { isThreaded }), long);
-            const plain = new SqliteStore(`${file}-plain`, 1_000_000);
+            const open = () => new SqliteRobotStore(new SqliteFile(file, { isThreaded }), long);
+            const plain = new SqliteRobotStore(`${file}-plain`, 1_000_000);
             let store = open();
             await Promise.all([withRobots(plain), withRobots(store)]);
             let asked: Promise<unknown>[] = [];
@@ -84,7 +84,7 @@ describe("the journal", () => {
 
   it("is no end of other robots where one cannot be read, and goes with that one", async () => {
     const file = join(testFolder(), "corridor.sqlite");
-    const before = new SqliteStore(file);
+    const before = new SqliteRobotStore(file);
     await withRobots(before);
     for (const id of ROBOTS) await before.add(id, { ...sent, driver: "d" });
     await before.close();
@@ -92,19 +92,19 @@ describe("the journal", () => {
     const db = new DatabaseSync(file);
     db.exec(`UPDATE journal SET entry = '[]' WHERE robot = '${bad}'`);
     db.close();
-    const store = new SqliteStore(file);
+    const store = new SqliteRobotStore(file);
     onTestFinished(() => store.close());
     await expect(store.add(bad, { ...sent, driver: "d" })).rejects.toThrow(/JSON/);
     expect(await store.add(good, { ...sent, driver: "d" })).toMatchObject({ record: { seq: 2 } });
     expect(await store.remove(bad)).toBe(true);
     await failing(store, good);
-    expect(await store.add(bad, { ...sent, driver: "d" })).toEqual({ outcome: "no-session" });
+    expect(await store.add(bad, { ...sent, driver: "d" })).toEqual({ outcome: "no-robot" });
     expect((await store.openCommands(good)).length).toBe(2);
   });
 
   it("keeps what one has that cannot be read, however much of others is tidied", async () => {
     const file = join(testFolder(), "corridor.sqlite");
-    const before = new SqliteStore(file);
+    const before = new SqliteRobotStore(file);
     await withRobots(before);
     const [bad = "", good = ""] = ROBOTS;
     for (let n = 0; n < 5; n++) await before.add(bad, { ...sent, driver: "d" });
@@ -116,7 +116,7 @@ describe("the journal", () => {
       db.prepare(`SELECT entry FROM journal WHERE id = ${newest}`).get()?.["entry"],
     );
     db.exec(`UPDATE journal SET entry = '[]' WHERE id = ${newest}`);
-    const store = new SqliteStore(file, 2);
+    const store = new SqliteRobotStore(file, 2);
     for (let n = 1; n <= 20; n++) {
       await store.add(good, { ...sent, driver: "d" });
       await store.deliver(good, 1, 8, NOW);
@@ -126,7 +126,7 @@ describe("the journal", () => {
     expect(db.prepare("SELECT count(*) AS n FROM commands").get()?.["n"]).toBeGreaterThan(0);
     // Repairs the entry by hand.
     db.prepare(`UPDATE journal SET entry = ? WHERE id = ${newest}`).run(whole);
-    const after = new SqliteStore(file, 2);
+    const after = new SqliteRobotStore(file, 2);
     onTestFinished(() => after.close());
     expect((await after.commandsAfter(bad, 0, 10)).map(({ seq }) => seq)).toEqual([1, 2, 3, 4, 5]);
     expect(await after.add(bad, { ...sent, driver: "d" })).toMatchObject({ record: { seq: 6 } });
@@ -137,14 +137,14 @@ describe("the journal", () => {
     const file = join(folder, "corridor.sqlite");
     const holds = (text: string): boolean =>
       readdirSync(folder).some((name) => readFileSync(join(folder, name)).includes(text));
-    const fill = async (store: SessionStore, id: string): Promise<void> => {
+    const fill = async (store: RobotStore, id: string): Promise<void> => {
       for (let n = 0; n < 1_300; n++) {
         const key = `traces-of-${id}-${n}`;
         await store.add(id, { ...sent, driver: "d", key, keep: 10_000, maxWaiting: 10_000 });
       }
     };
     const [first = "", second = "", third = ""] = ROBOTS;
-    const before = new SqliteStore(file);
+    const before = new SqliteRobotStore(file);
     await withRobots(before);
     await fill(before, first);
     await fill(before, second);
@@ -157,7 +157,7 @@ describe("the journal", () => {
     db.exec("PRAGMA foreign_keys = ON");
     db.prepare("DELETE FROM sessions WHERE id = ?").run(second);
     db.close();
-    const after = new SqliteStore(file);
+    const after = new SqliteRobotStore(file);
     onTestFinished(() => after.close());
     await expect.poll(() => holds(`traces-of-${second}`)).toBe(false);
     expect(await after.add(third, { ...sent, driver: "d" })).toMatchObject({ outcome: "stored" });
@@ -165,7 +165,7 @@ describe("the journal", () => {
 
   it("is tidied a little at a time: no step writes much, however long it is", async () => {
     const file = join(testFolder(), "corridor.sqlite");
-    const store = new SqliteStore(file, 3_000);
+    const store = new SqliteRobotStore(file, 3_000);
     onTestFinished(() => store.close());
     await withRobots(store);
     // The log restarts occasionally. Its growth is the amount written.
@@ -188,7 +188,7 @@ describe("the journal", () => {
 
   it("keeps no more than some hundred of a robot's ended commands out of the tables", async () => {
     const file = join(testFolder(), "corridor.sqlite");
-    const store = new SqliteStore(file);
+    const store = new SqliteRobotStore(file);
     onTestFinished(() => store.close());
     await withRobots(store);
     const [id = ""] = ROBOTS;
@@ -209,7 +209,7 @@ describe("the journal", () => {
 
   it("gets no longer than it may, and forgets a robot wholly", async () => {
     const file = join(testFolder(), "corridor.sqlite");
-    const store = new SqliteStore(file, 64);
+    const store = new SqliteRobotStore(file, 64);
     onTestFinished(() => store.close());
     await withRobots(store);
     const db = new DatabaseSync(file, { readOnly: true });

@@ -7,7 +7,7 @@ import { testFolder } from "../../../testing/test-relay.ts";
 import type { Ballast } from "./ballast.ts";
 import { isDiskFull } from "../../../platform/errors/disk-full.ts";
 import { SqliteFile, withRoom } from "./sqlite-file.ts";
-import { SqliteStore } from "../sqlite-store.ts";
+import { SqliteRobotStore } from "../sqlite-robot-store.ts";
 import { ID, NOW, pageState, sent } from "../../cases/robot-in-store.ts";
 
 const LONG_REASON = "x".repeat(200);
@@ -41,7 +41,7 @@ async function onFillingDisk() {
   const { opened, fill, makeRoom } = await withPageLimit(
     () => new SqliteFile(path, { ballast: holder }),
   );
-  const store = new SqliteStore(opened);
+  const store = new SqliteRobotStore(opened);
   onTestFinished(() => store.close());
   await store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
   const add = (command: Command, key: string | null = null) =>
@@ -95,13 +95,13 @@ async function onFullDisk() {
 describe("a full disk", () => {
   it("brings the page the first command that there is room for again, with those behind it in order", async () => {
     const path = join(testFolder(), "corridor.sqlite");
-    const before = new SqliteStore(path);
+    const before = new SqliteRobotStore(path);
     await before.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: sent.driver }] });
     await before.takeOver(ID, pageState());
     await before.close();
     let hasRoom = false;
     const ballast: Ballast = { hold: () => hasRoom, giveUp: () => false };
-    const store = new SqliteStore(new SqliteFile(path, { ballast }));
+    const store = new SqliteRobotStore(new SqliteFile(path, { ballast }));
     onTestFinished(() => store.close());
     hasRoom = true;
     const first = store.add(ID, sent);
@@ -142,7 +142,7 @@ describe("a full disk", () => {
   }) => {
     const disk = realSmallDisk(24);
     if (disk === null) return skip("only a superuser on Linux may have a disk of its own");
-    const store = new SqliteStore(join(disk.folder, "corridor.sqlite"));
+    const store = new SqliteRobotStore(join(disk.folder, "corridor.sqlite"));
     onTestFinished(() => store.close());
     const ids = ["A".repeat(22), "B".repeat(22)];
     const terms = { ttl: 10_000, deadline: 10_001, replace: false, lease: null, keep: 10_000 };

@@ -4,7 +4,7 @@ import { commandRecordSchema, hasEnded } from "@corridor/protocol";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { testFolder } from "../../../testing/test-relay.ts";
 import { openDatabase } from "./sqlite-schema.ts";
-import { SqliteStore } from "../sqlite-store.ts";
+import { SqliteRobotStore } from "../sqlite-robot-store.ts";
 import { LEFT, ID, sent } from "../../cases/robot-in-store.ts";
 
 /** The last version that stored the commands of a robot together. */
@@ -41,7 +41,7 @@ function fileOfBefore(): string {
 
 describe("a file of an earlier Corridor", () => {
   it("keeps every command as it was, and each goes on", async () => {
-    const store = new SqliteStore(fileOfBefore());
+    const store = new SqliteRobotStore(fileOfBefore());
     onTestFinished(() => store.close());
     const all = await store.commandsAfter(ID, 0, 10);
     expect(all.map(({ seq, state }) => [seq, state])).toEqual([
@@ -82,7 +82,7 @@ describe("a file of an earlier Corridor", () => {
 
   it("forgets a robot wholly, also what was written before", async () => {
     const file = fileOfBefore();
-    const store = new SqliteStore(file);
+    const store = new SqliteRobotStore(file);
     onTestFinished(() => store.close());
     for (const id of [ID, "B".repeat(22)]) await store.remove(id);
     for (const path of [file, `${file}-wal`]) {

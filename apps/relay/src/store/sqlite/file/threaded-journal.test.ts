@@ -13,7 +13,7 @@ import { isDiskFull } from "../../../platform/errors/disk-full.ts";
 import type { Entry, Tidying } from "./journal-writer.ts";
 import { SqliteFile } from "./sqlite-file.ts";
 import { openDatabase } from "./sqlite-schema.ts";
-import { SqliteStore } from "../sqlite-store.ts";
+import { SqliteRobotStore } from "../sqlite-robot-store.ts";
 import { ID, NOW, pageState, sent } from "../../cases/robot-in-store.ts";
 import { ThreadedJournal } from "./threaded-journal.ts";
 
@@ -168,7 +168,7 @@ describe("a store whose journal has a thread", () => {
     const posts = vi.spyOn(Worker.prototype, "postMessage");
     onTestFinished(() => posts.mockRestore());
     const path = join(testFolder(), "corridor.sqlite");
-    const store = new SqliteStore(new SqliteFile(path, { isThreaded: true }));
+    const store = new SqliteRobotStore(new SqliteFile(path, { isThreaded: true }));
     onTestFinished(() => store.close());
     await store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: sent.driver }] });
     await store.takeOver(ID, pageState());

@@ -7,14 +7,14 @@ import { expect, it, onTestFinished, vi } from "vitest";
 import { completed } from "../../platform/testing/messages.ts";
 import { testFolder } from "../../testing/test-relay.ts";
 import { SqliteFile } from "./file/sqlite-file.ts";
-import { SqliteStore } from "./sqlite-store.ts";
+import { SqliteRobotStore } from "./sqlite-robot-store.ts";
 import { storeCases } from "../cases/store.cases.ts";
 import { NOW, pageState, sent, type OpenStore } from "../cases/robot-in-store.ts";
 
 const openStore = (isThreaded: boolean) => async (): Promise<OpenStore> => {
   const folder = testFolder();
-  const open = (): SqliteStore => {
-    const store = new SqliteStore(
+  const open = (): SqliteRobotStore => {
+    const store = new SqliteRobotStore(
       new SqliteFile(join(folder, "deep", "corridor.sqlite"), { isThreaded }),
     );
     onTestFinished(() => store.close());
@@ -40,7 +40,7 @@ storeCases("SqliteStore with a thread", openStore(true));
 it("finds the commands of a robot by index, however many have ended", async () => {
   const file = join(testFolder(), "corridor.sqlite");
   // With a journal length of 0, the tables hold each write at the latest after the next one.
-  const store = new SqliteStore(file, 0);
+  const store = new SqliteRobotStore(file, 0);
   onTestFinished(() => store.close());
   // Starts here, because the check at startup reads everything.
   const prepare = vi.spyOn(DatabaseSync.prototype, "prepare");
@@ -84,7 +84,7 @@ it("finds the commands of a robot by index, however many have ended", async () =
 
 it("reads none of what has ended where it looks for what is open", async () => {
   const file = join(testFolder(), "corridor.sqlite");
-  const store = new SqliteStore(file, 0);
+  const store = new SqliteRobotStore(file, 0);
   const id = "AAAAAAAAAAAAAAAAAAAAAA";
   await store.create({ id, createdAt: 1, keys: [{ kind: "drive", hash: sent.driver }] });
   await store.takeOver(id, pageState({ lastApplied: 0, fresh: true, endings: [] }));
@@ -109,14 +109,14 @@ it("is refused a file that another relay has, until that one ends", async () => 
   );
   other.kill("SIGKILL");
   await once(other, "exit");
-  await new SqliteStore(file).close();
+  await new SqliteRobotStore(file).close();
 });
 
 /** Starts a process that opens the file and prints that it did. */
 function startOther(file: string) {
-  const store = JSON.stringify(join(import.meta.dirname, "sqlite-store.ts"));
-  const script = `const { SqliteStore } = await import(${store});
-    globalThis.store = new SqliteStore(${JSON.stringify(file)});
+  const store = JSON.stringify(join(import.meta.dirname, "sqlite-robot-store.ts"));
+  const script = `const { SqliteRobotStore } = await import(${store});
+    globalThis.store = new SqliteRobotStore(${JSON.stringify(file)});
     console.log("open"); setInterval(() => {}, 1000);`;
   return spawn(process.execPath, ["--input-type=module", "--eval", script], {
     stdio: ["ignore", "pipe", "inherit"],
@@ -128,5 +128,5 @@ it("says so when the file was written by a newer version", () => {
   const db = new DatabaseSync(file);
   db.exec("PRAGMA user_version = 99");
   db.close();
-  expect(() => new SqliteStore(file)).toThrow(/newer Corridor \(schema 99/);
+  expect(() => new SqliteRobotStore(file)).toThrow(/newer Corridor \(schema 99/);
 });

@@ -4,12 +4,12 @@ import { storeCases } from "../cases/store.cases.ts";
 import { connectRedis } from "./connection.ts";
 import { requireDurable } from "./durability.ts";
 import { ForgottenBytes } from "./forgotten-bytes.ts";
-import { RedisSessionStore } from "./redis-session-store.ts";
+import { RedisRobotStore } from "./redis-robot-store.ts";
 
 async function openAt(url: string) {
   const redis = await connectRedis(url, () => undefined);
   onTestFinished(() => redis.destroy());
-  return { redis, store: new RedisSessionStore(redis, new ForgottenBytes(redis), "relay-a") };
+  return { redis, store: new RedisRobotStore(redis, new ForgottenBytes(redis), "relay-a") };
 }
 
 describe.skipIf(!hasRedis)("with Redis", () => {

@@ -1,5 +1,5 @@
 /**
- * Robot sessions in Redis or Valkey, which several relays can share. A step applies the rules to
+ * Robots in Redis or Valkey, which several relays can share. A step applies the rules to
  * the robot in memory and commits the changes, together with the messages on the robot's channel,
  * by `commit.lua`, if no other relay has changed the robot since.
  */
@@ -21,8 +21,8 @@ import type {
   NewCommand,
   PageState,
   ScriptChange,
-  SessionStore,
-  StoredSession,
+  RobotStore,
+  StoredRobot,
   TermedRecord,
 } from "../port.ts";
 import { asked, type Redis } from "./connection.ts";
@@ -36,17 +36,17 @@ import {
 } from "./ended-commands.ts";
 import type { ForgottenBytes } from "./forgotten-bytes.ts";
 import { keyMember } from "./loaded-robot.ts";
-import { BIRTHS, sessionOf, USES } from "./redis-keys.ts";
+import { BIRTHS, robotKeyOf, USES } from "./redis-keys.ts";
 import { RobotCommits } from "./robot-commits.ts";
 import { Script } from "./script.ts";
-import { isHeldElsewhere, keyTimesIn, madeAt, sessionIn, usedAt, usesIn } from "./sessions.ts";
+import { isHeldElsewhere, keyTimesIn, madeAt, robotIn, usedAt, usesIn } from "./stored-robots.ts";
 
-/** Sessions to delete per step, because each step blocks Redis. */
+/** Robots to delete per step, because each step blocks Redis. */
 const MOST_AT_ONCE = 200;
 
-type Taken = Awaited<ReturnType<SessionStore["takeOver"]>>;
+type Taken = Awaited<ReturnType<RobotStore["takeOver"]>>;
 
-export class RedisSessionStore implements SessionStore {
+export class RedisRobotStore implements RobotStore {
   readonly #redis: Redis;
   readonly #relay: string;
   readonly #robots: RobotCommits;
@@ -72,24 +72,24 @@ export class RedisSessionStore implements SessionStore {
     id,
     createdAt,
     keys,
-  }: Omit<StoredSession, "epoch" | "page" | "lastUsedAt" | "away" | "isPaused">) {
+  }: Omit<StoredRobot, "epoch" | "page" | "lastUsedAt" | "away" | "isPaused">) {
     const at = String(createdAt);
     const made = keys.flatMap(({ hash }) => [madeAt(hash), at]);
     const fields = ["epoch", "0", "seq", "0", "createdAt", at, "keys", JSON.stringify(keys)];
     await this.#robots.create(id, [
-      ["HSET", sessionOf(id), ...fields, ...made],
+      ["HSET", robotKeyOf(id), ...fields, ...made],
       ["ZADD", USES, at, id],
       ["ZADD", BIRTHS, at, id],
     ]);
   }
 
-  async find(id: string): Promise<StoredSession | null> {
-    return sessionIn(this.#read, id);
+  async find(id: string): Promise<StoredRobot | null> {
+    return robotIn(this.#read, id);
   }
 
   changeKeys(id: string, change: KeyChange): Promise<KeysResult> {
     return this.#robots.run<KeysResult>(id, {
-      none: { outcome: "no-session" },
+      none: { outcome: "no-robot" },
       work: (robot) => {
         const before = robot.permissions;
         const changed = changeKeys(robot.commands, before, change);
@@ -102,7 +102,7 @@ export class RedisSessionStore implements SessionStore {
         const times = revoked.flatMap((hash) => [madeAt(hash), usedAt(hash)]);
         const isAdded = (field: string): boolean => made.some(([added]) => added === field);
         const gone = times.filter((field) => !isAdded(field));
-        if (gone.length > 0) robot.also("HDEL", sessionOf(id), ...gone);
+        if (gone.length > 0) robot.also("HDEL", robotKeyOf(id), ...gone);
         robot.publish({ kind: "keys" });
         return { outcome: "changed", keys, ended };
       },
@@ -111,7 +111,7 @@ export class RedisSessionStore implements SessionStore {
 
   changeAway(id: string, change: ScriptChange): Promise<AwayResult> {
     return this.#robots.run<AwayResult>(id, {
-      none: { outcome: "no-session" },
+      none: { outcome: "no-robot" },
       work: (robot) => {
         const changed = changeAway(robot.commands, robot.permissions.away, change);
         if (changed === null) return { outcome: "full" };
@@ -144,7 +144,7 @@ export class RedisSessionStore implements SessionStore {
   }
 
   async maze(id: string): Promise<string | null> {
-    return (await asked(this.#redis.hGet(sessionOf(id), "maze"))) ?? null;
+    return (await asked(this.#redis.hGet(robotKeyOf(id), "maze"))) ?? null;
   }
 
   async keyTimes(id: string): Promise<KeyTimes[]> {
@@ -189,7 +189,7 @@ export class RedisSessionStore implements SessionStore {
   add(id: string, command: NewCommand): Promise<AddResult> {
     const { driver, key } = command;
     return this.#robots.run<AddResult, CommandRow>(id, {
-      none: { outcome: "no-session" },
+      none: { outcome: "no-robot" },
       // Most keys are new, which the commit checks.
       read: (_robot, isPresent) =>
         key !== null && isPresent ? endedWithKey(this.#redis, id, { driver, key }) : null,
@@ -209,7 +209,7 @@ export class RedisSessionStore implements SessionStore {
     });
   }
 
-  /** Always false: another relay may have changed the session. */
+  /** Always false: another relay may have changed the robot. */
   hasAll(): boolean {
     return false;
   }

@@ -1,4 +1,4 @@
-/** The keys and the blocked scripts of a session, as JSON in its hash. */
+/** The keys and the blocked scripts of a robot, as JSON in its hash. */
 import { z } from "zod";
 import { keyKinds } from "../../commands/permissions.ts";
 

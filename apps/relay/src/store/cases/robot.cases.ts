@@ -1,8 +1,8 @@
-/** Requirements for every store: sessions. */
+/** Requirements for every store: robots. */
 import { describe, expect, it } from "vitest";
 import { ID, LEFT, STOP, keyChange, type OpenStore, robotIn } from "./robot-in-store.ts";
 
-export function sessionCases(name: string, open: () => Promise<OpenStore>): void {
+export function robotCases(name: string, open: () => Promise<OpenStore>): void {
   const withRobot = () => robotIn(open);
 
   describe(`${name}: scripts that are away`, () => {
@@ -33,7 +33,7 @@ export function sessionCases(name: string, open: () => Promise<OpenStore>): void
       const one = { add: nameless, remove: null, reason, most: 1 };
       expect(await store.changeAway(ID, one)).toEqual({ outcome: "full" });
       expect((await store.find(ID))?.away).toEqual([anna]);
-      expect(await store.changeAway("B".repeat(22), one)).toEqual({ outcome: "no-session" });
+      expect(await store.changeAway("B".repeat(22), one)).toEqual({ outcome: "no-robot" });
     });
 
     it("are gone with their key, and from the disk with the robot", async () => {

@@ -4,7 +4,7 @@
  * Steps are synchronous, so each one ends before any other code runs. Its result is returned once
  * its group is on disk. Steps are short. Changes of commands happen in memory and are appended to a
  * journal (`LiveRobots`). All other steps read rows of one robot by index. Only the deletion of
- * expired sessions, once a minute, reads all sessions, but not their commands.
+ * expired robots, once a minute, reads all robots, but not their commands.
  */
 import type { CommandRecord, Ending } from "@corridor/protocol";
 import { z } from "zod";
@@ -26,8 +26,8 @@ import {
   type NewCommand,
   type PageState,
   type ScriptChange,
-  type SessionStore,
-  type StoredSession,
+  type RobotStore,
+  type StoredRobot,
   type TermedRecord,
 } from "../port.ts";
 import { awayIn, setAway } from "./sqlite-away.ts";
@@ -35,7 +35,7 @@ import { SqliteFile } from "./file/sqlite-file.ts";
 import { addKeys, keysIn, keyTimesIn, noteKeyUses, removeKeys } from "./sqlite-keys.ts";
 import type { Statements } from "./file/statements.ts";
 
-const sessionRow = z.object({
+const robotRow = z.object({
   id: z.string(),
   epoch: z.int(),
   page: z.string(),
@@ -45,7 +45,7 @@ const sessionRow = z.object({
   paused: z.int(),
 });
 
-export class SqliteStore implements SessionStore {
+export class SqliteRobotStore implements RobotStore {
   readonly #file: SqliteFile;
   readonly #live: LiveRobots;
 
@@ -66,7 +66,7 @@ export class SqliteStore implements SessionStore {
     id,
     createdAt,
     keys,
-  }: Omit<StoredSession, "epoch" | "page" | "lastUsedAt" | "away" | "isPaused">) {
+  }: Omit<StoredRobot, "epoch" | "page" | "lastUsedAt" | "away" | "isPaused">) {
     await this.#file.growingStep(() => {
       this.#writing.run("INSERT INTO sessions (id, created_at, last_used_at) VALUES (?, ?, ?)", [
         id,
@@ -77,9 +77,9 @@ export class SqliteStore implements SessionStore {
     });
   }
 
-  async find(id: string): Promise<StoredSession | null> {
+  async find(id: string): Promise<StoredRobot | null> {
     const { reading } = this.#file;
-    const row = sessionIn(reading, id);
+    const row = robotIn(reading, id);
     if (row === null) return null;
     return {
       id,
@@ -95,7 +95,7 @@ export class SqliteStore implements SessionStore {
 
   async changeKeys(id: string, change: KeyChange): Promise<KeysResult> {
     const work = (): KeysResult =>
-      this.#of<KeysResult>(id, { outcome: "no-session" }, ({ commands }) => {
+      this.#of<KeysResult>(id, { outcome: "no-robot" }, ({ commands }) => {
         const before = { keys: keysIn(this.#writing, id), away: awayIn(this.#writing, id) };
         const changed = changeKeys(commands, before, change);
         if (changed === null) return { outcome: "full" };
@@ -112,7 +112,7 @@ export class SqliteStore implements SessionStore {
   async changeAway(id: string, change: ScriptChange): Promise<AwayResult> {
     // Scripts can be blocked on a full disk: their number is limited.
     return this.#file.step(() =>
-      this.#of<AwayResult>(id, { outcome: "no-session" }, ({ commands }) => {
+      this.#of<AwayResult>(id, { outcome: "no-robot" }, ({ commands }) => {
         const changed = changeAway(commands, awayIn(this.#writing, id), change);
         if (changed === null) return { outcome: "full" };
         setAway(this.#writing, id, changed.away);
@@ -134,7 +134,7 @@ export class SqliteStore implements SessionStore {
   async keepMaze(id: string, text: string): Promise<boolean> {
     const sql = "INSERT INTO mazes (robot, text) VALUES (?, ?) ON CONFLICT DO UPDATE SET text = ?2";
     return this.#file.growingStep(() => {
-      if (sessionIn(this.#writing, id) === null) return false;
+      if (robotIn(this.#writing, id) === null) return false;
       return this.#writing.run(sql, [id, text]) > 0;
     });
   }
@@ -186,7 +186,7 @@ export class SqliteStore implements SessionStore {
 
   add(id: string, command: NewCommand): Promise<AddResult> {
     const work = (): AddResult =>
-      this.#of<AddResult>(id, { outcome: "no-session" }, (robot) =>
+      this.#of<AddResult>(id, { outcome: "no-robot" }, (robot) =>
         machine.add(robot.commands, command, (driver, key) =>
           withKey(this.#writing, id, robot, { driver, key }),
         ),
@@ -242,7 +242,7 @@ export class SqliteStore implements SessionStore {
 
   async takeOver(id: string, page: PageState) {
     return this.#file.step(() =>
-      this.#of<Awaited<ReturnType<SessionStore["takeOver"]>>>(id, null, (robot) => {
+      this.#of<Awaited<ReturnType<RobotStore["takeOver"]>>>(id, null, (robot) => {
         const taken = machine.takeOver(robot.commands, page, {
           row: (seq) => rowWith(this.#writing, id, robot, seq),
           newest: (what, after) => newestOvertaking(this.#writing, id, robot, { what, after }),
@@ -319,7 +319,7 @@ export class SqliteStore implements SessionStore {
   }
 }
 
-function sessionIn(statements: Statements, id: string): z.infer<typeof sessionRow> | null {
+function robotIn(statements: Statements, id: string): z.infer<typeof robotRow> | null {
   const [row] = statements.all("SELECT * FROM sessions WHERE id = ?", [id]);
-  return row === undefined ? null : sessionRow.parse(row);
+  return row === undefined ? null : robotRow.parse(row);
 }

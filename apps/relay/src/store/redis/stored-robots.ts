@@ -1,15 +1,15 @@
-/** Reads sessions and the times of their keys. */
+/** Reads robots and the times of their keys. */
 import { z } from "zod";
 import { asked, timeOf, type Redis } from "./connection.ts";
-import type { KeyTimes, StoredSession } from "../port.ts";
-import { RELAYS, sessionOf, USES } from "./redis-keys.ts";
+import type { KeyTimes, StoredRobot } from "../port.ts";
+import { RELAYS, robotKeyOf, USES } from "./redis-keys.ts";
 import type { Script } from "./script.ts";
-import { awayText, keysText } from "./session-texts.ts";
+import { awayText, keysText } from "./permission-texts.ts";
 import { counted } from "./words.ts";
 
 const text = z.string().nullable();
 const isThere = z.tuple([z.tuple([z.string()], z.unknown())], z.unknown());
-const sessionReply = z.tuple([
+const robotReply = z.tuple([
   z.tuple([
     z.string(),
     z.coerce.number(),
@@ -36,17 +36,17 @@ export function usedAt(hash: string): string {
   return `used:${hash}`;
 }
 
-export async function sessionIn(read: Script, id: string): Promise<StoredSession | null> {
+export async function robotIn(read: Script, id: string): Promise<StoredRobot | null> {
   const fields = ["version", "epoch", "createdAt", "keys", "away", "paused", "name"];
   const replies = await read.call(
-    [sessionOf(id), USES],
+    [robotKeyOf(id), USES],
     counted([
-      ["HMGET", sessionOf(id), ...fields],
+      ["HMGET", robotKeyOf(id), ...fields],
       ["ZSCORE", USES, id],
     ]),
   );
   if (!isThere.safeParse(replies).success) return null;
-  const [found, lastUsedAt] = sessionReply.parse(replies);
+  const [found, lastUsedAt] = robotReply.parse(replies);
   const [, epoch, createdAt, keys, away, paused, page] = found;
   return {
     id,
@@ -61,12 +61,12 @@ export async function sessionIn(read: Script, id: string): Promise<StoredSession
 }
 
 export async function keyTimesIn(redis: Redis, id: string): Promise<KeyTimes[]> {
-  const [keys, createdAt] = await asked(redis.hmGet(sessionOf(id), ["keys", "createdAt"]));
+  const [keys, createdAt] = await asked(redis.hmGet(robotKeyOf(id), ["keys", "createdAt"]));
   if (keys === null || keys === undefined) return [];
   const hashes = keysText.parse(keys).map(({ hash }) => hash);
   if (hashes.length === 0) return [];
   const fields = hashes.flatMap((hash) => [madeAt(hash), usedAt(hash)]);
-  const times = await asked(redis.hmGet(sessionOf(id), fields));
+  const times = await asked(redis.hmGet(robotKeyOf(id), fields));
   return hashes.map((hash, index) => {
     const [made, used] = times.slice(2 * index, 2 * index + 2);
     // A key that was revoked meanwhile has no times.
@@ -84,13 +84,13 @@ export async function usesIn(
   id: string,
   hashes: readonly string[],
 ): Promise<Map<string, number>> {
-  const times = await asked(redis.hmGet(sessionOf(id), hashes.map(usedAt)));
+  const times = await asked(redis.hmGet(robotKeyOf(id), hashes.map(usedAt)));
   return new Map(hashes.map((hash, index) => [hash, Number(times[index] ?? 0)]));
 }
 
 /** Whether a running relay other than this one is connected to the robot's page. */
 export async function isHeldElsewhere(redis: Redis, id: string, relay: string): Promise<boolean> {
-  const page = await asked(redis.hGet(sessionOf(id), "page"));
+  const page = await asked(redis.hGet(robotKeyOf(id), "page"));
   if (page === null || page === undefined) return false;
   const { relay: holder } = holderText.parse(page);
   if (holder === relay) return false;
