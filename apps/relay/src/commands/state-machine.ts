@@ -1,5 +1,5 @@
 /**
- * State transitions of a robot's commands: the only place for these rules. `SessionStore` describes
+ * State transitions of a robot's commands: the only place for these rules. `RobotStore` describes
  * their meaning. Each transition names the states that it starts from. An ended command never
  * changes again.
  *

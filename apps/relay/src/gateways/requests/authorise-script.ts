@@ -14,7 +14,7 @@ export interface AuthorisedRequest extends Grant {
   markAnswered: () => void;
 }
 
-/** @throws Refusal with the same errors as `SessionHub.authorise` */
+/** @throws Refusal with the same errors as `RobotRegistry.authorise` */
 export async function authoriseScript(
   registry: RobotRegistry,
   request: Request<{ id: string }>,

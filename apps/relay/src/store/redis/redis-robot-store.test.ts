@@ -13,7 +13,7 @@ async function openAt(url: string) {
 }
 
 describe.skipIf(!hasRedis)("with Redis", () => {
-  storeCases("RedisSessionStore", async () => {
+  storeCases("RedisRobotStore", async () => {
     // Not "everysec", which can delay even writes by one or two seconds on a busy disk.
     const server = await startTestRedis(["--appendfsync", "always"]);
     return {

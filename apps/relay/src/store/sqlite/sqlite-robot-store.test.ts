@@ -34,8 +34,8 @@ const openStore = (isThreaded: boolean) => async (): Promise<OpenStore> => {
   };
 };
 
-storeCases("SqliteStore", openStore(false));
-storeCases("SqliteStore with a thread", openStore(true));
+storeCases("SqliteRobotStore", openStore(false));
+storeCases("SqliteRobotStore with a thread", openStore(true));
 
 it("finds the commands of a robot by index, however many have ended", async () => {
   const file = join(testFolder(), "corridor.sqlite");
