@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { expect, test } from "./fixtures.ts";
 import { runScript } from "./support/script.ts";
 
-const KIT = join(import.meta.dirname, "../packages/conformance/src/main.ts");
+const CORRIDOR = join(import.meta.dirname, "../apps/cli/src/main.ts");
 
 /** the pen of docs/conformance.md, with the goal in its far right corner */
 const pen = encodeLink({
@@ -25,7 +25,7 @@ test("the robot in the page passes every check of the conformance kit", async ({
   await page.getByRole("radio", { name: "Remote" }).click();
   await page.getByRole("button", { name: "Copy address with key" }).click();
   const address = await page.evaluate(() => navigator.clipboard.readText());
-  const { code, output } = await runScript([process.execPath, KIT, address]);
+  const { code, output } = await runScript([process.execPath, CORRIDOR, "conformance", address]);
   expect(output).toMatch(
     /\nCorridor conformance, .*: PASSED, \d+ passed, 0 failed, 0 not offered, 2 not testable here\n$/,
   );

@@ -52,10 +52,12 @@ const allowed: Record<string, readonly string[]> = {
   ],
   "apps/cli": [
     "@corridor/coach",
+    "@corridor/conformance",
     "@corridor/maze",
     "@corridor/program",
     "@corridor/protocol",
     "@corridor/simulation",
+    "leven",
     "node:",
   ],
   "apps/relay": [

@@ -1,20 +1,49 @@
 /**
- * The command line of Corridor: `simulate` and `grade`, with the same simulation as the page.
- * Exit code 0: success. Exit code 2: invalid input; prints one problem per line to standard error
- * and nothing to standard output.
+ * The command line of Corridor. Exit code 2: invalid input; prints one problem per line to standard
+ * error.
  */
+import leven from "leven";
+import { EXIT_CODES, type Command } from "./command.ts";
 import { InputError } from "./input-error.ts";
 
-const USAGE = `Usage:
-  npm run --silent simulate -- --maze FILE --program FILE [--seconds 120] [--until time|goal|bump]
-  npm run --silent simulate -- --maze FILE (--program FILE | --commands FILE) --digest [--seconds 120]
-  npm run --silent grade -- --program FILE... --maze FILE... [--seconds 300] [--until time|goal|bump] [--csv | --why]`;
+interface Entry {
+  name: string;
+  summary: string;
+  /** Loads the modules of this command only. */
+  load: () => Promise<{ command: Command }>;
+}
 
-/** Runs the command, prints its result and sets the exit code. */
-export async function runCommandLine([command, ...args]: readonly string[]): Promise<void> {
+const entries: readonly Entry[] = [
+  {
+    name: "simulate",
+    summary: "run one program in one maze",
+    load: async () => import("./simulate.ts"),
+  },
+  {
+    name: "grade",
+    summary: "run every program in every maze, on all cores",
+    load: async () => import("./grade.ts"),
+  },
+  {
+    name: "conformance",
+    summary: "check that a robot host keeps every promise that scripts rely on",
+    load: async () => import("./conformance.ts"),
+  },
+];
+
+const HELP = `Usage: corridor COMMAND [OPTIONS]
+
+Commands:
+${entries.map(({ name, summary }) => `  ${name.padEnd(11)}  ${summary}`).join("\n")}
+
+corridor COMMAND --help describes a command and its options.
+
+${EXIT_CODES}`;
+
+/** Runs the command, prints its result and sets the exit code. @param entry see `Context` */
+export async function runCommandLine(args: readonly string[], entry: URL): Promise<void> {
   try {
-    const lines = await linesOf(command, args);
-    if (lines.length > 0) process.stdout.write(`${lines.join("\n")}\n`);
+    process.exitCode = await run(args, entry);
   } catch (error) {
     if (!(error instanceof InputError)) throw error;
     process.stderr.write(`${error.lines.join("\n")}\n`);
@@ -22,12 +51,37 @@ export async function runCommandLine([command, ...args]: readonly string[]): Pro
   }
 }
 
-async function linesOf(command: string | undefined, args: readonly string[]): Promise<string[]> {
-  if (args.includes("--help")) return [USAGE];
-  if (command === "simulate") return (await import("./simulate.ts")).simulate(args);
-  if (command === "grade") return (await import("./grade.ts")).grade(args);
-  throw new InputError([
-    `command: found ${JSON.stringify(command ?? "nothing")}, expected simulate or grade`,
-    ...USAGE.split("\n"),
-  ]);
+async function run([name, ...args]: readonly string[], entry: URL): Promise<number> {
+  if (name === undefined) throw new InputError(["Expected a command.", "", HELP]);
+  const found = entries.find((each) => each.name === name);
+  if (found === undefined) {
+    if (!["--help", "-h", "help"].includes(name)) throw new InputError([unknownCommand(name)]);
+    print([HELP]);
+    return 0;
+  }
+  const { command } = await found.load();
+  if (args.includes("--help") || args.includes("-h")) {
+    print([command.help]);
+    return 0;
+  }
+  return command.run(args, { print, entry });
+}
+
+function print(lines: readonly string[]): void {
+  if (lines.length > 0) process.stdout.write(`${lines.join("\n")}\n`);
+}
+
+function unknownCommand(found: string): string {
+  const names = entries.map(({ name }) => name);
+  const [nearest] = names
+    .filter((name) => resembles(name, found))
+    .toSorted((a, b) => leven(a, found) - leven(b, found));
+  const advice =
+    nearest === undefined ? `The commands are ${names.join(", ")}.` : `Did you mean ${nearest}?`;
+  return `Unknown command ${JSON.stringify(found)}. ${advice} Run corridor --help to see all commands.`;
+}
+
+/** Whether at most a third of the letters differ, or `found` is the beginning of the name. */
+function resembles(name: string, found: string): boolean {
+  return name.startsWith(found) || leven(name, found) <= Math.ceil(name.length / 3);
 }

@@ -28,6 +28,41 @@ const maze = file("maze.json", generateTree({ columns: 9, rows: 9, seed: 4, name
 const rightWall = file("right-wall.json", paperPrograms[1]?.program);
 const wrong = file("wrong.json", paperPrograms[3]?.program);
 
+describe("help", () => {
+  const names = ["simulate", "grade", "conformance"];
+
+  it("lists all commands", () => {
+    const { code, out } = corridor("--help");
+    expect(code).toBe(0);
+    for (const name of names) expect(out).toMatch(new RegExp(`^  ${name} +[a-z]`, "m"));
+  });
+
+  it.each(names)("of %s describes its usage, options and exit codes", (name) => {
+    const { code, out, errors } = corridor(name, "--help");
+    expect({ code, errors }).toEqual({ code: 0, errors: "" });
+    const [usage = "", ...rest] = out.split("\n\n");
+    expect(usage).toContain(`corridor ${name} `);
+    const options = rest.find((part) => part.startsWith("Options:")) ?? "";
+    for (const option of usage.match(/--[a-z]+/g) ?? []) {
+      expect(options).toMatch(new RegExp(`^  ${option} `, "m"));
+    }
+    expect(rest.at(-1)).toMatch(/^Exit codes:\n  0  .*\n  1  .*\n  2  .*\n$/);
+  });
+
+  it.each([
+    { found: "grad", answer: "Did you mean grade?" },
+    { found: "Simulate", answer: "Did you mean simulate?" },
+    { found: "conf", answer: "Did you mean conformance?" },
+    { found: "drive", answer: "The commands are simulate, grade, conformance." },
+  ])("names the command that resembles $found", ({ found, answer }) => {
+    expect(corridor(found)).toEqual({
+      code: 2,
+      out: "",
+      errors: `Unknown command "${found}". ${answer} Run corridor --help to see all commands.\n`,
+    });
+  });
+});
+
 describe("simulate", () => {
   it("prints one line of JSON with the documented fields in their order", () => {
     const { code, out, errors } = corridor("simulate", "--maze", maze, "--program", rightWall);
@@ -129,7 +164,8 @@ describe("grade", () => {
 describe("invalid input", () => {
   const broken = file("broken.json", { ...paperPrograms[1]?.program, default: "fly" });
   it.each([
-    { name: "no command", args: [], message: "command: found" },
+    { name: "no command", args: [], message: "Expected a command.\n\nUsage: corridor COMMAND" },
+    { name: "no robot", args: ["conformance"], message: "address: found nothing, expected" },
     { name: "an unknown option", args: ["simulate", "--speed", "3"], message: "--speed" },
     {
       name: "a missing file",
@@ -181,6 +217,12 @@ describe("invalid input", () => {
     const { code, out, errors } = corridor(...args);
     expect({ code, out }).toEqual({ code: 2, out: "" });
     expect(errors).toContain(message);
+  });
+
+  it("does not print the key of an address", () => {
+    const { errors } = corridor("conformance", "http://localhost/r/abc#0123456789", "more");
+    expect(errors).toContain("address: found 2 arguments");
+    expect(errors).not.toContain("0123456789");
   });
 
   it("reports every problem of every file", () => {

@@ -1,14 +1,18 @@
+#!/usr/bin/env node
 /**
- * Entry point of the command line. Enables the compile cache of Node.js, which stores compiled
- * modules in the system's temporary folder: without the cache, a short `grade` spends as long on
- * loading its modules as on its runs. A dynamic import follows because the cache only affects later
- * imports.
+ * The command `corridor`. Its worker threads start from this file, too: in the installed package,
+ * it is the only file with a known name.
  */
-import { enableCompileCache } from "node:module";
+import module from "node:module";
+import { isMainThread } from "node:worker_threads";
 
-enableCompileCache();
-// npm runs scripts in the project's folder; users pass paths relative to their current directory.
-const { npm_lifecycle_event: script = "", INIT_CWD: folder = "." } = process.env;
-if (["simulate", "grade"].includes(script)) process.chdir(folder);
-const { runCommandLine } = await import("./command-line.ts");
-await runCommandLine(process.argv.slice(2));
+// Node.js stores compiled modules in the system's temporary folder. Without this cache, a short
+// `grade` spends as long on loading its modules as on its runs. Each thread enables it for itself,
+// and only for later imports. Node.js 20 has no compile cache.
+if ("enableCompileCache" in module) module.enableCompileCache();
+if (isMainThread) {
+  const { runCommandLine } = await import("./command-line.ts");
+  await runCommandLine(process.argv.slice(2), new URL(import.meta.url));
+} else {
+  await import("./grade-worker.ts");
+}

@@ -2,13 +2,51 @@
 import { CompiledProgram } from "@corridor/program";
 import { replayDigest, TICKS_PER_SECOND, type Inputs } from "@corridor/simulation";
 import { simulateArguments } from "./arguments.ts";
+import { EXIT_CODES, type Command } from "./command.ts";
 import { readFiles } from "./read-files.ts";
 import { jsonLine } from "./report.ts";
 import type { RunLimits } from "./run-limits.ts";
 import { runProgram } from "./run-result.ts";
 
+const help = `Usage:
+  corridor simulate --maze FILE --program FILE [--seconds N] [--until time|goal|bump]
+  corridor simulate --maze FILE (--program FILE | --commands FILE) --digest [--seconds N]
+
+Runs one program in one maze, with the same simulation as the page, and prints one line of JSON.
+
+Options:
+  --maze FILE      maze, saved by the page or written by hand
+  --program FILE   program, saved by the page or written by hand
+  --seconds N      maximum simulated time, from 1/60 (one tick) to 86400; default: 120
+  --until time     run for all seconds (default)
+  --until goal     stop when the robot reaches a goal
+  --until bump     stop at the first bump
+  --digest         print a digest of all snapshots; equal inputs have equal digests
+  --commands FILE  with --digest, timed commands instead of a program, such as
+                   [{ "tick": 0, "command": { "action": "left 90" } }]
+  --help           print this text
+
+Result:
+  ticks, seconds             length of the run; a tick is 1/60 s
+  bumps                      number of bumps
+  visitedCells, openCells    cells that the robot visited; cells without a block
+  distance                   driven distance in cm
+  goal                       whether and at which tick the robot reached a goal
+  pose                       final position in cm, and degrees clockwise from north
+  lines                      number of decisions of each line of the program
+
+${EXIT_CODES}`;
+
+export const command: Command = {
+  help,
+  run: (args, { print }) => {
+    print(simulate(args));
+    return 0;
+  },
+};
+
 /** @returns the lines to print @throws InputError if the arguments or files are invalid */
-export function simulate(args: readonly string[]): string[] {
+function simulate(args: readonly string[]): string[] {
   const { maze, program, commands, limits, digest } = simulateArguments(args);
   const documents = readFiles({
     mazes: [maze],

@@ -46,6 +46,13 @@ export interface HelloOptions {
   version?: number;
 }
 
+/** @returns the parts of a robot's address, or null if it is not one */
+export function readAddress(text: string): { origin: string; id: string; key: string } | null {
+  const [, origin, id, key] = ADDRESS.exec(text.trim()) ?? [];
+  if (origin === undefined || id === undefined || key === undefined) return null;
+  return { origin, id, key };
+}
+
 export class Host {
   readonly origin: string;
   readonly id: string;
@@ -55,12 +62,13 @@ export class Host {
 
   /** @throws Error if the address is not that of a robot */
   constructor(address: string) {
-    const [, origin, id, key] = ADDRESS.exec(address.trim()) ?? [];
-    if (origin === undefined || id === undefined || key === undefined) {
+    const parts = readAddress(address);
+    if (parts === null) {
       throw new Error(
         'This is not a robot\'s address. It looks like http://HOST/r/ID#KEY: put it in "quotes".',
       );
     }
+    const { origin, id, key } = parts;
     this.origin = origin;
     this.id = id;
     this.#key = key;
