@@ -1,16 +1,15 @@
 /** The libraries for scripts, installed or downloaded outside of the repository, with a page's robot. */
-import { spawnSync } from "node:child_process";
 import { once } from "node:events";
-import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { readFile } from "node:fs/promises";
 import { createServer, type Server } from "node:http";
 import { createRequire } from "node:module";
 import type { AddressInfo } from "node:net";
-import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import type { Page } from "playwright/test";
 import { publint } from "publint";
 import { expect, test } from "./fixtures.ts";
+import { EmptyFolder } from "./support/installed-package.ts";
 import { api, copyAddress, setSpeed } from "./support/remote-robot.ts";
 
 const CLIENT = fileURLToPath(new URL("../packages/client/", import.meta.url));
@@ -18,36 +17,16 @@ const PACKAGE = join(CLIENT, "dist");
 const PYTHON_CLIENT = fileURLToPath(new URL("../packages/client-python/", import.meta.url));
 const require = createRequire(import.meta.url);
 
-let folder = "";
+let folder: EmptyFolder;
 let otherSite: Server | undefined;
 test.beforeEach(async () => {
-  folder = await mkdtemp(join(tmpdir(), "corridor-installed-"));
+  folder = await EmptyFolder.create();
 });
 test.afterEach(async () => {
   otherSite?.close();
   otherSite = undefined;
-  await rm(folder, { recursive: true });
+  await folder.remove();
 });
-
-/** Runs a command in the empty folder. @returns its standard output */
-function run(command: string, ...args: string[]): string {
-  const { status, stdout, stderr } = spawnSync(command, args, {
-    cwd: folder,
-    encoding: "utf8",
-    env: { ...process.env, FORCE_COLOR: "0" },
-  });
-  expect(status, `${command} ${args.join(" ")}\n${stdout}${stderr}`).toBe(0);
-  return stdout;
-}
-
-/** @returns the file name of the package and the files in it */
-function pack(): { tarball: string; files: string[] } {
-  const [packed] = JSON.parse(run("npm", "pack", "--json", PACKAGE));
-  return {
-    tarball: packed.filename,
-    files: packed.files.map(({ path }: { path: string }) => path),
-  };
-}
 
 /** The code block of a library's README that contains `excerpt`, with the robot's address. */
 async function example(excerpt: string, address: string, library = CLIENT): Promise<string> {
@@ -87,7 +66,7 @@ async function serveOtherSite(): Promise<string> {
 }
 
 test("the npm package contains the built files, README and license, and tools accept it", async () => {
-  const { tarball, files } = pack();
+  const { tarball, files } = folder.pack(PACKAGE);
   expect(files.toSorted()).toEqual([
     "LICENSE",
     "README.md",
@@ -102,7 +81,7 @@ test("the npm package contains the built files, README and license, and tools ac
   expect((await publint({ pkgDir: PACKAGE, strict: true })).messages).toEqual([]);
   // The package has ES modules only.
   const checker = join(dirname(require.resolve("@arethetypeswrong/cli/package.json")), "dist");
-  run(process.execPath, join(checker, "index.js"), tarball, "--profile", "esm-only");
+  folder.run(process.execPath, join(checker, "index.js"), tarball, "--profile", "esm-only");
 });
 
 test("the README's first example drives from an empty folder with the installed package", async ({
@@ -110,11 +89,10 @@ test("the README's first example drives from an empty folder with the installed 
 }) => {
   test.setTimeout(180_000);
   const address = await openRobot(page);
-  await writeFile(join(folder, "package.json"), "{}");
-  run("npm", "install", "--no-audit", "--no-fund", pack().tarball);
+  await folder.install(PACKAGE);
   const script = await example("finally", address);
-  await writeFile(join(folder, "drive.mjs"), script);
-  expect(run(process.execPath, "drive.mjs")).toBe("");
+  await folder.write("drive.mjs", script);
+  expect(folder.run(process.execPath, "drive.mjs")).toBe("");
   const actions = await completedActions(address);
   expect(actions[0]).toBe("move");
   expect(actions.at(-1)).toBe("left 90");
@@ -122,11 +100,10 @@ test("the README's first example drives from an empty folder with the installed 
 
 test("TypeScript checks a script with the installed package", async () => {
   test.setTimeout(180_000);
-  await writeFile(join(folder, "package.json"), "{}");
-  run("npm", "install", "--no-audit", "--no-fund", pack().tarball);
+  await folder.install(PACKAGE);
   const script = await example("finally", "http://HOST/r/ID#KEY");
-  await writeFile(
-    join(folder, "drive.mts"),
+  await folder.write(
+    "drive.mts",
     `${script}
 import { HostLink } from "@corridor/client/host";
 import { WatchLink } from "@corridor/client/watch";
@@ -136,7 +113,7 @@ await robot.move("far");
 `,
   );
   const options = ["--noEmit", "--strict", "--target", "es2024", "--module", "nodenext"];
-  run(process.execPath, require.resolve("typescript/bin/tsc"), ...options, "drive.mts");
+  folder.run(process.execPath, require.resolve("typescript/bin/tsc"), ...options, "drive.mts");
 });
 
 for (const { runtime, flags } of [
@@ -148,11 +125,11 @@ for (const { runtime, flags } of [
     relay,
   }) => {
     const address = await openRobot(page);
-    run("curl", "-sSfO", `${relay}/corridor.js`);
+    folder.run("curl", "-sSfO", `${relay}/corridor.js`);
     const script = await example("./corridor.js", address);
     expect(script.trimEnd().split("\n").length).toBeLessThanOrEqual(8);
-    await writeFile(join(folder, "drive.mjs"), script);
-    expect(run(process.execPath, ...flags, "drive.mjs")).toMatch(/^\d+(\.\d+)?\n$/);
+    await folder.write("drive.mjs", script);
+    expect(folder.run(process.execPath, ...flags, "drive.mjs")).toMatch(/^\d+(\.\d+)?\n$/);
     expect((await completedActions(address)).at(-1)).toBe("left 90");
   });
 }
@@ -183,19 +160,19 @@ test("the Python README's first example drives from an empty folder with the ins
 }) => {
   test.setTimeout(180_000);
   const address = await openRobot(page);
-  run("python3", "-m", "venv", "env");
+  folder.run("python3", "-m", "venv", "env");
   const python = join(
-    folder,
+    folder.path,
     "env",
     process.platform === "win32" ? "Scripts/python" : "bin/python",
   );
   const pip = ["-m", "pip", "--quiet", "--disable-pip-version-check"];
-  run(python, ...pip, "wheel", "--no-deps", "--wheel-dir", "wheels", PYTHON_CLIENT);
-  run(python, ...pip, "install", "--no-index", "--find-links", "wheels", "corridor");
-  await writeFile(
-    join(folder, "drive.py"),
+  folder.run(python, ...pip, "wheel", "--no-deps", "--wheel-dir", "wheels", PYTHON_CLIENT);
+  folder.run(python, ...pip, "install", "--no-index", "--find-links", "wheels", "corridor");
+  await folder.write(
+    "drive.py",
     await example("robot.forward(100)\nrobot.left(90)", address, PYTHON_CLIENT),
   );
-  expect(run(python, "drive.py")).toMatch(/^\d+\n$/);
+  expect(folder.run(python, "drive.py")).toMatch(/^\d+\n$/);
   expect((await completedActions(address)).at(-1)).toBe("left 90");
 });

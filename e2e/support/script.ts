@@ -21,8 +21,9 @@ export function exampleCommand(language: ExampleLanguage): string[] {
 export async function runScript(
   [command = "", ...args]: string[],
   input = "",
+  env: NodeJS.ProcessEnv = process.env,
 ): Promise<{ code: unknown; output: string }> {
-  const script = spawn(command, args, { stdio: ["pipe", "pipe", "pipe"] });
+  const script = spawn(command, args, { stdio: ["pipe", "pipe", "pipe"], env });
   let output = "";
   script.stdout.on("data", (chunk) => (output += chunk));
   script.stderr.on("data", (chunk) => (output += chunk));

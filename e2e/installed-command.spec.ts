@@ -1,0 +1,133 @@
+/** The command `corridor`, installed outside of the repository. It prints what the sources print. */
+import { readFile } from "node:fs/promises";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { expect, test } from "playwright/test";
+import { publint } from "publint";
+import { PEN, startPhysicalRobot } from "../packages/conformance/src/testing/physical-robot.ts";
+import { EmptyFolder, userEnvironment } from "./support/installed-package.ts";
+import { runScript } from "./support/script.ts";
+
+const CLI = fileURLToPath(new URL("../apps/cli/", import.meta.url));
+const PACKAGE = join(CLI, "dist");
+const SOURCE = join(CLI, "src/main.ts");
+
+let folder: EmptyFolder;
+test.beforeEach(async () => {
+  folder = await EmptyFolder.create();
+});
+test.afterEach(async () => {
+  await folder.remove();
+});
+
+/** The code blocks of the README in their order. */
+async function blocksOfReadme(): Promise<{ language: string; code: string }[]> {
+  const text = await readFile(join(CLI, "README.md"), "utf8");
+  return [...text.matchAll(/^```(\w+)\n([^]*?)^```$/gm)].map(([, language = "", code = ""]) => ({
+    language,
+    code,
+  }));
+}
+
+/** Installs the package and saves the documents of the README. */
+async function installWithDocuments(): Promise<void> {
+  await folder.install(PACKAGE);
+  const documents = (await blocksOfReadme()).filter(({ language }) => language === "json");
+  const names = ["maze.json", "right-wall.json", "forward.json"];
+  expect(documents).toHaveLength(names.length);
+  for (const [at, name] of names.entries()) await folder.write(name, documents[at]?.code ?? "");
+}
+
+function corridor(...args: string[]) {
+  return folder.try("npx", "corridor", ...args);
+}
+
+/** The same command from the sources. */
+function fromSources(...args: string[]) {
+  return folder.try(process.execPath, SOURCE, ...args);
+}
+
+test("the npm package contains one file of code and needs no other package", async () => {
+  expect(folder.pack(PACKAGE).files.toSorted()).toEqual([
+    "LICENSE",
+    "README.md",
+    "THIRD-PARTY-LICENSES",
+    "corridor.js",
+    "package.json",
+  ]);
+  const manifest = JSON.parse(await readFile(join(PACKAGE, "package.json"), "utf8"));
+  expect(Object.keys(manifest).filter((field) => /dependencies/i.test(field))).toEqual([]);
+  expect((await publint({ pkgDir: PACKAGE, strict: true })).messages).toEqual([]);
+});
+
+test("each command of the README prints what the README shows", async () => {
+  test.setTimeout(180_000);
+  await installWithDocuments();
+  const blocks = await blocksOfReadme();
+  const examples = blocks.flatMap(({ language, code }, at) => {
+    const runsHere = language === "sh" && /^npx corridor (simulate|grade) /.test(code);
+    return runsHere ? [{ words: code.trim().split(" "), output: blocks[at + 1] }] : [];
+  });
+  expect(examples).toHaveLength(2);
+  for (const { words, output } of examples) {
+    const [command = "", ...args] = words;
+    expect(output?.language).toBe("text");
+    expect(folder.run(command, ...args)).toBe(output?.code);
+    expect(fromSources(...args.slice(1)).stdout).toBe(output?.code);
+  }
+});
+
+test("simulate and grade print the same as from the sources, on all cores too", async () => {
+  test.setTimeout(180_000);
+  await installWithDocuments();
+  const [maze, rightWall, forward] = ["maze.json", "right-wall.json", "forward.json"];
+  const everyCore = ["--seconds", "86400", "--until", "goal"];
+  for (const args of [
+    ["simulate", "--maze", maze, "--program", rightWall, "--digest"],
+    ["grade", "--program", rightWall, forward, "--maze", maze, "--why"],
+    // The limit is so high that worker threads start. The runs end at the goal.
+    ["grade", "--program", rightWall, "--maze", maze, maze, maze, ...everyCore],
+    ["--help"],
+    ["grade", "--help"],
+  ]) {
+    const installed = corridor(...args);
+    expect(installed).toMatchObject({ code: 0, stderr: "" });
+    expect(installed).toEqual(fromSources(...args));
+  }
+});
+
+test("invalid files and unknown commands exit with code 2", async () => {
+  test.setTimeout(180_000);
+  await installWithDocuments();
+  for (const args of [
+    ["simulate", "--maze", "maze.json", "--program", "maze.json"],
+    ["grade", "--program", "nowhere.json", "--maze", "maze.json"],
+    ["conformance", "http://localhost/r/abc"],
+    ["grad"],
+    [],
+  ]) {
+    const installed = corridor(...args);
+    expect(installed).toMatchObject({ code: 2, stdout: "" });
+    expect(installed).toEqual(fromSources(...args));
+  }
+});
+
+test("conformance checks a robot as from the sources", async () => {
+  test.setTimeout(420_000);
+  await folder.install(PACKAGE);
+  const command = join(folder.path, "node_modules/.bin/corridor");
+  const reports = [[command], [process.execPath, SOURCE]].map(async (words) => {
+    const robot = await startPhysicalRobot({ room: PEN });
+    const { code, output } = await runScript(
+      [...words, "conformance", robot.address],
+      "",
+      userEnvironment,
+    );
+    robot.stop();
+    return { code, output: output.replace(/http:\S+/, "ADDRESS") };
+  });
+  const [installed, sources] = await Promise.all(reports);
+  expect(installed).toEqual(sources);
+  expect(installed?.code).toBe(0);
+  expect(installed?.output).toMatch(/\nCorridor conformance, .*: PASSED, \d+ passed, 0 failed, /);
+});
