@@ -38,8 +38,13 @@ async function installWithDocuments(): Promise<void> {
   for (const [at, name] of names.entries()) await folder.write(name, documents[at]?.code ?? "");
 }
 
+/** The installed command, which `npx corridor` starts. */
+function command(): string {
+  return join(folder.path, "node_modules/.bin/corridor");
+}
+
 function corridor(...args: string[]) {
-  return folder.try("npx", "corridor", ...args);
+  return folder.try(command(), ...args);
 }
 
 /** The same command from the sources. */
@@ -70,9 +75,9 @@ test("each command of the README prints what the README shows", async () => {
   });
   expect(examples).toHaveLength(2);
   for (const { words, output } of examples) {
-    const [command = "", ...args] = words;
+    const [npx = "", ...args] = words;
     expect(output?.language).toBe("text");
-    expect(folder.run(command, ...args)).toBe(output?.code);
+    expect(folder.run(npx, ...args)).toBe(output?.code);
     expect(fromSources(...args.slice(1)).stdout).toBe(output?.code);
   }
 });
@@ -84,7 +89,7 @@ test("simulate and grade print the same as from the sources, on all cores too", 
   const everyCore = ["--seconds", "86400", "--until", "goal"];
   for (const args of [
     ["simulate", "--maze", maze, "--program", rightWall, "--digest"],
-    ["grade", "--program", rightWall, forward, "--maze", maze, "--why"],
+    ["grade", "--program", rightWall, forward, "--maze", maze, "--why", "--seconds", "30"],
     // The limit is so high that worker threads start. The runs end at the goal.
     ["grade", "--program", rightWall, "--maze", maze, maze, maze, ...everyCore],
     ["--help"],
@@ -115,8 +120,7 @@ test("invalid files and unknown commands exit with code 2", async () => {
 test("conformance checks a robot as from the sources", async () => {
   test.setTimeout(420_000);
   await folder.install(PACKAGE);
-  const command = join(folder.path, "node_modules/.bin/corridor");
-  const reports = [[command], [process.execPath, SOURCE]].map(async (words) => {
+  const reports = [[command()], [process.execPath, SOURCE]].map(async (words) => {
     const robot = await startPhysicalRobot({ room: PEN });
     const { code, output } = await runScript(
       [...words, "conformance", robot.address],
