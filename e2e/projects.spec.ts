@@ -1,5 +1,5 @@
 /**
- * The open projects after the missions, and the certificate of a student who has solved them all.
+ * The bonus missions, and the certificate of a student who has solved them all.
  */
 import { readFile } from "node:fs/promises";
 import { expect, test } from "./fixtures.ts";
@@ -7,7 +7,7 @@ import { MazeGrid } from "./pages/maze-grid.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 
-test("checks a program in all ready-made mazes as it changes, and stores the best result", async ({
+test("checks a program in all preset mazes as it changes, and stores the best result", async ({
   openWindow,
 }) => {
   const corridor = await openWindow();
@@ -23,7 +23,7 @@ test("checks a program in all ready-made mazes as it changes, and stores the bes
   await lessons.openPath();
   const project = lessons.path.getByRole("button", { name: /^One program, all mazes/ });
   await expect(project).toContainText("Your best: 7 of 7 mazes");
-  await expectNoAxeViolations(page, "open projects");
+  await expectNoAxeViolations(page, "bonus missions");
 });
 
 test("accepts a maze that defeats the right-wall program", async ({ openWindow }) => {
@@ -50,7 +50,7 @@ test("accepts a maze that defeats the right-wall program", async ({ openWindow }
   await expect(lessons.card).toContainText("Your best: open squares 21");
 });
 
-test("offers no program in a manual project", async ({ openWindow }) => {
+test("offers no program in a bonus mission for manual driving", async ({ openWindow }) => {
   const corridor = await openWindow();
   await corridor.open("/#mission/fewest-bumps");
   const { page } = corridor;

@@ -5,7 +5,7 @@ import { Recording, type RunDocument } from "@corridor/recording";
 import { expect, test } from "./fixtures.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 
-/** A link to a run in which a ready-made algorithm drives through a preset maze to its goal. */
+/** A link to a run in which a preset algorithm drives through a preset maze to its goal. */
 function runLink(mazeId: string): { link: string; run: RunDocument } {
   const preset = mazePresets.find(({ id }) => id === mazeId);
   const program = programPresets.find(({ id }) => id === "right-wall")?.program;

@@ -13,8 +13,8 @@ function sourcesOnDisk(...exclude: string[]): Sources {
   return new Map(files.map((file) => [file, readFileSync(root + file, "utf8")]));
 }
 
-describe("the house", () => {
-  it("keeps every import going down and every package pure", () => {
+describe("imports between workspaces", () => {
+  it("lead to lower layers only, and packages use no clock, randomness or environment", () => {
     const sources = sourcesOnDisk(...testFiles);
     expect(sources.size).toBeGreaterThan(50);
     expect(violations(sources)).toEqual([]);

@@ -23,17 +23,20 @@ describe("a file of the page", () => {
     { accepted: "gzip", encoding: "gzip" },
     { accepted: "br;q=0, gzip", encoding: "gzip" },
     { accepted: "identity", encoding: null },
-  ])("comes as $encoding to who accepts $accepted, and is the same file", async (row) => {
-    const relay = await startTestRelay({ webRoot: builtWeb() });
-    const answer = await fetch(`${relay.origin}/assets/page-1a2b.js`, {
-      headers: { "Accept-Encoding": row.accepted },
-    });
-    expect(answer.headers.get("content-encoding")).toBe(row.encoding);
-    expect(answer.headers.get("content-type")).toContain("text/javascript");
-    expect(answer.headers.get("vary")).toContain("Accept-Encoding");
-    expect(answer.headers.get("cache-control")).toContain("immutable");
-    expect(await answer.text()).toBe(script);
-  });
+  ])(
+    "is sent as $encoding to clients that accept $accepted, with the same content",
+    async (row) => {
+      const relay = await startTestRelay({ webRoot: builtWeb() });
+      const answer = await fetch(`${relay.origin}/assets/page-1a2b.js`, {
+        headers: { "Accept-Encoding": row.accepted },
+      });
+      expect(answer.headers.get("content-encoding")).toBe(row.encoding);
+      expect(answer.headers.get("content-type")).toContain("text/javascript");
+      expect(answer.headers.get("vary")).toContain("Accept-Encoding");
+      expect(answer.headers.get("cache-control")).toContain("immutable");
+      expect(await answer.text()).toBe(script);
+    },
+  );
 
   it("is revalidated by browsers if a new version matters", async () => {
     const relay = await startTestRelay({ webRoot: builtWeb() });

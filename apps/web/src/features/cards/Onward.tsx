@@ -84,7 +84,7 @@ function FinishButton({ service, mission }: { service: LessonsService; mission: 
   const isAllDone = useStore(service.progress, ({ done }) =>
     missionIds.every((id) => done[id] !== undefined),
   );
-  // An open project has a result of its own.
+  // A bonus mission has a result of its own.
   if (!isAllDone || !missionIds.some((id) => id === mission)) return null;
   return (
     <Button

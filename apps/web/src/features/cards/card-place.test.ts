@@ -86,7 +86,7 @@ describe("placeCard", () => {
     expect(place.covered).toBeGreaterThan(0);
   });
 
-  it("is wide and low where that alone leaves the goal in sight, and tall wherever it can be", () => {
+  it("is wide and low only if a tall card would cover the goal", () => {
     const wide = { width: 440, height: 180 };
     const goal = { x: 300, y: 340, width: 80, height: 80 };
     const low = { x: 0, y: 0, width: 600, height: 600 };
@@ -96,7 +96,7 @@ describe("placeCard", () => {
     expect(place([goal, { ...goal, y: 0 }])).toMatchObject({ shape: wide, covered: 0 });
   });
 
-  it("stands over the legend only where it would cover something otherwise", () => {
+  it("covers the legend only if it would cover something else otherwise", () => {
     const low = { x: 0, y: 0, width: 640, height: 400 };
     const withLegend = { ...low, height: 448 };
     const goal = { x: 300, y: 20, width: 80, height: 80 };
@@ -133,11 +133,11 @@ describe("placeCard", () => {
     expect(placeCard([area], robotAt(20, 20), card, []).tail).toBeNull();
   });
 
-  it("stands below a robot high up, where beside it there were no tail", () => {
+  it("is below a robot at the top if it would have no tail beside it", () => {
     expect(placeCard([area], robotAt(200, 20), card, [])).toMatchObject({ y: 56, tail: "top" });
   });
 
-  it("begins at the stage's start where the stage is smaller than the card", () => {
+  it("starts at the edge of a stage that is smaller than the card", () => {
     const small = { x: 0, y: 0, width: 300, height: 200 };
     expect(placeCard([small], robotAt(150, 100), card, [])).toMatchObject({ x: 8, y: 8 });
   });
@@ -159,14 +159,14 @@ describe("placeCardAway", () => {
     });
   });
 
-  it("goes beyond a maze that is too small for it, where the stage has the room", () => {
+  it("extends beyond a maze that is too small for it if the stage has space", () => {
     const maze = { x: 200, y: 30, width: 400, height: 300 };
     const goal = { x: 400, y: 110, width: 80, height: 80 };
     const place = placeCardAway([maze, area], robotAt(440, 150), card, [goal]);
     expect(touches({ ...place, ...card }, goal)).toBe(false);
   });
 
-  it("stands over the legend where only that leaves a robot in a low stage in sight", () => {
+  it("covers the legend if a robot in a low stage would be hidden otherwise", () => {
     const low = { x: 0, y: 0, width: 640, height: 470 };
     const withLegend = { ...low, height: 518 };
     const robot = robotAt(300, 228);
@@ -188,7 +188,7 @@ describe("placeCardAway", () => {
     expect(place.covered).toBe(0);
   });
 
-  it("takes a lower shape where only that leaves the robot in sight", () => {
+  it("is lower if it would cover the robot otherwise", () => {
     const low = { x: 0, y: 0, width: 640, height: 470 };
     const tall = { width: 476, height: 230 };
     const wide = { width: 600, height: 180 };

@@ -28,7 +28,7 @@ it("offers a run from the start, for as long as the robot stands at the wall", (
 it.each([
   { how: "drives on", change: { snapshot: snapshotOf({ state: "running", tick: 301 }) } },
   { how: "is put back to its start", change: { nowTick: 0 } },
-])("offers it no more once the robot $how", ({ change }) => {
+])("withdraws the offer once the robot $how", ({ change }) => {
   const { run, message } = fixed();
   run.setState(change);
   expect(message()).toBeUndefined();

@@ -44,7 +44,7 @@ async function shown() {
 }
 
 describe("the message that the robot gets nowhere", () => {
-  it("stays while the same run goes on, and leads to the line", async () => {
+  it("stays while the same run continues, and leads to the line", async () => {
     const { run, messages } = await shown();
     run.setState({ nowTick: 901 });
     expect(messages()).toMatchObject([{ stays: true, action: { label: "diagnosis:show" } }]);

@@ -7,8 +7,8 @@ const words = {
   loadNamespaces: async () => {},
 } as unknown as Parameters<typeof showTakeOver>[1];
 
-describe("a hand that takes over", () => {
-  it("gets one message, even after an earlier take-over from another driver", async () => {
+describe("a user who takes over by hand", () => {
+  it("sees one message, even after an earlier take-over from another driver", async () => {
     const screen = createScreenStore();
     showMessage(screen, { tone: "info", text: "something else" });
     await showTakeOver(screen, words, "remote");

@@ -17,7 +17,7 @@ it.each([
   "#####\n#S G#\n#####",
   '\uFEFF {"format": "corridor/maze"',
   "{",
-])("takes %j for a file", (text) => expect(looksLikeFile(text)).toBe(true));
+])("recognizes %j as a file", (text) => expect(looksLikeFile(text)).toBe(true));
 
 it.each([
   "",
@@ -27,4 +27,4 @@ it.each([
   "Dear Anna,\n- milk\n- bread",
   "3.14",
   "迷路",
-])("takes %j for a slip", (text) => expect(looksLikeFile(text)).toBe(false));
+])("treats %j as an accidental paste", (text) => expect(looksLikeFile(text)).toBe(false));

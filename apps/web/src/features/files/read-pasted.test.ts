@@ -13,7 +13,7 @@ it.each([
 );
 
 it.each(["corridor.example/m/BCDF", " corridor.example/m/BCDF "])(
-  "opens %j as it is written on a board",
+  "opens %j as copied from a board",
   (text) => expect(String(readPasted(text, origin))).toBe(`${origin}/m/BCDF`),
 );
 
@@ -31,9 +31,9 @@ it.each([
   "corridor.example.org/m/BCDF",
   "javascript:alert(1)",
   "#m1abc",
-])("takes %j for another text", (text) => expect(readPasted(text, origin)).toBe("other"));
+])("treats %j as other text", (text) => expect(readPasted(text, origin)).toBe("other"));
 
-it("takes a drawn maze for a file", () => expect(readPasted("#S.G#", origin)).toBe("file"));
+it("treats a drawn maze as a file", () => expect(readPasted("#S.G#", origin)).toBe("file"));
 
 it("does not leave the page for an address that is for a script", () =>
   expect(readPasted(`${origin}/r/robot#drv_key`, origin)).toBe("script"));

@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { expect, it } from "vitest";
 import { withKeys } from "./with-keys.ts";
 
-it("gives every one a key of its own, in their order, and the same each time", () => {
+it("gives each item a unique key, in order and the same each time", () => {
   const anyNames = fc.array(fc.constantFrom("a.json", "b.json", "1 a.json", ""));
   fc.assert(
     fc.property(anyNames, (names) => {

@@ -12,7 +12,7 @@ import { metText } from "../../model/lessons/failure-text.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import styles from "./lessons.module.css";
 import { missionIds } from "../../model/lessons/missions/mission.ts";
-import { projectOf } from "../../model/lessons/missions/projects.ts";
+import { bonusMissionOf } from "../../model/lessons/missions/projects.ts";
 
 export function ChallengeLine() {
   const { t, i18n } = useTranslation(["missions", "words"], { useSuspense: false });
@@ -22,7 +22,7 @@ export function ChallengeLine() {
   const result = useStore(store, challengeResult);
   if (challenge === null || result === null) return null;
   const id = missionIds.find((each) => each === mission);
-  const project = projectOf(mission);
+  const bonus = bonusMissionOf(mission);
   if (result.state === "met") {
     return (
       <p className={styles["line"]} data-state="met" dir="auto">
@@ -38,8 +38,8 @@ export function ChallengeLine() {
       <span className={styles["short"]}>
         {isHere
           ? t("missions:bar.here", allOf(challenge.mazes.length))
-          : project !== null
-            ? t(`missions:bonusMissions.${project}.short`)
+          : bonus !== null
+            ? t(`missions:bonusMissions.${bonus}.short`)
             : id === undefined
               ? challenge.words.short
               : t(`missions:missions.${id}.short`)}

@@ -12,7 +12,7 @@ import type { LessonsRecord } from "../../model/lessons/lessons-storage.ts";
 import styles from "./lessons.module.css";
 import { Finish } from "./Finish.tsx";
 import { bestText } from "./project-text.ts";
-import { projectIdeas, projects } from "../../model/lessons/missions/projects.ts";
+import { bonusMissionIdeas, bonusMissions } from "../../model/lessons/missions/projects.ts";
 import { MissionPicture } from "./MissionPicture.tsx";
 import { chapterIds, chapters, type ChapterId } from "../../model/lessons/missions/chapters.ts";
 import { ideas } from "../../model/lessons/missions/ideas.ts";
@@ -165,7 +165,7 @@ function Projects({ best, open, onOpen }: ProjectsProps) {
         <p className={styles["count"]}>{t("missions:bonus.note")}</p>
       </div>
       <ol className={styles["path"]}>
-        {projects.map(({ id, challenge: { mazes } }) => {
+        {bonusMissions.map(({ id, challenge: { mazes } }) => {
           const result = best[id];
           const state = result !== undefined ? "done" : open === id ? "current" : "open";
           return (
@@ -177,7 +177,7 @@ function Projects({ best, open, onOpen }: ProjectsProps) {
                 onClick={() => onOpen(id)}
               >
                 <span className={styles["picture"]}>
-                  <MissionPicture mazes={mazes} ideas={projectIdeas[id]} />
+                  <MissionPicture mazes={mazes} ideas={bonusMissionIdeas[id]} />
                 </span>
                 <span className={styles["missionName"]}>
                   {t(`missions:bonusMissions.${id}.name`)}

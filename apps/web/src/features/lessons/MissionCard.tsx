@@ -12,10 +12,10 @@ import type { LessonsService } from "../../model/lessons/lessons-service.ts";
 import { HintButton, HintList } from "./MissionHints.tsx";
 import { MissionMazes } from "./MissionMazes.tsx";
 import { MissionOutcome } from "./MissionOutcome.tsx";
-import { ProjectOutcome } from "./ProjectOutcome.tsx";
+import { BonusOutcome } from "./ProjectOutcome.tsx";
 import styles from "./lessons.module.css";
 import { missionIds, nextMission } from "../../model/lessons/missions/mission.ts";
-import { projectIds, projectOf } from "../../model/lessons/missions/projects.ts";
+import { bonusMissionIds, bonusMissionOf } from "../../model/lessons/missions/projects.ts";
 import { useTask } from "./use-task.ts";
 
 export interface MissionCardProps {
@@ -52,10 +52,10 @@ function OpenMission({ service }: { service: LessonsService }) {
   if (challenge === null) return null;
   const at = missionIds.findIndex((each) => each === mission);
   const id = missionIds[at];
-  const project = projectOf(mission);
+  const bonus = bonusMissionOf(mission);
   const hints =
-    project !== null
-      ? Object.values(t(`missions:bonusMissions.${project}.hints`, { returnObjects: true }))
+    bonus !== null
+      ? Object.values(t(`missions:bonusMissions.${bonus}.hints`, { returnObjects: true }))
       : id === undefined
         ? challenge.words.hints
         : Object.values(t(`missions:missions.${id}.hints`, { returnObjects: true }));
@@ -64,18 +64,18 @@ function OpenMission({ service }: { service: LessonsService }) {
       <div className={styles["head"]}>
         <div className={styles["title"]}>
           <p className={styles["number"]}>
-            {project !== null
+            {bonus !== null
               ? t("missions:bonus.number", {
-                  number: projectIds.indexOf(project) + 1,
-                  all: projectIds.length,
+                  number: bonusMissionIds.indexOf(bonus) + 1,
+                  all: bonusMissionIds.length,
                 })
               : id === undefined
                 ? t("missions:card.shared")
                 : t("missions:card.number", { number: at + 1, all: missionIds.length })}
           </p>
           <h2 className={styles["name"]}>
-            {project !== null
-              ? t(`missions:bonusMissions.${project}.name`)
+            {bonus !== null
+              ? t(`missions:bonusMissions.${bonus}.name`)
               : id === undefined
                 ? challenge.name
                 : t(`missions:missions.${id}.name`)}
@@ -103,10 +103,10 @@ function OpenMission({ service }: { service: LessonsService }) {
         </IconButton>
       </div>
       {!isFolded && <p className={styles["task"]}>{task}</p>}
-      {project === null ? (
+      {bonus === null ? (
         <MissionOutcome challenge={challenge} />
       ) : (
-        <ProjectOutcome project={project} service={service} />
+        <BonusOutcome id={bonus} service={service} />
       )}
       <HintList hints={isFolded ? [] : hints.slice(0, hintsShown)} />
       <div className={styles["row"]}>
@@ -127,14 +127,14 @@ function SlimMission({ service }: { service: LessonsService }) {
   const task = useTask();
   if (challenge === null) return null;
   const next = nextMission(mission);
-  const project = projectOf(mission);
+  const bonus = bonusMissionOf(mission);
   return (
     <section className={styles["slim"]} aria-label={t("missions:card.label")}>
       {!isMet && <p className={styles["task"]}>{task}</p>}
-      {project === null ? (
+      {bonus === null ? (
         <MissionOutcome challenge={challenge} />
       ) : (
-        <ProjectOutcome project={project} service={service} />
+        <BonusOutcome id={bonus} service={service} />
       )}
       {isMet && !isCardShown && next !== null && (
         <Button size="small" kind="primary" onClick={() => void lessons.openMission(next)}>
@@ -164,7 +164,7 @@ function Actions({ service }: { service: LessonsService }) {
   const leadsOn = isMet && !isCardShown;
   const next = nextMission(mission);
   const isChecked =
-    projectOf(mission) === null &&
+    bonusMissionOf(mission) === null &&
     !isJudgedByRun(challenge) &&
     challenge.allowed.drivers.includes("program");
   return (

@@ -16,8 +16,8 @@ export function MissionMazes({ service }: { service: LessonsService }) {
   const verdict = useStore(store, (state) => state.verdict);
   const outcomes = verdict?.mazes ?? [];
   const passed = outcomes.filter(({ failure }) => failure === null).length;
-  // An open project is checked automatically, without a verdict.
-  const live = useStore(service.project.status, ({ status }) =>
+  // A bonus mission is checked automatically, without a verdict.
+  const live = useStore(service.bonus.status, ({ status }) =>
     status.kind === "mazes" ? status.result.failed : null,
   );
   const failing = verdict?.failure?.maze ?? null;

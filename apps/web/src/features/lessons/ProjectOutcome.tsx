@@ -1,21 +1,21 @@
-/** Current state of the open project, and the best result on this device. Announces each change. */
+/** State of the open bonus mission, and the best result on this device. Announces changes. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useAnnouncement } from "../../model/use-announcement.ts";
 import type { LessonsService } from "../../model/lessons/lessons-service.ts";
 import styles from "./lessons.module.css";
-import type { ProjectId } from "../../model/lessons/missions/projects.ts";
+import type { BonusMissionId } from "../../model/lessons/missions/projects.ts";
 import { bestText, isReached, statusText } from "./project-text.ts";
 
-interface ProjectOutcomeProps {
-  project: ProjectId;
+interface BonusOutcomeProps {
+  id: BonusMissionId;
   service: LessonsService;
 }
 
-export function ProjectOutcome({ project, service }: ProjectOutcomeProps) {
+export function BonusOutcome({ id, service }: BonusOutcomeProps) {
   const words = useTranslation(["missions", "words"], { useSuspense: false });
-  const status = useStore(service.project.status, (state) => state.status);
-  const best = useStore(service.progress, (state) => state.best[project]);
+  const status = useStore(service.bonus.status, (state) => state.status);
+  const best = useStore(service.progress, (state) => state.best[id]);
   const text = statusText(words, status);
   useAnnouncement(status.kind === "checking" ? null : text, "mission");
   return (
@@ -23,7 +23,7 @@ export function ProjectOutcome({ project, service }: ProjectOutcomeProps) {
       <p role="note" className={styles["outcome"]} data-state={isReached(status) ? "met" : "open"}>
         {text}
       </p>
-      {best !== undefined && <p className={styles["best"]}>{bestText(words, project, best)}</p>}
+      {best !== undefined && <p className={styles["best"]}>{bestText(words, id, best)}</p>}
     </>
   );
 }

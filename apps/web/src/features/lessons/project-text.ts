@@ -1,16 +1,16 @@
-/** Texts of an open project: its current state and the best result. */
-import type { ProjectAnswers } from "../../simulator/protocol/project-request.ts";
+/** Texts of a bonus mission: its current state and the best result. */
+import type { BonusAnswers } from "../../simulator/protocol/project-request.ts";
 import { formatSeconds } from "../../text/numbers.ts";
 import type { MissionWords } from "../../model/lessons/mission-words.ts";
 import {
-  PROJECT_SECONDS,
-  projects,
-  type ProjectId,
+  BONUS_SECONDS,
+  bonusMissions,
+  type BonusMissionId,
 } from "../../model/lessons/missions/projects.ts";
-import type { ProjectStatus } from "../../model/lessons/project-checker.ts";
+import type { BonusStatus } from "../../model/lessons/project-checker.ts";
 
 /** @returns null if there is nothing to report yet */
-export function statusText({ t, i18n }: MissionWords, status: ProjectStatus): string | null {
+export function statusText({ t, i18n }: MissionWords, status: BonusStatus): string | null {
   switch (status.kind) {
     case "none":
       return null;
@@ -32,7 +32,7 @@ export function statusText({ t, i18n }: MissionWords, status: ProjectStatus): st
   }
 }
 
-function defeatText({ t, i18n }: MissionWords, result: ProjectAnswers["defeat"]): string {
+function defeatText({ t, i18n }: MissionWords, result: BonusAnswers["defeat"]): string {
   switch (result.state) {
     case "no-goal":
       return t("missions:bonus.noGoal");
@@ -42,14 +42,14 @@ function defeatText({ t, i18n }: MissionWords, result: ProjectAnswers["defeat"])
       return t("missions:bonus.reached", { seconds: formatSeconds(result.ticks, i18n.language) });
     case "defeated":
       return t("missions:bonus.defeated", {
-        seconds: PROJECT_SECONDS,
+        seconds: BONUS_SECONDS,
         squares: result.squares,
       });
   }
 }
 
-/** Whether the project currently meets its aim. */
-export function isReached(status: ProjectStatus): boolean {
+/** Whether the bonus mission is currently solved. */
+export function isReached(status: BonusStatus): boolean {
   switch (status.kind) {
     case "mazes":
       return status.result.solved === status.result.all;
@@ -67,14 +67,14 @@ export function isReached(status: ProjectStatus): boolean {
 /** @param best as the device stores it */
 export function bestText(
   { t, i18n }: MissionWords,
-  project: ProjectId,
+  id: BonusMissionId,
   best: readonly number[],
 ): string {
   const [first = 0, ticks = 0] = best;
   const seconds = formatSeconds(ticks, i18n.language);
-  switch (project) {
+  switch (id) {
     case "all-mazes": {
-      const all = projects.find(({ id }) => id === project)?.challenge.mazes.length ?? 0;
+      const all = bonusMissions.find((each) => each.id === id)?.challenge.mazes.length ?? 0;
       return t("missions:bonus.best.all-mazes", { solved: all - first, all, seconds });
     }
     case "fewest-bumps":

@@ -7,7 +7,7 @@ import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
 import { missionIds } from "../../model/lessons/missions/mission.ts";
-import { projectOf } from "../../model/lessons/missions/projects.ts";
+import { bonusMissionOf } from "../../model/lessons/missions/projects.ts";
 
 export function useTask(): string {
   const { t } = useTranslation(["missions", "words"], { useSuspense: false });
@@ -15,8 +15,8 @@ export function useTask(): string {
   const challenge = useStore(store, (state) => state.challenge);
   const id = useStore(store, ({ mission }) => missionIds.find((each) => each === mission));
   const hasKeyboard = useMediaQuery("(hover: hover) and (pointer: fine)");
-  const project = useStore(store, ({ mission }) => projectOf(mission));
-  if (project !== null) return t(`missions:bonusMissions.${project}.task`);
+  const bonus = useStore(store, ({ mission }) => bonusMissionOf(mission));
+  if (bonus !== null) return t(`missions:bonusMissions.${bonus}.task`);
   if (id === undefined) return challenge?.words.task ?? "";
   return t(`missions:missions.${id}.task`, hasKeyboard ? { context: "keyboard" } : {});
 }

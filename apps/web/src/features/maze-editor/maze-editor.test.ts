@@ -46,7 +46,7 @@ it("of an unchanged maze reports so once per press, and changes nothing", () => 
 it.each([
   { name: "in a maze that stays as it is", isFixed: true, cell: at(2, 0) },
   { name: "on the square of the robot", isFixed: false, cell: at(0, 1) },
-])("says nothing about a press that becomes a pinch, $name", ({ isFixed, cell }) => {
+])("reports nothing about a press that becomes a pinch, $name", ({ isFixed, cell }) => {
   const { editor, refusals } = newEditor({ isFixed });
   editor.follow({ type: "begin", cell });
   editor.follow({ type: "cancel" });
@@ -87,7 +87,7 @@ describe("a stroke of blocks", () => {
     expect(refusals).toEqual(["robot-here", "start-here"]);
   });
 
-  it("that is given up leaves neither blocks nor a step of undo", () => {
+  it("that is cancelled leaves neither blocks nor an undo step", () => {
     const { workspace, editor } = newEditor();
     editor.follow({ type: "begin", cell: at(1, 0) });
     editor.follow({ type: "paint", cells: [at(2, 0)] });

@@ -25,7 +25,7 @@ describe("a tape by dragging", () => {
     expect(tape()).toEqual({ from: { x: 50, y: 650 }, to: { x: 200, y: 650 }, isOpen: false });
   });
 
-  it("takes no notice of another finger", () => {
+  it("ignores another finger", () => {
     const { tool, tape } = newTool();
     tool.begin(1, { x: 0, y: 0 });
     tool.drag(2, { x: 500, y: 500 });

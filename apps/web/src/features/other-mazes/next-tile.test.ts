@@ -19,7 +19,7 @@ describe("arrow keys in the grid of mazes", () => {
     expect(nextTile({ ...grid, key, from })).toBe(to);
   });
 
-  it("follow the eye where rows run from right to left", () => {
+  it("follow the text direction in right-to-left languages", () => {
     expect(nextTile({ ...grid, isRtl: true, key: "ArrowLeft", from: 0 })).toBe(1);
     expect(nextTile({ ...grid, isRtl: true, key: "ArrowRight", from: 1 })).toBe(0);
     expect(nextTile({ ...grid, isRtl: true, key: "ArrowDown", from: 1 })).toBe(5);

@@ -129,7 +129,7 @@ describe("trying a program in other mazes", () => {
     expect(state().state).toBe("done");
   });
 
-  it("records a run, and gives none when it is closed meanwhile", async () => {
+  it("records a run, and returns none if it is closed meanwhile", async () => {
     const { workers, trials } = setUp(1);
     const maze = mazeOf(choice, 1, "Tree");
     const recorded = trials.pool.record(maze, rightWall, 60);

@@ -36,7 +36,7 @@ describe("the workers that try other mazes", () => {
     vi.useRealTimers();
   });
 
-  it("begin at the press and stay for a minute after the dialog is closed", () => {
+  it("start on the press, and stay for a minute after the dialog is closed", () => {
     const { workers, trials, mount, press } = setUp();
     mount();
     expect(workers).toHaveLength(0);
@@ -49,7 +49,7 @@ describe("the workers that try other mazes", () => {
     expect(workers.map(({ isOver }) => isOver)).toEqual([true]);
   });
 
-  it("stay where the button is pressed again within the minute", () => {
+  it("stay if the button is pressed again within the minute", () => {
     const { workers, mount, press } = setUp();
     mount();
     press(true);
@@ -60,7 +60,7 @@ describe("the workers that try other mazes", () => {
     expect(workers.map(({ isOver }) => isOver)).toEqual([false]);
   });
 
-  it("of the next page are not ended by the minute of the page before", () => {
+  it("of the next page are not stopped by the timer of the previous page", () => {
     const { workers, mount, press } = setUp();
     const leave = mount();
     press(true);

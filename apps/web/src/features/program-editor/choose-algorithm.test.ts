@@ -18,8 +18,8 @@ function choose() {
   return { workspace, messages: () => screen.getState().messages };
 }
 
-describe("a ready-made algorithm", () => {
-  it("takes the program's place, and the message brings the old one back", () => {
+describe("a preset algorithm", () => {
+  it("replaces the program, and the message restores the old one", () => {
     const { workspace, messages } = choose();
     expect(workspace.getState().program).toBe(chosen);
     messages()[0]?.action?.run();

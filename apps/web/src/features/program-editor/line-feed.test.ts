@@ -31,18 +31,18 @@ function show(tick: number, state: "running" | "paused" = "running"): void {
 }
 
 describe("a line of the program", () => {
-  it("follows every moment while it is in sight", () => {
+  it("updates on every tick while it is visible", () => {
     for (const tick of [1, 2, 3]) show(tick);
     expect(received).toEqual([1, 2, 3]);
   });
 
-  it("follows at every fourth while it is out of sight", () => {
+  it("updates on every fourth tick while it is not visible", () => {
     line.dispatchEvent(new SightEvent(true));
     for (let tick = 1; tick <= 8; tick++) show(tick);
     expect(received).toEqual([4, 8]);
   });
 
-  it("is exact when the robot rests, in sight or not", () => {
+  it("is exact when the robot rests, visible or not", () => {
     line.dispatchEvent(new SightEvent(true));
     show(1);
     show(2, "paused");

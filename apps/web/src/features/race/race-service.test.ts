@@ -84,7 +84,7 @@ describe("a race", () => {
     expect(await bench("broken").service.add(runOf())).toBe("broken");
   });
 
-  it("takes the same maze under another name", async () => {
+  it("accepts the same maze under another name", async () => {
     const { service } = bench();
     expect(await service.add(runOf({ maze: { ...firstMaze, name: "Mine" } }))).toBeNull();
   });
@@ -188,7 +188,7 @@ describe("a race", () => {
     }
   });
 
-  it("goes on where the tab has no room for it", async () => {
+  it("continues if the tab cannot store it", async () => {
     const { service, race, tab } = bench();
     tab.isFull = true;
     expect(await service.add(runOf())).toBeNull();

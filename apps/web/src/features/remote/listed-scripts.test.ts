@@ -18,7 +18,7 @@ describe("the scripts in the panel", () => {
     expect(names([anna, { ...ben, seenAt: NOW + 1 }])).toEqual(["Anna", "Ben"]);
   });
 
-  it("go when they have been silent for two minutes, unless they have a line or are away", () => {
+  it("disappear after two minutes without a request, unless they are connected or blocked", () => {
     const long = { seenAt: NOW - 130_000 };
     const list = [
       script({ id: "1", ...long }),
@@ -28,7 +28,7 @@ describe("the scripts in the panel", () => {
     expect(shownScripts(list, NOW).map(({ id }) => id)).toEqual(["2", "3"]);
   });
 
-  it("are quiet once they have asked nothing for five seconds", () => {
+  it("are quiet after five seconds without a request", () => {
     expect(quietSeconds(script({ seenAt: NOW - 4_900 }), NOW)).toBe(0);
     expect(quietSeconds(script({ seenAt: NOW - 12_300 }), NOW)).toBe(12);
     expect(quietSeconds(script({ seenAt: NOW - 12_300, connections: 1 }), NOW)).toBe(0);

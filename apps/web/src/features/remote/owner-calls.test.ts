@@ -31,7 +31,7 @@ function service(answer: () => Response | Promise<Response>) {
 describe("a new key for scripts", () => {
   const old = keyIdOf(session.driverKey);
 
-  it("replaces the old one alone, and the session goes on", async () => {
+  it("replaces only the old one, and the session continues", async () => {
     const address = `https://host/r/${id}#drv_new`;
     const made = { id: "k3J9x2", kind: "drive", key: "drv_new", address };
     const { asked, ask } = service(() => Response.json(made, { status: 201 }));
@@ -41,7 +41,7 @@ describe("a new key for scripts", () => {
     ]);
   });
 
-  it("is made also where the old one is gone: an earlier answer was lost", async () => {
+  it("is created even if the old one is gone because a response was lost", async () => {
     const address = `https://host/r/${id}#drv_new`;
     const made = { id: "k3J9x2", kind: "drive", key: "drv_new", address };
     const answers = [Response.json({}, { status: 409 }), Response.json(made, { status: 201 })];
@@ -50,7 +50,7 @@ describe("a new key for scripts", () => {
     expect(asked[1]).toBe(`POST /api/v1/robots/${id}/keys Bearer own_secret {"kind":"drive"}`);
   });
 
-  it("is made for onlookers beside it", async () => {
+  it("can be created for viewers as well", async () => {
     const address = `https://host/r/${id}#wch_new`;
     const made = { id: "k3J9x2", kind: "watch", key: "wch_new", address };
     const { asked, ask } = service(() => Response.json(made, { status: 201 }));
@@ -62,7 +62,7 @@ describe("a new key for scripts", () => {
     { what: "nothing answers", answer: () => Promise.reject(new TypeError("offline")) },
     { what: "files alone answer", answer: () => new Response("<html>") },
     { what: "the service refuses", answer: () => Response.json({}, { status: 507 }) },
-  ])("is not to be had where $what, and the time left neither", async ({ answer }) => {
+  ])("is not available if $what, nor is the remaining time", async ({ answer }) => {
     const { ask } = service(answer);
     expect(await withNewKey(ask, session)).toBeNull();
     expect(await watchAddress(ask, session)).toBeNull();
@@ -83,7 +83,7 @@ describe("a script", () => {
     ]);
   });
 
-  it("drives no more while all are paused, and then again", async () => {
+  it("cannot drive while all scripts are paused, and can afterwards", async () => {
     const { asked, ask } = service(() => new Response(null, { status: 204 }));
     expect(await pauseDriving(ask, session, true)).toBe(true);
     expect(await pauseDriving(ask, session, false)).toBe(true);
@@ -93,7 +93,7 @@ describe("a script", () => {
     ]);
   });
 
-  it("stays as it is where nothing answers or the service refuses", async () => {
+  it("stays the same if the service does not respond or refuses", async () => {
     const refused = service(() => Response.json({}, { status: 409 }));
     expect(await blockScript(refused.ask, session, anna)).toBe(false);
     const silent = service(() => Promise.reject(new TypeError("offline")));

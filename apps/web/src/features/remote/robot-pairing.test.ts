@@ -66,7 +66,7 @@ it("shows a code, then the question, and sends the owner's answer to the service
   ]);
 });
 
-it("refuses with the button that revoked the code before", async () => {
+it("refuses with the button that cancelled the code before", async () => {
   const { asked, pairing, view, answer } = withService();
   void pairing.open();
   await answer(Response.json(made, { status: 201 }));
@@ -83,7 +83,7 @@ it("refuses with the button that revoked the code before", async () => {
   expect(asked.at(-1)).toBe('PUT  {"id":"k3J9x2","accept":false}');
 });
 
-it("goes on asking over a bad moment of the network, until the code is over", async () => {
+it("continues to poll during a network failure, until the code expires", async () => {
   const { pairing, view, answer, pass } = withService();
   void pairing.open();
   await answer(Response.json(made, { status: 201 }));

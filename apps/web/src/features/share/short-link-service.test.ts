@@ -37,7 +37,7 @@ describe("short links of this device", () => {
     expect(asked).toHaveLength(4);
   });
 
-  it("are made where the device is full or holds nonsense", async () => {
+  it("are created even if the device is full or its data is unreadable", async () => {
     const device = new MemoryStorage();
     device.setItem("corridor.shortLinks", '{"not":"a list"}');
     device.isFull = true;
@@ -52,7 +52,7 @@ describe("short links of this device", () => {
     { what: "nothing answers", answer: () => Promise.reject(new TypeError("offline")) },
     { what: "files alone answer", answer: () => Promise.resolve(new Response("<html>")) },
     { what: "it is busy", answer: () => Promise.resolve(new Response("", { status: 429 })) },
-  ])("are not to be had where $what", async ({ answer }) => {
+  ])("are not available if $what", async ({ answer }) => {
     const service = new ShortLinkService(answer, new MemoryStorage());
     expect(await service.answers()).toBe(false);
     expect(await service.make(maze)).toBeNull();

@@ -87,7 +87,7 @@ describe("the sounds of a run", () => {
     expect(pitchOf(199)).toBe(pitchOf(10));
   });
 
-  it("are no storm where a line changes with every frame", () => {
+  it("are limited if the line changes with every frame", () => {
     const { played, frame, pass } = bench();
     for (let at = 0; at < 200; at++) {
       frame({ line: at % 2, bumps: at });

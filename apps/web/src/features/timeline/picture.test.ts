@@ -17,8 +17,8 @@ function markOf(timeline: Timeline, width = 400): string {
   return pictureMark(pictureOf(timeline, width));
 }
 
-describe("the picture of a run that goes on", () => {
-  it("looks the same while what came is narrower than a pixel", () => {
+describe("the picture of a run that continues", () => {
+  it("stays the same while new segments are narrower than a pixel", () => {
     const timeline = timelineUpTo(HOUR - 600);
     const before = markOf(timeline);
     timeline.advanceTo(HOUR - 590);

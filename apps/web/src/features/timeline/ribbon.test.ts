@@ -23,7 +23,7 @@ function segmentsOf(timeline: Timeline) {
 }
 
 describe("the ribbon", () => {
-  it("shows who drove for how long, and which stretch is the newest", () => {
+  it("shows who drove for how long, and which segment is the newest", () => {
     const segments = segmentsOf(runOf(["me", 225], [1, 75], ["default", 150], ["remote", 450]));
     expect(segments).toEqual([
       { who: "me", x: 0, width: 59, isNewest: false },
@@ -37,13 +37,13 @@ describe("the ribbon", () => {
     expect(segmentsOf(new Timeline())).toEqual([]);
   });
 
-  it("shows chatter as one mixed segment, and who drives now beside it", () => {
+  it("shows fast changes as one mixed segment, and the current driver beside it", () => {
     const chatter = Array.from({ length: 60 }, (_, at): [number, number] => [at % 2, 8]);
     const segments = segmentsOf(runOf([4, 600], ...chatter, [2, 300]));
     expect(segments.map(({ who }) => who)).toEqual([4, "mixed", 2]);
   });
 
-  it("shows chatter that is finer than a pixel as one mixed segment, too", () => {
+  it("shows changes finer than a pixel as one mixed segment, too", () => {
     const chatter = Array.from({ length: 600 }, (_, at): [number, number] => [at % 2, 7]);
     const segments = segmentsOf(runOf([4, 60_000], ...chatter, [2, 30_000]));
     expect(segments.map(({ who }) => who)).toEqual([4, "mixed", 2]);
@@ -87,7 +87,7 @@ describe("the ribbon", () => {
     );
   });
 
-  it("does not look at every stretch of a run of hours", () => {
+  it("does not visit every segment of an hours-long run", () => {
     const timeline = runOf(
       ...Array.from({ length: 30_000 }, (_, at): [number, number] => [at % 2, 8]),
     );

@@ -24,7 +24,7 @@ function looking() {
   return { store, client, sent, emit, state, port };
 }
 
-describe("an onlooker's page", () => {
+describe("a viewer's page", () => {
   it("reports the state of the robot from the first attempt on", () => {
     const { emit, state } = looking();
     expect(state()).toBe("connecting");
@@ -103,7 +103,7 @@ describe("an onlooker's page", () => {
     ]);
   });
 
-  it("is no place for scripts, nor for half a link", () => {
+  it("rejects script addresses and incomplete links", () => {
     expect(endingOf(createWatchStore({ kind: "script" }).getState())).toBe("script");
     expect(endingOf(createWatchStore({ kind: "broken" }).getState())).toBe("broken");
   });

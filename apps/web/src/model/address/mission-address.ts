@@ -1,5 +1,5 @@
 /**
- * The address of a mission or an open project: `#mission/side-opening`. A fragment works on any
+ * The address of a mission or a bonus mission: `#mission/side-opening`. A fragment works on any
  * static host, offline and below every path (docs/adr/0015-mission-urls-as-fragments.md).
  */
 import type { ChallengeStore } from "../challenge/challenge-store.ts";

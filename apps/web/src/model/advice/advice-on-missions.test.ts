@@ -46,7 +46,7 @@ describe("advice on the missions", () => {
     expect(kindsOf(shownAdvice(program, challenge))).toEqual([]);
   });
 
-  it.each(all)("doubts no solution of $id", ({ id, challenge }) => {
+  it.each(all)("is not given on a solution of $id", ({ id, challenge }) => {
     const { solution } = answers[id];
     if (!("rules" in solution)) return;
     expect(kindsOf(shownAdvice(solution, challenge))).toEqual([]);
@@ -57,14 +57,14 @@ describe("advice on the missions", () => {
     ["no-room", "1 delayed-about-front"],
     ["faulty-line", "1 immediate-into-opening"],
     ["right-wall", "2 delayed-about-front"],
-  ] as const)("sees the typical mistake of %s", (id, advice) => {
+  ] as const)("finds the typical mistake of %s", (id, advice) => {
     const found = all.find((each) => each.id === id);
     const { attempt } = answers[id].wrong;
     if (found === undefined || !("rules" in attempt)) throw new Error(`no program for ${id}`);
     expect(kindsOf(shownAdvice(attempt, found.challenge))).toContain(advice);
   });
 
-  it.each(all)("leads nobody away from the goal of $id", ({ id, challenge }) => {
+  it.each(all)("never leads away from the goal of $id", ({ id, challenge }) => {
     const programs = [answers[id].wrong.attempt, challenge.program].filter(
       (each): each is ProgramDocument => each !== null && "rules" in each,
     );

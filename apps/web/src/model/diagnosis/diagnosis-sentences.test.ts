@@ -173,7 +173,7 @@ describe("a comparison of left with right", () => {
 });
 
 describe("a line that turns well at one place and to a wall at the next", () => {
-  it("is looked at where it turns to the wall", () => {
+  it("is named for its turn to the wall", () => {
     const mission = solved.find(({ id }) => id === "farthest-distance");
     if (mission === undefined) throw new Error("no mission");
     const { challenge } = mission;
@@ -188,7 +188,7 @@ describe("a line that turns well at one place and to a wall at the next", () => 
 });
 
 describe("two lines that undo each other", () => {
-  it("are the two that drove, although a line above them has forward as well", () => {
+  it("are both named, although a line above them also drives forward", () => {
     const maze: MazeDocument = {
       format: "corridor/maze",
       version: 1,

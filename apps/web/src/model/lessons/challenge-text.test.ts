@@ -30,7 +30,7 @@ const large: ChallengeDocument = {
 };
 
 describe("a challenge on the device", () => {
-  it("is there again, and takes no more room than its link", () => {
+  it("is restored, and takes no more space than its link", () => {
     const text = writeChallengeText(large);
     expect(text?.length).toBeLessThan(400);
     expect(readChallengeText(text ?? "")).toEqual(large);

@@ -75,7 +75,7 @@ describe("a goal that no straight drive reaches", () => {
     expect(handAdvice({ kind: "reach" }, around, { x: 350, y: 150, heading: 90 })).toBe("turn");
   });
 
-  it("is a reading that is longer than any way", () => {
+  it("is a reading that is longer than any path", () => {
     const goal: Goal = { kind: "stop", sensor: "back", from: 900, to: 950 };
     expect(handAdvice(goal, around, { x: 150, y: 150, heading: 90 })).toBe("far");
   });

@@ -93,7 +93,7 @@ const wavering = lines("forward", { when: nearWall, do: "reverse" });
 const solving = lines("forward", { when: nearWall, do: "turn 180" });
 
 describe("the figures of a solved mission", () => {
-  it("are those of the run on the screen if the program was edited on the way", async () => {
+  it("are those of the run on the screen if the program was edited during it", async () => {
     const page = openMission("one-line");
     page.program(wavering);
     page.drive(6);

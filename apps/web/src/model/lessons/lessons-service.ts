@@ -28,11 +28,11 @@ import { MissionAddress, pageAddressBar, type AddressBar } from "../address/miss
 import { missionDocument } from "./mission-document.ts";
 import { nextMission, type MissionId } from "./missions/mission.ts";
 import { missions } from "./missions/missions.ts";
-import { projectOf, projects } from "./missions/projects.ts";
-import { ProjectChecker } from "./project-checker.ts";
+import { bonusMissionOf, bonusMissions } from "./missions/projects.ts";
+import { BonusChecker } from "./project-checker.ts";
 
 /** Everything that an address can name. */
-const tasks = [...missions, ...projects];
+const tasks = [...missions, ...bonusMissions];
 
 type Met = Extract<Judgement, { kind: "met" }>;
 
@@ -47,8 +47,8 @@ export class LessonsService {
     done: {},
     best: {},
   }));
-  /** the open project, checked whenever it changes */
-  readonly project: ProjectChecker;
+  /** the open bonus mission, checked whenever it changes */
+  readonly bonus: BonusChecker;
   /** rises with each challenge and maze to judge; judgements with another id are ignored */
   #judgeId = 0;
   /** id of the project with the open challenge */
@@ -68,7 +68,7 @@ export class LessonsService {
     this.#checker = checker;
     this.#address = new MissionAddress(ports.challenge, bar, () => this.goHome());
     this.showProgress();
-    this.project = new ProjectChecker(ports, (isStored) => {
+    this.bonus = new BonusChecker(ports, (isStored) => {
       this.#reportUnlessStored(isStored);
       this.showProgress();
     });
@@ -276,7 +276,7 @@ export class LessonsService {
         ? []
         : [{ maze, program: project.program }];
     });
-    const trail = await this.project.trailOf(attempts);
+    const trail = await this.bonus.trailOf(attempts);
     if (trail !== null) return trail;
     const [last] = missions.slice(-1).flatMap((mission) => missionDocument(mission, words).mazes);
     if (last === undefined) throw new Error("There is no mission.");
@@ -383,7 +383,7 @@ export class LessonsService {
     this.#judged = { kind: "open" };
     // The project worker decides whether a maze defeats its program. No run on the screen decides
     // it.
-    const attempt = projectOf(mission) === "beat-right-wall" ? null : { challenge, maze };
+    const attempt = bonusMissionOf(mission) === "beat-right-wall" ? null : { challenge, maze };
     this.#ports.simulator.send({ type: "judge", id: ++this.#judgeId, attempt });
   }
 
@@ -417,7 +417,7 @@ export class LessonsService {
   #setDone(done: Done): void {
     const { storage, challenge } = this.#ports;
     const { mission } = challenge.getState();
-    if (mission === null || projectOf(mission) !== null) return;
+    if (mission === null || bonusMissionOf(mission) !== null) return;
     this.#reportUnlessStored(storage.add({ done: { [mission]: done } }));
     this.showProgress();
   }

@@ -52,7 +52,7 @@ describe("what the device remembers of the lessons", () => {
     expect(a.record.done["two"]).toEqual({ lines: 2, ticks: 199 });
   });
 
-  it("stores the better result of an open project, number by number", () => {
+  it("stores the better result of a bonus mission, number by number", () => {
     const device = new MemoryStorage();
     const a = new LessonsStorage(device);
     a.add({ best: { "fewest-bumps": [2, 900] } });

@@ -17,7 +17,7 @@ export interface LessonsRecord {
   done: Readonly<Record<string, Done>>;
   /** id of the project with the attempt, by mission id; the stored documents name it so */
   works: Readonly<Record<string, string>>;
-  /** best result of each open project: smaller numbers are better, and the first counts most */
+  /** best result of each bonus mission: smaller numbers are better, and the first counts most */
   best: Readonly<Record<string, readonly number[]>>;
   /** id of the project that was open before the first mission; null if unknown */
   home: string | null;

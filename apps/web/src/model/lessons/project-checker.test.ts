@@ -2,21 +2,21 @@ import { describe, expect, it, vi } from "vitest";
 import { MemoryStorage } from "../storage/testing/memory-storage.ts";
 import { createChallengeStore, noChallenge } from "../challenge/challenge-store.ts";
 import { createWorkspaceStore, setMaze, setProgram } from "../workspace/workspace-store.ts";
-import type { ProjectAnswer, ProjectQuestion } from "../../simulator/protocol/project-request.ts";
+import type { BonusAnswer, BonusQuestion } from "../../simulator/protocol/project-request.ts";
 import { firstMaze, firstProgram } from "../../simulator/protocol/first-project.ts";
 import type { FromWorker } from "../../simulator/protocol/worker-messages.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
 import { LessonsStorage } from "./lessons-storage.ts";
 import { challengeOf } from "./missions/mission.ts";
-import { projects, type ProjectId } from "./missions/projects.ts";
-import { ProjectChecker } from "./project-checker.ts";
+import { bonusMissions, type BonusMissionId } from "./missions/projects.ts";
+import { BonusChecker } from "./project-checker.ts";
 
-function openPage(answer: (question: ProjectQuestion) => ProjectAnswer) {
+function openPage(answer: (question: BonusQuestion) => BonusAnswer) {
   vi.useFakeTimers();
   const challenge = createChallengeStore();
   const workspace = createWorkspaceStore(firstMaze, firstProgram);
   const storage = new LessonsStorage(new MemoryStorage());
-  const asked: ProjectQuestion[] = [];
+  const asked: BonusQuestion[] = [];
   let emit: (message: FromWorker) => void = () => undefined;
   const simulator = {
     send: () => undefined,
@@ -26,7 +26,7 @@ function openPage(answer: (question: ProjectQuestion) => ProjectAnswer) {
     },
   };
   const ports = { challenge, workspace, storage, simulator } as unknown as LessonsPorts;
-  const checker = new ProjectChecker(
+  const checker = new BonusChecker(
     ports,
     () => undefined,
     (question) => {
@@ -34,10 +34,10 @@ function openPage(answer: (question: ProjectQuestion) => ProjectAnswer) {
       return Promise.resolve(answer(question));
     },
   );
-  const open = async (id: ProjectId) => {
-    const project = projects.find((each) => each.id === id);
-    if (project === undefined) throw new Error("no project");
-    const document = challengeOf(project, "Project", { task: "Task", short: "Task", hints: [] });
+  const open = async (id: BonusMissionId) => {
+    const mission = bonusMissions.find((each) => each.id === id);
+    if (mission === undefined) throw new Error("no bonus mission");
+    const document = challengeOf(mission, "Bonus", { task: "Task", short: "Task", hints: [] });
     challenge.setState({ ...noChallenge, challenge: document, mission: id });
     await vi.runAllTimersAsync();
   };
@@ -52,12 +52,12 @@ function openPage(answer: (question: ProjectQuestion) => ProjectAnswer) {
   };
 }
 
-const solves = (solved: number, ticks: number): ProjectAnswer => ({
+const solves = (solved: number, ticks: number): BonusAnswer => ({
   kind: "mazes",
   value: { solved, all: 7, ticks, failed: [] },
 });
 
-describe("an open project", () => {
+describe("a bonus mission", () => {
   it("is checked when it opens and once after several edits, and stores the best result", async () => {
     let now = solves(3, 900);
     const page = openPage(() => now);
@@ -94,7 +94,7 @@ describe("an open project", () => {
     expect(page.asked.at(-1)).toMatchObject({
       kind: "defeat",
       maze: { name: "Mine" },
-      program: { name: "Project" },
+      program: { name: "Bonus" },
     });
     expect(page.best()).toEqual({ "beat-right-wall": [9] });
   });

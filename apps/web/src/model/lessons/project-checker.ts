@@ -1,37 +1,37 @@
 /**
- * Checks the open project in a worker whenever the program or the maze changes. Stores the best
+ * Checks the open bonus mission in a worker whenever the program or the maze changes. Stores the best
  * result on the device.
  */
 import { startingProgram, type ChallengeDocument } from "@corridor/challenge";
 import { createStore } from "zustand/vanilla";
 import type {
-  ProjectAnswer,
-  ProjectAnswers,
-  ProjectQuestion,
+  BonusAnswer,
+  BonusAnswers,
+  BonusQuestion,
   SolvedTrail,
 } from "../../simulator/protocol/project-request.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
-import { PROJECT_SECONDS, projectOf, type ProjectId } from "./missions/projects.ts";
+import { BONUS_SECONDS, bonusMissionOf, type BonusMissionId } from "./missions/projects.ts";
 
-/** Current state of the open project. */
-export type ProjectStatus =
+/** Current state of the open bonus mission. */
+export type BonusStatus =
   | { kind: "none" }
   | { kind: "checking" }
   | { kind: "failed" }
-  | { kind: "mazes"; result: ProjectAnswers["mazes"] }
-  | { kind: "defeat"; result: ProjectAnswers["defeat"] }
+  | { kind: "mazes"; result: BonusAnswers["mazes"] }
+  | { kind: "defeat"; result: BonusAnswers["defeat"] }
   | { kind: "hand"; bumps: number; ticks: number };
 
 /** Edits arrive with each key, so the check waits until they pause. */
 const PAUSE_MS = 300;
 
 /** Sends a question to the worker. */
-export type AskProject = (question: ProjectQuestion) => Promise<ProjectAnswer>;
+export type AskProject = (question: BonusQuestion) => Promise<BonusAnswer>;
 
-export class ProjectChecker {
+export class BonusChecker {
   readonly #ports: LessonsPorts;
   readonly #ask: AskProject;
-  readonly status = createStore<{ status: ProjectStatus }>(() => ({ status: { kind: "none" } }));
+  readonly status = createStore<{ status: BonusStatus }>(() => ({ status: { kind: "none" } }));
   #timer: ReturnType<typeof setTimeout> | undefined;
   /** rises with each change; answers to older questions are discarded */
   #asked = 0;
@@ -67,9 +67,9 @@ export class ProjectChecker {
    * @throws if the worker fails to load
    */
   async trailOf(
-    attempts: Extract<ProjectQuestion, { kind: "trail" }>["attempts"],
+    attempts: Extract<BonusQuestion, { kind: "trail" }>["attempts"],
   ): Promise<SolvedTrail | null> {
-    const answer = await this.#ask({ kind: "trail", attempts, seconds: PROJECT_SECONDS });
+    const answer = await this.#ask({ kind: "trail", attempts, seconds: BONUS_SECONDS });
     return answer.kind === "trail" ? answer.value : null;
   }
 
@@ -77,29 +77,29 @@ export class ProjectChecker {
     clearTimeout(this.#timer);
     const asked = ++this.#asked;
     const { challenge, mission } = this.#ports.challenge.getState();
-    const project = projectOf(mission);
+    const bonus = bonusMissionOf(mission);
     this.status.setState({ status: { kind: "none" } });
-    if (project === null || project === "fewest-bumps" || challenge === null) return;
-    this.#timer = setTimeout(() => void this.#check(project, challenge, asked), PAUSE_MS);
+    if (bonus === null || bonus === "fewest-bumps" || challenge === null) return;
+    this.#timer = setTimeout(() => void this.#check(bonus, challenge, asked), PAUSE_MS);
   }
 
   async #check(
-    project: Exclude<ProjectId, "fewest-bumps">,
+    bonus: Exclude<BonusMissionId, "fewest-bumps">,
     challenge: ChallengeDocument,
     asked: number,
   ): Promise<void> {
     const { maze, program } = this.#ports.workspace.getState();
     this.status.setState({ status: { kind: "checking" } });
-    let answer: ProjectAnswer;
+    let answer: BonusAnswer;
     try {
       answer = await this.#ask(
-        project === "all-mazes"
+        bonus === "all-mazes"
           ? { kind: "mazes", challenge, program }
           : {
               kind: "defeat",
               maze,
               program: startingProgram(challenge),
-              seconds: PROJECT_SECONDS,
+              seconds: BONUS_SECONDS,
             },
       );
     } catch {
@@ -110,11 +110,11 @@ export class ProjectChecker {
     if (answer.kind === "mazes") {
       const { solved, all, ticks } = answer.value;
       this.status.setState({ status: { kind: "mazes", result: answer.value } });
-      if (solved > 0) this.#store(project, [all - solved, ticks]);
+      if (solved > 0) this.#store(bonus, [all - solved, ticks]);
       return;
     }
     this.status.setState({ status: { kind: "defeat", result: answer.value } });
-    if (answer.value.state === "defeated") this.#store(project, [answer.value.squares]);
+    if (answer.value.state === "defeated") this.#store(bonus, [answer.value.squares]);
   }
 
   /** The challenge judges a drive by hand while it runs. Its end is the result. */
@@ -130,8 +130,8 @@ export class ProjectChecker {
     this.#store(mission, [bumps, ticks]);
   }
 
-  #store(project: ProjectId, result: readonly number[]): void {
-    this.#onBest(this.#ports.storage.add({ best: { [project]: result } }));
+  #store(bonus: BonusMissionId, result: readonly number[]): void {
+    this.#onBest(this.#ports.storage.add({ best: { [bonus]: result } }));
   }
 }
 
@@ -144,7 +144,7 @@ const askWorker: AskProject = async (question) =>
         type: "module",
       },
     );
-    worker.onmessage = ({ data }: MessageEvent<ProjectAnswer>) => {
+    worker.onmessage = ({ data }: MessageEvent<BonusAnswer>) => {
       worker.terminate();
       resolve(data);
     };

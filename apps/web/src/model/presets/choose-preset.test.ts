@@ -22,7 +22,7 @@ function choose(program: typeof firstProgram) {
   const services = { workspace, screen, simulator } as unknown as Parameters<typeof chooseMaze>[0];
   chooseMaze(services, createI18n(en), chosen);
   const message = screen.getState().messages[0];
-  return { workspace, sent, text: message?.text, takeBack: () => message?.action?.run() };
+  return { workspace, sent, text: message?.text, undo: () => message?.action?.run() };
 }
 
 describe("choosing a maze", () => {
@@ -66,16 +66,16 @@ describe("choosing a maze", () => {
     expect(workspace.getState()).toMatchObject({ maze: firstMaze, program: firstProgram });
   });
 
-  it("is taken back with its program by the message", () => {
-    const { workspace, takeBack } = choose(firstProgram);
-    takeBack();
+  it("is undone with its program by the message", () => {
+    const { workspace, undo } = choose(firstProgram);
+    undo();
     expect(workspace.getState()).toMatchObject({ maze: firstMaze, program: firstProgram });
   });
 
-  it("is taken back without the lines that were written since", () => {
-    const { workspace, takeBack } = choose(firstProgram);
+  it("is undone, and lines written since then remain", () => {
+    const { workspace, undo } = choose(firstProgram);
     addLine(workspace);
-    takeBack();
+    undo();
     expect(workspace.getState().maze).toBe(firstMaze);
     expect(workspace.getState().program.rules).toHaveLength(1);
   });

@@ -6,7 +6,7 @@ import { bestOf, dayOfMaze, EARLIER_DAYS, noteDaily, utcDay } from "./daily-best
 const today = { year: 2026, month: 3, day: 1 };
 const maze = dailyMaze(today, "Maze of 1 March 2026");
 
-describe("the best of the day", () => {
+describe("the best result of the day", () => {
   it("is the shortest run, then the one with fewer bumps", () => {
     const storage = new MemoryStorage();
     expect(bestOf(storage, today)).toBeNull();

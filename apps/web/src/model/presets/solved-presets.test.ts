@@ -78,7 +78,7 @@ describe("solved presets", () => {
     { stored: "no list", known: [] },
     { stored: '{"tree":1}', known: [] },
     { stored: '["tree", 5, "a maze of tomorrow"]', known: ["tree", "a maze of tomorrow"] },
-  ])("reads the names that stand in $stored", ({ stored, known }) => {
+  ])("reads the names in $stored", ({ stored, known }) => {
     const device = new MemoryStorage();
     device.setItem(KEY, stored);
     expect(open(device).ids()).toEqual(known);

@@ -17,7 +17,7 @@ function page() {
   return { words, workspace, run, program };
 }
 
-describe("the name of a ready-made program after the language changed", () => {
+describe("the name of a preset program after the language changed", () => {
   it("is in the new language, and undo still reverts the edit before", async () => {
     const { words, workspace, program } = page();
     const rightWall = { ...program, name: "Right wall" };

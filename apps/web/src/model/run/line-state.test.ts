@@ -184,7 +184,7 @@ describe("shownBump", () => {
     expect(shownBump(0, { snapshot: touching, event: null })).toBeNull();
   });
 
-  it("is nobody's while a hand drives", () => {
+  it("belongs to no line during manual driving", () => {
     const mine = { ...touching, driver: "me" as const, line: null };
     expect(shownBump(0, { snapshot: mine, event })).toBeNull();
   });

@@ -21,7 +21,7 @@ describe("a program of the student's own", () => {
     expect(isOwnProgram(firstProject(other).program, other)).toBe(false);
   });
 
-  it("is not the example or a ready-made one that was named before the language changed", async () => {
+  it("is not the example or a preset that was named before the language changed", async () => {
     const other = createI18n(en);
     await showLanguage(other, "de");
     const { program } = firstProject(other);
@@ -46,7 +46,7 @@ describe("a program of the student's own", () => {
     expect(isOwnProgram({ ...program, name: "Mine" }, words)).toBe(true);
   });
 
-  it("is a ready-made one once a number was changed", () => {
+  it("is one once a number of a preset was changed", () => {
     const { program } = firstProject(words);
     const edit = setNumber(program, 0, 70);
     if (!edit.ok) throw new Error(edit.code);
@@ -64,7 +64,7 @@ describe("a program of the student's own", () => {
   });
 });
 
-describe("the name of a ready-made program whose lines are changed", () => {
+describe("the name of a preset program whose lines are changed", () => {
   const changed = (name: string) => {
     const program = { ...firstProject(words).program, name };
     const edit = setNumber(program, 0, 70);
@@ -92,7 +92,7 @@ describe("the name of a ready-made program whose lines are changed", () => {
     expect(changed(was).name()).toBe(was);
   });
 
-  it("stays where a student's own lines have the name of a ready-made one", () => {
+  it("stays if a student's own lines have the name of a preset", () => {
     const { workspace, name } = changed("Right wall");
     const own = workspace.getState().program;
     setProgram(workspace, { ...own, name: "Right wall" });

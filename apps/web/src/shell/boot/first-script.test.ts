@@ -113,7 +113,7 @@ describe("a first visit", () => {
     expect(open({ hash: "#abc" })).toMatchObject({ fetchedAtOnce: true });
   });
 
-  it("is one for who only chose a theme", () => {
+  it("is also one if the user has only chosen a theme", () => {
     expect(earlyProject(open({ stored: { "corridor.theme": "dark" } }).name)).not.toBeNull();
   });
 });
@@ -130,7 +130,7 @@ describe("the invitation before the page's script", () => {
     });
   });
 
-  it("is not shown to who dismissed it, or has been in the lessons", () => {
+  it("is not shown to users who dismissed it or opened a lesson", () => {
     expect(open({ stored: { "corridor.lessons": "{}" } }).root.dataset.first).toBe("");
   });
 

@@ -1,4 +1,4 @@
-/** Checks open projects by running programs in mazes, without a page. Deterministic. */
+/** Checks bonus missions by running programs in mazes, without a page. Deterministic. */
 import { checkChallenge } from "@corridor/challenge";
 import {
   CELL,
@@ -10,16 +10,12 @@ import {
 } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
 import { ProgramRun, Simulation, TICKS_PER_SECOND } from "@corridor/simulation";
-import type {
-  ProjectAnswer,
-  ProjectAnswers,
-  ProjectQuestion,
-} from "../protocol/project-request.ts";
+import type { BonusAnswer, BonusAnswers, BonusQuestion } from "../protocol/project-request.ts";
 
 /** Ticks between two points of a trail: 10 units of a straight line. */
 const TRAIL_EVERY = 6;
 
-export function answerProject(question: ProjectQuestion): ProjectAnswer {
+export function answerBonus(question: BonusQuestion): BonusAnswer {
   switch (question.kind) {
     case "mazes":
       return { kind: "mazes", value: checkMazes(question) };
@@ -35,7 +31,7 @@ export function answerProject(question: ProjectQuestion): ProjectAnswer {
 function checkMazes({
   challenge,
   program,
-}: Extract<ProjectQuestion, { kind: "mazes" }>): ProjectAnswers["mazes"] {
+}: Extract<BonusQuestion, { kind: "mazes" }>): BonusAnswers["mazes"] {
   const { mazes } = checkChallenge(challenge, program);
   const solved = mazes.filter(({ failure }) => failure === null);
   return {
@@ -50,7 +46,7 @@ function checkDefeat(
   maze: MazeDocument,
   program: ProgramDocument,
   seconds: number,
-): ProjectAnswers["defeat"] {
+): BonusAnswers["defeat"] {
   if (maze.goals.length === 0) return { state: "no-goal" };
   const reachable = reachableFrom(maze, maze.start);
   const { columns } = sizeOf(maze);
@@ -86,7 +82,7 @@ function reachableFrom(maze: MazeDocument, start: Cell): Set<number> {
 function firstTrail({
   attempts,
   seconds,
-}: Extract<ProjectQuestion, { kind: "trail" }>): ProjectAnswers["trail"] {
+}: Extract<BonusQuestion, { kind: "trail" }>): BonusAnswers["trail"] {
   for (const { maze, program } of attempts) {
     const { isReached, simulation, points } = drive(maze, program, seconds);
     if (isReached) return { maze, pose: { ...simulation.report().pose }, points };

@@ -1,9 +1,9 @@
-/** Requests to the worker that checks open projects, and its answers. */
+/** Requests to the worker that checks bonus missions, and its answers. */
 import type { ChallengeDocument } from "@corridor/challenge";
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 
-export type ProjectQuestion =
+export type BonusQuestion =
   /** in how many mazes of the challenge the program reaches the goal */
   | { kind: "mazes"; challenge: ChallengeDocument; program: ProgramDocument }
   /** whether the program fails to reach the goal of this maze within so many seconds */
@@ -30,7 +30,7 @@ export interface SolvedTrail {
   points: number[];
 }
 
-export interface ProjectAnswers {
+export interface BonusAnswers {
   /** the verdict contains one outcome per maze; none if the program is not allowed */
   mazes: { solved: number; all: number; ticks: number; failed: readonly number[] };
   defeat: DefeatResult;
@@ -38,6 +38,6 @@ export interface ProjectAnswers {
   trail: SolvedTrail | null;
 }
 
-export type ProjectAnswer = {
-  [Kind in keyof ProjectAnswers]: { kind: Kind; value: ProjectAnswers[Kind] };
-}[keyof ProjectAnswers];
+export type BonusAnswer = {
+  [Kind in keyof BonusAnswers]: { kind: Kind; value: BonusAnswers[Kind] };
+}[keyof BonusAnswers];

@@ -51,7 +51,7 @@ describe("a watched robot", () => {
     expect(Math.min(...steps(xs))).toBeGreaterThanOrEqual(0);
   });
 
-  it("never goes back where snapshots come unevenly", () => {
+  it("never moves backwards if snapshots arrive unevenly", () => {
     const { mirror, at, pass, drawn } = looking();
     for (const [n, gap] of [20, 90, 10, 60, 120, 10, 10, 80, 40, 200].entries()) {
       mirror.add(at(100 + 5 * n));
@@ -84,7 +84,7 @@ describe("a watched robot", () => {
     expect(drawn.at(-1)?.pose.heading).toBe(10);
   });
 
-  it("jumps where it was put back to its start, and its trail begins anew", () => {
+  it("jumps when it is reset to its start, and its trail restarts", () => {
     const { at, see, pass, drawn, trail } = looking();
     see(at(150), at(155), at(160));
     see(at(950, 950, { tick: 0 }));

@@ -104,8 +104,8 @@ function live(bench: Bench, story: readonly Chapter[]) {
   return { moments, run: run.run };
 }
 
-describe("whatever is done with a run", () => {
-  it("its file replays to the digest and the moment that it ended with", () => {
+describe("any operations on a run", () => {
+  it("its file replays to the digest and the tick at which it ended", () => {
     fc.assert(
       fc.property(anyStory, (story) => {
         const bench = new Bench();
@@ -125,7 +125,7 @@ describe("whatever is done with a run", () => {
     );
   });
 
-  it("any moment of it is shown bit for bit as it was live", () => {
+  it("displays any tick bit for bit as it was live", () => {
     fc.assert(
       fc.property(anyStory, fc.array(fc.nat(), { minLength: 1, maxLength: 6 }), (story, asked) => {
         const bench = new Bench();
@@ -151,7 +151,7 @@ describe("whatever is done with a run", () => {
     );
   });
 
-  it("run on from any moment of it, it is a run that its file alone makes again", () => {
+  it("continued from any tick, it can be replayed from its file alone", () => {
     fc.assert(
       fc.property(anyStory, fc.nat(), anyStory, (story, number, later) => {
         const bench = new Bench();

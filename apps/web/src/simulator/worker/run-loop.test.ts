@@ -125,7 +125,7 @@ describe("time", () => {
   });
 
   it.each([0.25, 4, 16, "max"] as const)(
-    "flows as in real time at speed %s while a robot waits for its script",
+    "passes in real time at speed %s while the robot waits for its script",
     (speed) => {
       const loop = loopOf();
       loop.setDriver("remote");
@@ -198,7 +198,7 @@ describe("time", () => {
     expect(runs[2]).toEqual(runs[0]);
   });
 
-  it("stands still while paused, and a sleep is not caught up", () => {
+  it("does not pass while paused, and is not caught up after a sleep", () => {
     const loop = loopOf();
     loop.run();
     pass(loop, 100);
@@ -249,7 +249,7 @@ describe("a hand", () => {
     expect(loop.snapshot().pose.heading % 2.5).toBe(0);
   });
 
-  it("takes over from a running program; Run returns the robot to the program", () => {
+  it("takes over from a running program, and Run returns the robot to the program", () => {
     const loop = loopOf();
     loop.run();
     pass(loop, 300);

@@ -2,13 +2,13 @@ import { mazePresets, type MazeDocument } from "@corridor/maze";
 import { programPresets } from "@corridor/program";
 import { describe, expect, it } from "vitest";
 import { challengeOf } from "./mission.ts";
-import { projects } from "./projects.ts";
-import { answerProject } from "../../../simulator/check-worker/check-project.ts";
+import { bonusMissions } from "./projects.ts";
+import { answerBonus } from "../../../simulator/check-worker/check-project.ts";
 
 const words = { task: "Task", short: "Task", hints: [] };
 const program = programPresets.find(({ id }) => id === "right-wall")?.program;
 const backAndForth = programPresets.find(({ id }) => id === "back-and-forth")?.program;
-const allMazes = projects.find(({ id }) => id === "all-mazes");
+const allMazes = bonusMissions.find(({ id }) => id === "all-mazes");
 if (program === undefined || backAndForth === undefined || allMazes === undefined) {
   throw new Error("a preset is missing");
 }
@@ -27,11 +27,11 @@ function maze(blocks: string[], goal: [number, number] | null): MazeDocument {
 
 const room = ["#####", "#...#", "#...#", "#...#", "#####"];
 
-describe("the project of all mazes", () => {
+describe("the bonus mission of all mazes", () => {
   it("counts the mazes that a program solves, and names those where it fails", () => {
-    const answer = answerProject({ kind: "mazes", challenge, program });
+    const answer = answerBonus({ kind: "mazes", challenge, program });
     expect(answer).toMatchObject({ value: { solved: 7, all: 7, failed: [] } });
-    const poor = answerProject({ kind: "mazes", challenge, program: backAndForth });
+    const poor = answerBonus({ kind: "mazes", challenge, program: backAndForth });
     // A straight corridor is all that it solves.
     expect(poor).toMatchObject({ value: { solved: 1, all: 7, ticks: 465 } });
   });
@@ -40,14 +40,14 @@ describe("the project of all mazes", () => {
     const [line] = program.rules;
     if (line === undefined) throw new Error("no line");
     const long = { ...program, rules: Array.from({ length: 5 }, () => line) };
-    const answer = answerProject({ kind: "mazes", challenge, program: long });
+    const answer = answerBonus({ kind: "mazes", challenge, program: long });
     expect(answer).toMatchObject({ value: { solved: 0, all: 7 } });
   });
 });
 
-describe("the project of a maze that defeats a program", () => {
+describe("the bonus mission of a maze that defeats a program", () => {
   const defeat = (document: MazeDocument) =>
-    answerProject({ kind: "defeat", maze: document, program, seconds: 60 }).value;
+    answerBonus({ kind: "defeat", maze: document, program, seconds: 60 }).value;
 
   it("is won where the robot circles a goal in the middle", () => {
     expect(defeat(maze(room, [2, 2]))).toEqual({ state: "defeated", seconds: 60, squares: 9 });
@@ -69,7 +69,7 @@ describe("the trail for the finish", () => {
     const [, corridor] = mazePresets;
     const [steps] = mazePresets;
     if (corridor === undefined || steps === undefined) throw new Error("no presets");
-    const { value } = answerProject({
+    const { value } = answerBonus({
       kind: "trail",
       seconds: 30,
       attempts: [
@@ -87,6 +87,6 @@ describe("the trail for the finish", () => {
     const [steps] = mazePresets;
     if (steps === undefined) throw new Error("no presets");
     const attempts = [{ maze: steps.maze, program: backAndForth }];
-    expect(answerProject({ kind: "trail", seconds: 5, attempts }).value).toBeNull();
+    expect(answerBonus({ kind: "trail", seconds: 5, attempts }).value).toBeNull();
   });
 });

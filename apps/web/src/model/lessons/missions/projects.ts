@@ -1,26 +1,26 @@
 /**
- * The open projects after the missions. None has a single correct answer, and the device stores the
- * best result. Never change an id: stored results, addresses and texts refer to it.
+ * The bonus missions after the fourteen missions. None has a single correct answer, and the device
+ * stores the best result. Never change an id: stored results, addresses and texts refer to it.
  */
 import { mazePresets } from "@corridor/maze";
 import { programPresets } from "@corridor/program";
 import type { Idea } from "./ideas.ts";
 import { allEdits, eastFrom, lines, programOf, room, type Mission } from "./mission.ts";
 
-export const projectIds = ["all-mazes", "fewest-bumps", "beat-right-wall"] as const;
-export type ProjectId = (typeof projectIds)[number];
+export const bonusMissionIds = ["all-mazes", "fewest-bumps", "beat-right-wall"] as const;
+export type BonusMissionId = (typeof bonusMissionIds)[number];
 
-export interface Project {
-  id: ProjectId;
+export interface BonusMission {
+  id: BonusMissionId;
   challenge: Mission["challenge"];
 }
 
 /** Simulated seconds for a program in each maze. */
-export const PROJECT_SECONDS = 300;
+export const BONUS_SECONDS = 300;
 
-/** The project with this id; null for a mission and for an unknown id. */
-export function projectOf(id: string | null): ProjectId | null {
-  return projectIds.find((each) => each === id) ?? null;
+/** The id if it names a bonus mission; null for another mission and for an unknown id. */
+export function bonusMissionOf(id: string | null): BonusMissionId | null {
+  return bonusMissionIds.find((each) => each === id) ?? null;
 }
 
 const rightWall = programPresets.find(({ id }) => id === "right-wall");
@@ -45,7 +45,7 @@ const openRoom = room(
   { column: 7, row: 1 },
 );
 
-export const projects: readonly Project[] = [
+export const bonusMissions: readonly BonusMission[] = [
   {
     id: "all-mazes",
     challenge: {
@@ -53,7 +53,7 @@ export const projects: readonly Project[] = [
       program: lines("forward"),
       goal: { kind: "reach" },
       allowed: programOf(4, ...allEdits),
-      checks: { bumps: null, seconds: PROJECT_SECONDS },
+      checks: { bumps: null, seconds: BONUS_SECONDS },
       par: null,
     },
   },
@@ -81,16 +81,16 @@ export const projects: readonly Project[] = [
       mazes: [openRoom],
       program: rightWall?.program ?? null,
       // The program must not reach the goal, so reaching it meets nothing here.
-      goal: { kind: "last", seconds: PROJECT_SECONDS },
+      goal: { kind: "last", seconds: BONUS_SECONDS },
       allowed: { ...programOf(2), maze: true },
-      checks: { bumps: null, seconds: PROJECT_SECONDS },
+      checks: { bumps: null, seconds: BONUS_SECONDS },
       par: null,
     },
   },
 ];
 
 /** Ideas of the thumbnails, one for each maze. */
-export const projectIdeas: Readonly<Record<ProjectId, readonly Idea[]>> = {
+export const bonusMissionIdeas: Readonly<Record<BonusMissionId, readonly Idea[]>> = {
   "all-mazes": [0, 1, 2].map(() => ({ robot: null, marks: [] })),
   "fewest-bumps": [
     {
