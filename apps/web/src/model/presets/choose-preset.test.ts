@@ -66,13 +66,13 @@ describe("choosing a maze", () => {
     expect(workspace.getState()).toMatchObject({ maze: firstMaze, program: firstProgram });
   });
 
-  it("is undone with its program by the message", () => {
+  it("is reverted with its program by the message", () => {
     const { workspace, undo } = choose(firstProgram);
     undo();
     expect(workspace.getState()).toMatchObject({ maze: firstMaze, program: firstProgram });
   });
 
-  it("is undone, and lines written since then remain", () => {
+  it("is reverted, and lines written since then remain", () => {
     const { workspace, undo } = choose(firstProgram);
     addLine(workspace);
     undo();
