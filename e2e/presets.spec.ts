@@ -13,7 +13,7 @@ test("generates a random maze with rooms and the size slider", async ({ corridor
   await size.fill("31");
   await expect(presets.getByText("31 by 31 squares")).toBeVisible();
   await presets.getByRole("textbox", { name: "Seed" }).fill("4711");
-  await presets.getByRole("button", { name: "Open this maze" }).click();
+  await presets.getByRole("button", { name: "Open random maze" }).click();
 
   await expect(corridor.mazeMenu).toHaveAccessibleName("Rooms 31, seed 4711, Maze menu");
   await expect(corridor.message("“Rooms 31, seed 4711” is open.")).toBeVisible();
@@ -144,7 +144,7 @@ for (const width of [390, 320]) {
     await phone.page.getByRole("textbox", { name: "Seed" }).fill("5");
     expect(await horizontalOverflow(phone.page)).toEqual([]);
     expect(await smallTouchTargets(phone.page)).toEqual([]);
-    await phone.page.getByRole("button", { name: "Open this maze" }).tap();
+    await phone.page.getByRole("button", { name: "Open random maze" }).tap();
     await expect(phone.mazeMenu).toHaveAccessibleName("Rooms 21, seed 5, Maze menu");
   });
 }

@@ -33,7 +33,7 @@ async function chooseLarge(corridor: CorridorPage, isPhone: boolean): Promise<vo
   const presets = await openPresets(corridor, isPhone);
   await presets.getByRole("slider", { name: "Size" }).fill("37");
   await presets.getByRole("textbox", { name: "Seed" }).fill(FAR_GOAL_SEED);
-  await presets.getByRole("button", { name: "Open this maze" }).click();
+  await presets.getByRole("button", { name: "Open random maze" }).click();
   await expect(corridor.mazeMenu).toHaveAccessibleName(`Tree 37, seed ${FAR_GOAL_SEED}, Maze menu`);
   await expect(corridor.maze.grid).toHaveAttribute("aria-colcount", "37");
   await corridor.dismissMessages();
