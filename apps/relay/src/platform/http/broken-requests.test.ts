@@ -53,8 +53,11 @@ describe("a request that the application cannot handle", () => {
 
   it("receives the time limit if its headers are incomplete", async () => {
     const { origin, refused } = await startServer(() => undefined);
-    const told = outcomeOf(await sendBare(origin, "GET / HTTP/1.1\r\nHost: a\r\n"));
-    expect(told).toMatchObject({ answer: "408 too-slow", says: expect.stringContaining("10 s") });
+    const response = outcomeOf(await sendBare(origin, "GET / HTTP/1.1\r\nHost: a\r\n"));
+    expect(response).toMatchObject({
+      answer: "408 too-slow",
+      says: expect.stringContaining("10 s"),
+    });
     expect(refused).toEqual(["too-slow"]);
   });
 
