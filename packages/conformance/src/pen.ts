@@ -3,7 +3,7 @@
  * long. The robot stands in the near right corner, 50 cm from both walls, and faces along the right
  * wall. The readings there, and after each motion, are known in advance.
  */
-import type { SensorReadings, Snapshot } from "@corridor/protocol";
+import { sensorNames, type SensorReadings, type Snapshot } from "@corridor/protocol";
 import type { Host } from "./host.ts";
 import { must, NotTestable } from "./mismatch.ts";
 
@@ -18,8 +18,6 @@ const TOLERANCE_SHARE = 0.15;
 /** Factor by which the tolerance grows for the robot's position after earlier checks. */
 const START_TOLERANCE = 2;
 
-const sides = ["front", "right", "back", "left"] as const;
-
 export function isNear(found: number, expected: number, factor = 1): boolean {
   return (
     Math.abs(found - expected) <= factor * (TOLERANCE_CM + TOLERANCE_SHARE * Math.abs(expected))
@@ -27,12 +25,13 @@ export function isNear(found: number, expected: number, factor = 1): boolean {
 }
 
 export function areNear(found: SensorReadings, expected: SensorReadings, factor = 1): boolean {
-  return sides.every((side) => isNear(found[side], expected[side], factor));
+  return sensorNames.every((side) => isNear(found[side], expected[side], factor));
 }
 
 /** The expected readings after quarter turns to the right; negative numbers turn to the left. */
 export function turned(readings: SensorReadings, quarters: number): SensorReadings {
-  const at = (index: number) => readings[sides[(((index + quarters) % 4) + 4) % 4] ?? "front"];
+  const at = (index: number) =>
+    readings[sensorNames[(((index + quarters) % 4) + 4) % 4] ?? "front"];
   return { front: at(0), right: at(1), back: at(2), left: at(3) };
 }
 
@@ -74,10 +73,12 @@ export async function mustStand(host: Host): Promise<void> {
   const first = await host.snapshot();
   await new Promise((resolve) => setTimeout(resolve, 500));
   const later = await host.snapshot(`?after=${first.seq}&wait=5`);
-  const isSame = sides.every((side) => Math.abs(first.sensors[side] - later.sensors[side]) < 5);
+  const isSame = sensorNames.every(
+    (side) => Math.abs(first.sensors[side] - later.sensors[side]) < 5,
+  );
   must(isSame, "a robot that stands", `${show(first.sensors)}, then ${show(later.sensors)}`);
 }
 
 export function show(readings: SensorReadings): string {
-  return sides.map((side) => `${side} ${Math.round(readings[side])}`).join(", ");
+  return sensorNames.map((side) => `${side} ${Math.round(readings[side])}`).join(", ");
 }

@@ -2,7 +2,13 @@
  * The program document, `corridor/program` version 1: a default action and an ordered list of
  * rules.
  */
-import { plainActions, readJson, readValue, type ReadResult } from "@corridor/protocol";
+import {
+  sensorNames,
+  plainActions,
+  readJson,
+  readValue,
+  type ReadResult,
+} from "@corridor/protocol";
 import { z } from "zod";
 import { MAX_NAME_LENGTH, MAX_PLUS, MAX_RULES, MAX_THAN } from "./vocabulary.ts";
 
@@ -22,9 +28,7 @@ const conditionError = 'a condition: {"sensor": ..., "is": ..., "than": ...} or 
 
 const againstNumber = z.strictObject(
   {
-    sensor: z.enum(["front", "right", "back", "left"], {
-      error: "one of front, right, back, left",
-    }),
+    sensor: z.enum(sensorNames, { error: `one of ${sensorNames.join(", ")}` }),
     is: comparator,
     than,
   },

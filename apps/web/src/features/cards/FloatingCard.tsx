@@ -5,6 +5,7 @@
  * phones, and wherever it would cover the robot or the end of its trail, it moves into the sheet or
  * the panel.
  */
+import { CELL } from "@corridor/maze";
 import { X } from "lucide";
 import { useId, useLayoutEffect, useRef, useState, type ReactNode } from "react";
 import { createPortal } from "react-dom";
@@ -24,7 +25,6 @@ import { trailEnd, type TrailSide } from "./trail-end.ts";
 
 /** Half of the robot's width as it is drawn, in units. */
 const ROBOT_HALF = 28;
-const CELL = 100;
 /** Stages too narrow or too low for a card beside the robot: phones in portrait and landscape. */
 const SMALL = "(max-width: 37.49em), (max-height: 33.75em)";
 /** Half of the tail's side, in px. */

@@ -4,12 +4,11 @@
  * because the grid contains the same information. Where the stage scrolls, a press on the map
  * scrolls to that part.
  */
-import { sizeOf } from "@corridor/maze";
+import { CELL, sizeOf } from "@corridor/maze";
 import { useEffect, useRef, type PointerEvent } from "react";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
 import {
-  CELL,
   viewX,
   viewY,
   viewportAt,

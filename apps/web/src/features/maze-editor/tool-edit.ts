@@ -3,6 +3,7 @@
  * the robot cannot be filled.
  */
 import {
+  CELL,
   headingNames,
   isBlock,
   setBlock,
@@ -16,7 +17,6 @@ import {
 import type { Pose } from "@corridor/protocol";
 import type { EditPreview } from "../../stage/layers/edit-preview.ts";
 import { ROBOT_RADIUS } from "@corridor/simulation";
-import { CELL } from "../../stage/drawing/viewport.ts";
 import type { EditTool } from "../../model/screen/screen-store.ts";
 
 export type ToolRefusal =

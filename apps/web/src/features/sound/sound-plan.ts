@@ -3,6 +3,7 @@
  * and each decision, bump and goal has a sound. The class has neither Web Audio nor a clock.
  * Minimum gaps between sounds keep speed "max" quiet.
  */
+import { ROBOT_RADIUS } from "@corridor/simulation";
 import type { LineRef, SensorName, Snapshot } from "@corridor/protocol";
 import type { RunView } from "../../stage/drawing/frame.ts";
 
@@ -22,8 +23,6 @@ export interface SoundPort {
 const FASTEST_MS = 80;
 const MS_PER_CM = 2.2;
 const SLOWEST_MS = 900;
-/** The beam starts at the robot's centre. */
-const ROBOT_RADIUS = 25;
 
 /** Minimum milliseconds between two sounds of a kind. */
 const NOTE_GAP_MS = 120;

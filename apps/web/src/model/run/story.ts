@@ -1,11 +1,9 @@
 /** The one-line story of the run: the sentence for the newest goal or bump, and its numbers. */
+import { CELL } from "@corridor/maze";
 import type { DriverName } from "@corridor/protocol";
 import type { TFunction } from "i18next";
 import type { RunEvent } from "../../simulator/protocol/worker-messages.ts";
 import { formatSeconds } from "../../text/numbers.ts";
-
-/** Side of a square of the maze, in cm. */
-const SQUARE = 100;
 
 /** The driver or line in charge, which the sentence names. */
 export type Teller = "line" | "otherwise" | DriverName;
@@ -40,8 +38,8 @@ export function storyOf({ kind, line, driver, tick, pose }: RunEvent, waited = 0
     seconds: formatSeconds(after),
     after,
     tick,
-    column: Math.floor(pose.x / SQUARE) + 1,
-    row: Math.floor(pose.y / SQUARE) + 1,
+    column: Math.floor(pose.x / CELL) + 1,
+    row: Math.floor(pose.y / CELL) + 1,
   };
 }
 

@@ -1,7 +1,7 @@
 import fc from "fast-check";
+import { CELL } from "@corridor/maze";
 import { describe, expect, it } from "vitest";
 import {
-  CELL,
   cellAt,
   followScroll,
   layOut,

@@ -5,9 +5,8 @@
  * equals the view while the whole maze fits. Cells are whole pixels wide, so that hairlines stay
  * sharp.
  */
+import { CELL } from "@corridor/maze";
 
-/** Units along one side of a cell. */
-export const CELL = 100;
 /** Cell size of a maze that is too large for the stage: 0.3 px per unit. */
 export const MIN_CELL_PX = 30;
 /**

@@ -2,12 +2,12 @@
  * The four range beams as tape measures, from the robot's centre to the wall. Ticks every 10 units,
  * longer at 50 and 100. The sensors that the running line reads are highlighted.
  */
+import { ROBOT_RADIUS } from "@corridor/simulation";
 import { sensorNames, type SensorName, type Snapshot } from "@corridor/protocol";
 import type { DrawingContext } from "../drawing/drawing-context.ts";
 import type { DirtyRects } from "../drawing/dirty-rects.ts";
 import type { Palette } from "../drawing/palette.ts";
 import { viewX, viewY, type Viewport } from "../drawing/viewport.ts";
-import { ROBOT_RADIUS } from "./robot.ts";
 
 const TICK = 10;
 /**

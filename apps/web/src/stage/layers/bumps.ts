@@ -1,11 +1,10 @@
 /** Marks of bumps: a small red burst at each contact point. */
 import type { MazeDocument } from "@corridor/maze";
 import type { Pose } from "@corridor/protocol";
-import { contactOf, type Contact } from "@corridor/simulation";
+import { ROBOT_RADIUS, contactOf, type Contact } from "@corridor/simulation";
 import type { VectorContext } from "../drawing/drawing-context.ts";
 import type { Palette } from "../drawing/palette.ts";
 import { viewX, viewY, type Viewport } from "../drawing/viewport.ts";
-import { ROBOT_RADIUS } from "./robot.ts";
 
 /** A position in units. */
 export interface BumpMark {

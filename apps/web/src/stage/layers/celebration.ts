@@ -1,11 +1,11 @@
 /** Rays around the robot while it stands on a goal that it has reached. */
-import type { MazeDocument } from "@corridor/maze";
+import { CELL, type MazeDocument } from "@corridor/maze";
 import type { Pose, Snapshot } from "@corridor/protocol";
 import type { DrawingContext } from "../drawing/drawing-context.ts";
 import type { DirtyRects } from "../drawing/dirty-rects.ts";
 import type { Palette } from "../drawing/palette.ts";
 import { pointAhead } from "./path-ahead.ts";
-import { CELL, viewX, viewY, type Viewport } from "../drawing/viewport.ts";
+import { viewX, viewY, type Viewport } from "../drawing/viewport.ts";
 
 const RAYS = 12;
 /** Units from the robot's centre to the start of a ray, and to the end of long and short rays. */

@@ -2,19 +2,18 @@
  * A bump while the robot stands at it: the block that was hit, in red, and the position that the
  * robot was driving to.
  */
-import type { MazeDocument } from "@corridor/maze";
-import type { Pose, SensorName, Snapshot } from "@corridor/protocol";
-import type { Contact } from "@corridor/simulation";
+import { CELL, type MazeDocument } from "@corridor/maze";
+import { sensorNames, type Pose, type SensorName, type Snapshot } from "@corridor/protocol";
+import { ROBOT_RADIUS, type Contact } from "@corridor/simulation";
 import type { DrawingContext } from "../drawing/drawing-context.ts";
 import type { DirtyRects } from "../drawing/dirty-rects.ts";
 import type { Palette } from "../drawing/palette.ts";
 import { pointAhead } from "./path-ahead.ts";
 import { CONTACT_RANGE } from "../drawing/contact-sensor.ts";
-import { CELL, viewX, viewY, type Box, type Viewport } from "../drawing/viewport.ts";
+import { viewX, viewY, type Box, type Viewport } from "../drawing/viewport.ts";
 import { touchOf } from "./bumps.ts";
 import { drawOutline } from "./path.ts";
 import { cellBox } from "./places.ts";
-import { ROBOT_RADIUS } from "./robot.ts";
 
 /** A bump that the robot has not left yet. */
 export interface Hit {
@@ -57,7 +56,7 @@ export function hitSensor(
   if (contact === null) return null;
   const turned = (((headingTo(hit.pose, contact) - pose.heading) % 360) + 360) % 360;
   const quarter = Math.round(turned / 90) % 4;
-  const sensor = (["front", "right", "back", "left"] as const)[quarter] ?? null;
+  const sensor = sensorNames[quarter] ?? null;
   return sensor !== null && sensors[sensor] <= CONTACT_RANGE ? sensor : null;
 }
 

@@ -2,8 +2,7 @@
  * Where a running manoeuvre takes the robot, computed from its pose and the rest of the manoeuvre.
  */
 import type { Pose } from "@corridor/protocol";
-import { LEAVE_DISTANCE, type Progress } from "@corridor/simulation";
-import { ROBOT_RADIUS } from "./robot.ts";
+import { ROBOT_RADIUS, LEAVE_DISTANCE, type Progress } from "@corridor/simulation";
 
 interface Point {
   x: number;

@@ -1,9 +1,9 @@
 /** Start and goals: a dashed square with the start heading, and a flag. */
-import type { Cell, HeadingName, MazeDocument, Start } from "@corridor/maze";
+import { CELL, type Cell, type HeadingName, type MazeDocument, type Start } from "@corridor/maze";
 import type { VectorContext } from "../drawing/drawing-context.ts";
 import type { Palette } from "../drawing/palette.ts";
 import { svgPath } from "../drawing/svg-path.ts";
-import { CELL, visibleCells, viewX, viewY, type Box, type Viewport } from "../drawing/viewport.ts";
+import { visibleCells, viewX, viewY, type Box, type Viewport } from "../drawing/viewport.ts";
 
 /** Translated labels. */
 export interface PlaceWords {

@@ -1,6 +1,6 @@
+import { ROBOT_RADIUS } from "@corridor/simulation";
 import { describe, expect, it } from "vitest";
 import { BADGE_RADIUS, badgeOffset } from "./race-ghosts.ts";
-import { ROBOT_RADIUS } from "./robot.ts";
 
 describe("the badges of ghosts", () => {
   it.each([0.3, 0.6, 1, 2])(

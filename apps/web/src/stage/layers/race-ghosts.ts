@@ -3,12 +3,13 @@
  * badge with a letter. Each letter has its own corner, so that ghosts at one position can be
  * distinguished.
  */
+import { ROBOT_RADIUS } from "@corridor/simulation";
 import type { GhostPose } from "../drawing/frame.ts";
 import type { DrawingContext } from "../drawing/drawing-context.ts";
 import type { DirtyRects } from "../drawing/dirty-rects.ts";
 import type { Palette } from "../drawing/palette.ts";
 import { viewX, viewY, type Viewport } from "../drawing/viewport.ts";
-import { fillBody, ROBOT_RADIUS, traceBody } from "./robot.ts";
+import { fillBody, traceBody } from "./robot.ts";
 
 /** Pixels. */
 export const BADGE_RADIUS = 9;

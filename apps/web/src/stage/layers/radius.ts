@@ -3,6 +3,7 @@
  * It shows why a robot bumps although its beam misses a corner: the beam is thin, the robot is 50
  * units wide.
  */
+import { ROBOT_RADIUS } from "@corridor/simulation";
 import type { MazeDocument } from "@corridor/maze";
 import type { Pose } from "@corridor/protocol";
 import type { DrawingContext } from "../drawing/drawing-context.ts";
@@ -11,7 +12,7 @@ import type { Palette } from "../drawing/palette.ts";
 import { placeTags, readingCentres, type Beam } from "../drawing/tag-placement.ts";
 import { viewX, viewY, type Box, type Viewport } from "../drawing/viewport.ts";
 import { touchOf } from "./bumps.ts";
-import { robotBox, ROBOT_RADIUS } from "./robot.ts";
+import { robotBox } from "./robot.ts";
 
 const LABEL = { width: 22, height: 16, font: 12 };
 /** Pixels: half the length of the bar at the contact point, and the radius of a corner's dot. */

@@ -1,4 +1,4 @@
-import { isBlock, type MazeDocument } from "@corridor/maze";
+import { CELL, isBlock, type MazeDocument } from "@corridor/maze";
 import { sensorNames, type Pose, type Snapshot } from "@corridor/protocol";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
@@ -7,7 +7,6 @@ import { beamDirection } from "./beams.ts";
 import { robotBox } from "./robot.ts";
 import { placeReadings } from "./reading-placement.ts";
 import {
-  CELL,
   followScroll,
   steppedScroll,
   viewportAt,

@@ -2,15 +2,13 @@
  * The robot: one shape, three faces. Shapes are in units around its centre, facing north, and equal
  * the SVG files of the design.
  */
+import { ROBOT_RADIUS } from "@corridor/simulation";
 import type { Snapshot } from "@corridor/protocol";
 import type { DrawingContext, VectorContext } from "../drawing/drawing-context.ts";
 import type { DirtyRects } from "../drawing/dirty-rects.ts";
 import type { Palette } from "../drawing/palette.ts";
 import { svgPath } from "../drawing/svg-path.ts";
 import { viewX, viewY, type Box, type Viewport } from "../drawing/viewport.ts";
-
-/** Radius of the robot's disc, in units. */
-export const ROBOT_RADIUS = 25;
 
 export type Face = "driving" | "bumped" | "solved";
 

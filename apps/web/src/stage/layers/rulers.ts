@@ -1,8 +1,9 @@
 /** Rulers along the top and the left, in the same units as the program's numbers. */
+import { CELL } from "@corridor/maze";
 import type { VectorContext } from "../drawing/drawing-context.ts";
 import type { DirtyRects } from "../drawing/dirty-rects.ts";
 import type { Palette } from "../drawing/palette.ts";
-import { CELL, viewX, viewY, type Viewport } from "../drawing/viewport.ts";
+import { viewX, viewY, type Viewport } from "../drawing/viewport.ts";
 
 /** Room in pixels that a number needs along its ruler. */
 const NUMBER_ROOM_TOP = 44;

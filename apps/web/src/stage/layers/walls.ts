@@ -3,17 +3,10 @@
  * port, with one path per kind of line. 9,000 cells take a few milliseconds, once per maze, size or
  * theme.
  */
-import { isBlock, type MazeDocument } from "@corridor/maze";
+import { CELL, isBlock, type MazeDocument } from "@corridor/maze";
 import type { VectorContext } from "../drawing/drawing-context.ts";
 import type { Palette } from "../drawing/palette.ts";
-import {
-  CELL,
-  visibleCells,
-  viewX,
-  viewY,
-  type CellRange,
-  type Viewport,
-} from "../drawing/viewport.ts";
+import { visibleCells, viewX, viewY, type CellRange, type Viewport } from "../drawing/viewport.ts";
 
 /** Below this many pixels the seams of a cell would hide it. */
 const SEAM_FROM_PX = 8;

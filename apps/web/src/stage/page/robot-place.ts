@@ -1,7 +1,6 @@
 /** The robot's position in words: its square and the direction that it faces. Pure. */
 import type { Pose } from "@corridor/protocol";
-import type { Cell } from "@corridor/maze";
-import { CELL } from "../drawing/viewport.ts";
+import { CELL, type Cell } from "@corridor/maze";
 
 const facings = [
   "up",

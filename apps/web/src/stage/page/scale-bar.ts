@@ -1,5 +1,5 @@
 /** The scale bar: a round number of centimetres with a readable width. Pure. */
-import { CELL } from "../drawing/viewport.ts";
+import { CELL } from "@corridor/maze";
 
 /** Minimum width for the labels "0", the middle and the end beside each other. */
 const LEAST_PX = 70;

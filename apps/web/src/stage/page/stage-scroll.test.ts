@@ -4,7 +4,7 @@
  * frame is drawn. The scroll container is a model of the browser's: it loses and restores its
  * position without an event.
  */
-import type { Cell, MazeDocument } from "@corridor/maze";
+import { CELL, type Cell, type MazeDocument } from "@corridor/maze";
 import { snapshotOf } from "@corridor/protocol/testing";
 import fc from "fast-check";
 import { beforeEach, describe, expect, it, vi } from "vitest";
@@ -12,7 +12,7 @@ import type { LayerCanvas } from "../drawing/drawing-context.ts";
 import { Camera } from "../camera.ts";
 import { readPalette } from "../drawing/palette.ts";
 import { StageRenderer } from "../renderer.ts";
-import { CELL, cellAt, type Layout, type Scroll } from "../drawing/viewport.ts";
+import { cellAt, type Layout, type Scroll } from "../drawing/viewport.ts";
 import { frameOf } from "../testing/frame-of.ts";
 import type { Frame } from "../drawing/frame.ts";
 import { gridOffset, isInPort } from "./grid-place.ts";

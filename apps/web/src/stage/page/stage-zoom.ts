@@ -1,5 +1,6 @@
 /** Zooms the stage. Pure except for the view store; loads when the user first zooms. */
-import { CELL, clampScroll, MAX_CELL_PX, type Layout, type Scroll } from "../drawing/viewport.ts";
+import { CELL } from "@corridor/maze";
+import { clampScroll, MAX_CELL_PX, type Layout, type Scroll } from "../drawing/viewport.ts";
 import { isInPort } from "./grid-place.ts";
 import { divideStage, type StageRoom } from "./stage-layout.ts";
 import type { StageViewStore } from "./stage-view.ts";

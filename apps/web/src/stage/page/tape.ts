@@ -1,7 +1,7 @@
 /** The measuring tape between two points of the maze, in whole centimetres. Pure. */
-import type { Cell } from "@corridor/maze";
+import { CELL, type Cell } from "@corridor/maze";
 import type { TFunction } from "i18next";
-import { CELL, type Layout } from "../drawing/viewport.ts";
+import type { Layout } from "../drawing/viewport.ts";
 import { localNumber } from "../../text/numbers.ts";
 
 /** A point of the maze, in whole centimetres. */

@@ -1,5 +1,5 @@
 /** Renders a maze as a self-contained SVG file, with the code that draws the stage. */
-import { sizeOf, type MazeDocument } from "@corridor/maze";
+import { CELL, sizeOf, type MazeDocument } from "@corridor/maze";
 import type { Pose } from "@corridor/protocol";
 import { bumpMarks, drawBumps } from "../layers/bumps.ts";
 import { drawPlaces, type PlaceWords } from "../layers/places.ts";
@@ -9,7 +9,7 @@ import { drawTrail } from "../layers/trail.ts";
 import { drawWalls } from "../layers/walls.ts";
 import type { Palette } from "../drawing/palette.ts";
 import { DirtyRects } from "../drawing/dirty-rects.ts";
-import { CELL, type Viewport } from "../drawing/viewport.ts";
+import type { Viewport } from "../drawing/viewport.ts";
 import { escapeText, SvgPen } from "./svg-pen.ts";
 
 /** The robot, its trail and its bumps. */
