@@ -1,5 +1,6 @@
 export { dailyMaze, dayAfter, dayNumber, type Day } from "./daily.ts";
 export { CELL, gridOf, type Grid } from "./grid.ts";
+export { isSameLayout, isSameMaze } from "./same-maze.ts";
 export { countOpenCells, distancesFromStart, isReachable, UNREACHABLE } from "./flood-fill.ts";
 export {
   generateMaze,

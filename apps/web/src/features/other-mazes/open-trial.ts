@@ -2,7 +2,7 @@
  * Opens a maze that the program was tried in, as a project of its own: the student's maze does not
  * change. A failed run plays from two seconds before its end; a run that works opens at its start.
  */
-import type { ProgramDocument } from "@corridor/program";
+import { isSameProgram, type ProgramDocument } from "@corridor/program";
 import { TICKS_PER_SECOND } from "@corridor/simulation";
 import type { i18n } from "i18next";
 import { loadRun } from "../../model/run/run-requests.ts";
@@ -86,7 +86,7 @@ export class TrialOpener {
       const { program } = workspace.getState();
       this.#home = null;
       back();
-      if (JSON.stringify(program) !== JSON.stringify(tried)) setProgram(workspace, program);
+      if (!isSameProgram(program, tried)) setProgram(workspace, program);
     };
   }
 }

@@ -1,5 +1,5 @@
 /** The preset algorithms as cards. */
-import { programPresets, type ProgramDocument } from "@corridor/program";
+import { isSameBehaviour, programPresets } from "@corridor/program";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
@@ -22,7 +22,7 @@ export function AlgorithmCards({ onChosen }: { onChosen?: (() => void) | undefin
                 key={preset.id}
                 title={name}
                 hint={t(`program.preset.${preset.id}.note`)}
-                isOpen={isSame(preset.program, program)}
+                isOpen={isSameBehaviour(preset.program, program)}
                 onChoose={() => choose({ ...preset.program, name })}
               />
             );
@@ -30,13 +30,5 @@ export function AlgorithmCards({ onChosen }: { onChosen?: (() => void) | undefin
         </ul>
       )}
     </AlgorithmChoice>
-  );
-}
-
-/** Ignores names, which may be in another language. */
-function isSame(preset: ProgramDocument, program: ProgramDocument): boolean {
-  return (
-    JSON.stringify([preset.rules, preset.default]) ===
-    JSON.stringify([program.rules, program.default])
   );
 }

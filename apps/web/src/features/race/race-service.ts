@@ -2,7 +2,7 @@
  * Manages races: adds a recorded run as a ghost, removes a ghost, ends the race. It ensures that
  * all runs of a race use the maze on the screen.
  */
-import type { MazeDocument } from "@corridor/maze";
+import { isSameLayout } from "@corridor/maze";
 import type { RunDocument } from "@corridor/recording";
 import type { i18n } from "i18next";
 import { saveRun } from "../../model/run/run-requests.ts";
@@ -51,7 +51,7 @@ export class RaceService {
     if (event?.kind === "goal") race.setState({ you: finishOf(event) });
     simulator.listen((message) => this.#receive(message));
     workspace.subscribe(({ maze }, before) => {
-      if (isSameMaze(maze, before.maze) || race.getState().ghosts.length === 0) return;
+      if (isSameLayout(maze, before.maze) || race.getState().ghosts.length === 0) return;
       this.end();
       showMessage(ports.screen, { tone: "info", text: this.#words.t("race:over") });
     });
@@ -173,9 +173,9 @@ export class RaceService {
     const { race, workspace } = this.#ports;
     const { ghosts } = race.getState();
     if (run.ticks === 0) return "empty";
-    if (!isSameMaze(run.maze, workspace.getState().maze)) return "other-maze";
+    if (!isSameLayout(run.maze, workspace.getState().maze)) return "other-maze";
     const isEdited = run.inputs.some(
-      (input) => input.do === "maze" && !isSameMaze(input.maze, run.maze),
+      (input) => input.do === "maze" && !isSameLayout(input.maze, run.maze),
     );
     if (isEdited) return "edited";
     if (ghosts.some(({ digest }) => digest === digestOf(run))) return "same";
@@ -205,15 +205,6 @@ let service: RaceService | null = null;
 export function raceService(ports: RacePorts, words: Pick<i18n, "t">): RaceService {
   service ??= new RaceService({ ...ports, tab: storageOrNone(() => sessionStorage) }, words);
   return service;
-}
-
-/** Whether both mazes have the same layout. Names do not count. */
-function isSameMaze(one: MazeDocument, other: MazeDocument): boolean {
-  return one === other || layoutOf(one) === layoutOf(other);
-}
-
-function layoutOf({ blocks, start, goals }: MazeDocument): string {
-  return JSON.stringify([blocks, start, goals]);
 }
 
 function digestOf({ digest, ticks }: RunDocument): string {

@@ -3,7 +3,7 @@
  * gets no advice. Advice without a fix that the challenge permits is hidden too.
  */
 import type { Advice } from "@corridor/coach";
-import type { ProgramDocument } from "@corridor/program";
+import { isSameBehaviour, type ProgramDocument } from "@corridor/program";
 import type { ChallengeState } from "../challenge/challenge-store.ts";
 import { allowsFix } from "./fix-rights.ts";
 
@@ -13,11 +13,6 @@ export function concernsReader(
   { challenge, rights }: Pick<ChallengeState, "challenge" | "rights">,
 ): boolean {
   if (challenge === null) return true;
-  if (challenge.program !== null && doesTheSame(program, challenge.program)) return false;
+  if (challenge.program !== null && isSameBehaviour(program, challenge.program)) return false;
   return fix !== null && allowsFix(fix, program.rules.length, rights);
-}
-
-function doesTheSame(one: ProgramDocument, other: ProgramDocument): boolean {
-  const of = ({ rules, default: otherwise }: ProgramDocument) => JSON.stringify([rules, otherwise]);
-  return of(one) === of(other);
 }

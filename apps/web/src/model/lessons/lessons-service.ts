@@ -10,7 +10,7 @@ import {
 } from "@corridor/challenge";
 import type { Diagnosis } from "@corridor/coach";
 import { CELL, type MazeDocument } from "@corridor/maze";
-import type { ProgramDocument } from "@corridor/program";
+import { isSameBehaviour, type ProgramDocument } from "@corridor/program";
 import { createStore } from "zustand/vanilla";
 import { firstProject } from "../projects/first-visit.ts";
 import { noChallenge } from "../challenge/challenge-store.ts";
@@ -189,7 +189,7 @@ export class LessonsService {
     const start = startingProgram(challenge);
     const { program } = workspace.getState();
     simulator.send({ type: "reset" });
-    if (doesTheSame(program, start)) {
+    if (isSameBehaviour(program, start)) {
       store.setState({ ...nothingSaid, result: { state: "open" } });
       showMessage(screen, { tone: "info", text: words.t("missions:card.restartedUnchanged") });
       return;
@@ -239,7 +239,7 @@ export class LessonsService {
     const { challenge } = store.getState();
     if (challenge === null || !challenge.allowed.drivers.includes("program")) return;
     // The program was edited in the meantime, so the diagnosis belongs to another program.
-    if (program !== null && !doesTheSame(program, workspace.getState().program)) return;
+    if (program !== null && !isSameBehaviour(program, workspace.getState().program)) return;
     store.setState({ failedRun: diagnosis, verdict: null, diagnoses: [] });
   }
 
@@ -426,11 +426,4 @@ export class LessonsService {
     const { screen, words } = this.#ports;
     if (!isStored) showMessage(screen, { tone: "bad", text: words.t("missions:card.blocked") });
   }
-}
-
-/** Compares two programs without their names. */
-function doesTheSame(one: ProgramDocument, other: ProgramDocument): boolean {
-  const behaviour = ({ default: action, rules }: ProgramDocument) =>
-    JSON.stringify([action, rules]);
-  return behaviour(one) === behaviour(other);
 }

@@ -2,7 +2,7 @@
  * The student's best run in each daily maze, stored on this device. Fewer ticks are better, then
  * fewer bumps.
  */
-import { dailyMaze, dayAfter, type Day, type MazeDocument } from "@corridor/maze";
+import { isSameLayout, dailyMaze, dayAfter, type Day, type MazeDocument } from "@corridor/maze";
 import type { KeyValueStorage } from "../storage/key-value-storage.ts";
 
 /** Number of days before today whose mazes can be chosen. */
@@ -52,10 +52,9 @@ export function noteDaily(
 
 /** Returns the day of a maze, whatever its name; null for other mazes. */
 export function dayOfMaze(maze: MazeDocument, today: Day): Day | null {
-  const layout = layoutOf(maze);
   for (let back = 0; back <= EARLIER_DAYS; back++) {
     const day = dayAfter(today, -back);
-    if (layoutOf(dailyMaze(day, "")) === layout) return day;
+    if (isSameLayout(dailyMaze(day, ""), maze)) return day;
   }
   return null;
 }
@@ -68,10 +67,6 @@ export function keyOf({ year, month, day }: Day): string {
 
 function isBetter(run: DailyBest, best: DailyBest): boolean {
   return run.ticks < best.ticks || (run.ticks === best.ticks && run.bumps < best.bumps);
-}
-
-function layoutOf({ blocks, start, goals }: MazeDocument): string {
-  return JSON.stringify([blocks, start, goals]);
 }
 
 /** An entry that cannot be read counts as none. */

@@ -3,8 +3,8 @@
  * the project storage, this tab's current project, the workspace and the messages. Opening a
  * project resets the robot, because a run belongs to one project.
  */
-import type { MazeDocument } from "@corridor/maze";
-import type { ProgramDocument } from "@corridor/program";
+import { isSameMaze, type MazeDocument } from "@corridor/maze";
+import { isSameProgram, type ProgramDocument } from "@corridor/program";
 import type { i18n } from "i18next";
 import {
   dismiss,
@@ -219,11 +219,6 @@ export class ProjectService {
 
 /** Whether a stored project equals the documents to open. */
 function isCopy(project: Project, maze: MazeDocument, program: ProgramDocument | null): boolean {
-  if (!isSame(project.maze, maze)) return false;
-  return program === null ? !project.edited : isSame(project.program, program);
-}
-
-/** Parsed documents have their fields in schema order, so their JSON texts can be compared. */
-function isSame(a: unknown, b: unknown): boolean {
-  return JSON.stringify(a) === JSON.stringify(b);
+  if (!isSameMaze(project.maze, maze)) return false;
+  return program === null ? !project.edited : isSameProgram(project.program, program);
 }

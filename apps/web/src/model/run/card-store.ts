@@ -3,7 +3,7 @@
  * the run; it shows only while that tick is displayed.
  */
 import type { Diagnosis } from "@corridor/coach";
-import type { ProgramDocument } from "@corridor/program";
+import { isSameProgram, type ProgramDocument } from "@corridor/program";
 import { createStore } from "zustand/vanilla";
 import type { RunEvent } from "../../simulator/protocol/worker-messages.ts";
 
@@ -47,7 +47,7 @@ export function explain(store: CardStore, event: RunEvent, newest: ProgramDocume
   const { kind, diagnosis } = event;
   const drove = event.program ?? newest;
   // An equal program is replaced by the page's own object, so that an edit shows by its identity.
-  const program = JSON.stringify(drove) === JSON.stringify(newest) ? newest : drove;
+  const program = isSameProgram(drove, newest) ? newest : drove;
   if (kind === "goal") store.setState({ goal: { event, program, diagnosis } });
   else if (diagnosis !== null) store.setState({ bump: { event, program, diagnosis } });
 }

@@ -2,6 +2,8 @@
  * Restores this tab's run after a reload. The worker stores the run; the tab stores its key and
  * which project was open when the page was left.
  */
+import { isSameMaze } from "@corridor/maze";
+import { isSameProgram } from "@corridor/program";
 import type { WorkspaceStore } from "../workspace/workspace-store.ts";
 import type { SimulatorClient } from "../../simulator/simulator-client.ts";
 import type { LoadedRun } from "../../simulator/protocol/worker-messages.ts";
@@ -80,12 +82,8 @@ export class RunRestorer {
   #sendEdits(loaded: Extract<LoadedRun, { ok: true }>): void {
     const { workspace, simulator } = this.#ports;
     const { maze, program } = workspace.getState();
-    if (JSON.stringify(loaded.maze) !== JSON.stringify(maze)) {
-      simulator.send({ type: "edit-maze", maze });
-    }
-    if (JSON.stringify(loaded.program) !== JSON.stringify(program)) {
-      simulator.send({ type: "edit-program", program });
-    }
+    if (!isSameMaze(loaded.maze, maze)) simulator.send({ type: "edit-maze", maze });
+    if (!isSameProgram(loaded.program, program)) simulator.send({ type: "edit-program", program });
   }
 
   #project(): string {

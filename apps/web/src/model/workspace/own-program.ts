@@ -2,7 +2,12 @@
  * Whether a program is the student's own. The example and presets are not. A maze that is opened
  * without a program replaces them with an empty one, so that there is something to solve.
  */
-import { emptyProgram, programPresets, type ProgramDocument } from "@corridor/program";
+import {
+  isSameBehaviour,
+  emptyProgram,
+  programPresets,
+  type ProgramDocument,
+} from "@corridor/program";
 import type { i18n } from "i18next";
 import { languages } from "../../text/languages.ts";
 
@@ -21,7 +26,7 @@ export function namedAfterEdit(
   words: Pick<i18n, "t">,
 ): ProgramDocument {
   if (after.name === "" || after.name !== before.name) return after;
-  if (behaviourOf(after) === behaviourOf(before) || !isReadyMade(before, words)) return after;
+  if (isSameBehaviour(after, before) || !isReadyMade(before, words)) return after;
   return { ...after, name: words.t("program.own") };
 }
 
@@ -34,10 +39,9 @@ function isReadyMade(program: ProgramDocument, words: Pick<i18n, "t">): boolean 
  * have its name in an earlier language, so every loaded language counts.
  */
 export function readyMadeName(program: ProgramDocument, words: Pick<i18n, "t">): string | null {
-  const behaviour = behaviourOf(program);
   // A student may have found the same lines alone, in a program with another name.
   for (const { id, program: preset } of programPresets) {
-    if (behaviour !== behaviourOf(preset)) continue;
+    if (!isSameBehaviour(program, preset)) continue;
     for (const { tag } of languages) {
       if (program.name === words.t("program.example", { lng: tag })) {
         return words.t("program.example");
@@ -64,9 +68,5 @@ export function programForMaze(
 }
 
 function isEmpty(program: ProgramDocument): boolean {
-  return behaviourOf(program) === behaviourOf(emptyProgram());
-}
-
-function behaviourOf({ default: otherwise, rules }: ProgramDocument): string {
-  return JSON.stringify([otherwise, rules]);
+  return isSameBehaviour(program, emptyProgram());
 }

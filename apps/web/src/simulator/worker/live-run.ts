@@ -2,8 +2,8 @@
  * The newest state: the recording of the run, and the newest documents. While the past is
  * displayed, the run may still have older documents: edits are applied to it when it continues.
  */
-import type { MazeDocument } from "@corridor/maze";
-import { CompiledProgram, type ProgramDocument } from "@corridor/program";
+import { isSameMaze, type MazeDocument } from "@corridor/maze";
+import { isSameProgram, CompiledProgram, type ProgramDocument } from "@corridor/program";
 import type { DriverName } from "@corridor/protocol";
 import { Recording, type Run } from "@corridor/recording";
 import type { NewestProgram } from "./displayed-line.ts";
@@ -49,7 +49,7 @@ export class LiveRun {
   }
 
   isOf(maze: MazeDocument, program: ProgramDocument): boolean {
-    return isSame(maze, this.#maze) && isSame(program, this.#program.document);
+    return isSameMaze(maze, this.#maze) && isSameProgram(program, this.#program.document);
   }
 
   /**
@@ -57,7 +57,7 @@ export class LiveRun {
    * @returns false for an equal maze: the page sends back the documents of an opened run
    */
   editMaze(maze: MazeDocument): boolean {
-    if (isSame(maze, this.#maze)) return false;
+    if (isSameMaze(maze, this.#maze)) return false;
     this.#maze = maze;
     return true;
   }
@@ -67,9 +67,9 @@ export class LiveRun {
    * behind.
    */
   editProgram(program: ProgramDocument): void {
-    if (isSame(program, this.#program.document)) return;
+    if (isSameProgram(program, this.#program.document)) return;
     const inRun = this.run.program;
-    this.#program = newest(isSame(program, inRun) ? inRun : program);
+    this.#program = newest(isSameProgram(program, inRun) ? inRun : program);
   }
 
   /** @returns false if the newest maze has no room for the robot */
@@ -106,11 +106,6 @@ export class LiveRun {
     this.#revisions = this.revision + 1;
     this.#recording = recording;
   }
-}
-
-/** Parsed documents have their fields in one order. */
-function isSame<Document extends MazeDocument | ProgramDocument>(one: Document, other: Document) {
-  return one === other || JSON.stringify(one) === JSON.stringify(other);
 }
 
 function newest(document: ProgramDocument): NewestProgram {
