@@ -170,7 +170,7 @@ describe("a robot: what scripts see", () => {
     };
     await host.report({ tick: 1 });
     expect(await end(1, 100)).toMatchObject({ state: "started", reason: null });
-    const advice = /check that the setup's page is open, connected under Remote and not paused/;
+    const advice = /check that the robot's page is open, connected under Remote and not paused/;
     await host.report({ tick: 2, state: "paused" });
     expect((await end(1, 100)).reason).toMatch(advice);
     setup.robot.leavePage(host.link, true);
