@@ -6,7 +6,7 @@ import { layerViolations } from "../scripts/layers.ts";
 const root = new URL("../", import.meta.url).pathname;
 
 const sourceFiles = ["packages/*/src/**/*.ts", "apps/*/src/**/*.{ts,tsx}", "examples/**/*.ts"];
-const testFiles = ["**/*.test.ts", "**/*.cases.ts", "**/cases/**", "**/testing/**"];
+const testFiles = ["**/*.test.{ts,tsx}", "**/*.cases.ts", "**/cases/**", "**/testing/**"];
 
 function sourcesOnDisk(...exclude: string[]): Sources {
   const files = globSync(sourceFiles, { cwd: root, exclude: ["**/node_modules/**", ...exclude] });
@@ -155,6 +155,7 @@ describe("a planted violation of an app's layers", () => {
     const files = {
       "main.ts": 'import { a } from "./rooms/one/a.ts"; import { b } from "./base/b.ts";',
       "rooms/one/a.ts": 'import { b } from "../../base/b.ts"; import { c } from "./c.ts";',
+      "rooms/one/A.component.test.tsx": 'import { services } from "../../main.ts";',
     };
     expect(layerViolations(sourcesIn(files), { [app]: { layers } })).toEqual([]);
   });

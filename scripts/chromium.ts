@@ -41,11 +41,15 @@ export function findChromium(): string | null {
 /**
  * Finds the browser for pages that are always visible: Chromium's headless shell, which needs half
  * the processor time because it has no interface of its own, or else Chromium.
- * @throws Error with installation instructions
  */
-export function requireHeadlessChromium(): string {
+export function findHeadlessChromium(): string | null {
   const isConfigured = process.env["CHROMIUM_PATH"] !== undefined;
-  return (isConfigured ? undefined : inPath(HEADLESS_SHELL)[0]) ?? requireChromium();
+  return (isConfigured ? undefined : inPath(HEADLESS_SHELL)[0]) ?? findChromium();
+}
+
+/** As `findHeadlessChromium`. @throws Error with installation instructions */
+export function requireHeadlessChromium(): string {
+  return findHeadlessChromium() ?? requireChromium();
 }
 
 /** Installs the headless shell if the machine allows that. */

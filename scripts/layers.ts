@@ -47,6 +47,8 @@ export const appLayers: Record<string, AppLayers> = {
 
 const urlPattern = /\bnew URL\(\s*"(\.[^"]+\.tsx?)"/g;
 const testPattern = /\.(?:test|cases)\.tsx?$|(?:^|\/)(?:cases|testing)\//;
+/** Renders a component with the services of the whole page, so it is above every layer. */
+const componentTestPattern = /\.component\.test\.tsx$/;
 
 /** @returns every violation of the layers, one sentence each */
 export function layerViolations(sources: Sources, apps = appLayers): string[] {
@@ -91,7 +93,7 @@ function circleViolations(app: string, sources: Sources): string[] {
 function* importsIn(app: string, sources: Sources): Generator<[from: string, target: string]> {
   const root = `${app}/src/`;
   for (const [path, source] of sources) {
-    if (!path.startsWith(root)) continue;
+    if (!path.startsWith(root) || componentTestPattern.test(path)) continue;
     const urls = [...withoutComments(source).matchAll(urlPattern)].map(([, url = ""]) => url);
     for (const name of [...importsOf(source), ...urls]) {
       const target = name.startsWith(".") ? resolve(path, name) : "";

@@ -1,6 +1,6 @@
 /**
- * `npm test`: types, lint, format, spelling, unused code, audit, unit tests, Python tests, build, end-to-end
- * tests. Every stage runs even if an earlier stage failed. The last line prints the totals.
+ * `npm test`: types, lint, format, spelling, unused code, audit, unit tests, component tests, Python tests,
+ * build, end-to-end tests. Every stage runs even if an earlier stage failed. The last line prints the totals.
  */
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
@@ -38,7 +38,9 @@ stage("format", ["oxfmt", "--check"]);
 stage("spelling", ["cspell", "--no-progress", "--no-summary"]);
 stage("unused code", ["knip"]);
 auditStage();
-testStage("unit", ["vitest", "run", "--reporter=default", "--reporter=json"], parseVitestReport);
+vitestStage("unit");
+if (hasRequirements) vitestStage("components");
+else add("components", { passed: 0, failed: 1, skipped: 0 });
 if (check("Python test tools", requirePythonTools)) {
   testStage("python", [...pythonTests], parseJunitReport);
 } else {
@@ -105,6 +107,12 @@ function testStage(
   if (code !== 0 && counts.failed === 0) counts.failed = 1;
   if (counts.passed === 0 && counts.failed === 0) counts.failed = 1;
   add(name, counts);
+}
+
+/** Runs a project of vitest.config.ts. */
+function vitestStage(project: string): void {
+  const args = ["vitest", "run", "--project", project, "--reporter=default", "--reporter=json"];
+  testStage(project, args, parseVitestReport);
 }
 
 function run(name: string, [command = "", ...args]: string[], extra: NodeJS.ProcessEnv): number {
