@@ -61,7 +61,7 @@ function* forBump(trace: RunTrace, event: BumpEvent): Generator<Fix> {
     else yield* [...own, ...swap];
   }
   const turns = recentTurns(trace);
-  for (const turn of turns) yield* swapped(program, turn, delayedTurn);
+  for (const turn of turns) yield* sooner(trace, turn);
   yield* orders(program, lines);
   if (line !== null && phase === "delay") yield* actions(program, line, plainTurns);
   for (const other of linesAbout(program, event.side)) {
@@ -94,7 +94,7 @@ function* forNoGoal(trace: RunTrace): Generator<Fix> {
   const turning = lines.filter((line) => isTurn(actionOf(program, line)));
   const backing = lines.filter((line) => actionOf(program, line) === "reverse");
   for (const line of backing) yield* actions(program, line, ["turn 180", "left 90", "right 90"]);
-  for (const line of turning) yield* swapped(program, line, delayedTurn);
+  for (const line of turning) yield* sooner(trace, line);
   yield* orders(program, lines);
   for (const line of lines) yield* numbers(trace, line);
   for (const line of turning) yield* swapped(program, line, turnOnTheSpot);
@@ -139,6 +139,18 @@ function linesAbout({ rules }: ProgramDocument, side: "front" | "back"): number[
 
 export function actionOf({ rules, default: otherwise }: ProgramDocument, line: LineRef) {
   return line === "default" ? otherwise : (rules[line]?.do ?? otherwise);
+}
+
+/**
+ * Changes of a turn that starts too early. At a wall ahead, the number is the usual mistake; at an
+ * opening, it is the missing delay.
+ */
+function* sooner(trace: RunTrace, line: LineRef): Generator<Fix> {
+  const { program } = trace;
+  const when = typeof line === "number" ? program.rules[line]?.when : null;
+  const delay = swapped(program, line, delayedTurn);
+  if (when?.sensor === "front" && delay.length > 0) yield* numbers(trace, line);
+  yield* delay;
 }
 
 /** The same turn, delayed or on the spot. */
@@ -207,8 +219,24 @@ function sensors({ rules }: ProgramDocument): Fix[] {
   );
 }
 
-/** New lines for a wall and for an opening on either side, at the end and at the top. */
-function* newLines({ program, last }: RunTrace, side: "front" | "back"): Generator<Fix> {
+/**
+ * New lines for a wall and for an opening on either side, at the end and at the top. A line that
+ * has such a condition already is not missing: its number or action is wrong.
+ */
+function* newLines(trace: RunTrace, side: "front" | "back"): Generator<Fix> {
+  for (const fix of linesToAdd(trace, side)) {
+    const { when } = fix.rule;
+    const has = trace.program.rules.some(
+      (rule) => rule.when?.sensor === when?.sensor && rule.when?.is === when?.is,
+    );
+    if (!has) yield fix;
+  }
+}
+
+function* linesToAdd(
+  { program, last }: RunTrace,
+  side: "front" | "back",
+): Generator<Extract<Fix, { kind: "insert" }>> {
   if (program.rules.length >= MAX_RULES) return;
   const [, right = 0, , left = 0] = last.readings;
   const turns: PlainAction[] =

@@ -2,7 +2,12 @@
  * Derives the cause from a change that removes the failure: the line, the moment and the readings.
  * All values are from the trace.
  */
-import { numberOf, evaluateCondition, type ProgramDocument } from "@corridor/program";
+import {
+  numberOf,
+  evaluateCondition,
+  type Condition,
+  type ProgramDocument,
+} from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
 import { DELAY_DISTANCE, ROBOT_RADIUS } from "@corridor/simulation";
 import type { Fix, Side } from "../advice.ts";
@@ -17,6 +22,8 @@ export const DELAY_NEEDS = DELAY_DISTANCE + ROBOT_RADIUS;
  * Ticks after the side opened, within 20 cm, during which the robot is at the edge of the opening.
  */
 const EDGE_TICKS = 12;
+/** Units that the robot drives in a few ticks. */
+const NEAR = 5;
 /** Number of reversals that count as driving forward and back. */
 const MANY_REVERSALS = 10;
 
@@ -84,18 +91,29 @@ function isAtEdgeOfOpening(trace: RunTrace, { tick, readings }: Decision, side: 
   return false;
 }
 
-function detailOf(trace: RunTrace, { line, action, readings }: Decision): WrongAction["detail"] {
+function detailOf(trace: RunTrace, moment: Decision): WrongAction["detail"] {
+  const { line, action, readings } = moment;
   const side = sideOf(action);
   if (action in turnOnTheSpot && readings.front < DELAY_NEEDS) {
     return { kind: "no-room", needs: DELAY_NEEDS };
   }
-  if (side !== null && readings[side] < DELAY_NEEDS) {
+  if (side !== null && readings[side] < DELAY_NEEDS && turnsToWall(trace, moment, side)) {
     const other = side === "left" ? "right" : "left";
     if (readings[other] >= OPENING) return { kind: "into-wall", side, open: other };
     if (readings.front >= OPENING) return { kind: "into-wall", side, open: "front" };
   }
   const other = action === "reverse" ? alternatingLine(trace, line) : null;
   return other === null ? null : { kind: "undoing", other };
+}
+
+/** Whether a wall is at the side where the robot turns. A delayed turn drives on first. */
+function turnsToWall(trace: RunTrace, { tick, action, readings }: Decision, side: Side): boolean {
+  if (!(action in turnOnTheSpot)) return true;
+  for (let at = tick + 1; at < trace.until; at++) {
+    const now = trace.readingsAt(at);
+    if (readings.front - now.front > DELAY_DISTANCE - 1) return now[side] < DELAY_NEEDS;
+  }
+  return false;
 }
 
 /**
@@ -144,7 +162,14 @@ function extremeOf(
   if (!trace.decisions.some((each) => each.line === line)) return "never";
   if (when === null || when.than === "right") return null;
   if (when.is === ">" && when.than < ROBOT_RADIUS - 1) return "always";
-  return kind === "too-late" && !trace.isEverTrue(when, tick) ? "missed" : null;
+  return kind === "too-late" && !isTrueFurtherOn(trace, when, tick) ? "missed" : null;
+}
+
+/** Whether the robot drives on from the tick to the place where the condition becomes true. */
+function isTrueFurtherOn(trace: RunTrace, when: Condition, tick: number): boolean {
+  const at = trace.firstTrue(when, tick);
+  if (at === null) return false;
+  return Math.abs(trace.readingsAt(at)[when.sensor] - numberOf(when)) <= NEAR;
 }
 
 /**

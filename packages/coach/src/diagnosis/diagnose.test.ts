@@ -1,11 +1,16 @@
 import { generateMaze, type MazeDocument } from "@corridor/maze";
-import type { Condition, ProgramDocument, Rule } from "@corridor/program";
+import {
+  CompiledProgram,
+  type Condition,
+  type ProgramDocument,
+  type Rule,
+} from "@corridor/program";
 import { plainActions, type PlainAction } from "@corridor/protocol";
-import { Simulation } from "@corridor/simulation";
+import { ProgramRun, Simulation } from "@corridor/simulation";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { causeLine, type Diagnosis } from "./diagnosis.ts";
-import { diagnoseProgram, type DiagnosisTask } from "./diagnose.ts";
+import { diagnoseProgram, diagnoseStretch, freePlayTask, type DiagnosisTask } from "./diagnose.ts";
 import { falseClaims } from "./testing/claims.ts";
 
 const front = (is: "<" | ">", than: number): Condition => ({ sensor: "front", is, than });
@@ -178,6 +183,37 @@ describe("a change in free play", () => {
     const found = diagnosed(toSide, what, 1800);
     expect(found?.cause).toMatchObject({ kind: "comparison", line: 0 });
     expect(found?.fixes.map(({ kind }) => kind)).not.toContain("number");
+  });
+});
+
+describe("in free play, after another program left the robot beside the middle of a square", () => {
+  const wallFollower = (near: number) =>
+    program("forward", rule(right(">", 60), "delayed right 90"), rule(front("<", near), "left 90"));
+  const untilBump = (robot: Simulation, what: ProgramDocument): Simulation => {
+    const run = new ProgramRun(robot, new CompiledProgram(what));
+    const { bumps } = robot;
+    while (robot.bumps === bumps && robot.tick < 3600) run.step();
+    robot.apply({ action: "stop" });
+    return robot;
+  };
+  const afterBump = (what: ProgramDocument): Diagnosis | null => {
+    const state = untilBump(new Simulation(winding), wallFollower(75)).save();
+    const robot = new Simulation(winding);
+    robot.restore(state);
+    const { tick } = untilBump(robot, what);
+    const task = freePlayTask(winding, tick);
+    return diagnoseStretch({ maze: winding, program: what, state }, task, tick, "bump");
+  };
+
+  it("a program that reaches the goal from the start is not blamed for a bump", () => {
+    const found = afterBump(wallFollower(60));
+    expect(found).toMatchObject({ event: { kind: "bump" }, cause: null, solvesFromStart: true });
+  });
+
+  it("a program that fails from the start as well gets a cause", () => {
+    const found = afterBump(wallFollower(75));
+    expect(found?.solvesFromStart).toBeUndefined();
+    expect(found?.cause).not.toBeNull();
   });
 });
 

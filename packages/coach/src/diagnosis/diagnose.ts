@@ -3,10 +3,15 @@
  * failure; otherwise the diagnosis contains only the event.
  */
 import type { MazeDocument } from "@corridor/maze";
-import type { ProgramDocument } from "@corridor/program";
+import { CompiledProgram, numberOf, type ProgramDocument } from "@corridor/program";
 import type { Command, LineRef, Pose } from "@corridor/protocol";
-import { ROBOT_RADIUS, contactOf, type BumpCause } from "@corridor/simulation";
-import type { Fix } from "../advice.ts";
+import {
+  ProgramRun,
+  ROBOT_RADIUS,
+  Simulation,
+  contactOf,
+  type BumpCause,
+} from "@corridor/simulation";
 import { applyFix } from "../apply-fix.ts";
 import type { LoopNotice } from "../loop-detector.ts";
 import { candidates } from "./candidates.ts";
@@ -19,6 +24,7 @@ import type {
   FailureEvent,
   StuckEvent,
 } from "./diagnosis.ts";
+import { isMissingDelay, ranked, type Found } from "./rank.ts";
 import { RunTrace, type SolvedCheck, type TraceStart } from "./run-trace.ts";
 import { tryProgram, type TrialResult, type TrialTask } from "./trial.ts";
 
@@ -27,6 +33,8 @@ const MAX_TRIAL_TICKS = 60_000;
 /** Changes that solve this maze and are tried in the other mazes. */
 const MAX_WHOLE_TRIALS = 4;
 const MAX_FIXES = 2;
+/** Precision of a number that is named, in units. */
+const NUMBER_STEP = 5;
 /** Decisions of a line that are tried as the first changed one. */
 const MAX_MOMENTS = 3;
 /** In free play, the diagnosis starts this many ticks before the failure. */
@@ -106,9 +114,29 @@ export function diagnoseStretch(
   const bumps = failure === "bump" ? Math.max(task.bumps ?? 0, start.state.physics.bumps) : null;
   const trace = new RunTrace(start, { until, bumps, isSolved: null });
   if (failure === "bump" && trace.end !== "bump") return null;
+  if (solvesFromStart(trace, task)) {
+    const event = typeof failure === "string" ? eventOf(trace) : { ...failure, tick: until };
+    return { event, cause: null, fixes: [], solvesFromStart: true };
+  }
   if (typeof failure === "string") return diagnose(trace, task);
   if (isSolvedLater(trace, task)) return null;
   return diagnose(trace, task, { ...failure, tick: until });
+}
+
+/**
+ * Whether a run in free play would not have failed if the program had driven from the start: then
+ * no line of the program is the cause.
+ */
+function solvesFromStart(trace: RunTrace, { newSolvedCheck, solvesAll }: DiagnosisTask): boolean {
+  if (trace.from === 0 || newSolvedCheck === null || solvesAll !== null) return false;
+  const simulation = new Simulation(trace.maze);
+  const run = new ProgramRun(simulation, new CompiledProgram(trace.program));
+  const isSolved = newSolvedCheck();
+  while (simulation.tick < MAX_TRIAL_TICKS && simulation.bumps === 0) {
+    run.step();
+    if (isSolved(simulation)) return simulation.bumps === 0;
+  }
+  return false;
 }
 
 /** Whether the unchanged program solves the task later, so that the notice was wrong. */
@@ -164,13 +192,6 @@ function phaseOf(action: Command["action"], { needed, part }: BumpCause): BumpPh
   return part === 0 ? "delay" : "way-out";
 }
 
-interface Found {
-  fix: Fix;
-  from: number;
-  program: ProgramDocument;
-  outcome: TrialResult["outcome"];
-}
-
 function explain(
   trace: RunTrace,
   event: FailureEvent,
@@ -199,17 +220,58 @@ function explain(
     // It may be the right change for another maze of the task.
     const isIdleHere = fix.kind === "number" && isIdle(trace, program, fix.line, trial);
     if (isIdleHere && task.solvesAll?.(program) !== true) continue;
-    found.push({ fix, from: trial.from, program, outcome: trial.outcome });
+    const { outcome, offCentre } = trial;
+    found.push({ fix, from: trial.from, program, outcome, offCentre });
   }
   const momentOf = (each: Found) => momentToName(trace, each, trialTask, isBump);
-  const best = ranked(trace, found, task, event, momentOf);
-  const named = best.flatMap((each): { cause: Cause; fix: Fix }[] => {
-    const cause = causeOf(trace, each.fix, momentOf(each));
-    return cause === null ? [] : [{ cause, fix: each.fix }];
-  });
+  const named = ranked(trace, found, task.solvesAll, event, momentOf)
+    .filter((each) => causeOf(trace, each.fix, momentOf(each)) !== null)
+    .slice(0, MAX_FIXES)
+    .map((each) => withNearestNumber(trace, each, task, trialTask, isBump));
   const [first] = named;
-  if (first === undefined) return { cause: null, fixes: [] };
-  return { cause: first.cause, fixes: named.slice(0, MAX_FIXES).map(({ fix }) => fix) };
+  const cause = first === undefined ? null : causeOf(trace, first.fix, momentOf(first));
+  if (cause === null) return { cause: null, fixes: [] };
+  return { cause, fixes: named.map(({ fix }) => fix) };
+}
+
+/**
+ * In a task, the number that helps as well and is nearest to the number of the line, in steps of 5:
+ * the distance between the two is the size of the mistake. Free play offers the number itself, and
+ * a usual one leaves more room.
+ */
+function withNearestNumber(
+  trace: RunTrace,
+  found: Found,
+  { solvesAll }: DiagnosisTask,
+  trialTask: TrialTask,
+  isBump: boolean,
+): Found {
+  const { fix, program, outcome } = found;
+  const when = fix.kind === "number" ? trace.program.rules[fix.line]?.when : null;
+  if (fix.kind !== "number" || when === null || when === undefined) return found;
+  if (solvesAll === null) return found;
+  const solvedAll = solvesAll(program);
+  const trial = (number: number): Found | null => {
+    const changed = { ...fix, number };
+    const other = applyFix(trace.program, changed);
+    const result = tryProgram(trace, other, trialTask, isBump, trace.from, fix.line);
+    const helps = result.from !== null && result.outcome === outcome;
+    if (!helps || (solvedAll && !solvesAll(other))) return null;
+    return { ...found, ...result, from: result.from ?? found.from, fix: changed, program: other };
+  };
+  let [wrong, best] = [numberOf(when), found];
+  let right = fix.number;
+  while (Math.abs(right - wrong) > NUMBER_STEP) {
+    const middle = NUMBER_STEP * Math.round((wrong + right) / 2 / NUMBER_STEP);
+    if (middle === wrong || middle === right) break;
+    const better = trial(middle);
+    if (better === null) {
+      wrong = middle;
+    } else {
+      [right, best] = [middle, better];
+    }
+  }
+  return best;
 }
 
 /**
@@ -236,81 +298,6 @@ function isEnough(found: readonly Found[], { solvesAll, newSolvedCheck }: Diagno
   if (solvesAll === null) return solving.length >= MAX_FIXES;
   const numbers = solving.flatMap(({ fix }) => (fix.kind === "number" ? [fix.line] : []));
   return solving.length - numbers.length + new Set(numbers).size >= MAX_WHOLE_TRIALS;
-}
-
-/**
- * Sorts the changes, the most plausible first, and leaves out those that only happen to help.
- *
- * - 0: another order of the lines that solves every maze of the task
- * - 1: any other change that solves every maze, and a missing delay at the edge of an opening,
- *   because two mistakes need two changes
- * - 2, 3: what the run itself shows: the line drove straight into the wall, or its readings
- *   contradict its action
- * - 4: an action that solves every maze although the line did not drive into the wall and the run
- *   shows nothing wrong about it: it only avoids the place of the bump
- * - 5: a missing or extra line, or another order; in free play, every change that lasts
- * - 6: another action that solves this maze but not every maze: with two wrong lines, each maze may
- *   show one of them; in free play, a change after which another failure occurs
- * - 7: a missing delay with which the robot only gets further
- *
- * In a task, a sign, a sensor or a number that does not solve every maze is left out.
- */
-function ranked(
-  trace: RunTrace,
-  found: readonly Found[],
-  { solvesAll }: DiagnosisTask,
-  event: FailureEvent,
-  momentOf: (found: Found) => number,
-): Found[] {
-  const rank = (each: Found): number | null => {
-    const { fix, from, outcome, program } = each;
-    if (isMissingDelay(trace, fix, from)) return outcome === "further" ? 7 : 1;
-    if (outcome === "further") return 7;
-    const isSolution = outcome === "solved" && solvesAll?.(program) !== false;
-    const droveIntoWall = isStraight(event) && "line" in fix && fix.line === event.line;
-    const isShown = (droveIntoWall && fix.kind === "action") || isShownByRun(trace, fix, from);
-    if (isSolution && fix.kind === "move" && solvesAll !== null) return 0;
-    if (isSolution) return fix.kind === "action" && !isShown && isStraight(event) ? 4 : 1;
-    if (solvesAll === null) return outcome === "past" ? 6 : 5;
-    if (isShown || isShownByRun(trace, fix, momentOf(each))) return outcome === "past" ? 3 : 2;
-    if (fix.kind === "insert" || fix.kind === "delete" || fix.kind === "move") return 5;
-    return fix.kind === "action" && outcome === "solved" ? 6 : null;
-  };
-  return found
-    .flatMap((each) => {
-      const at = rank(each);
-      return at === null ? [] : [{ each, rank: at }];
-    })
-    .toSorted((a, b) => a.rank - b.rank)
-    .map(({ each }) => each);
-}
-
-/**
- * Whether a line chose to drive straight into the wall. "otherwise: forward" did not choose it: a
- * line for that place may be missing.
- */
-function isStraight(event: FailureEvent): event is BumpEvent {
-  if (event.kind !== "bump" || event.phase !== "steady") return false;
-  return typeof event.line === "number" || event.action === "reverse";
-}
-
-/** Whether the readings of the run show the mistake, whatever another change would do. */
-function isShownByRun(trace: RunTrace, fix: Fix, from: number): boolean {
-  const cause = causeOf(trace, fix, from);
-  if (cause === null) return false;
-  if (cause.kind === "action") return cause.detail !== null;
-  if (cause.kind === "delayed") return cause.moment.readings.front < cause.needs;
-  if (cause.kind === "not-delayed") return cause.isAtEdge;
-  return "extreme" in cause && cause.extreme === "always";
-}
-
-/**
- * A turn at the edge of an opening is wrong independent of other mistakes. It is named if the robot
- * gets further with the delay.
- */
-function isMissingDelay(trace: RunTrace, fix: Fix, from: number): boolean {
-  const cause = causeOf(trace, fix, from);
-  return cause?.kind === "not-delayed" && cause.isAtEdge;
 }
 
 /**

@@ -105,7 +105,7 @@ export interface WrongNumber {
   moment: Decision;
   /**
    * always: the line is true for every possible reading; never: it never decided; missed: it
-   * decided before the moment, and is never true after it
+   * decided before the moment, and the robot drives on from the moment to no place where it is true
    */
   extreme: "always" | "never" | "missed" | null;
 }
@@ -179,6 +179,11 @@ export interface Diagnosis {
   cause: Cause | null;
   /** simulated changes that remove the failure; the first one belongs to the cause */
   fixes: readonly Fix[];
+  /**
+   * In free play: the robot reaches the goal from its start without a bump, so no line is the
+   * cause. It failed here because another program or a person had driven it before.
+   */
+  solvesFromStart?: true;
 }
 
 /** The line that caused the failure; null if there is none, or it is unknown. */

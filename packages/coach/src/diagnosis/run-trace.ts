@@ -187,16 +187,21 @@ export class RunTrace {
     return null;
   }
 
-  /** Whether a condition is true at any decision from the tick `from` on. */
-  isEverTrue(when: Condition, from: number = this.from): boolean {
+  /** Whether a condition is true at any decision. */
+  isEverTrue(when: Condition): boolean {
+    return this.firstTrue(when) !== null;
+  }
+
+  /** The tick of the first decision from `from` on at which a condition is true; null: never. */
+  firstTrue(when: Condition, from: number = this.from): number | null {
     const asked = new CompiledProgram({ ...this.program, rules: [{ when, do: "stop" }] });
     const readings = new Float64Array(4);
     for (let at = from - this.from; at < this.until - this.from; at++) {
       if (this.#rules[at] === NO_DECISION) continue;
       readings.set(this.#readings.subarray(at * 4, at * 4 + 4));
-      if (asked.decide(readings) === 0) return true;
+      if (asked.decide(readings) === 0) return this.from + at;
     }
-    return false;
+    return null;
   }
 
   /** The lines that decided, newest first. */

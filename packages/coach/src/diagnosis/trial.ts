@@ -2,8 +2,9 @@
  * Simulates a changed program on a failed run, from its first different decision on: until then
  * both runs are the same.
  */
+import { CELL } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
-import type { LineRef } from "@corridor/protocol";
+import type { LineRef, Pose } from "@corridor/protocol";
 import { ProgramRun } from "@corridor/simulation";
 import { LoopDetector } from "../loop-detector.ts";
 import type { RunTrace, SolvedCheck } from "./run-trace.ts";
@@ -38,6 +39,8 @@ export interface TrialResult {
   cost: number;
   /** lines that decided since the first different decision */
   lines: ReadonlySet<LineRef>;
+  /** the longest distance in units from the middle of a square at which the robot turned */
+  offCentre: number;
 }
 
 /**
@@ -59,7 +62,7 @@ export function tryProgram(
   const compiled = new CompiledProgram(program);
   const start = trace.firstDifference(compiled, from);
   const lines = new Set<LineRef>();
-  if (start === null) return { outcome: "fails", from: null, cost: 0, lines };
+  if (start === null) return { outcome: "fails", from: null, cost: 0, lines, offCentre: 0 };
   const simulation = trace.at(start);
   const run = new ProgramRun(simulation, compiled);
   const solved = task.newSolvedCheck?.() ?? null;
@@ -69,6 +72,7 @@ export function tryProgram(
     from: start,
     cost: simulation.tick - start,
     lines,
+    offCentre,
   });
   const fresh = new Set<number>();
   const failed = () => result(fresh.size >= FURTHER_SQUARES && !isBump ? "further" : "fails");
@@ -80,9 +84,14 @@ export function tryProgram(
   let hasLeft = false;
   let isPast = false;
   let decidedAt: number | null = null;
+  let offCentre = 0;
   while (simulation.tick < last) {
     if (simulation.tick === trace.until) failedAt = simulation.pose;
+    const { heading } = simulation.pose;
     run.step();
+    if (simulation.pose.heading !== heading) {
+      offCentre = Math.max(offCentre, distanceFromMiddle(simulation.pose));
+    }
     lines.add(run.line);
     if (run.line === renumbered) decidedAt ??= simulation.tick;
     if (simulation.bumps > allowed) {
@@ -108,4 +117,10 @@ export function tryProgram(
     }
   }
   return isPast ? result("lasts") : failed();
+}
+
+/** Distance along the axis on which the robot is further from the middle of its square. */
+function distanceFromMiddle({ x, y }: Pose): number {
+  const offset = (at: number) => Math.abs((at % CELL) - CELL / 2);
+  return Math.max(offset(x), offset(y));
 }

@@ -91,7 +91,7 @@ describe("a number that is wrong", () => {
     {
       why: "decides too early",
       answer: changed("centimetres", 0, number("back", ">", 400)),
-      says: "Line 1 chose “left 90” at 3.5 s, when back was 400.01 cm. That was about 50 cm too early.",
+      says: "Line 1 chose “left 90” at 3.5 s, when back was 400.01 cm. That was about 25 cm too early.",
     },
     {
       why: "decides too early from the start on: the way from there counts, not the two numbers",
@@ -101,7 +101,7 @@ describe("a number that is wrong", () => {
     {
       why: "asks a little too little of a side, where no place is nearer by that much",
       answer: changed("every-maze", 0, number("right", ">", 50)),
-      says: "Line 1 was true at 5.2 s, when right was 50.01 cm. Its number is off by about 10 cm.",
+      says: "Line 1 was true at 5.2 s, when right was 50.01 cm. Its number is off by about 5 cm.",
     },
     {
       why: "stops being true too early",

@@ -56,7 +56,8 @@ export function diagnosisText(
 ): string {
   const { event, cause } = diagnosis;
   const corner = event.kind === "bump" && event.contact.isCorner ? [cornerText(words)] : [];
-  const reason = cause === null ? [] : [causeText(words, event, cause)];
+  const none = diagnosis.solvesFromStart ? [words.t("diagnosis:cause.noneFromStart")] : [];
+  const reason = cause === null ? none : [causeText(words, event, cause)];
   return joinSentences(commonWords(words), [happened, ...corner, ...reason]);
 }
 

@@ -158,8 +158,19 @@ function extremeHolds(cause: WrongNumber, ticks: readonly PlainTick[]): boolean 
   if (cause.number !== numberOf(cause.when)) return false;
   const decided = ticks.flatMap(({ line }, tick) => (line === cause.line ? [tick] : []));
   if (cause.extreme === "never") return decided.length === 0;
-  if (cause.extreme === "missed") return decided.every((tick) => tick < cause.moment.tick);
+  if (cause.extreme === "missed") return !becomesTrueOnTheWay(cause, ticks);
   if (cause.extreme !== "always" || cause.when.than === "right") return true;
   const { sensor, than } = cause.when;
   return ticks.every(({ readings }) => readings[sensor] > than);
+}
+
+/** Whether the robot drives on to the place where the condition of the line becomes true. */
+function becomesTrueOnTheWay(
+  { when, moment, number }: WrongNumber,
+  ticks: readonly PlainTick[],
+): boolean {
+  const later = ticks.slice(moment.tick).find(({ line, readings }) => {
+    return line !== null && evaluateCondition(when, readings)?.isTrue === true;
+  });
+  return later !== undefined && Math.abs(later.readings[when.sensor] - number) <= 5;
 }
