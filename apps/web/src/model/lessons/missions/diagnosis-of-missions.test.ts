@@ -260,7 +260,7 @@ describe("of several lines whose change passes", () => {
       55,
     ],
   ] as const)(
-    "%s: the nearest number that passes tells the size of the mistake",
+    "%s: the size of the mistake is the distance to the nearest number that passes",
     (id, program, better) => {
       expect(causes(id, program)).toMatchObject([{ line: 0, better }]);
     },
