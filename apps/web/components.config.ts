@@ -39,16 +39,16 @@ export const components: TestProjectInlineConfiguration = {
   test: {
     name: "components",
     include: ["apps/web/src/**/*.component.test.tsx"],
-    testTimeout: 60_000,
-    // As long as in the tests of the whole page: slow only where something is wrong.
-    expect: { poll: { timeout: 10_000 } },
+    testTimeout: 120_000,
+    // Only a failure takes this long, or a machine that is busy with other work.
+    expect: { poll: { timeout: 30_000 } },
     browser: {
       enabled: true,
       headless: true,
       screenshotFailures: false,
       viewport: { width: 1280, height: 800 },
       provider: playwright({
-        actionTimeout: 10_000,
+        actionTimeout: 30_000,
         launchOptions: {
           args: [...chromiumArguments],
           ...(executablePath === null ? {} : { executablePath }),
