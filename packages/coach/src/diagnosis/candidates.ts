@@ -26,6 +26,8 @@ const MAX_NUMBERS = 40;
 const DIFFERENCES = [1, 0, 10, 50, 100, -1, -10, -50, -100];
 const WALL_NEAR = 50;
 const SIDE_OPEN = 60;
+/** Conditions with numbers this close concern the same place. */
+const SIMILAR = 25;
 
 export const delayedTurn: Partial<Record<PlainAction, PlainAction>> = {
   "left 90": "delayed left 90",
@@ -221,16 +223,20 @@ function sensors({ rules }: ProgramDocument): Fix[] {
 
 /**
  * New lines for a wall and for an opening on either side, at the end and at the top. A line that
- * has such a condition already is not missing: its number or action is wrong.
+ * has about the same condition is not missing: its number or action is wrong.
  */
 function* newLines(trace: RunTrace, side: "front" | "back"): Generator<Fix> {
   for (const fix of linesToAdd(trace, side)) {
     const { when } = fix.rule;
-    const has = trace.program.rules.some(
-      (rule) => rule.when?.sensor === when?.sensor && rule.when?.is === when?.is,
-    );
-    if (!has) yield fix;
+    if (!trace.program.rules.some((rule) => isSimilar(rule.when, when))) yield fix;
   }
+}
+
+function isSimilar(one: Condition | null, other: Condition | null): boolean {
+  if (one === null || other === null || one.than === "right" || other.than === "right")
+    return false;
+  const isSame = one.sensor === other.sensor && one.is === other.is;
+  return isSame && Math.abs(one.than - other.than) <= SIMILAR;
 }
 
 function* linesToAdd(
