@@ -54,7 +54,7 @@ export function ranked(
     const isSolution = outcome === "solved" && solvesAll?.(program) !== false;
     const isCentred = isSolution && each.offCentre <= CENTRED;
     if (isMissingDelay(trace, fix, from)) return isCentred ? 1 : 2;
-    if (each === withoutRoom) return isCentred ? 1 : 2;
+    if (each === withoutRoom) return isSolution ? 1 : 2;
     const droveIntoWall = isStraight(event) && "line" in fix && fix.line === event.line;
     const isShown = (droveIntoWall && fix.kind === "action") || isShownByRun(trace, fix, from);
     if (isSolution && fix.kind === "move" && solvesAll !== null) return 0;
