@@ -123,12 +123,12 @@ for (const { mission, id, answers } of wrongAnswers) {
 for (const { number, feedback } of [
   {
     number: "400",
-    feedback: /when back was 400\.01 cm\. That was about 25 cm too early\.$/,
+    feedback: /when back was 400\.01 cm\. That was about 50 cm too early\.$/,
   },
   {
     number: "550",
     feedback:
-      /^Bump at .* Line 1 comes about 75 cm too late\. At 4\.\d s, when back was 475 cm, it was not yet true\.$/,
+      /^Bump at .* Line 1 comes about 100 cm too late\. At 4\.\d s, when back was 450 cm, it was not yet true\.$/,
   },
 ]) {
   test(`mission 5 with ${number}: reports by how much, and offers no fix that the mission forbids`, async ({

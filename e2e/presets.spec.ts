@@ -125,7 +125,9 @@ test("shows the whole question before an algorithm replaces lines, and takes the
 
 test("has no axe violations in the presets, in either theme", async ({ corridor, page }) => {
   await page.getByRole("button", { name: "Presets", exact: true }).click();
-  await expect(corridor.dialog("Presets").getByText("Random maze")).toBeVisible();
+  await expect(
+    corridor.dialog("Presets").getByRole("heading", { name: "Random maze" }),
+  ).toBeVisible();
   await expectNoAxeViolations(page, "presets");
 });
 

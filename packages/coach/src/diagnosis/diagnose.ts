@@ -3,7 +3,7 @@
  * failure; otherwise the diagnosis contains only the event.
  */
 import type { MazeDocument } from "@corridor/maze";
-import { CompiledProgram, numberOf, type ProgramDocument } from "@corridor/program";
+import { CompiledProgram, type ProgramDocument } from "@corridor/program";
 import type { Command, LineRef, Pose } from "@corridor/protocol";
 import {
   ProgramRun,
@@ -33,8 +33,6 @@ const MAX_TRIAL_TICKS = 60_000;
 /** Changes that solve this maze and are tried in the other mazes. */
 const MAX_WHOLE_TRIALS = 4;
 const MAX_FIXES = 2;
-/** Precision of a number that is named, in units. */
-const NUMBER_STEP = 5;
 /** Decisions of a line that are tried as the first changed one. */
 const MAX_MOMENTS = 3;
 /** In free play, the diagnosis starts this many ticks before the failure. */
@@ -226,52 +224,11 @@ function explain(
   const momentOf = (each: Found) => momentToName(trace, each, trialTask, isBump);
   const named = ranked(trace, found, task.solvesAll, event, momentOf)
     .filter((each) => causeOf(trace, each.fix, momentOf(each)) !== null)
-    .slice(0, MAX_FIXES)
-    .map((each) => withNearestNumber(trace, each, task, trialTask, isBump));
+    .slice(0, MAX_FIXES);
   const [first] = named;
   const cause = first === undefined ? null : causeOf(trace, first.fix, momentOf(first));
   if (cause === null) return { cause: null, fixes: [] };
   return { cause, fixes: named.map(({ fix }) => fix) };
-}
-
-/**
- * In a task, the number that helps as well and is nearest to the number of the line, in steps of 5:
- * the distance between the two is the size of the mistake. Free play offers the number itself, and
- * a usual one leaves more room.
- */
-function withNearestNumber(
-  trace: RunTrace,
-  found: Found,
-  { solvesAll }: DiagnosisTask,
-  trialTask: TrialTask,
-  isBump: boolean,
-): Found {
-  const { fix, program, outcome } = found;
-  const when = fix.kind === "number" ? trace.program.rules[fix.line]?.when : null;
-  if (fix.kind !== "number" || when === null || when === undefined) return found;
-  if (solvesAll === null) return found;
-  const solvedAll = solvesAll(program);
-  const trial = (number: number): Found | null => {
-    const changed = { ...fix, number };
-    const other = applyFix(trace.program, changed);
-    const result = tryProgram(trace, other, trialTask, isBump, trace.from, fix.line);
-    const helps = result.from !== null && result.outcome === outcome;
-    if (!helps || (solvedAll && !solvesAll(other))) return null;
-    return { ...found, ...result, from: result.from ?? found.from, fix: changed, program: other };
-  };
-  let [wrong, best] = [numberOf(when), found];
-  let right = fix.number;
-  while (Math.abs(right - wrong) > NUMBER_STEP) {
-    const middle = NUMBER_STEP * Math.round((wrong + right) / 2 / NUMBER_STEP);
-    if (middle === wrong || middle === right) break;
-    const better = trial(middle);
-    if (better === null) {
-      wrong = middle;
-    } else {
-      [right, best] = [middle, better];
-    }
-  }
-  return best;
 }
 
 /**

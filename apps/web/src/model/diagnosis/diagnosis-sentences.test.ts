@@ -91,22 +91,22 @@ describe("a number that is wrong", () => {
     {
       why: "decides too early",
       answer: changed("centimetres", 0, number("back", ">", 400)),
-      says: "Line 1 chose “left 90” at 3.5 s, when back was 400.01 cm. That was about 25 cm too early.",
+      says: "Line 1 chose “left 90” at 3.5 s, when back was 400.01 cm. That was about 50 cm too early.",
     },
     {
       why: "decides too early from the start on: the way from there counts, not the two numbers",
       answer: changed("own-line", 0, number("front", "<", 500)),
-      says: "Line 1 chose “right 90” at 0.0 s, when front was 450 cm. That was about 375 cm too early.",
+      says: "Line 1 chose “right 90” at 0.0 s, when front was 450 cm. That was about 400 cm too early.",
     },
     {
       why: "asks a little too little of a side, where no place is nearer by that much",
       answer: changed("every-maze", 0, number("right", ">", 50)),
-      says: "Line 1 was true at 5.2 s, when right was 50.01 cm. Its number is off by about 5 cm.",
+      says: "Line 1 was true at 5.2 s, when right was 50.01 cm. Its number is off by about 10 cm.",
     },
     {
       why: "stops being true too early",
       answer: changed("farthest-distance", 0, number("front", ">", 150)),
-      says: "Line 1 was no longer true at 3.0 s, when front was 150 cm. It stopped being true about 75 cm too early.",
+      says: "Line 1 was no longer true at 3.0 s, when front was 150 cm. It stopped being true about 100 cm too early.",
     },
     {
       why: "is true while the robot turns, but never decides",
