@@ -11,7 +11,7 @@ test("creates a short link, from which another user opens the maze", async ({
   await corridor.share.click();
   const dialog = corridor.dialog("Share this maze");
   const field = dialog.getByRole("textbox", { name: "Link" });
-  await expect(dialog.getByText("Anybody can open a short link")).toBeVisible();
+  await expect(dialog.getByText("Anyone can open a short link")).toBeVisible();
   await dialog.getByRole("button", { name: "Short link", exact: true }).click();
   await expect(field).toHaveValue(/\/m\/[A-Z]{4,6}$/);
   await dialog.getByRole("button", { name: "Copy link" }).click();
