@@ -139,7 +139,7 @@ export const problemKinds = {
     status: 405,
     title: "Method not allowed",
     what: "The path exists, but does not support this HTTP method.",
-    why: "For example, a command was sent with `GET` instead of `POST`.",
+    why: "For example, `POST /sensors`: the sensors are read with `GET`. Commands are sent with `POST /commands`.",
     fix: ["Use a method in the header `Allow` of the response."],
   },
   "too-slow": {
