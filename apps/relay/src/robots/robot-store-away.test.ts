@@ -28,7 +28,7 @@ describe("a robot: while its store does not answer", () => {
     expect(await setup.states()).toEqual(["1 cancelled"]);
   });
 
-  it("delivers what was stored although the answer was lost, to the page that it sent away", async () => {
+  it("delivers what was stored although the answer was lost, to the page that it had disconnected", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     setup.cut.losesAnswers = true;

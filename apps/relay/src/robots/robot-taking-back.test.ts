@@ -32,7 +32,7 @@ describe("a robot: replacing and cancelling", () => {
   });
 });
 
-describe("a robot: taking back while the page is away", () => {
+describe("a robot: withdrawing commands while the page is disconnected", () => {
   it("does not deliver again what was taken back, and asks for what has begun", async () => {
     const setup = await withRobot();
     const before = await page(setup);

@@ -12,6 +12,7 @@ import {
   contactOf,
   type BumpCause,
 } from "@corridor/simulation";
+import type { Fix } from "../advice.ts";
 import { applyFix } from "../apply-fix.ts";
 import type { LoopNotice } from "../loop-detector.ts";
 import { candidates } from "./candidates.ts";
@@ -28,7 +29,10 @@ import { isMissingDelay, ranked, type Found } from "./rank.ts";
 import { RunTrace, type SolvedCheck, type TraceStart } from "./run-trace.ts";
 import { tryProgram, type TrialResult, type TrialTask } from "./trial.ts";
 
-/** Maximum number of simulated ticks of all trials: a limit of time that is deterministic. */
+/**
+ * Maximum number of simulated ticks of all trials, and of a run from the start: a limit of time
+ * that is deterministic.
+ */
 const MAX_TRIAL_TICKS = 60_000;
 /** Changes that solve this maze and are tried in the other mazes. */
 const MAX_WHOLE_TRIALS = 4;
@@ -222,13 +226,14 @@ function explain(
     found.push({ fix, from: trial.from, program, outcome, offCentre });
   }
   const momentOf = (each: Found) => momentToName(trace, each, trialTask, isBump);
-  const named = ranked(trace, found, task.solvesAll, event, momentOf)
-    .filter((each) => causeOf(trace, each.fix, momentOf(each)) !== null)
-    .slice(0, MAX_FIXES);
+  const best = ranked(trace, found, task.solvesAll, event, momentOf);
+  const named = best.flatMap((each): { cause: Cause; fix: Fix }[] => {
+    const cause = causeOf(trace, each.fix, momentOf(each));
+    return cause === null ? [] : [{ cause, fix: each.fix }];
+  });
   const [first] = named;
-  const cause = first === undefined ? null : causeOf(trace, first.fix, momentOf(first));
-  if (cause === null) return { cause: null, fixes: [] };
-  return { cause, fixes: named.map(({ fix }) => fix) };
+  if (first === undefined) return { cause: null, fixes: [] };
+  return { cause: first.cause, fixes: named.slice(0, MAX_FIXES).map(({ fix }) => fix) };
 }
 
 /**

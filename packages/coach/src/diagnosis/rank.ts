@@ -58,10 +58,11 @@ export function ranked(
     const droveIntoWall = isStraight(event) && "line" in fix && fix.line === event.line;
     const isShown = (droveIntoWall && fix.kind === "action") || isShownByRun(trace, fix, from);
     if (isSolution && fix.kind === "move" && solvesAll !== null) return 0;
-    const isOnlyOther = fix.kind === "action" && !isShown;
-    if (isSolution && isOnlyOther && isStraight(event)) return 6;
+    const isActionWithoutEvidence = fix.kind === "action" && !isShown;
+    if (isSolution && isActionWithoutEvidence && isStraight(event)) return 6;
     const isOtherNumber = fix.kind === "number" && event.kind === "bump" && fix.line !== event.line;
-    const isDoubtful = (isOnlyOther && lacksDelay) || (isOtherNumber && withoutRoom !== undefined);
+    const isDoubtful =
+      (isActionWithoutEvidence && lacksDelay) || (isOtherNumber && withoutRoom !== undefined);
     if (isSolution) return isCentred && !isDoubtful ? 1 : 3;
     if (solvesAll === null) return outcome === "past" ? 8 : 7;
     if (isShown || isShownByRun(trace, fix, momentOf(each))) return outcome === "past" ? 5 : 4;

@@ -3,7 +3,7 @@
  * can help.
  */
 import { findViolation, checkChallenge, type ChallengeDocument } from "@corridor/challenge";
-import { causeLine, type Diagnosis } from "@corridor/coach";
+import { causeLine, type Cause, type Diagnosis } from "@corridor/coach";
 import type { ProgramDocument, Rule } from "@corridor/program";
 import type { LineRef, PlainAction } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
@@ -46,6 +46,14 @@ function diagnosed({ challenge, program }: WrongAnswer): { maze: number; diagnos
   const diagnosis = diagnoses[maze];
   if (diagnosis === null || diagnosis === undefined) throw new Error("no diagnosis");
   return { maze, diagnosis };
+}
+
+/** The cause in each maze of a mission; null without one. */
+function causes(id: string, program: ProgramDocument): (Cause | null)[] {
+  const mission = solved.find((each) => each.id === id);
+  if (mission === undefined) throw new Error("no such mission");
+  const { diagnoses } = checkProgram({ challenge: mission.challenge, program });
+  return diagnoses.map((each) => each?.cause ?? null);
 }
 
 /**
@@ -154,12 +162,6 @@ describe("a bump", () => {
 });
 
 describe("in a mission with several mazes", () => {
-  const causes = (id: string, program: ProgramDocument) => {
-    const mission = solved.find((each) => each.id === id);
-    if (mission === undefined) throw new Error("no such mission");
-    const { diagnoses } = checkProgram({ challenge: mission.challenge, program });
-    return diagnoses.map((each) => each?.cause ?? null);
-  };
   const room = { when: { sensor: "front", is: ">", than: 50 }, do: "forward" } as const;
   const leftIsLonger = { sensor: "left", is: ">", than: "right", plus: 1 } as const;
 
@@ -190,12 +192,6 @@ describe("in a mission with several mazes", () => {
 });
 
 describe("of several lines whose change passes", () => {
-  const causes = (id: string, program: ProgramDocument) => {
-    const mission = solved.find((each) => each.id === id);
-    if (mission === undefined) throw new Error("no such mission");
-    const { diagnoses } = checkProgram({ challenge: mission.challenge, program });
-    return diagnoses.map((each) => each?.cause ?? null);
-  };
   const front = (is: "<" | ">", than: number, action: PlainAction): Rule => ({
     when: { sensor: "front", is, than },
     do: action,
