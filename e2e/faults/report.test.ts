@@ -35,3 +35,17 @@ it("reports each goal, its measured value and its verdict", () => {
   expect(report).toContain("| Broken | runs to its end | a \\| b | FAIL |");
   expect(report).toContain("1 of 3 scenarios pass");
 });
+
+it("reports equal counts of several faults in one row", () => {
+  const counts = { lost: 0, doubled: 0, reordered: 2, "ended twice": 0, late: 0 };
+  const goals = Object.entries(counts).map(([kind, measured]) => ({
+    label: `commands ${kind}`,
+    measured,
+    bound: { atMost: 0 },
+    unit: "of 9",
+  }));
+  const report = reportOf([{ ...scenario(1), goals }], about);
+  expect(report).toContain("| Killed | commands lost, doubled: at most 0 | 0 of 9 | pass |");
+  expect(report).toContain("|  | commands reordered: at most 0 | 2 of 9 | FAIL |");
+  expect(report).toContain("|  | commands ended twice, late: at most 0 | 0 of 9 | pass |");
+});

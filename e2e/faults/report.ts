@@ -1,6 +1,7 @@
 /**
- * Formats the results as a Markdown table: what was done, what must hold, what was measured.
+ * Formats the results as Markdown: each scenario, its goals and the measured values.
  */
+import { faultKinds } from "../../apps/relay/src/testing/faults/history.ts";
 import { formatNumber, isMet, type Goal } from "../../benches/core/goals.ts";
 
 export interface Result {
@@ -33,14 +34,20 @@ export function reportOf(results: readonly Result[], about: RunInfo): string {
   return `# Fault tests
 
 \`npm run test:faults${about.isLong ? " -- --long" : ""}\` runs each scenario with real processes and sockets, injects faults, and
-compares the histories of scripts, relay and robots. [CONTRIBUTING.md](../CONTRIBUTING.md#fault-scenario) describes how to
+compares what scripts, relay and robots recorded. [CONTRIBUTING.md](../CONTRIBUTING.md#fault-scenario) describes how to
 add a scenario.
 
-- "lost", "doubled", "reordered" and "ended twice" count the commands in which the histories differ.
-- "late" counts the commands that a robot started more than 100 ms after their time to live. The time to live starts with
-  the first attempt. A message contains the age of its command, but not its transit time. Therefore, the time that the
-  accepted attempt waited unread at its relay is added.
-- A load above the number of processors means that other programs ran on the machine. Every time is then longer.
+| Fault | Commands that it counts |
+| --- | --- |
+| lost | acknowledged but not stored, or without a final state |
+| doubled | started more than once |
+| reordered | started after a command with a higher number |
+| ended twice | with two different final states, or expired and started |
+| late | started more than 100 ms after their time to live, counted from the first attempt |
+
+If a script sends no clock value, the relay cannot measure transit times: "late" then excludes the transit time of the
+accepted attempt. A load above the number of processors means that other programs ran on the machine, which makes every
+time longer.
 
 ## Results
 
@@ -63,12 +70,27 @@ function lineAbout({ title, description: does, seconds, load }: Result): string 
 
 function linesOf({ title, goals, fault }: Result): string[] {
   if (goals === null) return [`| ${title} | runs to its end | ${cell(fault ?? "")} | FAIL |`];
-  return goals.map((goal, n) => {
+  return withoutRepetition(goals).map((goal, n) => {
     const { label, measured, bound, unit } = goal;
     const limit = "atMost" in bound ? `at most ${bound.atMost}` : `at least ${bound.atLeast}`;
     const verdict = isMet(goal) ? "pass" : "FAIL";
     return `| ${n === 0 ? title : ""} | ${cell(label)}: ${limit} | ${formatNumber(measured)} ${cell(unit)} | ${verdict} |`;
   });
+}
+
+/** Merges the goals for kinds of faults with equal results, which would fill most of the table. */
+function withoutRepetition(goals: readonly Goal[]): Goal[] {
+  const merged: Goal[] = [];
+  for (const goal of goals) {
+    const kind = faultKinds.find((each) => goal.label === `commands ${each}`);
+    const last = merged.at(-1);
+    const isRepeated =
+      last !== undefined && last.label.startsWith("commands ") && last.measured === goal.measured;
+    if (kind !== undefined && isRepeated) {
+      merged[merged.length - 1] = { ...last, label: `${last.label}, ${kind}` };
+    } else merged.push(goal);
+  }
+  return merged;
 }
 
 function cell(text: string): string {

@@ -72,13 +72,13 @@ export const cuts: Scenario = {
       },
       ...compared.goals(),
       {
-        label: "resumed after the network is back, p50",
+        label: "from the end of a cut until the client resumes, p50",
         measured: percentile(resumed, 50),
         bound: { atMost: 3_000 },
         unit: "ms",
       },
       {
-        label: "resumed after the network is back, slowest",
+        label: "from the end of a cut until the client resumes, slowest",
         measured: Math.max(...resumed),
         bound: { atMost: 3_000 },
         unit: "ms",

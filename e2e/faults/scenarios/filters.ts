@@ -56,18 +56,20 @@ async function behind(
   const pages = await testBed.startPages();
   for (const robot of testBed.robots) testBed.open(robot, pages, proxy.origin, "both");
   const pagesMs = await testBed.waitUntilConnected(TIMEOUT_MS);
-  const goals = [within(`${label}: the page connects`, pagesMs)];
+  const goals = [within(`${label}: until the page connects`, pagesMs)];
   const clients = await startClients(testBed, proxy.origin, context);
   for (const client of clients) {
     const first = await nthStart(client.robot, 1);
-    goals.push(within(`${label}: ${client.label}, first command starts`, first - client.startedAt));
+    goals.push(
+      within(`${label}: ${client.label}, until the first command starts`, first - client.startedAt),
+    );
   }
   await sleep(idleMs);
   for (const { label: client, robot, sendNext: goOn } of clients) {
     const at = machineNow();
     goOn?.();
     const next = (await nthStart(robot, 2)) - at;
-    goals.push(within(`${label}: ${client}, next command starts`, Math.max(0, next)));
+    goals.push(within(`${label}: ${client}, until the next command starts`, Math.max(0, next)));
   }
   return goals;
 }

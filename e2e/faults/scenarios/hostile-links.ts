@@ -79,7 +79,7 @@ export const hostileLinks: Scenario = {
     context.log(`${rejected} rejected, ${opened} opened as documents`);
     return [
       {
-        label: "the page answers, longest",
+        label: "longest response time of the page",
         measured: longestMs,
         bound: { atMost: ANSWER_MS },
         unit: "ms",

@@ -62,13 +62,13 @@ export const relayKilled: Scenario = {
     return [
       ...compared.goals(),
       {
-        label: "relay back after a kill",
+        label: "from a kill until the relay responds, slowest",
         measured: Math.max(...relayMs),
         bound: { atMost: 2_000 },
         unit: "ms",
       },
       {
-        label: "robots and scripts back after a kill",
+        label: "from a kill until all robots and scripts are connected, slowest",
         measured: Math.max(...allMs),
         bound: { atMost: 5_000 },
         unit: "ms",

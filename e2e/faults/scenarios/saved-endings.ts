@@ -55,13 +55,13 @@ export const savedEndings: Scenario = {
     );
     return [
       {
-        label: "tabs that store their world",
+        label: "one tab stores its world, the other does not",
         measured: isStored[0] === true && isStored[1] === false ? 1 : 0,
         bound: { atLeast: 1 },
-        unit: "of 2, as intended",
+        unit: "",
       },
       {
-        label: "increase of the median time by storing",
+        label: "time added to the median turn by storing",
         measured: saved - unsaved,
         bound: { atMost: 10 },
         unit: "ms",

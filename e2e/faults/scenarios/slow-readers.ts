@@ -104,7 +104,7 @@ export const slowReaders: Scenario = {
     );
     return [
       {
-        label: "memory of the relay, increase",
+        label: "increase of the relay's memory",
         measured: memory - memoryBefore,
         bound: { atMost: 48 },
         unit: "MiB",
@@ -116,7 +116,7 @@ export const slowReaders: Scenario = {
         unit: "times",
       },
       {
-        label: "backlog of a reader on resuming, at most",
+        label: "largest backlog of a reader that resumes",
         measured: Math.max(...backlogs) / 1024,
         bound: { atMost: 64 },
         unit: "KiB",

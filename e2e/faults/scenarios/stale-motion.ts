@@ -108,13 +108,13 @@ export const staleMotion: Scenario = {
     });
     return [
       {
-        label: "stopped after the cut, slowest",
+        label: "slowest stop after the cut",
         measured: Math.max(...seen.map(({ stopMs }) => stopMs)),
         bound: { atMost: 600 },
         unit: `ms, of ${seen.length}`,
       },
       {
-        label: "old values that moved the robot after a reconnect, most",
+        label: "most old values that moved a robot after a reconnect",
         measured: Math.max(...old),
         bound: { atMost: 1 },
         unit: "",

@@ -75,7 +75,7 @@ export const twoRelays: Scenario = {
     return [
       ...compared.goals(),
       {
-        label: "robots back after a kill",
+        label: "from a kill until all robots are connected, slowest",
         measured: Math.max(...backMs),
         bound: { atMost: 5_000 },
         unit: "ms",

@@ -43,7 +43,7 @@ export const wrongCodes: Scenario = {
       await flood.stop();
       context.log(`${rate} per second: ${flood.summary()}; ${waits.map(Math.round).join(", ")} ms`);
       goals.push({
-        label: `${rate} wrong codes per second: the script drives, slowest`,
+        label: `at ${rate} wrong codes per second, slowest time until the script drives`,
         measured: Math.max(...waits),
         bound: { atMost: SLOWEST_MS },
         unit: "ms",
