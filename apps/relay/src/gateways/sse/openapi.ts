@@ -13,9 +13,12 @@ export const eventCalls: ZodOpenApiPathsObject = {
       operationId: "followEvents",
       summary: "Follow a robot by server-sent events, or by long polling",
       description:
-        "Without `wait`: an endless stream of events. `snapshot` contains a Snapshot; `state` contains " +
-        "the CommandRecord of a command with a new state; `gap` replaces states that are no longer stored; " +
-        "`maze` reports another maze. Send the `id` of the last event as `Last-Event-ID` or `since` to resume there.\n\n" +
+        "Without `wait`: an endless stream of events. Send the `id` of the last event as `Last-Event-ID` or `since` " +
+        "to resume there.\n\n" +
+        "- `snapshot` contains a Snapshot.\n" +
+        "- `state` contains the CommandRecord of a command with a new state.\n" +
+        "- `gap` replaces states that are no longer stored.\n" +
+        "- `maze` contains the version of another maze.\n\n" +
         "With `wait`: one response, as soon as there is a state after `since` or a snapshot newer than " +
         "`after`. Send the first request without `since`, then each with the `since` of the previous response. The " +
         "newest 1,000 states are stored, for 10 minutes.",

@@ -13,12 +13,12 @@ const SCRIPT_ORDER = `1. Send \`hello\`. The relay responds with \`welcome\`, fo
 2. Send \`command\`, any number of times. The relay responds to each with \`ack\` or \`problem\`, identified by its \`key\`.
    Responses may arrive in another order than the commands.
 3. At any time, receive \`state\` for every command of the robot, numbered without gaps, and \`snapshot\`, which you
-   acknowledge with \`seen\`. The snapshot of an ending arrives before its \`state\`.`;
+   acknowledge with \`seen\`. The snapshot of a final state arrives before its \`state\`.`;
 
 const PAGE_ORDER = `1. Send \`hello\`, then \`resume\`. The relay responds with one \`welcome\`, after another page has released the
    robot (\`yield\`, \`yielded\`).
 2. Receive \`command\` and \`stop\`. For each, send \`started\` and \`ended\`, or only \`ended\`. The relay responds to each
-   ending with \`stored\` or \`refused\`. Send the ending again on the next connection until then.
+   \`ended\` with \`stored\` or \`refused\`. Until then, send it again on the next connection.
 3. At any time, send \`snapshot\` of the robot, and receive \`drivers\` about once a second.`;
 
 export const CHANNEL = {
@@ -77,21 +77,21 @@ export const MESSAGE_TEXTS: {
     hello: "The first message, which authenticates the page. `role` is `own`, with the owner key.",
     resume:
       "Follows `hello`: the page's progress so far, and the robot's current state. `lastApplied`: this command and every earlier one " +
-      "that the page received have started or ended. `endings` lists the endings without a confirmation that they are stored. `page` is a " +
-      "random id of the page, which identifies it on its next connection.",
+      "that the page received have started or ended. `endings`: final states that the relay has not confirmed as stored. `page`: a random " +
+      "id that identifies the page on its next connection.",
     snapshot:
       "The current state of the robot. Without a new snapshot for 3.5 s, the robot's `state` is `paused`.",
     started: "The robot has started this command, before its deadline by the robot's clock.",
     ended:
-      "How the command ended, with pose, distance and reason: `completed`, `collided`, `cancelled`, `superseded` or " +
-      "`expired`. The relay responds with `stored` or `refused`. The first ending is final.",
+      "The final state of a command, with pose, distance and reason: `completed`, `collided`, `cancelled`, `superseded` or " +
+      "`expired`. The relay responds with `stored` or `refused`. The first final state is permanent.",
     time: "Requests the relay's time, because an earlier response took so long that delays are uncertain.",
     yielded:
       "The response to `yield`: this page has reported everything that it started, and starts nothing more.",
   },
   toScript: {
     welcome:
-      "The response to `hello`. States after `n` follow. Null means that states were missed, and a `gap` follows. " +
+      "The response to `hello`. States after `n` follow. If `n` is null, states were missed, and a `gap` follows. " +
       "`snapshot` is null until the robot has reported.",
     ack:
       "The command is stored. After a retry, the record contains the current state of the command, " +
@@ -100,32 +100,33 @@ export const MESSAGE_TEXTS: {
       "A command of this robot, from any sender, has a new state. `n` increases by one each time. With the stream of the " +
       "welcome, STREAM-n is the value of `since` for a reconnection.",
     gap:
-      "Replaces states that are no longer stored: the commands that have not ended, and the `n` from which to continue. Every " +
-      "other command has ended; read its record with `GET /commands/SEQ`.",
+      "Replaces states that are no longer stored. `open` contains the commands that have not ended, `n` is the number from which to " +
+      "continue. All other commands have ended: read their records with `GET /commands/SEQ`.",
     snapshot:
       "The robot's latest report, at most 20 a second; reports in between are skipped. `state` is `running`, `paused` " +
       "(the page is asleep, frozen or paused) or `gone`.",
     maze: "The robot's maze has changed. `GET /maze` returns it with this `version` as its `ETag`.",
     problem:
       "The message was rejected (RFC 9457). `key` is the key of its command, or null if it has no readable key.",
-    heartbeat: "No other message was sent for 20 s, and the connection works.",
+    heartbeat: "Sent every 20 s, as evidence that the connection works.",
   },
   toPage: {
     welcome:
-      "The response to `hello` and `resume`: the page now owns the robot. All of its messages carry this `epoch`, which increases with each " +
-      "page that takes over the robot. `at` is the relay's time in all messages. The page derives from it how long a later message was delayed.",
+      "The response to `hello` and `resume`: the page now owns the robot. All messages of the page contain this `epoch`, which increases with each " +
+      "connection of a page. `at` is the relay's time in all messages. The page derives from it how long a later message was delayed.",
     command:
       "A command for the robot, which must start within `remaining` ms by the robot's own clock, or end as `expired`. At most 8 are " +
       "delivered at a time. With `replace` it ends all earlier commands.",
-    stop: "Overtakes other commands: ends running and waiting commands in the page, then ends as `completed`.",
+    stop: "A stop. The page ends its running and waiting commands, and then the stop as `completed`.",
     cancel:
-      "Requests that this command ends, for its sender or the owner, as `cause` states. The robot decides, and reports `ended`.",
-    stored: "The ending of this command is stored. The page may discard it.",
-    refused: "The reported ending arrived too late. The record contains the final state.",
+      "Asks the page to end this command. `cause` is `sender`, or what the owner did: `revoked` the key, `blocked` the script, or " +
+      "`paused` remote driving. The page responds with `ended`.",
+    stored: "The final state of this command is stored. The page may discard it.",
+    refused: "The reported final state arrived too late. The record contains the permanent one.",
     state:
       "The state of a command that the page does not hold: it waits at the relay or has ended there. Sent immediately at low " +
       "load, and once a second in batches at high load; always before the next `command` or `stop`, and before the " +
-      "`stored` of an ending that is `cancelled`.",
+      "`stored` of a `cancelled` command.",
     drivers:
       "The robot's scripts, about once a second. `scripts` lists them. `alive` is the last activity of each key, because motions without " +
       "an end stop when their script becomes inactive. `paused`: the owner has paused remote driving.",
@@ -133,13 +134,13 @@ export const MESSAGE_TEXTS: {
     yield:
       "Another page is about to take over the robot. End the running command, return waiting commands, start nothing more, report all of " +
       "that, and send `yielded`, within a second.",
-    heartbeat: "No other message was sent for 20 s, and the connection works.",
+    heartbeat: "Sent every 20 s, as evidence that the connection works.",
   },
 };
 
 function closeCodes(): string {
   const lines = Object.values(closeReasons).map(
-    ({ code, cause, retry }) => `- ${code}: ${cause}${retry ? "" : " (do not try again)"}`,
+    ({ code, cause, retry }) => `- ${code}: ${cause}${retry ? "" : " (do not reconnect)"}`,
   );
   return ["Close codes:", ...lines].join("\n");
 }

@@ -16,7 +16,7 @@ interface Group {
 export const groups: readonly Group[] = [
   {
     name: "Driving",
-    description: "For scripts: commands, sensor readings and the states of commands.",
+    description: "For scripts: commands and their states, sensor readings, events, and the maze.",
     paths: ["commands", "sensors", "events", "maze"].map((part) => `/api/v1/robots/{id}/${part}`),
   },
   {
@@ -25,13 +25,13 @@ export const groups: readonly Group[] = [
     paths: ["/api/v1/pairing"],
   },
   {
-    name: "Plain HTTPS",
+    name: "Long-poll connection",
     description: "The messages of the WebSocket, for networks that block WebSockets.",
     paths: ["/api/v1/robots/{id}/long-poll"],
   },
   {
-    name: "Owning",
-    description: "For a robot's page: keys, scripts, pausing, and deletion.",
+    name: "Robot management",
+    description: "For a robot's page: registration, keys, scripts, pauses, and deletion.",
     paths: ["/api/v1/robots"],
   },
   {

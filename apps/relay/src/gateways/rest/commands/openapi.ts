@@ -27,9 +27,9 @@ export const commandCalls: ZodOpenApiPathsObject = {
       operationId: "sendCommand",
       summary: "Send a command",
       description:
-        "A command that has not started within `ttl` ms (default: 10 s) ends as `expired`. Send a " +
-        "retry with the same `Idempotency-Key` and its `age`, the ms since the first attempt. Transit time counts only " +
-        "with `Script-Clock`: see `/docs/commands#deadline`.",
+        "A command that has not started within `ttl` ms (default: 10 s) ends as `expired`. A retry has the same " +
+        "`Idempotency-Key`, and its `age` is the ms since the first attempt. Transit time counts only with " +
+        "`Script-Clock`: see `/docs/commands#deadline`.",
       security: driver,
       parameters: idempotencyKey,
       requestBody: { required: true, content: { "application/json": { schema: orderSchema } } },

@@ -68,7 +68,7 @@ export const pairingCalls: ZodOpenApiPathsObject = {
       summary: "Request access to a robot with the code that its page displays",
       description:
         "Poll for the answer with `GET` and the returned key. The relay checks the codes of one network in order " +
-        "of arrival, at most 5 a second after wrong codes. 429: 50 codes are waiting, and this one was not checked.",
+        "of arrival, at most 5 a second after wrong codes. 429: 50 codes of the network wait, so this one was not checked.",
       security: [],
       parameters: parameters("header", nameHeader),
       requestBody: {
@@ -77,7 +77,7 @@ export const pairingCalls: ZodOpenApiPathsObject = {
       },
       responses: {
         202: answer(
-          "The key to wait for the answer. The owner is asked.",
+          "The key with which to wait for the answer. The page shows the request to the owner.",
           requestedPairingSchema,
           location,
         ),

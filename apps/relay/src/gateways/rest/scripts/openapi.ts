@@ -24,8 +24,8 @@ export const scriptCalls: ZodOpenApiPathsObject = {
       operationId: "pauseDriving",
       summary: "Pause remote driving",
       description:
-        "Commands of scripts are rejected until driving is resumed, except for stops. Open commands of scripts are " +
-        "cancelled. Scripts stay connected and can read. The state persists across restarts.",
+        "The relay cancels the open commands of scripts, and rejects new ones except stops until driving is resumed. " +
+        "Scripts stay connected and can read. The pause persists across restarts.",
       security: owner,
       responses: { 204: { description: "Driving is paused." }, ...refusals(...keyed) },
     },
