@@ -93,9 +93,9 @@ function parse<T extends NonNullable<Parameters<typeof parseArgs>[0]>["options"]
   try {
     return parseArgs({ args: [...args], options, allowPositionals: false, strict: true });
   } catch (error) {
-    const found = error instanceof Error ? error.message : "invalid options.";
+    const found = error instanceof Error ? error.message : "Invalid options";
     const names = Object.keys(options).map((name) => `--${name}`);
-    throw new InputError([`options: found ${found} Expected only ${names.join(", ")}`]);
+    throw new InputError([`${found.replace(/\.?$/, ".")} The options are ${names.join(", ")}.`]);
   }
 }
 

@@ -3,7 +3,7 @@
  * error.
  */
 import leven from "leven";
-import { EXIT_CODES, type Command } from "./command.ts";
+import { exitCodes, type Command } from "./command.ts";
 import { InputError } from "./input-error.ts";
 
 interface Entry {
@@ -38,7 +38,7 @@ ${entries.map(({ name, summary }) => `  ${name.padEnd(11)}  ${summary}`).join("\
 
 corridor COMMAND --help describes a command and its options.
 
-${EXIT_CODES}`;
+${exitCodes("success; conformance: PASSED", "conformance: FAILED or INCOMPLETE")}`;
 
 /** Runs the command, prints its result and sets the exit code. @param entry see `Context` */
 export async function runCommandLine(args: readonly string[], entry: URL): Promise<void> {

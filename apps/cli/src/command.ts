@@ -18,8 +18,15 @@ export interface Command {
   run: (args: readonly string[], context: Context) => number | Promise<number>;
 }
 
-/** The last part of every help text. */
-export const EXIT_CODES = `Exit codes:
-  0  success
-  1  conformance: at least one check failed or could not be tested
-  2  the arguments or files are invalid; prints one problem per line to standard error`;
+/**
+ * The last part of every help text.
+ * @param failure meaning of exit code 1; null if the command does not return it
+ */
+export function exitCodes(success: string, failure: string | null): string {
+  return [
+    "Exit codes:",
+    `  0  ${success}`,
+    ...(failure === null ? [] : [`  1  ${failure}`]),
+    "  2  the arguments or files are invalid; prints one problem per line to standard error",
+  ].join("\n");
+}

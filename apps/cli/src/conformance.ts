@@ -10,13 +10,13 @@ import {
   verdict,
   type Result,
 } from "@corridor/conformance";
-import { EXIT_CODES, type Command, type Context } from "./command.ts";
+import { exitCodes, type Command, type Context } from "./command.ts";
 import { InputError } from "./input-error.ts";
 
 const help = `Usage: corridor conformance "http://HOST/r/ID#KEY"
 
 Checks that a robot host, simulated or physical, keeps every promise that scripts rely on. A run
-takes two to three minutes. Put the address in quotes: shells treat # as a comment.
+takes two to three minutes. Put the address in quotes, because shells treat # as a comment.
 
 The robot moves up to 4.5 m straight ahead. Do not control it by other means during the run. It
 needs a pen: an empty rectangle with straight walls, 2 m wide and 5 m long.
@@ -30,12 +30,15 @@ Options:
 Results of a check:
   ok                 the host keeps the promise
   FAILED             the host breaks the promise
-  not offered        the host reports that it does not support the feature, which is no failure
+  not offered        the host lists the feature as unsupported; this is not a failure
   not testable here  the next line contains the reason
 
-The last line is the verdict: PASSED, FAILED or INCOMPLETE.
+The last line is the result of the run:
+  PASSED             the host keeps every promise of its features
+  FAILED             the host breaks at least one promise
+  INCOMPLETE         no promise is broken, but some could not be tested
 
-${EXIT_CODES}`;
+${exitCodes("PASSED", "FAILED or INCOMPLETE")}`;
 
 export const command: Command = { help, run: conformance };
 

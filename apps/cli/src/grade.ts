@@ -5,7 +5,7 @@
 import { availableParallelism } from "node:os";
 import { Worker } from "node:worker_threads";
 import { gradeArguments, type GradeArguments } from "./arguments.ts";
-import { EXIT_CODES, type Command } from "./command.ts";
+import { exitCodes, type Command } from "./command.ts";
 import type { GradedPair, GradeJob, GradeShare } from "./grade-share.ts";
 import type { GradedRun } from "./report.ts";
 
@@ -33,7 +33,7 @@ Options:
 
 corridor simulate --help describes the fields of a result.
 
-${EXIT_CODES}`;
+${exitCodes("success, even if the robot bumps or misses the goal", null)}`;
 
 export const command: Command = {
   help,

@@ -2,7 +2,7 @@
 import { CompiledProgram } from "@corridor/program";
 import { replayDigest, TICKS_PER_SECOND, type Inputs } from "@corridor/simulation";
 import { simulateArguments } from "./arguments.ts";
-import { EXIT_CODES, type Command } from "./command.ts";
+import { exitCodes, type Command } from "./command.ts";
 import { readFiles } from "./read-files.ts";
 import { jsonLine } from "./report.ts";
 import type { RunLimits } from "./run-limits.ts";
@@ -31,11 +31,11 @@ Result:
   bumps                      number of bumps
   visitedCells, openCells    cells that the robot visited; cells without a block
   distance                   driven distance in cm
-  goal                       whether and at which tick the robot reached a goal
+  goal                       whether, and at which tick, the robot reached a goal
   pose                       final position in cm, and degrees clockwise from north
-  lines                      number of decisions of each line of the program
+  lines                      number of decisions of each line, from 0, and of the default
 
-${EXIT_CODES}`;
+${exitCodes("success, even if the robot bumps or misses the goal", null)}`;
 
 export const command: Command = {
   help,
