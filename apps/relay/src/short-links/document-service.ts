@@ -56,7 +56,7 @@ export class DocumentService {
 
   /**
    * The document as JSON text.
-   * @param id a code in any case, or an older id
+   * @param id a code in any case, or 12 characters
    * @param from address of the client, for the limit of guesses only
    * @throws Refusal no-document, or too-fast if too many checks are pending
    */
