@@ -1,6 +1,7 @@
 /**
- * Every limit of the relay, with its unit and its reason. The relay rejects excess requests with an
- * error, or closes their connection.
+ * Rates, counts and times that limit the clients of the relay, with their reasons. The relay rejects
+ * excess requests with an error, or closes their connection. Limits of sizes are in the schemas of
+ * `@corridor/protocol`, and those of requests in `relay.ts`.
  */
 export const limits = {
   /** accepted, waiting commands of one robot; a script that far ahead of its robot is a mistake */
