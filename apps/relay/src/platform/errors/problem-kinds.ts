@@ -153,7 +153,7 @@ export const problemKinds = {
     status: 409,
     title: "The idempotency key was used for another command",
     what: "The command was not stored.",
-    why: "Another command of this robot has the same `Idempotency-Key`.",
+    why: "Another command that this access key sent to the robot has the same `Idempotency-Key`.",
     fix: ["Create a new random key for each command. Repeat a key only to retry the same command."],
   },
   "code-used": {
