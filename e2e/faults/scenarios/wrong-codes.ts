@@ -25,7 +25,7 @@ const ACCEPT_POLL_MS = 50;
 export const wrongCodes: Scenario = {
   title: "Wrong pairing codes",
   describe: (isLong) =>
-    `A client sends ${RATES.join(", ")} wrong pairing codes per second while, from the same address, a script with the right code asks a real tab, whose owner accepts, ${timesOf(isLong)} times`,
+    `A client sends ${RATES.join(", ")} wrong pairing codes per second. From the same address, a script with the right code requests access to a real tab ${timesOf(isLong)} times, and the owner accepts`,
   run: async (context) => {
     const relay = await RelayProcess.start();
     context.onCleanup(() => relay.stop());
