@@ -1,4 +1,5 @@
 /** The libraries for scripts, installed or downloaded outside of the repository, with a page's robot. */
+import { spawnSync } from "node:child_process";
 import { once } from "node:events";
 import { readFile } from "node:fs/promises";
 import { createServer, type Server } from "node:http";
@@ -37,6 +38,12 @@ async function example(excerpt: string, address: string, library = CLIENT): Prom
     .filter((code) => code.includes(excerpt));
   expect(found).toHaveLength(1);
   return (found[0] ?? "").replaceAll("http://HOST/r/ID#KEY", address);
+}
+
+/** The script with the installed package in place of the downloaded file. */
+function withPackage(script: string): string {
+  expect(script).toContain('"./corridor.js"');
+  return script.replace('"./corridor.js"', '"@corridor/client"');
 }
 
 /** A page's robot in the first maze, faster than in real time. */
@@ -90,9 +97,8 @@ test("the README's first example drives from an empty folder with the installed 
   test.setTimeout(180_000);
   const address = await openRobot(page);
   await folder.install(PACKAGE);
-  const script = await example("finally", address);
-  await folder.write("drive.mjs", script);
-  expect(folder.run(process.execPath, "drive.mjs")).toBe("");
+  await folder.write("drive.mjs", withPackage(await example("while ((await", address)));
+  expect(folder.run(process.execPath, "drive.mjs")).toMatch(/^\d+(\.\d+)?\n$/);
   const actions = await completedActions(address);
   expect(actions[0]).toBe("move");
   expect(actions.at(-1)).toBe("left 90");
@@ -101,7 +107,7 @@ test("the README's first example drives from an empty folder with the installed 
 test("TypeScript checks a script with the installed package", async () => {
   test.setTimeout(180_000);
   await folder.install(PACKAGE);
-  const script = await example("finally", "http://HOST/r/ID#KEY");
+  const script = withPackage(await example("while ((await", "http://HOST/r/ID#KEY"));
   await folder.write(
     "drive.mts",
     `${script}
@@ -126,13 +132,32 @@ for (const { runtime, flags } of [
   }) => {
     const address = await openRobot(page);
     folder.run("curl", "-sSfO", `${relay}/corridor.js`);
-    const script = await example("./corridor.js", address);
-    expect(script.trimEnd().split("\n").length).toBeLessThanOrEqual(8);
+    const script = await example("while ((await", address);
+    expect(script.trimEnd().split("\n").length).toBeLessThanOrEqual(12);
     await folder.write("drive.mjs", script);
     expect(folder.run(process.execPath, ...flags, "drive.mjs")).toMatch(/^\d+(\.\d+)?\n$/);
     expect((await completedActions(address)).at(-1)).toBe("left 90");
   });
 }
+
+test("an uncaught error of corridor.js prints its sentence and a short stack", async ({
+  relay,
+}) => {
+  folder.run("curl", "-sSfO", `${relay}/corridor.js`);
+  await folder.write(
+    "drive.mjs",
+    `import { RobotClient } from "./corridor.js";
+await RobotClient.connect("http://HOST");
+`,
+  );
+  const { status, stderr } = spawnSync(process.execPath, ["drive.mjs"], {
+    cwd: folder.path,
+    encoding: "utf8",
+  });
+  expect(status).toBe(1);
+  expect(stderr).toMatch(/^ClientError: .*\(bad-address\)/m);
+  expect(stderr.length).toBeLessThan(2_000);
+});
 
 test("a page of another site imports corridor.js and drives", async ({ page, relay, browser }) => {
   const address = await openRobot(page);

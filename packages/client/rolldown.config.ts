@@ -10,13 +10,16 @@ import { packageFiles } from "../../scripts/package-files.ts";
 const FOLDER = import.meta.dirname;
 const ROOT = join(FOLDER, "../..");
 
+/** An uncaught error prints a short line of the source, and its class by its name. */
+const READABLE = { compress: true, mangle: false, codegen: { removeWhitespace: false } };
+
 export default defineConfig([
   entry("index", [packageFiles(FOLDER)]),
   entry("host"),
   entry("watch"),
   {
     input: join(FOLDER, "src/index.ts"),
-    output: { file: join(ROOT, "apps/relay/dist/corridor.js"), minify: true },
+    output: { file: join(ROOT, "apps/relay/dist/corridor.js"), minify: READABLE },
   },
 ]);
 

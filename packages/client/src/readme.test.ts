@@ -26,12 +26,13 @@ function blockIn(readme: string, excerpt: string): string {
   return block.replaceAll(new RegExp(`^${indent}`, "gm"), "");
 }
 
-/** Replaces the placeholder address and code. */
+/** Replaces the placeholder address and code, and the downloaded library by the one in the repository. */
 function withRobot(program: string, { origin, registration, code }: RobotWithCode): string {
   return program
     .replaceAll(/http:\/\/(?:HOST|localhost:8080)\/r\/ID#KEY/g, registration.address)
     .replaceAll(/http:\/\/(?:HOST|localhost:8080)/g, origin)
-    .replaceAll(/BCDF ?GHJK/g, code);
+    .replaceAll(/BCDF ?GHJK/g, code)
+    .replace('"./corridor.js"', '"@corridor/client"');
 }
 
 /** @returns the standard output */
@@ -45,7 +46,7 @@ const hasCurl = spawnSync("curl", ["--version"]).status === 0;
 
 describe("the code in the documentation", () => {
   it.each([
-    { readme: "packages/client/README.md", excerpt: "finally", by: node },
+    { readme: "packages/client/README.md", excerpt: "while ((await", by: node },
     { readme: "packages/client-python/README.md", excerpt: "while robot.sensor.front", by: python },
     { readme: "packages/client-python/README.md", excerpt: "asyncio.run", by: python },
   ])("$readme drives by an address: $excerpt", async ({ readme, excerpt, by }) => {

@@ -370,6 +370,24 @@ describe("RobotClient", () => {
     await expect(sensors).rejects.toMatchObject({ code: "robot-gone" });
   });
 
+  it("never returns readings from before the page closed, and names the cause", async () => {
+    const { platform, robot } = await connected();
+    platform.socket.receive({ type: "snapshot", snapshot: snapshotOf({ seq: 1, state: "gone" }) });
+    const sensors = robot.sensors();
+    platform.pass(20_000);
+    platform.socket.receive({ type: "heartbeat" });
+    platform.pass(10_000);
+    await expect(sensors).rejects.toMatchObject({
+      code: "robot-gone",
+      message:
+        "The robot's page is closed or not connected (robot-gone). " +
+        "Open the page again and choose Remote. If it says Off, press Connect.",
+    });
+    const back = robot.snapshot();
+    platform.socket.receive({ type: "snapshot", snapshot: snapshotOf({ seq: 2 }) });
+    expect(await back).toMatchObject({ seq: 2, state: "running" });
+  });
+
   it("follows the robot until the client is closed", async () => {
     const { platform, robot } = await connected();
     const seen: number[] = [];

@@ -32,7 +32,8 @@ export class SnapshotInbox {
   }
 
   /**
-   * A snapshot that no earlier call has returned.
+   * A snapshot that no earlier call has returned. If the page is closed, this waits for it, because
+   * the last snapshot is out of date.
    * @param timeout in ms
    * @throws ClientError robot-gone after the timeout, or the reason why the client was closed
    */
@@ -42,17 +43,13 @@ export class SnapshotInbox {
       cancelTimer = this.#clock.after(timeout, () => resolve(null));
     });
     const snapshot = await Promise.race([
-      this.#once(({ seq }) => seq > this.#lastReturned),
+      this.#once(({ seq, state }) => seq > this.#lastReturned && state !== "gone"),
       timedOut,
     ]);
     cancelTimer();
     if (this.#end !== null) throw this.#end;
     if (snapshot === null) {
-      throw new ClientError(
-        "robot-gone",
-        "The robot does not report",
-        "Check that its page is open, connected under Remote, and not asleep.",
-      );
+      throw this.#newest?.state === "gone" ? pageClosed() : silent();
     }
     this.#lastReturned = Math.max(this.#lastReturned, snapshot.seq);
     return snapshot;
@@ -82,4 +79,20 @@ export class SnapshotInbox {
     for (const waiter of this.#waiters) waiter.resolve(null);
     this.#waiters = [];
   }
+}
+
+function pageClosed(): ClientError {
+  return new ClientError(
+    "robot-gone",
+    "The robot's page is closed or not connected",
+    "Open the page again and choose Remote. If it says Off, press Connect.",
+  );
+}
+
+function silent(): ClientError {
+  return new ClientError(
+    "robot-gone",
+    "The robot does not report",
+    "Check that its page is open, connected under Remote, and not asleep.",
+  );
 }

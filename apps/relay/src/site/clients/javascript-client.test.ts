@@ -42,6 +42,16 @@ describe("/corridor.js", () => {
     expect(await answer.text()).toBe(SOURCE);
   });
 
+  it("is compressed for a browser, and not for curl", async () => {
+    const url = await serve(builtFile());
+    const answer = await fetch(url);
+    expect(answer.headers.get("content-encoding")).toBe("gzip");
+    expect(answer.headers.get("vary")).toContain("Accept-Encoding");
+    const [plain] = await once(get(url), "response");
+    plain.resume();
+    expect(plain.headers["content-encoding"]).toBeUndefined();
+  });
+
   it("is not sent again if it has not changed", async () => {
     const url = await serve(builtFile());
     const lastModified = (await fetch(url)).headers.get("last-modified") ?? "";
