@@ -1,6 +1,12 @@
 export { closeReasonOf, closeReasons, type CloseReason } from "./close-codes.ts";
 export { decodeFrame, encodeFrame, MAX_FRAME_BYTES, MAX_HELLO_BYTES } from "./codec.ts";
-export { commandSchema, plainActions, type Command, type PlainAction } from "./command.ts";
+export {
+  actionNames,
+  commandSchema,
+  plainActions,
+  type Command,
+  type PlainAction,
+} from "./command.ts";
 export {
   commandRecordSchema,
   hasEnded,
@@ -9,7 +15,7 @@ export {
   type CommandState,
   type EndingState,
 } from "./command-record.ts";
-export { expiredReason, SILENT_ROBOT_REASON } from "./expired-reason.ts";
+export { ABSENT_ROBOT_REASON, expiredReason, SILENT_ROBOT_REASON } from "./expired-reason.ts";
 export { BLOCKED_REASON, PAUSED_REASON, REVOKED_REASON } from "./owner-reasons.ts";
 export {
   MAX_PROBLEMS,

@@ -23,6 +23,7 @@ import {
 import type { Caller, Introduction } from "../../robots/access/caller.ts";
 import type { ScriptTime } from "../../robots/delivery/script-clocks.ts";
 import type { CallerWait } from "../../robots/readers/subscribers.ts";
+import { withCommandHint } from "./command-hints.ts";
 
 /** Header for the name of a script. Characters outside of ASCII are percent-encoded. */
 export const nameHeader = z.object({
@@ -148,7 +149,10 @@ function percentDecode(text: string): string {
 
 /** Command in the body with its terms, and the idempotency key in the header. */
 export function readCommandRequest(request: Request): { key: string | null } & CommandTerms {
-  const order = readBody(request, orderSchema, MAX_FRAME_BYTES, "Invalid command.");
+  const order = readBody(request, orderSchema, MAX_FRAME_BYTES, "Invalid command.", {
+    example: '{"action":"left 90"}',
+    clearer: withCommandHint,
+  });
   return { key: readIdempotencyKey(request), ...termsOf(order) };
 }
 

@@ -15,7 +15,29 @@ async function problemOf(answer: Response) {
   return problem;
 }
 
+function isJson(text: string): boolean {
+  try {
+    JSON.parse(text);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
 describe("an invalid command", () => {
+  it("that is not JSON is answered with an example", async () => {
+    const relay = await startTestRelay();
+    const robot = await relay.register();
+    const answer = await relay.ask(robot, "/commands", { method: "POST", body: "'left 90'" });
+    expect((await problemOf(answer)).errors).toEqual([
+      {
+        path: "",
+        found: "text that is not JSON",
+        expected: 'a JSON document, such as {"action":"left 90"}',
+      },
+    ]);
+  });
+
   it.each(badCommands)("is rejected with the name of its field: $name", async ({ body, path }) => {
     const relay = await startTestRelay();
     const robot = await relay.register();
@@ -24,7 +46,11 @@ describe("an invalid command", () => {
     expect(problem).toMatchObject({ status: 400, type: "/problems/bad-request" });
     expect(problem.errors[0]?.path).toBe(path);
     // Scripts may print only `detail`, or read it without a JSON parser.
-    expect(problem.detail).toContain(`Invalid command. ${path || "document"}: found `);
+    expect(problem.detail).toMatch(
+      isJson(body)
+        ? `Invalid command. ${path || "document"}: found `
+        : /^Invalid command\. The body is not JSON\. Put names and texts into double quotes, as/,
+    );
     expect(problem.detail).not.toContain('"');
     const log = await relay.ask(robot, "/commands");
     expect(await log.json()).toEqual({ commands: [] });

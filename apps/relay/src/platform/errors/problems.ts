@@ -48,6 +48,21 @@ export function badRequest(what: string, errors: FieldProblem[]): Refusal {
   return new Refusal("bad-request", detail, { errors });
 }
 
+/**
+ * Rejects a body that is not JSON. `detail` contains no example, because it contains no double
+ * quotes.
+ * @param example of a valid body
+ */
+export function notJson(what: string, example?: string): Refusal {
+  const where = example === undefined ? "" : ", as in the example in 'errors'";
+  const expected = `a JSON document${example === undefined ? "" : `, such as ${example}`}`;
+  return new Refusal(
+    "bad-request",
+    `${what} The body is not JSON. Put names and texts into double quotes${where}.`,
+    { errors: [{ path: "", found: "text that is not JSON", expected }] },
+  );
+}
+
 /** Rejects a request without a valid key. @param detail which key to send, and how */
 export function notAuthorised(detail: string): Refusal {
   return new Refusal("not-authorised", detail, { headers: { "WWW-Authenticate": "Bearer" } });

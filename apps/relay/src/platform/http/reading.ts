@@ -1,10 +1,16 @@
 /**
  * Reads and validates the parts of any request: bearer key, JSON body and the timeout of a long poll.
  */
-import { MAX_FRAME_BYTES, problem, readJson, readValue } from "@corridor/protocol";
+import {
+  MAX_FRAME_BYTES,
+  problem,
+  readJson,
+  readValue,
+  type FieldProblem,
+} from "@corridor/protocol";
 import express, { type Request, type RequestHandler, type Response } from "express";
 import { z } from "zod";
-import { badRequest, Refusal } from "../errors/problems.ts";
+import { badRequest, notJson, Refusal } from "../errors/problems.ts";
 import { limits } from "../limits/limits.ts";
 import type { WaitLimit } from "../time/wait-limit.ts";
 import { clientName } from "./client-name.ts";
@@ -93,6 +99,14 @@ function isJson(type: string): boolean {
   return name.trim() === "application/json" && isUtf8;
 }
 
+/** How errors in a body are explained. */
+export interface BodyHelp {
+  /** a valid body, for a text that is not JSON */
+  example?: string;
+  /** replaces the problems by clearer ones. @param body parsed */
+  clearer?: (body: unknown, problems: readonly FieldProblem[]) => FieldProblem[];
+}
+
 /**
  * Parses and validates the body.
  * @param what sentence for the error, such as "Invalid command."
@@ -102,14 +116,27 @@ export function readBody<T>(
   schema: z.ZodType<T>,
   maxLength: number,
   what: string,
+  { example, clearer }: BodyHelp = {},
 ): T {
   const body: unknown = request.body;
   const result =
     body === null
       ? problem("", "bytes that are not UTF-8", "a JSON document in UTF-8")
       : readJson(schema, typeof body === "string" ? body : "", maxLength);
-  if (!result.ok) throw badRequest(what, result.problems);
-  return result.value;
+  if (result.ok) return result.value;
+  if (typeof body !== "string" || body.length > maxLength) throw badRequest(what, result.problems);
+  const parsed = parse(body);
+  if (parsed === null) throw notJson(what, example);
+  throw badRequest(what, clearer?.(parsed.value, result.problems) ?? result.problems);
+}
+
+/** @returns null if the text is not JSON */
+function parse(text: string): { value: unknown } | null {
+  try {
+    return { value: JSON.parse(text) };
+  } catch {
+    return null;
+  }
 }
 
 /** Limits of a wait: the timeout, and a signal for when the client disconnects. */
