@@ -92,16 +92,21 @@ export function deliver(
   return due.map((row) => termedOfRow(robot.change(row, { state: "delivered", epoch })));
 }
 
-/** accepted → expired. @returns the expired commands, and the next deadline of the waiting ones */
+/**
+ * accepted → expired.
+ * @param isAbsent whether no page is connected as the robot, for the reason
+ * @returns the expired commands, and the next deadline of the waiting ones
+ */
 export function expire(
   robot: RobotCommands,
   now: number,
+  isAbsent = false,
 ): { ended: TermedRecord[]; next: number | null } {
   const ended: TermedRecord[] = [];
   let next: number | null = null;
   for (const row of waiting(robot)) {
     if (isLate(row, now)) {
-      const reason = expiredReason(row.ttl);
+      const reason = expiredReason(row.ttl, isAbsent);
       ended.push(termedOfRow(robot.change(row, { state: "expired", reason })));
     } else next = Math.min(next ?? row.deadline, row.deadline);
   }

@@ -5,6 +5,7 @@
 import {
   closeReasons,
   hasEnded,
+  ABSENT_ROBOT_REASON,
   SILENT_ROBOT_REASON,
   type CommandRecord,
   type CommandTerms,
@@ -327,7 +328,7 @@ export class Robot {
     const record = await this.#life.log.endOf(seq, waitLimit);
     const hasWaited = waitLimit.milliseconds > 0;
     if (!hasWaited || hasEnded(record.state) || this.#view.isAwake) return record;
-    return { ...record, reason: SILENT_ROBOT_REASON };
+    return { ...record, reason: this.#seat.isTaken ? SILENT_ROBOT_REASON : ABSENT_ROBOT_REASON };
   }
 
   /** Records a message of a script on its connection. */

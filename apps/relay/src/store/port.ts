@@ -128,9 +128,14 @@ export interface RobotStore {
   /**
    * accepted → expired, for commands whose deadline has passed or whose acceptance is in the
    * future. The latter shows that the clock was set back, so their age is unknown.
+   * @param isAbsent whether no page is connected as the robot, for the reason
    * @returns the expired commands, and the next deadline of the waiting ones; null: none waits
    */
-  expire(id: string, now: number): Promise<{ ended: TermedRecord[]; next: number | null }>;
+  expire(
+    id: string,
+    now: number,
+    isAbsent?: boolean,
+  ): Promise<{ ended: TermedRecord[]; next: number | null }>;
   /**
    * Cancels a command for the driver that sent it: accepted → cancelled. If the robot has the
    * command, the request is stored and the robot is asked to end it. If the robot turns out not to

@@ -265,7 +265,8 @@ export class CommandLife {
 
   async #expireNow(): Promise<void> {
     try {
-      const { ended, next } = await this.#store.expire(this.#robot, this.#clock.now());
+      const isAbsent = !this.#seat.isTaken;
+      const { ended, next } = await this.#store.expire(this.#robot, this.#clock.now(), isAbsent);
       if (next !== null) this.#deadlines.wake(next);
       this.#endedHere(ended);
     } catch {

@@ -214,10 +214,14 @@ export class RedisRobotStore implements RobotStore {
     return false;
   }
 
-  expire(id: string, now: number): Promise<{ ended: TermedRecord[]; next: number | null }> {
+  expire(
+    id: string,
+    now: number,
+    isAbsent?: boolean,
+  ): Promise<{ ended: TermedRecord[]; next: number | null }> {
     return this.#robots.run<{ ended: TermedRecord[]; next: number | null }>(id, {
       none: { ended: [], next: null },
-      work: ({ commands }) => machine.expire(commands, now),
+      work: ({ commands }) => machine.expire(commands, now, isAbsent),
     });
   }
 

@@ -207,9 +207,13 @@ export class SqliteRobotStore implements RobotStore {
     return this.#file.isPrompt && this.#live.peek(id)?.commands.hasAll(window) === true;
   }
 
-  expire(id: string, now: number): Promise<{ ended: TermedRecord[]; next: number | null }> {
+  expire(
+    id: string,
+    now: number,
+    isAbsent?: boolean,
+  ): Promise<{ ended: TermedRecord[]; next: number | null }> {
     return this.#decide(id, { ended: [], next: null }, ({ commands }) =>
-      machine.expire(commands, now),
+      machine.expire(commands, now, isAbsent),
     );
   }
 
