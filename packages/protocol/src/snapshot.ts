@@ -1,5 +1,6 @@
 /** A snapshot: everything that the robot reports at the end of one tick. */
 import { z } from "zod";
+import { actionNames } from "./command.ts";
 import { driverSchema, poseSchema, sensorReadingsSchema } from "./quantities.ts";
 
 /** Messages contain only integers that every language represents exactly. */
@@ -16,8 +17,11 @@ export const robotReportSchema = z.strictObject({
   sensors: sensorReadingsSchema,
   /** where the robot is */
   pose: poseSchema,
-  /** the action that moves the robot now */
-  motion: z.string().max(40),
+  /** the action that moves the robot now; `stop` if it stands still. Readers accept later actions */
+  motion: z
+    .string()
+    .max(40)
+    .meta({ enum: [...actionNames] }),
   /** number of bumps since the robot's start */
   bumps: count,
   /** whether the robot touches a wall now */

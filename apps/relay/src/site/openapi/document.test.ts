@@ -68,6 +68,22 @@ describe("the description of the API", () => {
     for (const alternative of alternatives) expect(alternative).toHaveProperty("$ref");
   });
 
+  it("allows further fields in responses, and none in commands", () => {
+    for (const name of ["Snapshot", "Pose", "CommandRecord", "EventPage", "Problem"]) {
+      expect(at(`#/components/schemas/${name}`)).not.toHaveProperty("additionalProperties");
+    }
+    for (const name of ["MoveOrder", "KeyRequest"]) {
+      expect(at(`#/components/schemas/${name}`)).toHaveProperty("additionalProperties", false);
+    }
+  });
+
+  it("lists the motions of a robot", () => {
+    expect(at("#/components/schemas/Snapshot")).toHaveProperty(
+      "properties.motion.enum",
+      expect.arrayContaining(["stop", "move", "left 90"]),
+    );
+  });
+
   it("gives every operation a unique id", () => {
     const names = calls.map(({ operation }) => operation.operationId);
     expect(names).not.toContain(undefined);

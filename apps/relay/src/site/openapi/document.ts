@@ -7,6 +7,7 @@ import { createDocument, type oas31 } from "zod-openapi";
 import { gatewayCalls } from "../../gateways/openapi.ts";
 import { healthCalls, healthSchemas } from "../../ops/health-openapi.ts";
 import { describeByExpectation } from "../../platform/openapi/describe-by-expectation.ts";
+import { withOpenResponses } from "./open-responses.ts";
 import { withReadingAids } from "./reading-aids.ts";
 import { describeCondition, schemas } from "../../gateways/openapi-schemas.ts";
 
@@ -81,5 +82,5 @@ export function describeApi(): oas31.OpenAPIObject {
       allowEmptySchema: { pipe: { output: true }, transform: { output: true } },
     },
   );
-  return withReadingAids(document);
+  return withReadingAids(withOpenResponses(document));
 }

@@ -55,7 +55,7 @@ export const snapshotExample: Snapshot = {
   driver: "remote",
   sensors: { front: 250.5, right: 50, back: 49.5, left: 50 },
   pose: { x: 150, y: 150, heading: 90 },
-  motion: "forward",
+  motion: "move",
   bumps: 0,
   bumping: false,
   goalReached: false,
