@@ -51,7 +51,10 @@ async function conformance(args: readonly string[], { print, entry }: Context): 
     return runWithWebSocket(entry, args);
   }
   const count = groups.reduce((sum, { checks }) => sum + checks.length, 0);
-  print([`${count} checks of ${robot}. The robot drives in its pen.`]);
+  print([
+    `${count} checks of ${robot}. The robot drives in its pen.`,
+    "The page /docs/promises of any Corridor service describes each check by its id.",
+  ]);
   let group = "";
   const onResult = (result: Result): void => {
     if (result.group !== group) print(["", result.group]);

@@ -42,14 +42,14 @@ describe("the conformance kit", () => {
   it("separates what fails, what is not offered and what cannot be tested", () => {
     const report = resultsOf(passed, failed, notOffered, notTestable).map(linesOf);
     expect(report).toEqual([
-      ["  ok                 a stop"],
+      ["  ok                 stop: a stop"],
       [
-        "  FAILED             a stop",
+        "  FAILED             stop: a stop",
         "                     expected: completed",
         "                     found:    started",
       ],
-      ["  not offered        a stop", "                     pose: It has no camera."],
-      ["  not testable here  a stop", "                     the robot is not at its place"],
+      ["  not offered        stop: a stop", "                     pose: It has no camera."],
+      ["  not testable here  stop: a stop", "                     the robot is not at its place"],
     ]);
   });
 

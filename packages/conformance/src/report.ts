@@ -10,9 +10,9 @@ const marks: Record<Outcome["kind"], string> = {
 };
 const WIDTH = Math.max(...Object.values(marks).map((mark) => mark.length));
 
-/** The result of one check, with the reason for its outcome. */
-export function linesOf({ check, outcome }: Result): string[] {
-  const lines = [`  ${marks[outcome.kind].padEnd(WIDTH)}  ${check}`];
+/** The result of one check with the id of its promise, and the reason for its outcome. */
+export function linesOf({ promise, check, outcome }: Result): string[] {
+  const lines = [`  ${marks[outcome.kind].padEnd(WIDTH)}  ${promise}: ${check}`];
   const more = (text: string) => lines.push(`  ${" ".repeat(WIDTH)}  ${text}`);
   if (outcome.kind === "failed") {
     more(`expected: ${outcome.expected}`);
