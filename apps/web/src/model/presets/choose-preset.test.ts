@@ -1,5 +1,6 @@
 import { mazePresets } from "@corridor/maze";
 import { emptyProgram } from "@corridor/program";
+import type { DriverName } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { addLine } from "../workspace/program-actions.ts";
 import { createScreenStore } from "../screen/screen-store.ts";
@@ -14,12 +15,15 @@ if (spiral === undefined) throw new Error("a preset is gone");
 const chosen = spiral;
 const mine = { ...firstProgram, name: "Mine" };
 
-function choose(program: typeof firstProgram) {
+function choose(program: typeof firstProgram, nowDriver: DriverName = "program") {
   const workspace = createWorkspaceStore(firstMaze, program);
   const screen = createScreenStore();
   const sent: string[] = [];
   const simulator = { send: (message: { type: string }) => sent.push(message.type) };
-  const services = { workspace, screen, simulator } as unknown as Parameters<typeof chooseMaze>[0];
+  const run = { getState: () => ({ nowDriver }) };
+  const services = { workspace, screen, simulator, run } as unknown as Parameters<
+    typeof chooseMaze
+  >[0];
   chooseMaze(services, createI18n(en), chosen);
   const message = screen.getState().messages[0];
   return { workspace, sent, text: message?.text, undo: () => message?.action?.run() };
@@ -37,11 +41,18 @@ describe("choosing a maze", () => {
     expect(sent).toEqual(["reset"]);
   });
 
+  it("shows the goal without the program while Remote drives", () => {
+    expect(choose(firstProgram, "remote").text).toBe(
+      "“Spiral” is open. Get the robot to the goal.",
+    );
+  });
+
   it("leaves one message when another maze is chosen at once, and Undo goes back one maze", () => {
     const workspace = createWorkspaceStore(firstMaze, firstProgram);
     const screen = createScreenStore();
     const simulator = { send: () => undefined };
-    const services = { workspace, screen, simulator } as unknown as Parameters<
+    const run = { getState: () => ({ nowDriver: null }) };
+    const services = { workspace, screen, simulator, run } as unknown as Parameters<
       typeof chooseMaze
     >[0];
     chooseMaze(services, createI18n(en), chosen);

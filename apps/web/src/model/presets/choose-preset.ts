@@ -3,6 +3,8 @@
  * an empty program replaces an example or a preset.
  */
 import type { MazeDocument } from "@corridor/maze";
+import type { ProgramDocument } from "@corridor/program";
+import type { DriverName } from "@corridor/protocol";
 import type { i18n } from "i18next";
 import type { SimulatorClient } from "../../simulator/simulator-client.ts";
 import {
@@ -18,17 +20,19 @@ import {
   undo,
   type WorkspaceStore,
 } from "../workspace/workspace-store.ts";
+import type { RunStore } from "../run/run-store.ts";
 import { programForMaze } from "../workspace/own-program.ts";
 
 interface ChoicePorts {
   workspace: WorkspaceStore;
   simulator: Pick<SimulatorClient, "send">;
   screen: ScreenStore;
+  run: Pick<RunStore, "getState">;
 }
 
 /** Resets the robot to the start of the maze. Maze and program are one step of the history. */
 export function chooseMaze(
-  { workspace, simulator, screen }: ChoicePorts,
+  { workspace, simulator, screen, run }: ChoicePorts,
   words: Pick<i18n, "t">,
   maze: MazeDocument,
 ): void {
@@ -43,7 +47,7 @@ export function chooseMaze(
   const message = showMessage(screen, {
     tone: "info",
     isOfProject: true,
-    text: words.t(program === null ? "presets.chosen" : "presets.chosenEmpty", { name: maze.name }),
+    text: words.t(`presets.${textOf(program, run.getState().nowDriver)}`, { name: maze.name }),
     action: {
       label: words.t("presets.undo"),
       run: () => {
@@ -60,4 +64,10 @@ export function chooseMaze(
       },
     },
   });
+}
+
+/** Scripts that drive the robot do not use the program of the page. */
+function textOf(program: ProgramDocument | null, driver: DriverName | null) {
+  if (program === null) return "chosen";
+  return driver === "remote" ? "chosenRemote" : "chosenEmpty";
 }
