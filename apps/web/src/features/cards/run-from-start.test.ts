@@ -28,6 +28,10 @@ it("offers a run from the start, for as long as the robot stands at the wall", (
 it.each([
   { how: "drives on", change: { snapshot: snapshotOf({ state: "running", tick: 301 }) } },
   { how: "is put back to its start", change: { nowTick: 0 } },
+  {
+    how: "has bumped again, at a speed that shows nothing in between",
+    change: { snapshot: snapshotOf({ state: "paused", tick: 420 }), nowTick: 420 },
+  },
 ])("withdraws the offer once the robot $how", ({ change }) => {
   const { run, message } = fixed();
   run.setState(change);

@@ -27,8 +27,11 @@ export function showFixed({ screen, run, simulator, words }: FixedParts): void {
     stays: true,
     action: { label: words.t("cards.fromStart"), run: () => runFromStart(simulator) },
   });
-  const end = run.subscribe(({ snapshot, nowTick }) => {
-    if (nowTick > 0 && snapshot?.state !== "running") return;
+  const { nowTick: at, event: bump } = run.getState();
+  const end = run.subscribe(({ snapshot, nowTick, event }) => {
+    // At the highest speed, no update may fall between a new start and the next bump.
+    const isSame = nowTick === at && (event === bump || bump === null);
+    if (isSame && nowTick > 0 && snapshot?.state !== "running") return;
     end();
     dismiss(screen, id);
   });
