@@ -60,6 +60,8 @@ export function SolvedCard({ view, solved, raceOutcome, raceButton, onClose }: S
   // In a challenge with several mazes, one solved maze is only a part of the solution.
   const mazes = useStore(challenge, (state) => state.challenge?.mazes.length ?? 1);
   const isPart = useStore(challenge, ({ result }) => result.state === "here") && mazes > 1;
+  // A check of the same program has already named the mazes in which it fails.
+  const isChecked = useStore(challenge, ({ checked }) => checked !== null);
   const isMetInAll = useStore(challenge, ({ result }) => result.state === "met") && mazes > 1;
   // The clock displays the run in one of the mazes.
   const ofTime = isMetInAll ? "words:cards.solved.longestTime" : "words:cards.solved.time";
@@ -74,7 +76,13 @@ export function SolvedCard({ view, solved, raceOutcome, raceButton, onClose }: S
       trailSides={BOTH_SIDES}
       tone="good"
       icon={<Icon of={Flag} size={18} />}
-      title={isPart ? t("missions:bar.here", allOf(mazes)) : t("words:cards.solved.title")}
+      title={
+        !isPart
+          ? t("words:cards.solved.title")
+          : isChecked
+            ? t("missions:bar.hereOnly")
+            : t("missions:bar.here", allOf(mazes))
+      }
       onClose={onClose}
     >
       <p className={styles["sentence"]}>

@@ -20,6 +20,7 @@ export function ChallengeLine() {
   const challenge = useStore(store, (state) => state.challenge);
   const mission = useStore(store, (state) => state.mission);
   const result = useStore(store, challengeResult);
+  const isChecked = useStore(store, (state) => state.checked !== null);
   if (challenge === null || result === null) return null;
   const id = missionIds.find((each) => each === mission);
   const bonus = bonusMissionOf(mission);
@@ -37,7 +38,9 @@ export function ChallengeLine() {
       <Icon of={Target} size={18} />
       <span className={styles["short"]}>
         {isHere
-          ? t("missions:bar.here", allOf(challenge.mazes.length))
+          ? isChecked
+            ? t("missions:bar.hereOnly")
+            : t("missions:bar.here", allOf(challenge.mazes.length))
           : bonus !== null
             ? t(`missions:bonusMissions.${bonus}.short`)
             : id === undefined

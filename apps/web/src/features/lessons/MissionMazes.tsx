@@ -13,7 +13,7 @@ export function MissionMazes({ service }: { service: LessonsService }) {
   const { challenge: store } = useServices();
   const count = useStore(store, (state) => state.challenge?.mazes.length ?? 0);
   const shown = useStore(store, (state) => state.maze);
-  const verdict = useStore(store, (state) => state.verdict);
+  const verdict = useStore(store, (state) => state.checked);
   const outcomes = verdict?.mazes ?? [];
   const passed = outcomes.filter(({ failure }) => failure === null).length;
   // A bonus mission is checked automatically, without a verdict.

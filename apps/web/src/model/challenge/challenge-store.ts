@@ -34,6 +34,8 @@ export interface ChallengeState {
   rights: Rights | null;
   result: ChallengeResult;
   /** result of the newest check of all mazes for the current program; null without one */
+  checked: Verdict | null;
+  /** the same, as the newest verdict; null after a run that failed since */
   verdict: Verdict | null;
   /** parallel to the mazes of the verdict: why the program fails there */
   diagnoses: readonly (Diagnosis | null)[];
@@ -54,6 +56,7 @@ export const noChallenge = {
   maze: 0,
   rights: null,
   result: { state: "open" },
+  checked: null,
   verdict: null,
   diagnoses: [],
   failedRun: null,

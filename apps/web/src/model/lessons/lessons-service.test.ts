@@ -1,3 +1,5 @@
+import type { Judgement } from "@corridor/challenge";
+import type { Diagnosis } from "@corridor/coach";
 import { describe, expect, it } from "vitest";
 import { MemoryStorage } from "../storage/testing/memory-storage.ts";
 import { createChallengeStore } from "../challenge/challenge-store.ts";
@@ -21,6 +23,7 @@ function openMission(id: MissionId) {
   const workspace = createWorkspaceStore(firstMaze, firstProgram);
   const storage = new LessonsStorage(new MemoryStorage());
   let judgeId = 0;
+  const sent: string[] = [];
   let emit: (message: FromWorker) => void = () => undefined;
   const ports = {
     challenge,
@@ -38,6 +41,7 @@ function openMission(id: MissionId) {
     },
     simulator: {
       send: (message: Parameters<LessonsPorts["simulator"]["send"]>[0]) => {
+        sent.push(message.type);
         if (message.type === "judge") judgeId = message.id;
       },
       listen: (listener: typeof emit) => {
@@ -68,8 +72,17 @@ function openMission(id: MissionId) {
   const loop = new RunLoop(workspace.getState().maze, workspace.getState().program, () => time);
   loop.judgeBy(new RunJudge(open, 0));
   return {
+    service,
     challenge,
     storage,
+    sent,
+    /** A message of the worker. */
+    report: (message: FromWorker) => emit(message),
+    reportLate: () => {
+      const { program } = workspace.getState();
+      emit({ type: "diagnosed", diagnosis: lateAt(1201), program });
+    },
+    judge: (judgement: Judgement) => emit({ type: "judgement", id: judgeId, judgement }),
     clock: () => loop.snapshot().tick,
     program: (program: ReturnType<typeof lines>) => {
       setProgram(workspace, program);
@@ -116,5 +129,87 @@ describe("the figures of a solved mission", () => {
     const ticks = page.clock();
     expect(page.challenge.getState().result).toMatchObject({ ticks });
     expect(page.storage.record.done["one-line"]).toEqual({ lines: 1, ticks });
+  });
+});
+
+const lateAt = (tick: number): Diagnosis => ({
+  event: { kind: "late", tick },
+  cause: null,
+  fixes: [],
+});
+
+describe("the verdict of a failed run", () => {
+  /** A page whose program ran out of time. */
+  function late() {
+    const page = openMission("one-line");
+    page.reportLate();
+    page.judge({ kind: "failed", code: "late", tick: 1201 });
+    return page;
+  }
+
+  it("is withdrawn with its cause when the run ends, and never stands without it", () => {
+    const page = late();
+    expect(page.challenge.getState()).toMatchObject({ failedRun: lateAt(1201) });
+    page.report({ type: "truncated", after: -1 });
+    expect(page.challenge.getState()).toMatchObject({ failedRun: null, result: { state: "open" } });
+  });
+
+  it("stays with its cause if the run goes on from a later tick", () => {
+    const page = late();
+    page.report({ type: "truncated", after: 1300 });
+    expect(page.challenge.getState()).toMatchObject({
+      failedRun: lateAt(1201),
+      result: { state: "failed" },
+    });
+  });
+
+  it("ends before another maze opens, which is not judged by it", () => {
+    const page = openMission("every-maze");
+    page.reportLate();
+    page.sent.length = 0;
+    page.service.showMaze(1);
+    expect(page.sent).toEqual(["reset", "judge"]);
+    expect(page.challenge.getState()).toMatchObject({ failedRun: null, result: { state: "open" } });
+  });
+});
+
+describe("the marks of the mazes", () => {
+  const failed = { checked: { passed: false }, verdict: null };
+
+  /** A page whose program has passed or failed a check of all mazes. */
+  async function checked(program: ReturnType<typeof lines>) {
+    const page = openMission("every-maze");
+    page.program(program);
+    await page.service.check();
+    return page;
+  }
+  const rightWall = lines(
+    "forward",
+    { when: { sensor: "right", is: ">", than: 60 }, do: "delayed right 90" },
+    { when: nearWall, do: "left 90" },
+  );
+
+  it("stay when a run of the same program fails, whose reason is the newer verdict", async () => {
+    const page = await checked(wavering);
+    page.report({ type: "diagnosed", diagnosis: lateAt(1201), program: wavering });
+    expect(page.challenge.getState()).toMatchObject({ ...failed, failedRun: lateAt(1201) });
+  });
+
+  it("end when the program changes", async () => {
+    const page = await checked(wavering);
+    page.program(solving);
+    expect(page.challenge.getState().checked).toBeNull();
+  });
+
+  it("keep a program solved that runs again in another maze", async () => {
+    const page = await checked(rightWall);
+    expect(page.challenge.getState().result.state).toBe("met");
+    page.service.showMaze(1);
+    expect(page.challenge.getState().result.state).toBe("open");
+    page.judge({ kind: "met", driver: "program", tick: 700, bumps: 0 });
+    expect(page.challenge.getState()).toMatchObject({
+      result: { state: "met" },
+      checked: { passed: true },
+    });
   });
 });

@@ -7,6 +7,7 @@ import {
   startingProgram,
   type ChallengeDocument,
   type Judgement,
+  type Verdict,
 } from "@corridor/challenge";
 import type { Diagnosis } from "@corridor/coach";
 import { CELL, type MazeDocument } from "@corridor/maze";
@@ -37,7 +38,7 @@ const tasks = [...missions, ...bonusMissions];
 type Met = Extract<Judgement, { kind: "met" }>;
 
 /** State without a known failure of the current program. */
-const nothingSaid = { verdict: null, diagnoses: [], failedRun: null } as const;
+const nothingSaid = { checked: null, verdict: null, diagnoses: [], failedRun: null } as const;
 
 export class LessonsService {
   readonly #ports: LessonsPorts;
@@ -77,7 +78,7 @@ export class LessonsService {
       if (message.type === "event" && message.event.diagnosis !== null) {
         this.#failed(message.event.diagnosis, message.event.program);
       }
-      if (message.type === "truncated") ports.challenge.setState({ failedRun: null });
+      if (message.type === "truncated") this.#truncated(message.after);
       // An edit of the program restarts the judgement but not the run. At the goal, the store
       // receives again why the run does not count.
       const isGoal = message.type === "event" && message.event.kind === "goal";
@@ -177,8 +178,9 @@ export class LessonsService {
     const { challenge, workspace, simulator } = this.#ports;
     const maze = challenge.getState().challenge?.mazes[index];
     if (maze === undefined) return;
-    setMaze(workspace, { ...maze, name: workspace.getState().maze.name });
+    // The run of the other maze ends first: this maze must not be judged by it.
     simulator.send({ type: "reset" });
+    setMaze(workspace, { ...maze, name: workspace.getState().maze.name });
   }
 
   /** Restores the starting program of the mission. The message offers undo. */
@@ -217,15 +219,9 @@ export class LessonsService {
     }
     if (answer === null) return;
     const { verdict } = answer;
-    store.setState({ ...answer, failedRun: null });
-    if (verdict.passed) {
-      const ticks = Math.max(...verdict.mazes.map((each) => each.ticks));
-      const bumps = Math.max(...verdict.mazes.map((each) => each.bumps));
-      const lines = this.#ports.workspace.getState().program.rules.length;
-      const shown = run === null ? { ticks, bumps } : { ticks: run.tick, bumps: run.bumps };
-      store.setState({ result: { state: "met", driver: "program", ...shown, lines } });
-      this.#setDone({ lines, ticks });
-    } else {
+    store.setState({ ...answer, checked: verdict, failedRun: null });
+    if (verdict.passed) this.#passed(verdict, run);
+    else {
       const isMet = this.#judged.kind === "met" && verdict.mazes.length === 1;
       const code = isMet ? "edited" : (verdict.failure?.code ?? "edited");
       const tick = this.#judged.kind === "open" ? 0 : this.#judged.tick;
@@ -233,7 +229,34 @@ export class LessonsService {
     }
   }
 
-  /** Stores a failed run on the screen. Its diagnosis replaces the last check. */
+  /** The program works in all mazes. */
+  #passed({ mazes }: Verdict, run: Met | null): void {
+    const { challenge: store, workspace } = this.#ports;
+    const ticks = Math.max(...mazes.map((each) => each.ticks));
+    const bumps = Math.max(...mazes.map((each) => each.bumps));
+    const lines = workspace.getState().program.rules.length;
+    const shown = run === null ? { ticks, bumps } : { ticks: run.tick, bumps: run.bumps };
+    store.setState({ result: { state: "met", driver: "program", ...shown, lines } });
+    this.#setDone({ lines, ticks });
+  }
+
+  /**
+   * The run lost the ticks after this one. What they decided is withdrawn with its reason, before
+   * the worker judges the rest: one without the other would be another verdict.
+   */
+  #truncated(after: number): void {
+    const { challenge: store } = this.#ports;
+    const { failedRun: said, result: decided } = store.getState();
+    const failedRun = said !== null && said.event.tick > after ? null : said;
+    const isUndecided = this.#judged.kind !== "open" && this.#judged.tick > after;
+    if (isUndecided) this.#judged = { kind: "open" };
+    store.setState({ failedRun, result: isUndecided ? { state: "open" } : decided });
+  }
+
+  /**
+   * Stores a failed run on the screen. Its diagnosis replaces the verdict of the last check, whose
+   * marks on the mazes stay: the program is the same.
+   */
   #failed(diagnosis: Diagnosis, program: ProgramDocument | null): void {
     const { challenge: store, workspace } = this.#ports;
     const { challenge } = store.getState();
@@ -366,7 +389,7 @@ export class LessonsService {
       showMessage(screen, { tone: "info", text: words.t("missions:card.replaced") });
     } else if (index !== shown) {
       this.#begin(challenge, index, store.getState().mission);
-      store.setState({ maze: index, result: { state: "open" } });
+      store.setState({ maze: index, failedRun: null, result: { state: "open" } });
     }
   }
 
@@ -404,10 +427,16 @@ export class LessonsService {
   #meet(challenge: ChallengeDocument, met: Met): void {
     const { challenge: store, workspace } = this.#ports;
     const { driver, tick: ticks, bumps } = met;
+    const { checked } = store.getState();
     const lines = driver === "program" ? workspace.getState().program.rules.length : 0;
     if (driver !== "program") {
       store.setState({ result: { state: "met", driver, ticks, bumps, lines } });
       this.#setDone({ lines, ticks });
+      return;
+    }
+    // The same program has already passed in every maze.
+    if (checked?.passed === true && challenge.mazes.length > 1) {
+      this.#passed(checked, null);
       return;
     }
     store.setState({ result: { state: "here", ticks, bumps, lines } });

@@ -43,6 +43,11 @@ export class SpeechQueue {
     this.#state = null;
   }
 
+  /** Drops pending events about a subject, which are out of date. */
+  drop(about: string): void {
+    this.#events = this.#events.filter((each) => each.about !== about);
+  }
+
   /** Permits the announcement of the last state again. */
   allowRepeat(): void {
     this.#announcedState = null;

@@ -44,6 +44,7 @@ export class Speech {
    */
   announceState(about: string, text: string | null): void {
     if (text === null) {
+      this.#queue.drop(about);
       // An obsolete text must not remain in the live region.
       if (this.#announced.get(about) === this.announcement.getState().text) {
         this.announcement.setState({ text: "" });

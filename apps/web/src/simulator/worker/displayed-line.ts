@@ -1,7 +1,9 @@
 /**
  * The line that is lit at a tick of the run. If the program was a different one then, it is the
- * line that the newest program would choose: what would happen here. Where the run has ended, it is
- * the line that drove last, because no line decides there.
+ * line that the newest program would choose: what would happen here. At a wall and at the goal, it is
+ * the line that drove there, because no line decides on what the robot reads there. Where only the
+ * time of a challenge is over, the robot can go on, and the line is the one that decides there, on
+ * the readings that the page displays.
  */
 import type { CompiledProgram, ProgramDocument } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
@@ -25,13 +27,12 @@ export function displayedLine(run: Run, newest: NewestProgram): LineRef | null {
 }
 
 /**
- * The line that drove to the end of the run: into a wall, to the goal, or until the time of the
- * challenge was over. The run must rest at its newest tick.
- * @param isLate whether the time of the challenge ended with this tick
+ * The line that drove to the end of the run: into a wall or to the goal. The run must rest at its
+ * newest tick.
  * @returns null if the run can go on: this tick ended nothing, or an input has changed the run since
  */
-export function lastLine(run: Run, isLate: boolean): LineRef | null {
-  const hasEnded = run.cause !== null || run.goalTick === run.tick || isLate;
+export function lastLine(run: Run): LineRef | null {
+  const hasEnded = run.cause !== null || run.goalTick === run.tick;
   return hasEnded ? run.drivenBy : null;
 }
 

@@ -80,15 +80,12 @@ export class DisplayedTick {
     this.#trail.begin();
   }
 
-  /**
-   * @param isRunning whether the live run continues
-   * @param isLate whether the time of the challenge ended with the newest tick
-   */
-  frame(isRunning: boolean, isLate: boolean): Frame {
+  /** @param isRunning whether the live run continues */
+  frame(isRunning: boolean): Frame {
     const { recording, program, driver, revision } = this.#live;
     const run = this.#run;
     const snapshot = this.#snapshotOf(run, this.#past === null ? isRunning : this.isPlaying);
-    const endLine = this.#past === null && !isRunning ? lastLine(run, isLate) : null;
+    const endLine = this.#past === null && !isRunning ? lastLine(run) : null;
     const hasEnded = endLine !== null;
     if (hasEnded) snapshot.line = endLine;
     // A manoeuvre that was chosen at the end of the run has not begun.

@@ -44,6 +44,11 @@ export class RunJudge {
     return diagnosisTask(this.#challenge, this.#maze, isWhole);
   }
 
+  /** Whether the run does not meet the challenge any more. */
+  get hasFailed(): boolean {
+    return this.#judge.judgement.kind === "failed";
+  }
+
   /** Whether the time of the challenge ended with the newest tick. */
   isLate({ tick }: Run): boolean {
     const { judgement } = this.#judge;

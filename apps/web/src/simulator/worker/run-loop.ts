@@ -265,8 +265,7 @@ export class RunLoop {
   takeUpdate(): { frame: Frame; events: RunEvent[]; truncatedAfter: number | null } | null {
     if (!this.#isDirty) return null;
     this.#isDirty = false;
-    const isLate = this.#observer.isLate(this.#live.run);
-    const frame = this.#screen.frame(this.#isRunning, isLate);
+    const frame = this.#screen.frame(this.#isRunning);
     if (this.#ghosts !== null) frame.ghosts = this.#ghosts.posesAt(frame.snapshot.tick);
     const truncatedAfter = this.#observer.takeTruncatedAfter();
     return { frame, events: this.#observer.takeEvents(), truncatedAfter };
@@ -285,6 +284,11 @@ export class RunLoop {
   useDiagnostics(diagnostics: Diagnostics): void {
     this.#observer.useDiagnostics(diagnostics, this.recording);
     this.#isDirty = true;
+  }
+
+  /** The diagnostics module has not loaded. */
+  explainNothing(): void {
+    this.#observer.explainNothing();
   }
 
   /**

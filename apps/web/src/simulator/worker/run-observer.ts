@@ -25,6 +25,8 @@ export class RunObserver {
   /** pending until the diagnostics load: a robot that gets nowhere, and a bump */
   #noGoal: NoGoal | null = null;
   #waiting: { tick: number; line: LineRef | null; driver: DriverName } | null = null;
+  /** whether the diagnostics may still load */
+  #mayExplain = true;
   /** the tick after which reported events were truncated; null without a truncation */
   #truncatedAfter: number | null = null;
   /** null without a challenge */
@@ -82,11 +84,6 @@ export class RunObserver {
     return isExplained || driver !== "remote";
   }
 
-  /** Whether the time of the challenge ended with the newest tick. */
-  isLate(run: Run): boolean {
-    return this.#judge?.isLate(run) === true;
-  }
-
   takeEvents(): RunEvent[] {
     return this.#events.take();
   }
@@ -111,8 +108,13 @@ export class RunObserver {
     return after;
   }
 
-  /** The judgement of the challenge if it changed since the last call; otherwise null. */
+  /**
+   * The judgement of the challenge if it changed since the last call; otherwise null. A failed run
+   * is reported with its explanation, which may still load.
+   */
   takeJudgement(run: Run, isResting: boolean): Judgement | null {
+    const isExplaining = this.#mayExplain && (this.#waiting !== null || this.#noGoal !== null);
+    if (isExplaining && this.#judge?.hasFailed === true) return null;
     return this.#judge?.take(run, isResting) ?? null;
   }
 
@@ -130,8 +132,14 @@ export class RunObserver {
     return explained !== null && driver === "program";
   }
 
+  /** The diagnostics module has not loaded: a failed run is reported without an explanation. */
+  explainNothing(): void {
+    this.#mayExplain = false;
+  }
+
   /** The diagnostics module has loaded: explains the bump at which the robot waits. */
   useDiagnostics(diagnostics: Diagnostics, recording: Recording): void {
+    this.#mayExplain = true;
     this.#coach.use(diagnostics);
     if (this.#noGoal !== null) this.#diagnoseNoGoal(recording, this.#noGoal);
     const waiting = this.#waiting;
@@ -149,7 +157,7 @@ export class RunObserver {
   #detectNoGoal(recording: Recording, line: LineRef): boolean {
     const { run } = recording;
     const notice = this.#coach.observe(run, line, this.#isWaiting);
-    const isLate = this.isLate(run);
+    const isLate = this.#judge?.isLate(run) === true;
     const failure = isLate ? "late" : notice;
     if (failure !== null) this.#diagnoseNoGoal(recording, { failure, tick: run.tick });
     return isLate;

@@ -434,7 +434,10 @@ function loadDiagnostics(): void {
         loop?.useDiagnostics(diagnostics);
         postUpdate();
       }),
-    () => (hasAskedForDiagnostics = false),
+    () => {
+      hasAskedForDiagnostics = false;
+      guarded(() => loop?.explainNothing());
+    },
   );
 }
 

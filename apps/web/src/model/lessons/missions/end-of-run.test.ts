@@ -5,6 +5,7 @@ import { describe, expect, it } from "vitest";
 import { challengeOf } from "./mission.ts";
 import { missions } from "./missions.ts";
 import { firstMaze } from "../../../simulator/protocol/first-project.ts";
+import * as diagnostics from "../../../simulator/worker/diagnose-run.ts";
 import { RunJudge } from "../../../simulator/worker/run-judge.ts";
 import { Bench } from "../../../simulator/worker/testing/bench.ts";
 import { loadRun } from "../../../simulator/worker/testing/load-run.ts";
@@ -17,6 +18,17 @@ const tooLate: ProgramDocument = {
   default: "forward",
   rules: [{ when: { sensor: "front", is: "<", than: 26 }, do: "turn 180" }],
 };
+
+/** Mission 1 in the first maze. */
+function challengeIn(seconds: number, bumps: number | null): ChallengeDocument {
+  const [mission] = missions;
+  if (mission === undefined) throw new Error("no mission");
+  return {
+    ...challengeOf(mission, "Short", { task: "", short: "", hints: [] }),
+    mazes: [firstMaze],
+    checks: { bumps, seconds },
+  };
+}
 
 /** A run of a program, paused where it ended. */
 function ended(program: ProgramDocument, challenge?: ChallengeDocument): Bench {
@@ -35,17 +47,7 @@ function shortChallenge(): { program: ProgramDocument; challenge: ChallengeDocum
   };
   const { loop } = new Bench(firstMaze, program);
   while (loop.recording.run.line === "default") loop.recording.step();
-  const [mission] = missions;
-  if (mission === undefined) throw new Error("no mission");
-  const seconds = (loop.recording.run.tick - 1) / 60;
-  return {
-    program,
-    challenge: {
-      ...challengeOf(mission, "Short", { task: "", short: "", hints: [] }),
-      mazes: [firstMaze],
-      checks: { bumps: null, seconds },
-    },
-  };
+  return { program, challenge: challengeIn((loop.recording.run.tick - 1) / 60, null) };
 }
 
 describe("where a run has ended", () => {
@@ -59,15 +61,14 @@ describe("where a run has ended", () => {
     });
   });
 
-  it("at the end of the time, the line that drove last is displayed, and no delayed turn", () => {
+  it("at the end of the time, the displayed line is the one that its readings make true", () => {
     const { program, challenge } = shortChallenge();
-    const bench = ended(program, challenge);
-    expect(bench.loop.recording.run.line).toBe(0);
-    expect(bench.frame()).toMatchObject({
-      hasEnded: true,
-      progress: null,
-      snapshot: { bumps: 0, state: "paused", line: "default" },
+    const frame = ended(program, challenge).frame();
+    expect(frame).toMatchObject({
+      hasEnded: false,
+      snapshot: { bumps: 0, state: "paused", line: 0 },
     });
+    expect(frame?.snapshot.sensors.front).toBeLessThan(60);
   });
 
   it("a script still receives the line that decides next", () => {
@@ -105,5 +106,20 @@ describe("where a run has ended", () => {
     expect(bench.frame()).toMatchObject({ hasEnded: false, snapshot: { line: "default" } });
     bench.loop.now();
     expect(bench.frame()).toMatchObject({ hasEnded: true, snapshot: { line: "default" } });
+  });
+});
+
+describe("a failed run", () => {
+  it("is reported only together with its explanation, which may still load", () => {
+    const { loop } = ended(tooLate, challengeIn(60, 0));
+    expect(loop.takeJudgement()).toBeNull();
+    loop.useDiagnostics(diagnostics);
+    expect(loop.takeJudgement()).toMatchObject({ kind: "failed", code: "bump" });
+  });
+
+  it("is reported without an explanation if none can load", () => {
+    const { loop } = ended(tooLate, challengeIn(60, 0));
+    loop.explainNothing();
+    expect(loop.takeJudgement()).toMatchObject({ kind: "failed", code: "bump" });
   });
 });
