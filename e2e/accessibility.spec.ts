@@ -238,7 +238,7 @@ test("taps a square, holds a drive key and moves a line on a phone", async ({ op
 
   await page.getByRole("tab", { name: "Drive" }).tap();
   await expect(corridor.driveKey("forward")).toBeVisible();
-  await expect(page.getByText("The program is driving.")).toBeVisible();
+  await expect(page.getByText("The program is not running.")).toBeVisible();
   const liftFinger = await holdFinger(corridor.driveKey("left"));
   await expect(page.getByText("You are driving.")).toBeVisible();
   await expect(corridor.robotPose).toHaveText(/facing (up|left|down)/);
@@ -296,7 +296,7 @@ test("moves the Tab focus in the visual order of the page", async ({ corridor, p
     // the invitation to the first mission
     "Lessons",
     "Program",
-    "otherwise, running",
+    "otherwise",
     "Program",
     "Hold to drive",
     "Run",

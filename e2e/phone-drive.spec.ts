@@ -166,6 +166,7 @@ test("switches to the program and back without leaving the keys", async ({ openW
   await expect.poll(() => corridor.robotX()).toBeGreaterThan(80);
   await page.getByRole("button", { name: "Pause" }).tap();
   await expect(page.getByRole("button", { name: "Run program" })).toBeVisible();
+  await expect(page.getByText("The program is not running.")).toBeVisible();
   const touch = await TouchInput.of(page);
   await touch.down(await centreOf(corridor.driveKey("left")));
   await expect(page.getByText("You are driving.")).toBeVisible();

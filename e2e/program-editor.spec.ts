@@ -136,12 +136,12 @@ test("shows each line's truth value with its numbers, and the line that decides"
   await expect(program.line(1)).toContainText("50 > 60");
   await expect(program.line(1)).toHaveAccessibleName(/Right is 50, false\.$/);
   await expect(program.line(2)).toContainText("250 < 50");
-  await expect(program.region.getByRole("group", { name: "otherwise, running" })).toBeVisible();
+  await expect(program.region.getByRole("group", { name: "otherwise" })).toBeVisible();
 
   await program.number(1).fill("40");
   await expect(program.line(1)).toContainText("50 > 40");
   await expect(program.line(1)).toHaveAccessibleName(
-    "Line 1, running: if right is more than 40, delayed right 90. Right is 50, true.",
+    "Line 1: if right is more than 40, delayed right 90. Right is 50, true.",
   );
   await expect(program.line(1)).toHaveAttribute("aria-current", "step");
   await expect(program.runningLineNote).toHaveText("not read this time");

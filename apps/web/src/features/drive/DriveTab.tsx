@@ -18,7 +18,10 @@ import { SensorCross } from "./SensorCross.tsx";
 export function DriveTab({ hold }: { hold: HoldStore }) {
   const { t } = useTranslation(["words", "runDetails"], { useSuspense: false });
   const { run } = useServices();
-  const driver = useStore(run, ({ snapshot }) => snapshot?.driver ?? "program");
+  const status = useStore(run, ({ snapshot }) => {
+    const { driver, state } = snapshot ?? { driver: "program", state: "paused" };
+    return driver === "program" && state !== "running" ? "programRests" : driver;
+  });
   const isNow = useStore(run, ({ view }) => view === "now");
   const rights = useRights();
   const isRefused = useStore(run, (state) => isHandRefused(state, rights));
@@ -34,7 +37,7 @@ export function DriveTab({ hold }: { hold: HoldStore }) {
         <DrivePad hold={hold} caps="words" />
       )}
       <div className={styles["foot"]}>
-        <p className={styles["status"]}>{t(`drive.status.${driver}`)}</p>
+        <p className={styles["status"]}>{t(`drive.status.${status}`)}</p>
         {/* The transport has its own button in the past; some missions refuse the program. */}
         {isNow && rights?.drivers.includes("program") !== false && <RunProgram />}
       </div>

@@ -14,7 +14,7 @@ import { adviceOn } from "../../model/advice/advice-store.ts";
 import { LazyAdviceNote } from "./lazy-advice.ts";
 import { LineNote } from "./LineNotes.tsx";
 import frame from "./line-frame.module.css";
-import { decidingLine, shownBump } from "../../model/run/line-state.ts";
+import { isDriving, shownBump } from "../../model/run/line-state.ts";
 import { applyEdit } from "../../model/workspace/program-actions.ts";
 import styles from "./otherwise.module.css";
 import { useAdviceText } from "./use-advice-text.ts";
@@ -31,7 +31,7 @@ export function Otherwise({ element }: OtherwiseProps) {
   const action = useStore(workspace, (state) => state.program.default);
   const bump = useStore(
     run,
-    useShallow((state) => shownBump("default", state)),
+    useShallow((state) => shownBump("default", action, state)),
   );
   const given = useStore(advice, (state) => adviceOn("default", state));
   const text = useAdviceText(given, null);
@@ -40,7 +40,7 @@ export function Otherwise({ element }: OtherwiseProps) {
     const resting = t(isBumped ? "program.otherwiseBumped" : "program.otherwise");
     const running = isBumped ? resting : t("program.otherwiseRuns");
     const nameOf = ({ snapshot }: RunState): string =>
-      decidingLine(snapshot) === "default" ? running : resting;
+      isDriving("default", snapshot) ? running : resting;
     return followText(run, nameOf, (name) => element.current?.setAttribute("aria-label", name));
   }, [element, run, t, isBumped]);
   return (

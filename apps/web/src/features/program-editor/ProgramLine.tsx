@@ -59,7 +59,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   }, [feed]);
   const bump = useStore(
     run,
-    useShallow((state) => shownBump(index, state)),
+    useShallow((state) => shownBump(index, rule, state)),
   );
   const given = useStore(advice, (state) => adviceOn(index, state));
   const adviceText = useAdviceText(given, rule.when);

@@ -34,7 +34,7 @@ export function useLineLabel(
     const pace = new Throttle<string>(() => performance.now());
     let written = "";
     const look = (run: RunState): void => {
-      const state = lineStateOf(index, run);
+      const state = lineStateOf(index, rule, run);
       const shown = truth(run.snapshot);
       const isMoving = run.snapshot?.state === "running";
       if (!pace.isDue(isMoving, `${state} ${shown?.isTrue}`)) return;

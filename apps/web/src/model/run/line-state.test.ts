@@ -1,3 +1,5 @@
+import type { ProgramDocument, Rule } from "@corridor/program";
+import type { Snapshot } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import {
@@ -9,6 +11,14 @@ import {
   shownTruth,
 } from "./line-state.ts";
 
+const rule: Rule = { when: { sensor: "right", is: ">", than: 60 }, do: "delayed right 90" };
+const program: ProgramDocument = {
+  format: "corridor/program",
+  version: 1,
+  name: "",
+  default: "forward",
+  rules: [rule, rule],
+};
 const snapshot = snapshotOf({
   driver: "program",
   sensors: { front: 40, right: 250, back: 50, left: 50 },
@@ -43,17 +53,25 @@ describe("isPassedOver", () => {
 });
 
 describe("lineStateOf", () => {
-  const states = (hasEnded: boolean) =>
+  const states = (hasEnded: boolean, of: Partial<Snapshot> = { state: "running" }) =>
     [0, 1, 2].map((index) =>
-      lineStateOf(index, { snapshot: { ...snapshot, line: 1 }, event: null, hasEnded }),
+      lineStateOf(index, rule, {
+        snapshot: { ...snapshot, ...of, line: 1 },
+        event: null,
+        hasEnded,
+      }),
     );
 
   it("is not read below the line that decides", () => {
     expect(states(false)).toEqual(["resting", "running", "notRead"]);
   });
 
+  it("is running only while the robot is", () => {
+    expect(states(false, { state: "paused" })).toEqual(["resting", "resting", "notRead"]);
+  });
+
   it("is not read for no line where the run has ended, because no line decides there", () => {
-    expect(states(true)).toEqual(["resting", "running", "resting"]);
+    expect(states(true, { state: "paused" })).toEqual(["resting", "resting", "resting"]);
   });
 });
 
@@ -145,28 +163,28 @@ describe("shownBump", () => {
       },
       fixes: [],
     },
-    program: null,
+    program,
   };
 
   it("is that of the line that caused it, as long as the robot touches it", () => {
-    expect(shownBump(0, { snapshot: touching, event })).toEqual({ driven: 24, needed: 50 });
-    expect(shownBump(1, { snapshot: touching, event })).toBeNull();
+    expect(shownBump(0, rule, { snapshot: touching, event })).toEqual({ driven: 24, needed: 50 });
+    expect(shownBump(1, rule, { snapshot: touching, event })).toBeNull();
     const free = { ...touching, bumping: false };
-    expect(shownBump(0, { snapshot: free, event })).toBeNull();
+    expect(shownBump(0, rule, { snapshot: free, event })).toBeNull();
   });
 
   it("is that of another line than the one that drove where that one is the cause", () => {
     const other = { ...event, line: "default" as const };
-    expect(shownBump(0, { snapshot: touching, event: other })).toEqual({
+    expect(shownBump(0, rule, { snapshot: touching, event: other })).toEqual({
       driven: null,
       needed: null,
     });
-    expect(shownBump("default", { snapshot: touching, event: other })).toBeNull();
+    expect(shownBump("default", "forward", { snapshot: touching, event: other })).toBeNull();
   });
 
   it("has no distance for a motion that other lines may have chosen before", () => {
     const cause = { ...event.cause, action: "forward" as const, driven: 425, needed: null };
-    expect(shownBump(0, { snapshot: touching, event: { ...event, cause } })).toEqual({
+    expect(shownBump(0, rule, { snapshot: touching, event: { ...event, cause } })).toEqual({
       driven: null,
       needed: null,
     });
@@ -174,18 +192,24 @@ describe("shownBump", () => {
 
   it("stays with that line when another one decides beside the wall", () => {
     const next = { ...touching, line: 1 };
-    expect(shownBump(0, { snapshot: next, event })).not.toBeNull();
-    expect(shownBump(1, { snapshot: next, event })).toBeNull();
+    expect(shownBump(0, rule, { snapshot: next, event })).not.toBeNull();
+    expect(shownBump(1, rule, { snapshot: next, event })).toBeNull();
+  });
+
+  it("ends when the line is changed, because the new one did not bump", () => {
+    const state = { snapshot: touching, event };
+    expect(shownBump(0, { ...rule, do: "left 90" }, state)).toBeNull();
+    expect(shownBump(0, { ...rule }, state)).not.toBeNull();
   });
 
   it("marks no line for a bump whose cause is not known", () => {
     const past = { ...touching, bumps: 1, tick: 30 };
-    expect(shownBump(0, { snapshot: past, event })).toBeNull();
-    expect(shownBump(0, { snapshot: touching, event: null })).toBeNull();
+    expect(shownBump(0, rule, { snapshot: past, event })).toBeNull();
+    expect(shownBump(0, rule, { snapshot: touching, event: null })).toBeNull();
   });
 
   it("belongs to no line during manual driving", () => {
     const mine = { ...touching, driver: "me" as const, line: null };
-    expect(shownBump(0, { snapshot: mine, event })).toBeNull();
+    expect(shownBump(0, rule, { snapshot: mine, event })).toBeNull();
   });
 });

@@ -1,7 +1,7 @@
 /** State of the program's lines at the displayed tick. */
 import { causeLine, type Diagnosis } from "@corridor/coach";
-import { evaluateCondition, type Condition } from "@corridor/program";
-import type { LineRef, Snapshot } from "@corridor/protocol";
+import { evaluateCondition, type Condition, type Rule } from "@corridor/program";
+import type { LineRef, PlainAction, Snapshot } from "@corridor/protocol";
 import type { RunState } from "./run-store.ts";
 import type { RunEvent } from "../../simulator/protocol/worker-messages.ts";
 import { truthText } from "./truth-text.ts";
@@ -56,16 +56,23 @@ export function truthAt(condition: Condition | null): TruthAt {
   };
 }
 
+/** Whether this line drives at the displayed tick while the run goes on. */
+export function isDriving(line: LineRef, snapshot: Snapshot | null): boolean {
+  return snapshot?.state === "running" && decidingLine(snapshot) === line;
+}
+
 /** A line's state relative to the deciding line. `notRead`: a line above it decided. */
 export type LineState = "resting" | "running" | "bumped" | "notRead";
 
+/** @param rule what the line says now */
 export function lineStateOf(
   index: number,
+  rule: Rule,
   state: Pick<RunState, "snapshot" | "hasEnded"> & { event: BumpEvent | null },
 ): LineState {
-  if (shownBump(index, state) !== null) return "bumped";
+  if (shownBump(index, rule, state) !== null) return "bumped";
   const deciding = decidingLine(state.snapshot);
-  if (deciding === index) return "running";
+  if (deciding === index) return isDriving(index, state.snapshot) ? "running" : "resting";
   // Where the run has ended, no line decided on these readings, so none was passed over.
   return !state.hasEnded && isPassedOver(index, deciding) ? "notRead" : "resting";
 }
@@ -109,7 +116,7 @@ export interface ShownBump {
 }
 
 /** The part of a run event that describes a bump. */
-type BumpEvent = Pick<RunEvent, "kind" | "line" | "bumps" | "cause" | "diagnosis">;
+type BumpEvent = Pick<RunEvent, "kind" | "line" | "bumps" | "cause" | "diagnosis" | "program">;
 
 /**
  * Why the robot, driven by the program, touches a wall at the displayed tick; null if it does not,
@@ -126,16 +133,20 @@ export function shownDiagnosis({
 }
 
 /**
+ * @param content what the line says now: its rule, or the action of "otherwise"
  * @returns null unless the robot touches a wall at the displayed tick and this line caused that
- *   bump
+ *   bump as it is now
  */
 export function shownBump(
   line: LineRef,
+  content: Rule | PlainAction,
   { snapshot, event }: Pick<RunState, "snapshot"> & { event: BumpEvent | null },
 ): ShownBump | null {
   const diagnosis = shownDiagnosis({ snapshot, event });
   if (event === null || diagnosis === null || causeLine(diagnosis) !== line) return null;
-  const { cause } = event;
+  const { cause, program } = event;
+  const drove = line === "default" ? program?.default : program?.rules[line];
+  if (JSON.stringify(drove) !== JSON.stringify(content)) return null;
   // Another line may have driven into the wall.
   const isOwn = cause !== null && event.line === line;
   if (!isOwn || cause.needed === null) return { driven: null, needed: null };
