@@ -177,6 +177,25 @@ test("builds, programs, bumps, fixes, goes back and solves with a screen reader"
   expect(new Set(results).size).toBe(results.length);
 });
 
+test("says one verdict of a failed mission, and nothing of it after Reset", async ({
+  corridor,
+  page,
+}) => {
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(6);
+  await corridor.speed.selectOption("max");
+  const announcements = await recordAnnouncements(page);
+  await corridor.run.click();
+  await expect(lessons.outcome).toHaveText(/^Bump at .* A line for this place is missing\.$/);
+  const verdict = (await lessons.outcome.textContent()) ?? "";
+  await expect(corridor.announcement).toHaveText(verdict);
+  await corridor.reset.click();
+  await expect(lessons.outcome).toHaveText("");
+  await expect(corridor.announcement).toHaveText("The robot is back at its start.");
+  const texts = (await announcements()).map(({ text }) => text);
+  expect(texts.filter((text) => /^(Bump at|Time is up)|Press Reset/.test(text))).toEqual([verdict]);
+});
+
 test("describes the robot on request, once as an announcement and once as text", async ({
   corridor,
   page,
@@ -200,7 +219,7 @@ test("describes the robot on request, once as an announcement and once as text",
   await page.getByRole("button", { name: "Describe" }).press("Enter");
   await expect(
     corridor.message(
-      /^At \d+\.\d s the robot is in row \d, column \d, facing [a-z ]+\. .*Line 2, running: if front is less than 50, left 90\. Front is [\d.]+, true\.$/,
+      /^At \d+\.\d s the robot is in row \d, column \d, facing [a-z ]+\. .*Line 2: if front is less than 50, left 90\. Front is [\d.]+, true\.$/,
     ),
   ).toBeVisible();
 });

@@ -2,7 +2,6 @@
 import { causeLine, type Diagnosis } from "@corridor/coach";
 import type { Services } from "../../model/services.ts";
 import { asSentence, joinSentences } from "../../text/joined.ts";
-import { formatSeconds } from "../../text/numbers.ts";
 import type { RunState } from "../../model/run/run-store.ts";
 import type { RunEvent } from "../../simulator/protocol/worker-messages.ts";
 import {
@@ -10,7 +9,7 @@ import {
   diagnosisTitle,
   diagnosisWords,
 } from "../../model/diagnosis/diagnosis-text.ts";
-import { describeTick, tickText } from "../../model/run/tick-description.ts";
+import { describeTick, tickText, timeText } from "../../model/run/tick-description.ts";
 import { timelineOf } from "../../model/run/timeline-of.ts";
 import { storyOf, storyText } from "../../model/run/story.ts";
 import { RunListener, type RunAnnouncement } from "./run-listener.ts";
@@ -69,7 +68,7 @@ export function announceRun(
       case "paused":
       case "now":
         announceState(
-          spoken(words().t)(`runDetails:speech.${announcement.kind}`, { seconds: seconds() }),
+          spoken(words().t)(`runDetails:speech.${announcement.kind}`, { time: time() }),
         );
     }
   }
@@ -79,8 +78,9 @@ export function announceRun(
     speech.allowRepeat();
   }
 
-  function seconds(): string {
-    return formatSeconds(run.getState().snapshot?.tick ?? 0, words().language);
+  function time(): string {
+    const { t, language } = words();
+    return timeText(t, run.getState().snapshot?.tick ?? 0, language);
   }
 
   function decision(): string {
@@ -119,7 +119,7 @@ export function announceRun(
       return joinSentences(t, [...titles, text, ...fixCount(t, diagnosis)]);
     }
     const story = storyOf(event, timeline.waitedUpTo(event.tick));
-    return storyText(t, { ...story, seconds: formatSeconds(story.after, language) });
+    return storyText(t, story, language);
   }
 
   const listen = (state: RunState): void => {

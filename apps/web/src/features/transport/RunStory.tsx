@@ -30,6 +30,6 @@ export function RunStory() {
 }
 
 function StoryText({ story }: { story: Story }) {
-  const { t, ready } = useTranslation("runDetails", { useSuspense: false });
-  return ready && storyText(t, story);
+  const { t, i18n, ready } = useTranslation(["words", "runDetails"], { useSuspense: false });
+  return ready && storyText(t, story, i18n.language);
 }

@@ -1,6 +1,12 @@
-import { describe, expect, it } from "vitest";
+import { beforeAll, describe, expect, it } from "vitest";
 import type { RunEvent } from "../../simulator/protocol/worker-messages.ts";
-import { storyOf } from "./story.ts";
+import { en } from "../../text/en/index.ts";
+import { createI18n } from "../../text/i18n.ts";
+import { storyOf, storyText } from "./story.ts";
+
+const words = createI18n(en);
+const { t } = words;
+beforeAll(() => words.loadNamespaces("runDetails"));
 
 const bump: RunEvent = {
   kind: "bump",
@@ -20,7 +26,6 @@ describe("storyOf", () => {
       kind: "bump",
       teller: "program",
       line: 0,
-      seconds: "13.1",
       after: 786,
       tick: 786,
       column: 5,
@@ -41,9 +46,16 @@ describe("storyOf", () => {
     expect(storyOf({ ...bump, ...changes }).teller).toBe(teller);
   });
 
+  it("states the time of a long run as the timeline does", () => {
+    expect(storyText(t, storyOf({ ...bump, tick: 7386 }), "en")).toContain(
+      "at 2 min 3.1 s (tick 7386)",
+    );
+  });
+
   it("counts a script's driving, and not its waiting, as the clock does", () => {
-    const goal = { ...bump, kind: "goal" as const, driver: "remote" as const, tick: 900 };
-    expect(storyOf(goal, 300)).toMatchObject({ seconds: "10.0", tick: 900 });
-    expect(storyOf({ ...goal, kind: "bump" }, 300).seconds).toBe("10.0");
+    const goal = { ...bump, line: null, driver: "remote" as const, tick: 900 };
+    const textOf = (kind: "goal" | "bump") => storyText(t, storyOf({ ...goal, kind }, 300), "en");
+    expect(textOf("goal")).toBe("Goal reached after 10.0 s, in row 4, column 5, by the script.");
+    expect(textOf("bump")).toMatch(/^Bump: the script drove into a block at 10\.0 s\. /);
   });
 });

@@ -3,7 +3,7 @@ import { CELL } from "@corridor/maze";
 import type { DriverName } from "@corridor/protocol";
 import type { TFunction } from "i18next";
 import type { RunEvent } from "../../simulator/protocol/worker-messages.ts";
-import { formatSeconds } from "../../text/numbers.ts";
+import { timeText } from "./tick-description.ts";
 
 /** The driver or line in charge, which the sentence names. */
 export type Teller = "line" | "otherwise" | DriverName;
@@ -13,9 +13,9 @@ export interface Story {
   teller: Teller;
   /** 1 for the first line; 0 when no numbered line was in charge */
   line: number;
-  seconds: string;
-  /** the same time in ticks */
+  /** ticks in which it drove, which the clock counts */
   after: number;
+  /** tick of the run; that of a script counts its waiting too, so no sentence says both */
   tick: number;
   /** square of the maze, counted from 1 as in the labels of the grid */
   column: number;
@@ -35,7 +35,6 @@ export function storyOf({ kind, line, driver, tick, pose }: RunEvent, waited = 0
     teller:
       kind === "bump" ? driver : isNumbered ? "line" : line === "default" ? "otherwise" : driver,
     line: isNumbered ? line + 1 : 0,
-    seconds: formatSeconds(after),
     after,
     tick,
     column: Math.floor(pose.x / CELL) + 1,
@@ -47,10 +46,13 @@ export function storyOf({ kind, line, driver, tick, pose }: RunEvent, waited = 0
  * The sentence of a story. The diagnosis names the line that caused a bump.
  * @param t with the namespace "runDetails" loaded
  */
-export function storyText(t: unknown, story: Story): string {
+export function storyText(t: unknown, story: Story, language: string): string {
   const { kind, teller } = story;
   const words = t as TFunction<["words", "runDetails"]>;
-  return words(`runDetails:story.${kind}.${teller}` as StoryKey, { ...story });
+  return words(`runDetails:story.${kind}.${teller}` as StoryKey, {
+    ...story,
+    time: timeText(words, story.after, language),
+  });
 }
 
 type StoryKey = `runDetails:story.goal.${Teller}` | `runDetails:story.bump.${DriverName}`;

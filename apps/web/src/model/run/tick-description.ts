@@ -97,8 +97,8 @@ export function tickText(
   return joinList(t, parts);
 }
 
-/** "12.4 s"; from one minute "208 min 16.0 s" */
-function timeText(t: TFunction, tick: number, language: string): string {
+/** A time of the run, as every part of the page says it: "12.4 s"; from one minute "208 min 16.0 s" */
+export function timeText(t: TFunction, tick: number, language: string): string {
   const minutes = Math.floor(tick / TICKS_PER_MINUTE);
   const seconds = formatSeconds(tick % TICKS_PER_MINUTE, language);
   return minutes === 0

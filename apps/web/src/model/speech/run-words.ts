@@ -3,8 +3,9 @@ import type { ProgramDocument } from "@corridor/program";
 import type { LineRef, Snapshot } from "@corridor/protocol";
 import type { TFunction } from "i18next";
 import { joinSentences } from "../../text/joined.ts";
-import { formatReading, formatSeconds, localNumber } from "../../text/numbers.ts";
-import { decidingLine, shownTruth } from "../run/line-state.ts";
+import { formatReading, localNumber } from "../../text/numbers.ts";
+import { decidingLine, isDriving, shownTruth } from "../run/line-state.ts";
+import { timeText } from "../run/tick-description.ts";
 import { lineName } from "../run/line-name.ts";
 import { cellOf, facingOf } from "../../stage/page/robot-place.ts";
 
@@ -53,7 +54,7 @@ export function describeText(
   const reading = (centimetres: number): string => formatReading(centimetres, language);
   const sentences = [
     spoken(t)("runDetails:speech.describe.place", {
-      seconds: formatSeconds(tick, language),
+      time: timeText(t, tick, language),
       row: row + 1,
       column: column + 1,
       facing: t(`stage.facing.${facingOf(pose.heading)}`),
@@ -74,7 +75,8 @@ export function describeText(
     sentences.push(spoken(t)("runDetails:speech.describe.otherwise", { action }));
   } else {
     const truth = shownTruth(rule.when, snapshot);
-    sentences.push(lineName(t, { index: line, rule, state: "running", truth, advice: null }));
+    const state = isDriving(line, snapshot) ? "running" : "resting";
+    sentences.push(lineName(t, { index: line, rule, state, truth, advice: null }));
   }
   return joinSentences(t, sentences);
 }
