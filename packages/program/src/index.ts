@@ -3,7 +3,7 @@ export { emptyProgram } from "./empty-program.ts";
 export { evaluateCondition, type EvaluatedCondition } from "./evaluate-condition.ts";
 export { programPresets, type ProgramPreset, type ProgramPresetId } from "./presets.ts";
 export { CompiledProgram } from "./compiled-program.ts";
-export { isSameBehaviour, isSameProgram } from "./same-program.ts";
+export { isSameBehaviour, isSameProgram, isSameRule } from "./same-program.ts";
 export {
   parseProgram,
   programSchema,

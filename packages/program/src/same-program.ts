@@ -1,5 +1,5 @@
 /** Equality of programs, for documents that were copied, such as between threads or by storage. */
-import type { Condition, ProgramDocument } from "./program-document.ts";
+import type { Condition, ProgramDocument, Rule } from "./program-document.ts";
 
 /** Whether two programs have the same lines and default. Names may be in another language. */
 export function isSameBehaviour(one: ProgramDocument, other: ProgramDocument): boolean {
@@ -10,7 +10,7 @@ export function isSameBehaviour(one: ProgramDocument, other: ProgramDocument): b
     one.rules.length === rules.length &&
     one.rules.every((rule, at) => {
       const same = rules[at];
-      return same !== undefined && rule.do === same.do && isSameCondition(rule.when, same.when);
+      return same !== undefined && isSameRule(rule, same);
     })
   );
 }
@@ -18,6 +18,11 @@ export function isSameBehaviour(one: ProgramDocument, other: ProgramDocument): b
 /** The same with equal names. */
 export function isSameProgram(one: ProgramDocument, other: ProgramDocument): boolean {
   return one.name === other.name && isSameBehaviour(one, other);
+}
+
+/** Whether two lines have the same condition and action. */
+export function isSameRule(one: Rule, other: Rule): boolean {
+  return one.do === other.do && isSameCondition(one.when, other.when);
 }
 
 function isSameCondition(one: Condition | null, other: Condition | null): boolean {

@@ -1,6 +1,12 @@
 /** State of the program's lines at the displayed tick. */
 import { causeLine, type Diagnosis } from "@corridor/coach";
-import { evaluateCondition, type Condition, type Rule } from "@corridor/program";
+import {
+  evaluateCondition,
+  isSameRule,
+  type Condition,
+  type ProgramDocument,
+  type Rule,
+} from "@corridor/program";
 import type { LineRef, PlainAction, Snapshot } from "@corridor/protocol";
 import type { RunState } from "./run-store.ts";
 import type { RunEvent } from "../../simulator/protocol/worker-messages.ts";
@@ -132,23 +138,32 @@ export function shownDiagnosis({
   return isKnown ? event.diagnosis : null;
 }
 
+/** What a line says: its rule, or the action of "otherwise". */
+type LineContent = Rule | PlainAction;
+
 /**
- * @param content what the line says now: its rule, or the action of "otherwise"
+ * @param content what the line says now
  * @returns null unless the robot touches a wall at the displayed tick and this line caused that
  *   bump as it is now
  */
 export function shownBump(
   line: LineRef,
-  content: Rule | PlainAction,
+  content: LineContent,
   { snapshot, event }: Pick<RunState, "snapshot"> & { event: BumpEvent | null },
 ): ShownBump | null {
   const diagnosis = shownDiagnosis({ snapshot, event });
   if (event === null || diagnosis === null || causeLine(diagnosis) !== line) return null;
   const { cause, program } = event;
-  const drove = line === "default" ? program?.default : program?.rules[line];
-  if (JSON.stringify(drove) !== JSON.stringify(content)) return null;
+  if (program === null || !says(program, line, content)) return null;
   // Another line may have driven into the wall.
   const isOwn = cause !== null && event.line === line;
   if (!isOwn || cause.needed === null) return { driven: null, needed: null };
   return { driven: Math.round(cause.driven), needed: cause.needed };
+}
+
+/** Whether this is what a line of the program says. */
+function says({ rules, default: action }: ProgramDocument, line: LineRef, content: LineContent) {
+  if (typeof content === "string" || line === "default") return content === action;
+  const rule = rules[line];
+  return rule !== undefined && isSameRule(rule, content);
 }
