@@ -5,6 +5,8 @@ const report = process.env["VITEST_JSON_REPORT"];
 
 export default defineConfig({
   test: {
+    // By default one core is left idle, which on CI's two cores is half of the machine.
+    maxWorkers: "100%",
     projects: [
       {
         test: {

@@ -309,7 +309,6 @@ describe("responses match the description", () => {
     const wrong = [
       { line: undefined },
       { seq: -1 },
-      { smell: "roses" },
       { pose: { x: 0, y: 0, heading: 360 } },
     ];
     expect(schema.safeParse(snapshotOf()).success).toBe(true);

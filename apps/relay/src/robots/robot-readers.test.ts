@@ -174,7 +174,8 @@ describe("a robot: what scripts see", () => {
     await host.report({ tick: 2, state: "paused" });
     expect((await end(1, 100)).reason).toMatch(advice);
     setup.robot.leavePage(host.link, true);
-    for (const seq of [1, 2]) expect((await end(seq)).reason).toMatch(advice);
+    const closed = /page is closed or offline: open it again and choose Remote/;
+    for (const seq of [1, 2]) expect((await end(seq)).reason).toMatch(closed);
     // The advice is not stored.
     expect(await setup.robot.endOf(1, waitLimit(0))).toMatchObject({ reason: null });
   });
