@@ -306,11 +306,7 @@ describe("responses match the description", () => {
   it("and invalid ones are detected", async () => {
     const api = await DescribedRelay.start();
     const schema = api.schemaOf(api.answerOf("get", SENSORS, 200));
-    const wrong = [
-      { line: undefined },
-      { seq: -1 },
-      { pose: { x: 0, y: 0, heading: 360 } },
-    ];
+    const wrong = [{ line: undefined }, { seq: -1 }, { pose: { x: 0, y: 0, heading: 360 } }];
     expect(schema.safeParse(snapshotOf()).success).toBe(true);
     for (const change of wrong) {
       expect(schema.safeParse({ ...snapshotOf(), ...change }).success).toBe(false);

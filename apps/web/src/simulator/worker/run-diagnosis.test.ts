@@ -57,16 +57,43 @@ describe("a bump of the program", () => {
     expect(loop.snapshot().tick).toBe(moment?.tick);
   });
 
-  it("waits for the diagnostics to load, and is explained then", () => {
-    const loop = new RunLoop(corner, delayedAtTheWall, () => time);
-    loop.run();
-    const [first] = pass(loop, 5);
-    expect(first).toMatchObject({ kind: "bump", diagnosis: null });
-    expect(loop.isRunning).toBe(false);
-    loop.useDiagnostics(diagnostics);
-    const [moment] = loop.takeUpdate()?.events ?? [];
-    expect(moment?.tick).toBe(first?.tick);
-    expect(moment?.diagnosis?.fixes[0]).toEqual({ kind: "action", line: 0, action: "left 90" });
+  describe("while the diagnostics load", () => {
+    function bumped(): RunLoop {
+      const loop = new RunLoop(corner, delayedAtTheWall, () => time);
+      loop.awaitDiagnostics(true);
+      loop.run();
+      expect(pass(loop, 5)).toEqual([]);
+      expect(loop.isRunning).toBe(false);
+      return loop;
+    }
+    const unexplained = [{ kind: "bump", line: 0, bumps: 1, diagnosis: null }];
+
+    it("is reported once, with its explanation", () => {
+      const loop = bumped();
+      loop.useDiagnostics(diagnostics);
+      const [bump, ...others] = pass(loop, 1);
+      expect(others).toEqual([]);
+      expect(bump).toMatchObject({ kind: "bump", tick: loop.snapshot().tick });
+      expect(bump?.diagnosis?.fixes[0]).toEqual({ kind: "action", line: 0, action: "left 90" });
+    });
+
+    it.each([
+      { cause: "they cannot be loaded", act: (loop: RunLoop) => loop.awaitDiagnostics(false) },
+      { cause: "the robot drives on", act: (loop: RunLoop) => loop.run() },
+    ])("is reported without an explanation if $cause", ({ act }) => {
+      const loop = bumped();
+      act(loop);
+      expect(pass(loop, 0.1)).toMatchObject(unexplained);
+      loop.useDiagnostics(diagnostics);
+      expect(pass(loop, 0.1)).toEqual([]);
+    });
+
+    it("is not reported any more after a reset", () => {
+      const loop = bumped();
+      loop.reset();
+      loop.useDiagnostics(diagnostics);
+      expect(pass(loop, 1)).toEqual([]);
+    });
   });
 
   it("reports the program that drove, although another one arrived before the report", () => {

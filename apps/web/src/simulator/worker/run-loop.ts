@@ -286,9 +286,10 @@ export class RunLoop {
     this.#isDirty = true;
   }
 
-  /** The diagnostics module has not loaded. */
-  explainNothing(): void {
-    this.#observer.explainNothing();
+  /** The diagnostics module is loading, or could not be loaded. */
+  awaitDiagnostics(isLoading: boolean): void {
+    this.#observer.awaitDiagnostics(isLoading, this.recording.run);
+    this.#isDirty = true;
   }
 
   /**

@@ -25,8 +25,8 @@ export class RunObserver {
   /** pending until the diagnostics load: a robot that gets nowhere, and a bump */
   #noGoal: NoGoal | null = null;
   #waiting: { tick: number; line: LineRef | null; driver: DriverName } | null = null;
-  /** whether the diagnostics may still load */
-  #mayExplain = true;
+  /** whether the diagnostics module is loading */
+  #isLoading = false;
   /** the tick after which reported events were truncated; null without a truncation */
   #truncatedAfter: number | null = null;
   /** null without a challenge */
@@ -52,12 +52,14 @@ export class RunObserver {
 
   /** The run was truncated at its newest tick. */
   truncate(recording: Recording): void {
+    this.#reportUnexplained(recording.run);
     this.#truncate(recording.run.tick);
     this.#judge?.truncate(recording);
   }
 
   /** A tick is about to run. */
   before(run: Run): void {
+    this.#reportUnexplained(run);
     this.#bumps = run.bumps;
     this.#goalTick = run.goalTick;
     this.#driver = run.driver;
@@ -113,33 +115,38 @@ export class RunObserver {
    * is reported with its explanation, which may still load.
    */
   takeJudgement(run: Run, isResting: boolean): Judgement | null {
-    const isExplaining = this.#mayExplain && (this.#waiting !== null || this.#noGoal !== null);
+    const isExplaining = this.#waiting !== null || (this.#isLoading && this.#noGoal !== null);
     if (isExplaining && this.#judge?.hasFailed === true) return null;
     return this.#judge?.take(run, isResting) ?? null;
   }
 
   /**
    * A program's bump is explained while the robot waits; once per line, so that the user can
-   * continue.
+   * continue. While the diagnostics load, the bump waits for them: reported twice, it would get two
+   * verdicts.
    */
   #bumped(recording: Recording): boolean {
     const line = this.#line;
     const driver = this.#driver;
     const explained = this.#coach.bump(recording, driver, line, this.#task);
-    const isLater = explained === "later";
-    this.#waiting = isLater ? { tick: recording.run.tick, line, driver } : null;
-    this.#events.add("bump", recording.run, line, driver, isLater ? null : explained);
+    if (explained === "later" && this.#isLoading) {
+      this.#waiting = { tick: recording.run.tick, line, driver };
+    } else {
+      const diagnosed = explained === "later" ? null : explained;
+      this.#events.add("bump", recording.run, line, driver, diagnosed);
+    }
     return explained !== null && driver === "program";
   }
 
-  /** The diagnostics module has not loaded: a failed run is reported without an explanation. */
-  explainNothing(): void {
-    this.#mayExplain = false;
+  /** The diagnostics module is loading, or could not be loaded. */
+  awaitDiagnostics(isLoading: boolean, run: Run): void {
+    this.#isLoading = isLoading;
+    if (!isLoading) this.#reportUnexplained(run);
   }
 
   /** The diagnostics module has loaded: explains the bump at which the robot waits. */
   useDiagnostics(diagnostics: Diagnostics, recording: Recording): void {
-    this.#mayExplain = true;
+    this.#isLoading = false;
     this.#coach.use(diagnostics);
     if (this.#noGoal !== null) this.#diagnoseNoGoal(recording, this.#noGoal);
     const waiting = this.#waiting;
@@ -149,8 +156,15 @@ export class RunObserver {
     const { line, driver } = waiting;
     const cause = driver === "program" ? line : null;
     const explained = this.#coach.explain(recording, cause, this.#task);
-    if (explained === null || explained === "later") return;
-    this.#events.add("bump", run, line, driver, explained);
+    this.#events.add("bump", run, line, driver, explained === "later" ? null : explained);
+  }
+
+  /** The robot does not wait for an explanation any more, so its bump is reported without one. */
+  #reportUnexplained(run: Run): void {
+    const waiting = this.#waiting;
+    this.#waiting = null;
+    if (waiting === null || waiting.tick !== run.tick) return;
+    this.#events.add("bump", run, waiting.line, waiting.driver);
   }
 
   /** @returns whether the time of the challenge ends with this tick */

@@ -396,6 +396,8 @@ function handle(message: ToWorker): void {
 function load({ maze, program }: FirstProject): void {
   if (loop === null) {
     loop = new RunLoop(maze, program, now);
+    // They load after the first tick.
+    loop.awaitDiagnostics(true);
     return;
   }
   loop.editMaze(maze);
@@ -428,6 +430,7 @@ let hasAskedForDiagnostics = false;
 function loadDiagnostics(): void {
   if (hasAskedForDiagnostics) return;
   hasAskedForDiagnostics = true;
+  loop?.awaitDiagnostics(true);
   import("./diagnose-run.ts").then(
     (diagnostics) =>
       guarded(() => {
@@ -436,7 +439,10 @@ function loadDiagnostics(): void {
       }),
     () => {
       hasAskedForDiagnostics = false;
-      guarded(() => loop?.explainNothing());
+      guarded(() => {
+        loop?.awaitDiagnostics(false);
+        postUpdate();
+      });
     },
   );
 }

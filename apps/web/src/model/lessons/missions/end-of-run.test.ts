@@ -110,16 +110,25 @@ describe("where a run has ended", () => {
 });
 
 describe("a failed run", () => {
+  function bumpedWhileLoading() {
+    const bench = new Bench(firstMaze, tooLate);
+    bench.loop.awaitDiagnostics(true);
+    bench.loop.judgeBy(new RunJudge(challengeIn(60, 0), 0));
+    bench.loop.run();
+    bench.pass(60_000);
+    return bench.loop;
+  }
+
   it("is reported only together with its explanation, which may still load", () => {
-    const { loop } = ended(tooLate, challengeIn(60, 0));
+    const loop = bumpedWhileLoading();
     expect(loop.takeJudgement()).toBeNull();
     loop.useDiagnostics(diagnostics);
     expect(loop.takeJudgement()).toMatchObject({ kind: "failed", code: "bump" });
   });
 
   it("is reported without an explanation if none can load", () => {
-    const { loop } = ended(tooLate, challengeIn(60, 0));
-    loop.explainNothing();
+    const loop = bumpedWhileLoading();
+    loop.awaitDiagnostics(false);
     expect(loop.takeJudgement()).toMatchObject({ kind: "failed", code: "bump" });
   });
 });
