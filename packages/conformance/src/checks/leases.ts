@@ -1,7 +1,7 @@
 /** Leases: an endless motion stops when its script sends no requests. */
-import { hasEnded, type CommandRecord, type CommandState, type Order } from "@corridor/protocol";
+import type { CommandState, Order } from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
-import { openByLongPoll } from "../connection.ts";
+import { openByLongPoll, type Connection } from "../connection.ts";
 import { withEvents, type EventStream } from "../event-stream.ts";
 import { pause, type Host } from "../host.ts";
 import { must } from "../mismatch.ts";
@@ -21,6 +21,8 @@ const TIMEOUT_MS = 8_000;
 /** Number of drives in one burst, and how many of them may start. Three drives are no burst yet. */
 const BURST = 12;
 const BURST_STARTS = 4;
+/** A busy machine may process one burst in several parts, but hardly each of them. */
+const BURST_ATTEMPTS = 3;
 
 /**
  * States of a command whose lease has not ended. The robot may reach the wall earlier than
@@ -161,21 +163,11 @@ export const leases: CheckGroup = {
         await withEvents(host, async (events) => {
           // One request delivers all commands at once, however slow the network is.
           const connection = await openByLongPoll(host);
-          const { seq } = await host.sendAndWait({ action: "stop" });
-          const command = { ...STILL, lease: 1_000 };
-          const message = () => ({ type: "command", key: host.newKey(), command });
-          await connection.sendAll(Array.from({ length: BURST }, message));
-          const of = ({ record }: { record: CommandRecord }) => record.seq - seq - 1;
-          const isLast = (each: { record: CommandRecord }) => of(each) === BURST - 1;
-          const { record } = await events.until(
-            () => events.states.find((each) => isLast(each) && hasEnded(each.record.state)),
-            TIMEOUT_MS,
-            "the last drive of the burst to end",
-          );
-          must(record.state === "cancelled", "the last one to end with its lease", record);
-          const started = events.states
-            .filter((each) => each.record.state === "started" && each.record.seq > seq)
-            .map(of);
+          let started: number[] = [];
+          for (let attempt = 0; attempt < BURST_ATTEMPTS; attempt++) {
+            started = await startedOfBurst(host, events, connection);
+            if (started.length <= BURST_STARTS) break;
+          }
           const few = started.length <= BURST_STARTS && started.at(-1) === BURST - 1;
           must(few, `the last of ${BURST} to start, after at most 3 others`, started);
           await connection.close();
@@ -239,6 +231,23 @@ async function bothMustLast(
     for (const order of orders) durations.push(await durationOf(host, events, order));
     mustLast(Math.min(...durations), range);
   });
+}
+
+/** Sends a burst of drives. @returns the positions in the burst of those that started */
+async function startedOfBurst(
+  host: Host,
+  events: EventStream,
+  connection: Connection,
+): Promise<number[]> {
+  const { seq } = await host.sendAndWait({ action: "stop" });
+  const command = { ...STILL, lease: 1_000 };
+  const message = () => ({ type: "command", key: host.newKey(), command });
+  await connection.sendAll(Array.from({ length: BURST }, message));
+  const { record } = await events.ended(seq + BURST, TIMEOUT_MS);
+  must(record.state === "cancelled", "the last one to end with its lease", record);
+  return events.states
+    .filter((each) => each.record.state === "started" && each.record.seq > seq)
+    .map((each) => each.record.seq - seq - 1);
 }
 
 export function mustLast(ms: number, { least, most }: { least: number; most: number }): void {
