@@ -11,9 +11,10 @@ import { firstVisit } from "./first-visit.ts";
 import { otherMazes } from "./other-mazes.ts";
 import { frames } from "./frames.ts";
 import { scrubbing } from "./scrubbing.ts";
+import { storedEndings } from "./stored-endings.ts";
 import type { Section } from "./section.ts";
 
-const sections: readonly Section[] = [frames, scrubbing, firstVisit, otherMazes];
+const sections: readonly Section[] = [frames, storedEndings, scrubbing, firstVisit, otherMazes];
 
 const filters = process.argv.slice(2).map((filter) => filter.toLowerCase());
 const selected = sections.filter(
