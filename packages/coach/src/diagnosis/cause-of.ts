@@ -68,16 +68,19 @@ function actionCause(
   trace: RunTrace,
   { action }: Extract<Fix, { kind: "action" }>,
   moment: Decision,
-): Cause {
+): Cause | null {
   const side = sideOf(moment.action);
   if (side !== null && delayedTurn[moment.action] === action) {
     const isAtEdge = isAtEdgeOfOpening(trace, moment, side);
     return { kind: "not-delayed", moment, side, drivesOn: DELAY_DISTANCE, isAtEdge };
   }
+  const detail = detailOf(trace, moment);
   if (side !== null && turnOnTheSpot[moment.action] === action) {
+    // A turn to a wall is wrong with and without a delay.
+    if (detail?.kind === "into-wall") return null;
     return { kind: "delayed", moment, side, needs: DELAY_NEEDS };
   }
-  return { kind: "action", moment, detail: detailOf(trace, moment) };
+  return { kind: "action", moment, detail };
 }
 
 /** Whether the side opened just before the moment. In a room it is always open. */

@@ -105,6 +105,7 @@ export function diagnoseFreePlay(start: TraceStart, until: number): Diagnosis | 
 
 /**
  * Diagnoses a run that failed at `until`: by a bump, at the end of the time, or without progress.
+ * @param bumpsBefore number of bumps before the failure, after which the robot drove on
  * @returns null if the stretch has no such failure, or the robot reached the goal nevertheless
  */
 export function diagnoseStretch(
@@ -112,8 +113,9 @@ export function diagnoseStretch(
   task: DiagnosisTask,
   until: number,
   failure: "bump" | "late" | LoopNotice,
+  bumpsBefore: number = start.state.physics.bumps,
 ): Diagnosis | null {
-  const bumps = failure === "bump" ? Math.max(task.bumps ?? 0, start.state.physics.bumps) : null;
+  const bumps = failure === "bump" ? Math.max(task.bumps ?? 0, bumpsBefore) : null;
   const trace = new RunTrace(start, { until, bumps, isSolved: null });
   if (failure === "bump" && trace.end !== "bump") return null;
   if (solvesFromStart(trace, task)) {
@@ -208,9 +210,9 @@ function explain(
   const tried = new Set<string>();
   const found: Found[] = [];
   let cost = 0;
-  for (const fix of candidates(trace, event)) {
+  for (let fix of candidates(trace, event)) {
     if (cost > MAX_TRIAL_TICKS || isEnough(found, task)) break;
-    const program = applyFix(trace.program, fix);
+    let program = applyFix(trace.program, fix);
     const text = JSON.stringify([program.default, program.rules]);
     if (tried.has(text) || !task.allows(program)) continue;
     tried.add(text);
@@ -219,10 +221,15 @@ function explain(
     cost += trial.cost;
     if (trial.from === null || trial.outcome === "fails") continue;
     if (trial.outcome === "further" && !isMissingDelay(trace, fix, trial.from)) continue;
-    // It may be the right change for another maze of the task.
-    const isIdleHere = fix.kind === "number" && isIdle(trace, program, fix.line, trial);
-    if (isIdleHere && task.solvesAll?.(program) !== true) continue;
     const { outcome, offCentre } = trial;
+    if (fix.kind === "number" && isIdle(trace, program, fix.line, trial)) {
+      // It may be the right change for another maze of the task.
+      if (task.solvesAll?.(program) !== true) continue;
+      const removal: Fix = { kind: "delete", line: fix.line };
+      const without = applyFix(trace.program, removal);
+      // A line that is not needed in any maze is one too many, whatever its number.
+      if (task.allows(without) && task.solvesAll(without)) [fix, program] = [removal, without];
+    }
     found.push({ fix, from: trial.from, program, outcome, offCentre });
   }
   const momentOf = (each: Found) => momentToName(trace, each, trialTask, isBump);

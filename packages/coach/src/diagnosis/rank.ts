@@ -2,9 +2,9 @@
 import type { ProgramDocument } from "@corridor/program";
 import type { Fix } from "../advice.ts";
 import { causeOf } from "./cause-of.ts";
-import type { BumpEvent, FailureEvent } from "./diagnosis.ts";
+import type { BumpEvent, Cause, FailureEvent } from "./diagnosis.ts";
 import type { RunTrace } from "./run-trace.ts";
-import type { TrialResult } from "./trial.ts";
+import { distanceFromLane, type TrialResult } from "./trial.ts";
 
 /** At most this many units from the middle of a square, a turn leaves room on both sides. */
 const CENTRED = 5;
@@ -21,17 +21,18 @@ export interface Found {
 /**
  * Sorts the changes, the most plausible first, and leaves out those that only happen to help.
  *
- * - 0: another order of the lines that solves every maze of the task
+ * - 0: another order of the lines that solves every maze of the task, unless a missing delay does
  * - 1: any other change that solves every maze, after which the robot turns in the middle of
  *   squares
  * - 2: a missing delay at the edge of an opening, and a delayed turn that drove into the wall with
  *   too little room ahead. Two mistakes need two changes, so these come before another action with
  *   which the run shows nothing wrong, and before the number of another line
- * - 3: other changes that solve every maze
+ * - 3: other changes that solve every maze; last those after or before which the robot is beside the
+ *   middle
  * - 4, 5: what the run itself shows: the line drove straight into the wall, or its readings
  *   contradict its action
- * - 6: an action that solves every maze although the line did not drive into the wall and the run
- *   shows nothing wrong about it: it only avoids the place of the bump
+ * - 6: an action that solves every maze although the run shows nothing wrong about it, where the run
+ *   shows another mistake: it only avoids the place of the failure
  * - 7: a missing or extra line, or another order; in free play, every change that lasts
  * - 8: another action that solves this maze but not every maze: with two wrong lines, each maze may
  *   show one of them; in free play, a change after which another failure occurs
@@ -47,19 +48,24 @@ export function ranked(
   momentOf: (found: Found) => number,
 ): Found[] {
   const lacksDelay = found.some(({ fix, from }) => isMissingDelay(trace, fix, from));
+  const isDelayEnough = found.some(
+    ({ fix, from, outcome, program }) =>
+      outcome === "solved" && solvesAll?.(program) === true && isMissingDelay(trace, fix, from),
+  );
+  const turnsIntoWall = found.some(({ fix, from }) => isIntoWall(causeOf(trace, fix, from)));
   const withoutRoom = found.find((each) => isDelayWithoutRoom(trace, event, each));
   const rank = (each: Found): number | null => {
     const { fix, from, outcome, program } = each;
     if (outcome === "further") return 9;
     const isSolution = outcome === "solved" && solvesAll?.(program) !== false;
-    const isCentred = isSolution && each.offCentre <= CENTRED;
+    const isCentred = isSolution && each.offCentre <= CENTRED && !compensates(trace, each);
     if (isMissingDelay(trace, fix, from)) return isCentred ? 1 : 2;
     if (each === withoutRoom) return isSolution ? 1 : 2;
     const droveIntoWall = isStraight(event) && "line" in fix && fix.line === event.line;
     const isShown = (droveIntoWall && fix.kind === "action") || isShownByRun(trace, fix, from);
-    if (isSolution && fix.kind === "move" && solvesAll !== null) return 0;
+    if (isSolution && fix.kind === "move" && solvesAll !== null) return isDelayEnough ? 1 : 0;
     const isActionWithoutEvidence = fix.kind === "action" && !isShown;
-    if (isSolution && isActionWithoutEvidence && isStraight(event)) return 6;
+    if (isSolution && isActionWithoutEvidence && (isStraight(event) || turnsIntoWall)) return 6;
     const isOtherNumber = fix.kind === "number" && event.kind === "bump" && fix.line !== event.line;
     const isDoubtful =
       (isActionWithoutEvidence && lacksDelay) || (isOtherNumber && withoutRoom !== undefined);
@@ -72,9 +78,10 @@ export function ranked(
   return found
     .flatMap((each) => {
       const at = rank(each);
-      return at === null ? [] : [{ each, rank: at }];
+      const isOffCentre = at === 3 && (each.offCentre > CENTRED || compensates(trace, each));
+      return at === null ? [] : [{ each, rank: at, isOffCentre }];
     })
-    .toSorted((a, b) => a.rank - b.rank)
+    .toSorted((a, b) => a.rank - b.rank || Number(a.isOffCentre) - Number(b.isOffCentre))
     .map(({ each }) => each);
 }
 
@@ -92,6 +99,20 @@ function isDelayWithoutRoom(trace: RunTrace, event: FailureEvent, { fix, from }:
 function isStraight(event: FailureEvent): event is BumpEvent {
   if (event.kind !== "bump" || event.phase !== "steady") return false;
   return typeof event.line === "number" || event.action === "reverse";
+}
+
+/**
+ * Whether the robot was already beside the middle of its corridor when the other number first
+ * mattered: then the number only compensates for an earlier turn.
+ */
+function compensates(trace: RunTrace, { fix, from }: Found): boolean {
+  if (fix.kind !== "number") return false;
+  const { pose } = trace.at(from);
+  return distanceFromLane(pose) > CENTRED;
+}
+
+function isIntoWall(cause: Cause | null): boolean {
+  return cause?.kind === "action" && cause.detail?.kind === "into-wall";
 }
 
 /** Whether the readings of the run show the mistake, whatever another change would do. */

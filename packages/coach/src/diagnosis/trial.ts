@@ -121,6 +121,14 @@ export function tryProgram(
 
 /** Distance along the axis on which the robot is further from the middle of its square. */
 function distanceFromMiddle({ x, y }: Pose): number {
-  const offset = (at: number) => Math.abs((at % CELL) - CELL / 2);
-  return Math.max(offset(x), offset(y));
+  return Math.max(offMiddle(x), offMiddle(y));
+}
+
+/** Distance sideways from the line through the middles of the squares along which the robot drives. */
+export function distanceFromLane({ x, y, heading }: Pose): number {
+  return Math.round(heading / 90) % 2 === 0 ? offMiddle(x) : offMiddle(y);
+}
+
+function offMiddle(at: number): number {
+  return Math.abs((at % CELL) - CELL / 2);
 }

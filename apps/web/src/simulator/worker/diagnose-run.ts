@@ -73,7 +73,9 @@ export function diagnoseAt(
   robot.apply({ action: "stop" });
   const state = robot.save();
   const task = taskOf?.(begin.tick === 0) ?? freeTask(run, tick);
-  const diagnosis = diagnoseStretch({ maze, program, state }, task, tick, failure);
+  const start = { maze, program, state };
+  const bumpsBefore = failure === "bump" ? run.bumps - 1 : run.bumps;
+  const diagnosis = diagnoseStretch(start, task, tick, failure, bumpsBefore);
   return diagnosis && { program, diagnosis };
 }
 

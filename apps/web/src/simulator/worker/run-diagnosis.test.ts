@@ -125,6 +125,20 @@ describe("a bump of the program", () => {
     expect(moment?.diagnosis?.fixes[0]).toEqual({ kind: "action", line: 0, action: "left 90" });
   });
 
+  it("is explained as it happened, although the same turn has bumped before", () => {
+    const maze = mazeOf(["#####", "....#", "###.#", "#...#"], 1);
+    const loop = newLoop(maze, delayedAtTheWall, () => time);
+    loop.run();
+    const [first] = pass(loop, 8);
+    expect(first).toMatchObject({ kind: "bump", line: 0 });
+    loop.editProgram(programOf([{ when: { sensor: "front", is: "<", than: 60 }, do: "left 90" }]));
+    loop.run();
+    const [second] = pass(loop, 8);
+    expect(second).toMatchObject({ kind: "bump", bumps: 2 });
+    expect(second?.diagnosis?.event.tick).toBe(second?.tick);
+    expect(second?.tick).toBeGreaterThan(first?.tick ?? 0);
+  });
+
   it("offers the delayed turn where the line before turned at the edge of an opening", () => {
     const way = Array.from({ length: 8 }, () => "##.##");
     const opening = mazeOf(["#####", ".....", ...way], 1);

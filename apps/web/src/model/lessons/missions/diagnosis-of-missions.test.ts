@@ -220,6 +220,33 @@ describe("of several lines whose change passes", () => {
     expect(causes("own-line", own)).toMatchObject([{ kind: "too-early", line: 0, better: 50 }]);
   });
 
+  it.each([70, 75])(
+    "a number that only compensates for an earlier turn comes last (%i)",
+    (than) => {
+      const early = front("<", than, "left 90");
+      const ofFront = { kind: "too-early", better: 50 };
+      for (const [program, line] of [
+        [lines("forward", rightOpen, early), 1],
+        [lines("forward", early, rightOpen), 0],
+      ] as const) {
+        const found = causes("every-maze", program).filter((cause) => cause !== null);
+        expect(found).toMatchObject([
+          { ...ofFront, line },
+          { ...ofFront, line },
+        ]);
+      }
+    },
+  );
+
+  it.each(["right-wall", "every-maze"])("a missing delay comes before an order (%s)", (id) => {
+    const early: Rule = { ...rightOpen, do: "right 90" };
+    const found = causes(id, lines("left 90", early, front(">", 50, "forward")));
+    for (const cause of found) {
+      if (cause !== null) expect(cause).toMatchObject({ kind: "not-delayed", moment: { line: 0 } });
+    }
+    expect(found.some((cause) => cause !== null)).toBe(true);
+  });
+
   it("a delayed turn without room comes before the number of another line", () => {
     const program = lines(
       "delayed right 90",
@@ -238,10 +265,52 @@ describe("of several lines whose change passes", () => {
     }
   });
 
+  it("a turn to a wall is named as such, and before an action that only happens to help", () => {
+    const toWall = { kind: "action", moment: { line: 0 }, detail: { kind: "into-wall" } };
+    const leftOpen: Rule = { when: { sensor: "left", is: ">", than: 60 }, do: "delayed left 90" };
+    const atRight = (action: PlainAction): Rule => ({ ...rightOpen, do: action });
+    const atWall = front("<", 50, "delayed left 90");
+    const turned = lines("forward", atRight("left 90"), leftOpen, atWall);
+    expect(causes("faulty-line", turned)).toMatchObject([toWall]);
+    const back = front("<", 50, "turn 180");
+    const delayed = lines(
+      "forward",
+      atRight("delayed left 90"),
+      { ...leftOpen, do: "forward" },
+      back,
+    );
+    expect(causes("faulty-line", delayed)).toMatchObject([toWall]);
+  });
+
   it("a delayed turn into an opening is not called a turn to a wall", () => {
     const program = lines("forward", front("<", 130, "delayed left 90"));
     const [first] = causes("every-maze", program);
     expect(first).not.toMatchObject({ detail: { kind: "into-wall" } });
+  });
+});
+
+describe("a line too many", () => {
+  const when = (sensor: "front" | "right" | "back" | "left", is: "<" | ">", than: number) => ({
+    sensor,
+    is,
+    than,
+  });
+  const follow: Rule[] = [
+    { when: when("right", ">", 60), do: "delayed right 90" },
+    { when: when("front", "<", 50), do: "left 90" },
+  ];
+
+  it.each<{ id: string; at: number; extra: Rule }>([
+    { id: "right-wall", at: 2, extra: { when: when("front", ">", 50), do: "reverse" } },
+    { id: "right-wall", at: 2, extra: { when: when("back", ">", 200), do: "right 90" } },
+    { id: "right-wall", at: 1, extra: { when: when("front", "<", 80), do: "right 90" } },
+    { id: "every-maze", at: 1, extra: { when: when("left", ">", 60), do: "right 90" } },
+    { id: "every-maze", at: 0, extra: { when: when("front", ">", 55), do: "right 90" } },
+  ])("has no better number: $id, line $at", ({ id, at, extra }) => {
+    const program = lines("forward", ...follow.toSpliced(at, 0, extra));
+    const found = causes(id, program).filter((cause) => cause !== null);
+    expect(found.length).toBeGreaterThan(0);
+    for (const cause of found) expect(cause).toMatchObject({ kind: "extra", line: at });
   });
 });
 
