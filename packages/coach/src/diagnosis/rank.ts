@@ -58,7 +58,7 @@ export function ranked(
     const { fix, from, outcome, program } = each;
     if (outcome === "further") return 9;
     const isSolution = outcome === "solved" && solvesAll?.(program) !== false;
-    const isCentred = isSolution && each.offCentre <= CENTRED && !compensates(trace, each);
+    const isCentred = isSolution && !isBeside(trace, each);
     if (isMissingDelay(trace, fix, from)) return isCentred ? 1 : 2;
     if (each === withoutRoom) return isSolution ? 1 : 2;
     const droveIntoWall = isStraight(event) && "line" in fix && fix.line === event.line;
@@ -78,10 +78,10 @@ export function ranked(
   return found
     .flatMap((each) => {
       const at = rank(each);
-      const isOffCentre = at === 3 && (each.offCentre > CENTRED || compensates(trace, each));
-      return at === null ? [] : [{ each, rank: at, isOffCentre }];
+      const isLast = at === 3 && isBeside(trace, each);
+      return at === null ? [] : [{ each, rank: at, isLast }];
     })
-    .toSorted((a, b) => a.rank - b.rank || Number(a.isOffCentre) - Number(b.isOffCentre))
+    .toSorted((a, b) => a.rank - b.rank || Number(a.isLast) - Number(b.isLast))
     .map(({ each }) => each);
 }
 
@@ -102,13 +102,12 @@ function isStraight(event: FailureEvent): event is BumpEvent {
 }
 
 /**
- * Whether the robot was already beside the middle of its corridor when the other number first
- * mattered: then the number only compensates for an earlier turn.
+ * Whether the robot turns beside the middle of squares after the change, or was there before
+ * another number mattered, which then only compensates for an earlier turn.
  */
-function compensates(trace: RunTrace, { fix, from }: Found): boolean {
-  if (fix.kind !== "number") return false;
-  const { pose } = trace.at(from);
-  return distanceFromLane(pose) > CENTRED;
+function isBeside(trace: RunTrace, { fix, from, offCentre }: Found): boolean {
+  if (offCentre > CENTRED) return true;
+  return fix.kind === "number" && distanceFromLane(trace.at(from).pose) > CENTRED;
 }
 
 function isIntoWall(cause: Cause | null): boolean {
