@@ -5,16 +5,16 @@
 import { join } from "node:path";
 import type { Logger } from "pino";
 import type { Clock } from "./platform/time/clock.ts";
-import { LocalSwitchboard } from "./bus/local.ts";
-import { RedisSwitchboard } from "./bus/redis.ts";
-import type { Switchboard } from "./bus/bus.ts";
+import { LocalBus } from "./bus/local.ts";
+import { RedisBus } from "./bus/redis.ts";
+import type { Bus } from "./bus/bus.ts";
 import type { Config } from "./config.ts";
 import { mintId } from "./platform/keys.ts";
 import type { DocumentStore } from "./store/document-store.ts";
 import type { PairingStore } from "./store/pairing-store.ts";
 import { connectRedis, timeOf, type Redis } from "./store/redis/connection.ts";
 import { requireDurable } from "./store/redis/durability.ts";
-import { ForgottenBytes } from "./store/redis/forgotten-bytes.ts";
+import { DeletedBytes } from "./store/redis/deleted-bytes.ts";
 import { RedisClock } from "./store/redis/redis-clock.ts";
 import { RedisDocumentStore } from "./store/redis/redis-document-store.ts";
 import { RedisPairingStore } from "./store/redis/redis-pairing-store.ts";
@@ -31,7 +31,7 @@ export interface Backend {
   robots: RobotStore;
   documents: DocumentStore;
   pairings: PairingStore;
-  switchboard: Switchboard;
+  bus: Bus;
   close(): Promise<void>;
 }
 
@@ -61,7 +61,7 @@ function sqliteBackend(dataDir: string, clock: Clock, log: Logger): Backend {
     robots: new SqliteRobotStore(file),
     documents: new SqliteDocumentStore(file),
     pairings: new SqlitePairingStore(file),
-    switchboard: new LocalSwitchboard(),
+    bus: new LocalBus(),
     close: async () => file.close(),
   };
 }
@@ -84,17 +84,17 @@ async function redisBackend(url: string, machine: Clock, log: Logger): Promise<B
     const subscriber = await connect();
     const relay = mintId();
     const clock = await RedisClock.open({ clock: machine, log, ask: async () => timeOf(redis) });
-    const switchboard = await RedisSwitchboard.open({ redis, subscriber, relay, clock, log });
-    const forgotten = new ForgottenBytes(redis);
+    const bus = await RedisBus.open({ redis, subscriber, relay, clock, log });
+    const deletedBytes = new DeletedBytes(redis);
     return {
       clock,
-      robots: new RedisRobotStore(redis, forgotten, relay),
-      documents: new RedisDocumentStore(redis, forgotten),
-      pairings: new RedisPairingStore(redis, forgotten),
-      switchboard,
+      robots: new RedisRobotStore(redis, deletedBytes, relay),
+      documents: new RedisDocumentStore(redis, deletedBytes),
+      pairings: new RedisPairingStore(redis, deletedBytes),
+      bus,
       close: async () => {
         clock.close();
-        await switchboard.close();
+        await bus.close();
         disconnect();
       },
     };

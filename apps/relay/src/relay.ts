@@ -63,8 +63,8 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   const store = timedStore(backend.robots, (seconds) => metrics.committed(seconds));
   const documents = new DocumentService(backend.documents, clock, log);
   const registry = new RobotRegistry(store, clock, log, {
-    witness: metrics,
-    switchboard: backend.switchboard,
+    observer: metrics,
+    bus: backend.bus,
   });
   const pairing = new PairingService({
     pairings: backend.pairings,
@@ -120,7 +120,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   };
   try {
     if (config.metricsPort !== null) {
-      metrics.observeGauges(() => registry.census());
+      metrics.observeGauges(() => registry.connectionCounts());
       await listen(metricsHttp, config.metricsPort, config.metricsHost);
     }
     await listen(server, config.port, config.host);

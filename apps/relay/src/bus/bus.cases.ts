@@ -5,7 +5,7 @@ import { CarriedSnapshot } from "./carried-snapshot.ts";
 import { pageState } from "../store/cases/robot-in-store.ts";
 import { sentCommand } from "../store/cases/sent-command.ts";
 import type { RobotStore } from "../store/port.ts";
-import type { Line, News, Switchboard } from "./bus.ts";
+import type { Line, BusMessage, Bus } from "./bus.ts";
 
 const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 const OTHER = "BBBBBBBBBBBBBBBBBBBBBB";
@@ -14,27 +14,27 @@ const scripts = { connected: 1, client: "Python", silentMs: 5, alive: [], script
 
 export interface TestRelay {
   store: RobotStore;
-  switchboard: Switchboard;
+  bus: Bus;
 }
 
 /** Subscribes one relay and records all that it receives. */
-export async function subscribe({ store, switchboard }: TestRelay, robot = ID) {
+export async function subscribe({ store, bus }: TestRelay, robot = ID) {
   const steps: string[] = [];
-  const heard: News[] = [];
+  const received: BusMessage[] = [];
   const missed = vi.fn<() => void>();
-  const line: Line = await switchboard.join(robot, {
+  const line: Line = await bus.join(robot, {
     stepped: ({ added, changed }, isOwn) => {
-      const told = changed.map(({ seq, state }) => `${seq} ${state}`);
-      if (added !== null) told.unshift(`+${added.record.seq}`);
-      steps.push(`${told.join(", ")}${isOwn ? " (own)" : ""}`);
+      const changes = changed.map(({ seq, state }) => `${seq} ${state}`);
+      if (added !== null) changes.unshift(`+${added.record.seq}`);
+      steps.push(`${changes.join(", ")}${isOwn ? " (own)" : ""}`);
     },
     missed,
-    heard: (news) => heard.push(news),
+    received: (news) => received.push(news),
   });
   return {
     line,
     steps,
-    heard,
+    received,
     missed,
     add: async () => {
       const result = await store.add(robot, sentCommand());
@@ -48,7 +48,7 @@ export async function subscribe({ store, switchboard }: TestRelay, robot = ID) {
       const taken = await store.takeOver(robot, nothingDone);
       if (taken === null) throw new Error("there is no such robot");
       line.stepped({ added: null, ended: [], changed: taken.changed });
-      line.tell({ kind: "page", epoch: taken.epoch, name: "page-of-test" });
+      line.notify({ kind: "page", epoch: taken.epoch, name: "page-of-test" });
       return taken.epoch;
     },
     deliver: async (epoch: number) => {
@@ -87,48 +87,48 @@ export function switchboardCases(name: string, open: () => Promise<[TestRelay, T
     it("delivers messages to the others, for this robot only", async () => {
       const { relays, a, b } = await withLine();
       const elsewhere = await subscribe(relays[1], OTHER);
-      b.line.tell({ kind: "here", from: "b", scripts, asks: true });
+      b.line.notify({ kind: "here", from: "b", scripts, asks: true });
       await vi.waitFor(() =>
-        expect(a.heard).toMatchObject([{ kind: "here", scripts, asks: true }]),
+        expect(a.received).toMatchObject([{ kind: "here", scripts, asks: true }]),
       );
       const snapshot = CarriedSnapshot.of(snapshotOf({ seq: 7 }));
-      a.line.tell({ kind: "snapshot", snapshot });
+      a.line.notify({ kind: "snapshot", snapshot });
       await vi.waitFor(() =>
-        expect(b.heard).toMatchObject([
+        expect(b.received).toMatchObject([
           { kind: "snapshot", snapshot: { message: snapshot.message } },
         ]),
       );
       const cancel = { kind: "cancel", seq: 3, cause: "revoked" } as const;
-      a.line.tell(cancel);
-      await vi.waitFor(() => expect(b.heard.at(-1)).toMatchObject(cancel));
+      a.line.notify(cancel);
+      await vi.waitFor(() => expect(b.received.at(-1)).toMatchObject(cancel));
       const maze = { kind: "maze", version: "k3J9x2aBk3J9x2aBk3J9x2" } as const;
-      a.line.tell(maze);
-      await vi.waitFor(() => expect(b.heard.at(-1)).toMatchObject(maze));
-      expect([a.heard.length, elsewhere.heard]).toEqual([1, []]);
+      a.line.notify(maze);
+      await vi.waitFor(() => expect(b.received.at(-1)).toMatchObject(maze));
+      expect([a.received.length, elsewhere.received]).toEqual([1, []]);
     });
 
     it("reports which relay owns the page, also to later subscribers, and when it left", async () => {
       const { relays, a, b } = await withLine();
       const epoch = await a.take();
-      await vi.waitFor(() => expect(b.heard).toMatchObject([{ kind: "page", epoch }]));
+      await vi.waitFor(() => expect(b.received).toMatchObject([{ kind: "page", epoch }]));
       b.line.leave();
       const later = await subscribe(relays[1]);
-      expect(later.heard).toMatchObject([{ kind: "page", epoch }]);
-      a.line.tell({ kind: "page-left", epoch, saidGoodbye: true });
+      expect(later.received).toMatchObject([{ kind: "page", epoch }]);
+      a.line.notify({ kind: "page-left", epoch, closedByPage: true });
       await vi.waitFor(() =>
-        expect(later.heard.at(-1)).toMatchObject({ kind: "page-left", epoch }),
+        expect(later.received.at(-1)).toMatchObject({ kind: "page-left", epoch }),
       );
     });
 
     it("delivers nothing after leaving", async () => {
       const { a, b } = await withLine();
       b.line.leave();
-      a.line.tell({ kind: "cancel", seq: 3, cause: "sender" });
+      a.line.notify({ kind: "cancel", seq: 3, cause: "sender" });
       await a.add();
       await a.deliver(await a.take());
       // A bus without other subscribers may skip the publication of new commands.
       await vi.waitFor(() => expect(a.steps.at(-1)).toBe("1 delivered (own)"));
-      expect([b.heard, b.steps]).toEqual([[], []]);
+      expect([b.received, b.steps]).toEqual([[], []]);
     });
   });
 }

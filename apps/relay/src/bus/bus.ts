@@ -32,16 +32,16 @@ export interface Scripts extends Drivers {
 }
 
 /** All other messages. */
-export type News =
+export type BusMessage =
   /** the latest snapshot, many times a second, for relays that have announced themselves */
   | { kind: "snapshot"; snapshot: CarriedSnapshot }
   /** a page has acquired the robot at another relay */
   | { kind: "page"; epoch: number; name: string }
   /**
-   * that page or its relay is disconnected; saidGoodbye: the page closed the connection, so all of
+   * that page or its relay is disconnected; closedByPage: the page closed the connection, so all of
    * its messages were received
    */
-  | { kind: "page-left"; epoch: number; saidGoodbye: boolean }
+  | { kind: "page-left"; epoch: number; closedByPage: boolean }
   /** this relay sent no heartbeat for so long that the others consider its pages disconnected */
   | { kind: "lapsed" }
   /**
@@ -62,7 +62,7 @@ export type News =
   /** the robot was deleted */
   | { kind: "over" };
 
-export interface Ears {
+export interface BusListener {
   /**
    * A step of any relay, including this one. All subscribers receive all steps in the same order.
    */
@@ -70,23 +70,23 @@ export interface Ears {
   /** Steps may have been missed. */
   missed(): void;
   /** A message of another relay. */
-  heard(news: News): void;
+  received(news: BusMessage): void;
 }
 
 export interface Line {
   /** Publishes a step of this relay, unless the store has done so. */
   stepped(step: Step): void;
-  tell(news: News): void;
+  notify(news: BusMessage): void;
   /** Flushes pending messages, so that they precede the next step of the store. */
   hurry(): void;
   leave(): void;
 }
 
-export interface Switchboard {
+export interface Bus {
   /**
    * Subscribes this relay to a robot's channel. If a page owns the robot at another relay, the
    * subscriber receives that before the promise resolves.
    */
-  join(robot: string, ears: Ears): Promise<Line>;
+  join(robot: string, listener: BusListener): Promise<Line>;
   close(): Promise<void>;
 }

@@ -2,12 +2,12 @@ import { join } from "node:path";
 import { onTestFinished } from "vitest";
 import { SqliteRobotStore } from "../store/sqlite/sqlite-robot-store.ts";
 import { testFolder } from "../testing/test-relay.ts";
-import { LocalSwitchboard } from "./local.ts";
+import { LocalBus } from "./local.ts";
 import { switchboardCases } from "./bus.cases.ts";
 
 switchboardCases("LocalSwitchboard", async () => {
   const store = new SqliteRobotStore(join(testFolder(), "corridor.sqlite"));
   onTestFinished(() => store.close());
-  const relay = { store, switchboard: new LocalSwitchboard() };
+  const relay = { store, bus: new LocalBus() };
   return [relay, relay];
 });

@@ -2,42 +2,42 @@
  * In-process message bus of a single relay. In tests, several relays of one process share one bus
  * and form a cluster.
  */
-import type { Ears, Line, News, Step, Switchboard } from "./bus.ts";
+import type { BusListener, Line, BusMessage, Step, Bus } from "./bus.ts";
 
 interface Member {
-  ears: Ears;
+  listener: BusListener;
   /** the page that it owns, or null */
-  page: Extract<News, { kind: "page" }> | null;
+  page: Extract<BusMessage, { kind: "page" }> | null;
 }
 
-export class LocalSwitchboard implements Switchboard {
+export class LocalBus implements Bus {
   readonly #lines = new Map<string, Set<Member>>();
 
-  async join(robot: string, ears: Ears): Promise<Line> {
+  async join(robot: string, listener: BusListener): Promise<Line> {
     const members = this.#lines.get(robot) ?? new Set();
     this.#lines.set(robot, members);
-    for (const { page } of members) if (page !== null) ears.heard(page);
-    const member: Member = { ears, page: null };
+    for (const { page } of members) if (page !== null) listener.received(page);
+    const member: Member = { listener, page: null };
     members.add(member);
-    const tell = (news: News): void => {
-      for (const other of members) if (other !== member) other.ears.heard(news);
+    const notify = (news: BusMessage): void => {
+      for (const other of members) if (other !== member) other.listener.received(news);
     };
-    const leftPage = (saidGoodbye: boolean): void => {
+    const leftPage = (closedByPage: boolean): void => {
       const { page: left } = member;
       member.page = null;
-      if (left !== null) tell({ kind: "page-left", epoch: left.epoch, saidGoodbye });
+      if (left !== null) notify({ kind: "page-left", epoch: left.epoch, closedByPage });
     };
     return {
       stepped: (step: Step) => {
         // The relay's own readers need the changed states. Only other relays need the added
         // command.
         if (step.changed.length === 0 && (step.added === null || members.size === 1)) return;
-        for (const other of members) other.ears.stepped(step, other === member);
+        for (const other of members) other.listener.stepped(step, other === member);
       },
-      tell: (news) => {
-        if (news.kind === "page-left") return leftPage(news.saidGoodbye);
+      notify: (news) => {
+        if (news.kind === "page-left") return leftPage(news.closedByPage);
         if (news.kind === "page") member.page = news;
-        return tell(news);
+        return notify(news);
       },
       hurry: () => undefined,
       leave: () => {

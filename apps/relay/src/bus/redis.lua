@@ -41,7 +41,7 @@ function steps.left()
     redis.call('HDEL', SESSION, 'page')
     redis.call('PUBLISH', LINE,
       '{"kind":"page-left","from":"' .. relay .. '","epoch":' .. given.epoch ..
-      ',"saidGoodbye":' .. tostring(given.saidGoodbye) .. '}')
+      ',"closedByPage":' .. tostring(given.closedByPage) .. '}')
   end
   return 'null'
 end

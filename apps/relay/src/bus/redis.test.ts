@@ -2,11 +2,11 @@ import { pino } from "pino";
 import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { systemClock, type Clock } from "../platform/time/clock.ts";
 import { connectRedis } from "../store/redis/connection.ts";
-import { ForgottenBytes } from "../store/redis/forgotten-bytes.ts";
+import { DeletedBytes } from "../store/redis/deleted-bytes.ts";
 import { RedisRobotStore } from "../store/redis/redis-robot-store.ts";
 import { swallowingNet } from "../platform/testing/swallowing-net.ts";
 import { hasRedis, startTestRedis } from "../platform/testing/test-redis.ts";
-import { RedisSwitchboard } from "./redis.ts";
+import { RedisBus } from "./redis.ts";
 import { subscribe, switchboardCases } from "./bus.cases.ts";
 
 const DETECTION_MS = 5_000;
@@ -48,14 +48,14 @@ async function relayAt(
   const [redis, subscriber] = [await connect(url), await connect(subscribesAt)];
   const log = pino({ level: "silent" });
   const options = { redis, subscriber, relay, clock, log };
-  const switchboard = await RedisSwitchboard.open(options);
-  const store = new RedisRobotStore(redis, new ForgottenBytes(redis), relay);
+  const bus = await RedisBus.open(options);
+  const store = new RedisRobotStore(redis, new DeletedBytes(redis), relay);
   const die = (): void => {
     redis.destroy();
     subscriber.destroy();
   };
-  onTestFinished(() => switchboard.close());
-  return { switchboard, store, redis, subscriber, die };
+  onTestFinished(() => bus.close());
+  return { bus, store, redis, subscriber, die };
 }
 
 async function twoRelays() {
@@ -70,14 +70,14 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     const [dying, other] = await twoRelays();
     await other.store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
     const epoch = await (await subscribe(dying)).take();
-    const { heard } = await subscribe(other);
-    expect(heard).toMatchObject([{ kind: "page", epoch }]);
+    const { received } = await subscribe(other);
+    expect(received).toMatchObject([{ kind: "page", epoch }]);
     dying.die();
     await vi.waitFor(
-      () => expect(heard.at(-1)).toMatchObject({ kind: "page-left", epoch }),
+      () => expect(received.at(-1)).toMatchObject({ kind: "page-left", epoch }),
       DETECTION_MS,
     );
-    expect((await subscribe(other)).heard).toEqual([]);
+    expect((await subscribe(other)).received).toEqual([]);
   });
 
   it("restores the page of a stalled relay that was considered dead, and notifies that relay", async () => {
@@ -90,15 +90,15 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     const epoch = await a.take();
     stall();
     await vi.waitFor(
-      () => expect(b.heard.at(-1)).toMatchObject({ kind: "page-left", epoch }),
+      () => expect(b.received.at(-1)).toMatchObject({ kind: "page-left", epoch }),
       DETECTION_MS,
     );
     resume();
     await vi.waitFor(
-      () => expect(b.heard.at(-1)).toMatchObject({ kind: "page", epoch }),
+      () => expect(b.received.at(-1)).toMatchObject({ kind: "page", epoch }),
       DETECTION_MS,
     );
-    expect(a.heard).toEqual([{ kind: "lapsed" }]);
+    expect(a.received).toEqual([{ kind: "lapsed" }]);
   });
 
   it("does not end commands while the page is connected to another live relay", async () => {
@@ -117,10 +117,10 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     const redis = await startTestRedis();
     const relay = await relayAt(redis.url, "relay-a");
     await relay.store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
-    const { heard } = await subscribe(relay);
+    const { received } = await subscribe(relay);
     await redis.stop();
     await vi.waitFor(
-      () => expect(heard.slice(0, 2)).toEqual([{ kind: "keys" }, { kind: "keys" }]),
+      () => expect(received.slice(0, 2)).toEqual([{ kind: "keys" }, { kind: "keys" }]),
       5_000,
     );
   });
@@ -130,9 +130,9 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     const net = await swallowingNet(port);
     const relay = await relayAt(url, "relay-a", systemClock, net.url);
     await relay.store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
-    const { heard } = await subscribe(relay);
+    const { received } = await subscribe(relay);
     net.swallow();
-    await vi.waitFor(() => expect(heard).toContainEqual({ kind: "keys" }), 5_000);
+    await vi.waitFor(() => expect(received).toContainEqual({ kind: "keys" }), 5_000);
     // The connection still counts as working.
     expect(relay.subscriber.isReady).toBe(true);
   });
@@ -143,7 +143,7 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     const relay = await relayAt(net.url, "relay-a");
     const watcher = await relayAt(url, "relay-b");
     await relay.store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
-    const { heard } = await subscribe(relay);
+    const { received } = await subscribe(relay);
     const beats = async (): Promise<void> => {
       for (let n = 0; n < 4; n++) {
         await new Promise((resolve) => void setTimeout(resolve, 300));
@@ -153,7 +153,7 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     await beats();
     net.swallow();
     await beats();
-    expect(heard).toEqual([]);
+    expect(received).toEqual([]);
   });
 
   it("reports missed messages after its connection broke, and receives again", async () => {

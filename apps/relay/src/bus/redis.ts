@@ -21,7 +21,7 @@ import { lineOf, postOf, RELAYS, robotKeyOf } from "../store/redis/redis-keys.ts
 import { termedRow } from "../store/redis/rows.ts";
 import { Script } from "../store/redis/script.ts";
 import { readPost, SnapshotPost } from "./snapshot-post.ts";
-import type { Ears, Line, News, Switchboard } from "./bus.ts";
+import type { BusListener, Line, BusMessage, Bus } from "./bus.ts";
 
 const HEARTBEAT_MS = 1_000;
 /** A relay without a heartbeat for this long counts as dead. */
@@ -58,7 +58,7 @@ const messageSchema = z.discriminatedUnion("kind", [
     kind: z.literal("page-left"),
     from,
     epoch,
-    saidGoodbye: z.boolean().default(false),
+    closedByPage: z.boolean().default(false),
   }),
   z.object({ kind: z.literal("yield"), from, epoch }),
   z.object({ kind: z.literal("yielded"), from, epoch }),
@@ -71,7 +71,7 @@ const messageSchema = z.discriminatedUnion("kind", [
 type Message = z.infer<typeof messageSchema>;
 
 interface Member {
-  ears: Ears;
+  listener: BusListener;
   /** number of the last received step; null: none yet */
   n: number | null;
   /** the other relay that owns the page, as far as known */
@@ -93,7 +93,7 @@ export interface RedisSwitchboardOptions {
   log: Logger;
 }
 
-export class RedisSwitchboard implements Switchboard {
+export class RedisBus implements Bus {
   readonly #options: RedisSwitchboardOptions;
   readonly #script: Script;
   readonly #members = new Map<string, Member>();
@@ -117,33 +117,40 @@ export class RedisSwitchboard implements Switchboard {
   }
 
   /** Opens the message bus. From then on this relay counts as alive. */
-  static async open(options: RedisSwitchboardOptions): Promise<RedisSwitchboard> {
-    const switchboard = new RedisSwitchboard(options);
+  static async open(options: RedisSwitchboardOptions): Promise<RedisBus> {
+    const bus = new RedisBus(options);
     await asked(
       options.subscriber.subscribe(
         postOf(options.relay),
         (post) => {
           for (const [robot, snapshot] of readPost(post) ?? []) {
-            switchboard.#members.get(robot)?.ears.heard({ kind: "snapshot", snapshot });
+            bus.#members.get(robot)?.listener.received({ kind: "snapshot", snapshot });
           }
         },
         true,
       ),
     );
-    await switchboard.#sendHeartbeat();
+    await bus.#sendHeartbeat();
     // The client resubscribes automatically, but messages in between are lost.
     options.subscriber.on("ready", () => {
-      switchboard.#isAnswered = true;
-      switchboard.#onMissed();
+      bus.#isAnswered = true;
+      bus.#onMissed();
     });
-    switchboard.#checkSubscriber();
-    return switchboard;
+    bus.#checkSubscriber();
+    return bus;
   }
 
-  async join(robot: string, ears: Ears): Promise<Line> {
+  async join(robot: string, listener: BusListener): Promise<Line> {
     const { subscriber, relay, log } = this.#options;
     const others = new Map<string, number>();
-    const member: Member = { ears, n: null, holder: null, isOwn: false, pageMessages: 0, others };
+    const member: Member = {
+      listener,
+      n: null,
+      holder: null,
+      isOwn: false,
+      pageMessages: 0,
+      others,
+    };
     const onMessage = (text: string): void => {
       if (text.startsWith(this.#ownPresence)) return;
       const message = messageSchema.safeParse(JSON.parse(text));
@@ -156,12 +163,12 @@ export class RedisSwitchboard implements Switchboard {
     const holder = holderSchema.nullable().parse(await this.#run("holder", robot));
     if (holder !== null && holder.relay !== relay && member.holder === null) {
       member.holder = holder;
-      ears.heard({ kind: "page", epoch: holder.epoch, name: holder.name });
+      listener.received({ kind: "page", epoch: holder.epoch, name: holder.name });
     }
     return {
       // The store has published it.
       stepped: () => undefined,
-      tell: (news) => this.#publish(robot, news),
+      notify: (news) => this.#publish(robot, news),
       // Uses the same connection as the steps, which preserves the order.
       hurry: () => this.#post.flush(),
       leave: () => {
@@ -180,14 +187,14 @@ export class RedisSwitchboard implements Switchboard {
     await this.#run("stop", "").catch(() => undefined);
   }
 
-  #publish(robot: string, news: News): void {
+  #publish(robot: string, news: BusMessage): void {
     const { redis, relay, log } = this.#options;
     // The store has published it, for a page with the new epoch.
     if (news.kind === "page" || news.kind === "keys" || news.kind === "over") return;
     if (news.kind === "snapshot") return this.#publishSnapshot(robot, news.snapshot);
     const published =
       news.kind === "page-left"
-        ? this.#run("left", robot, { epoch: news.epoch, saidGoodbye: news.saidGoodbye })
+        ? this.#run("left", robot, { epoch: news.epoch, closedByPage: news.closedByPage })
         : redis.publish(lineOf(robot), JSON.stringify({ ...news, from: relay }));
     published.catch((error: unknown) =>
       log.debug({ err: error }, "publishing to other relays failed"),
@@ -198,7 +205,7 @@ export class RedisSwitchboard implements Switchboard {
     const others = this.#members.get(robot)?.others;
     if (others === undefined) return;
     const oldest = this.#options.clock.now() - limits.relaySilenceMs;
-    for (const [relay, heardAt] of others) if (heardAt < oldest) others.delete(relay);
+    for (const [relay, lastActiveAt] of others) if (lastActiveAt < oldest) others.delete(relay);
     this.#post.post(robot, snapshot, others.keys());
   }
 
@@ -214,21 +221,21 @@ export class RedisSwitchboard implements Switchboard {
     }
     if (isOwn) return;
     if (message.kind === "here") member.others.set(message.from, this.#options.clock.now());
-    member.ears.heard(message);
+    member.listener.received(message);
   }
 
   #onStep(member: Member, { n, from: sender, added, changed }: Message & { kind: "step" }): void {
-    if (member.n !== null && n !== member.n + 1) member.ears.missed();
+    if (member.n !== null && n !== member.n + 1) member.listener.missed();
     member.n = n;
     const ended = changed.filter(({ record }) => hasEnded(record.state));
     const step = { added, ended, changed: changed.map(({ record }) => record) };
-    member.ears.stepped(step, sender === this.#options.relay);
+    member.listener.stepped(step, sender === this.#options.relay);
   }
 
   #onMissed(): void {
     for (const member of this.#members.values()) {
       member.n = null;
-      member.ears.missed();
+      member.listener.missed();
     }
     if (!this.#isClosed) this.#refreshOwners().catch(() => undefined);
   }
@@ -255,7 +262,7 @@ export class RedisSwitchboard implements Switchboard {
   }
 
   #requestKeyChecks(): void {
-    for (const { ears } of this.#members.values()) ears.heard({ kind: "keys" });
+    for (const { listener } of this.#members.values()) listener.received({ kind: "keys" });
   }
 
   async #sendHeartbeat(): Promise<void> {
@@ -278,7 +285,7 @@ export class RedisSwitchboard implements Switchboard {
     const sessions = members.map(({ session }) => session);
     const answer = heartbeatSchema.parse(await this.#run("beat", "", { ms: ALIVE_MS, sessions }));
     for (const [index, { member, pageMessages }] of members.entries()) {
-      if (member.isOwn && answer.lapsed) member.ears.heard({ kind: "lapsed" });
+      if (member.isOwn && answer.lapsed) member.listener.received({ kind: "lapsed" });
       else if (!member.isOwn && member.pageMessages === pageMessages)
         this.#updateHolder(member, answer.holders[index] ?? null);
     }
@@ -290,9 +297,13 @@ export class RedisSwitchboard implements Switchboard {
     member.holder = isOther ? holder : null;
     if (member.holder?.epoch === before?.epoch) return;
     if (member.holder !== null) {
-      member.ears.heard({ kind: "page", epoch: member.holder.epoch, name: member.holder.name });
+      member.listener.received({
+        kind: "page",
+        epoch: member.holder.epoch,
+        name: member.holder.name,
+      });
     } else if (before !== null) {
-      member.ears.heard({ kind: "page-left", epoch: before.epoch, saidGoodbye: false });
+      member.listener.received({ kind: "page-left", epoch: before.epoch, closedByPage: false });
     }
   }
 

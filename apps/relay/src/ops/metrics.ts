@@ -5,8 +5,8 @@
 import { closeReasons, type CommandRecord } from "@corridor/protocol";
 import { collectDefaultMetrics, Counter, Gauge, Histogram, Registry } from "prom-client";
 import type { ProblemKind } from "../platform/errors/problem-kinds.ts";
-import type { Census } from "../robots/registry.ts";
-import type { Witness } from "../robots/delivery/witness.ts";
+import type { ConnectionCounts } from "../robots/registry.ts";
+import type { CommandObserver } from "../robots/delivery/command-observer.ts";
 
 /**
  * Close codes with a time series of their own. Clients may close with any of thousands of codes.
@@ -22,7 +22,7 @@ const KNOWN_CODES = new Set<number>([
 
 const SECONDS = [0.001, 0.002, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1, 2.5, 5, 10];
 
-export class Metrics implements Witness {
+export class Metrics implements CommandObserver {
   readonly #registry = new Registry();
   readonly #pages = new Gauge({
     name: "corridor_robots_with_page",
@@ -66,7 +66,7 @@ export class Metrics implements Witness {
     "Steps of the store that end in a commit.",
   );
 
-  #readGauges: (() => Promise<Census>) | null = null;
+  #readGauges: (() => Promise<ConnectionCounts>) | null = null;
 
   stored(seconds: number): void {
     this.#stored.observe(seconds);
@@ -93,17 +93,17 @@ export class Metrics implements Witness {
   }
 
   /** Enables the metrics with a cost of their own: process metrics and gauges of connections. */
-  observeGauges(readGauges: () => Promise<Census>): void {
+  observeGauges(readGauges: () => Promise<ConnectionCounts>): void {
     collectDefaultMetrics({ register: this.#registry });
     this.#readGauges = readGauges;
   }
 
   /** All metrics in the text format of Prometheus. */
   async report(): Promise<{ type: string; text: string }> {
-    const census = await this.#readGauges?.();
-    if (census !== undefined) {
-      this.#pages.set(census.pages);
-      for (const [door, number] of Object.entries(census.readers)) {
+    const connectionCounts = await this.#readGauges?.();
+    if (connectionCounts !== undefined) {
+      this.#pages.set(connectionCounts.pages);
+      for (const [door, number] of Object.entries(connectionCounts.readers)) {
         this.#readers.set({ door }, number);
       }
     }

@@ -13,7 +13,7 @@ import { TokenBucket } from "../platform/limits/token-bucket.ts";
 /** Length of a version, which is the start of the maze's hash. */
 const VERSION_LENGTH = 22;
 
-export interface KeptMaze {
+export interface StoredMaze {
   /** the document as JSON */
   text: string;
   /** equal for equal mazes, at every relay */
@@ -25,7 +25,7 @@ export interface MazeBoardParts {
   store: Pick<RobotStore, "keepMaze" | "maze">;
   clock: Clock;
   /** notifies the readers at this relay of a new maze */
-  tell: (version: string) => void;
+  notify: (version: string) => void;
   /** called after this relay has stored a maze */
   changed: (version: string) => void;
 }
@@ -42,7 +42,7 @@ export class MazeBoard {
   }
 
   /** The maze; null until the page has published one. */
-  async read(): Promise<KeptMaze | null> {
+  async read(): Promise<StoredMaze | null> {
     const text = await this.#parts.store.maze(this.#parts.robot);
     if (text === null) return null;
     const version = versionOf(text);
@@ -71,22 +71,22 @@ export class MazeBoard {
     const version = versionOf(text);
     if ((await this.read())?.version === version) return version;
     if (!(await this.#parts.store.keepMaze(this.#parts.robot, text))) throw noRobot();
-    this.heard(version);
+    this.received(version);
     this.#parts.changed(version);
     return version;
   }
 
   /** Handles a new maze, stored here or at another relay. */
-  heard(version: string): void {
+  received(version: string): void {
     this.#known = version;
-    this.#parts.tell(version);
+    this.#parts.notify(version);
   }
 
   /** Reads the maze again, because a message of another relay may have been missed. */
   async lookAgain(): Promise<void> {
     const before = this.#known;
-    const kept = await this.read();
-    if (kept !== null && kept.version !== before) this.heard(kept.version);
+    const stored = await this.read();
+    if (stored !== null && stored.version !== before) this.received(stored.version);
   }
 }
 

@@ -1,7 +1,7 @@
 /** Handles the messages of other relays for one robot. */
 import { closeReasons } from "@corridor/protocol";
 import type { Clock } from "../platform/time/clock.ts";
-import type { News } from "../bus/bus.ts";
+import type { BusMessage } from "../bus/bus.ts";
 import type { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import type { CommandLife } from "./delivery/command-life.ts";
 import type { DriverRoster } from "./presence/driver-roster.ts";
@@ -9,13 +9,13 @@ import type { KeyRing } from "./access/key-ring.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { MazeBoard } from "./maze-board.ts";
 import type { PageLink } from "./page/page-link.ts";
-import type { PageSeat } from "./page/page-seat.ts";
+import type { PageOwnership } from "./page/page-ownership.ts";
 import type { RobotLine } from "./presence/robot-line.ts";
 import type { RobotView } from "./robot-view.ts";
 
 export interface OtherRelaysParts {
   clock: Clock;
-  seat: PageSeat;
+  ownership: PageOwnership;
   view: RobotView;
   line: RobotLine;
   life: CommandLife;
@@ -25,9 +25,9 @@ export interface OtherRelaysParts {
   /** other relays consider the page at this relay disconnected */
   lapsed(link: PageLink): void;
   /** readers must receive a new snapshot */
-  tellReaders(): void;
+  notifyReaders(): void;
   /** the page must receive the changed scripts */
-  tellScripts(): void;
+  notifyScripts(): void;
   /** another relay has deleted the robot */
   over(): void;
 }
@@ -45,11 +45,11 @@ export class OtherRelays {
    * If another relay has the page, waits for its response: the newest snapshot, if there is one.
    */
   async meet(): Promise<void> {
-    const { seat, line, roster, clock } = this.#parts;
-    if (!seat.isElsewhere) return;
+    const { ownership, line, roster, clock } = this.#parts;
+    if (!ownership.isElsewhere) return;
     const { promise, resolve } = Promise.withResolvers<void>();
     this.#met = resolve;
-    line.sayHere(roster.told(), true);
+    line.sayHere(roster.report(), true);
     const cancelTimer = clock.after(limits.relayMeetMs, resolve);
     await promise;
     cancelTimer();
@@ -67,18 +67,18 @@ export class OtherRelays {
     mazes.lookAgain().catch(() => undefined);
   }
 
-  heard(news: News): void {
-    const { seat, view, line, life, keys, mazes, roster, clock } = this.#parts;
-    const { page } = seat;
+  received(news: BusMessage): void {
+    const { ownership, view, line, life, keys, mazes, roster, clock } = this.#parts;
+    const { page } = ownership;
     switch (news.kind) {
       case "page":
-        seat.takeElsewhere(news.epoch, news.name)?.link.close(closeReasons.replaced);
-        return line.sayHere(roster.told());
+        ownership.takeElsewhere(news.epoch, news.name)?.link.close(closeReasons.replaced);
+        return line.sayHere(roster.report());
       case "page-left":
-        if (!seat.leaveElsewhere(news.epoch, clock.now(), news.saidGoodbye)) return;
-        life.handover.left(news.epoch, news.saidGoodbye);
+        if (!ownership.leaveElsewhere(news.epoch, clock.now(), news.closedByPage)) return;
+        life.handover.left(news.epoch, news.closedByPage);
         view.pageLeft();
-        return this.#parts.tellReaders();
+        return this.#parts.notifyReaders();
       case "yield":
         life.handover.ask(news.epoch);
         return;
@@ -89,20 +89,20 @@ export class OtherRelays {
         return;
       case "snapshot":
         if (page !== null) return;
-        view.hear(news.snapshot);
+        view.receive(news.snapshot);
         this.#met();
-        return this.#parts.tellReaders();
+        return this.#parts.notifyReaders();
       case "here":
-        line.heardHere(news.from, news.scripts);
+        line.receivedHere(news.from, news.scripts);
         if (page === null) return this.#met();
         if (news.asks) this.#answer(view.newest);
-        return this.#parts.tellScripts();
+        return this.#parts.notifyScripts();
       case "cancel":
         return page?.link.send({ type: "cancel", seq: news.seq, cause: news.cause });
       case "keys":
         return keys.refresh();
       case "maze":
-        return mazes.heard(news.version);
+        return mazes.received(news.version);
       case "over":
         return this.#parts.over();
     }
@@ -110,7 +110,7 @@ export class OtherRelays {
 
   #answer(newest: CarriedSnapshot | null): void {
     const { line, roster } = this.#parts;
-    if (newest === null) line.sayHere(roster.told());
+    if (newest === null) line.sayHere(roster.report());
     else line.snapshot(newest);
   }
 }

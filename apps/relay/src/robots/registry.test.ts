@@ -76,7 +76,7 @@ it("writes down over some seconds that many robots are in use, not all in the sa
     return store.touch(id, ...rest);
   };
   await clock.pass(limits.touchMs);
-  for (const { robot, key } of robots) robot.heard(key)();
+  for (const { robot, key } of robots) robot.received(key)();
   await clock.pass(10_000);
   const perSecond = [...Map.groupBy(notedAt.values(), (second) => second).values()];
   expect(notedAt.size).toBe(60);
@@ -87,7 +87,7 @@ it("forgets nobody who comes back at the last moment, however many there are", a
   const { clock, enter } = await withRobots(60);
   await clock.pass(limits.robotIdleMs + 500);
   const robots = await enter();
-  for (const { robot, key } of robots) robot.heard(key)();
+  for (const { robot, key } of robots) robot.received(key)();
   await clock.pass(3 * 60_000);
   expect(robots.filter(({ robot }) => robot.isOver)).toEqual([]);
 });
@@ -98,7 +98,7 @@ it("forgets nobody who is in use though it cannot be written down for another", 
   instead.touch = (id, ...rest) =>
     id === stuck?.robot.id ? new Promise(() => undefined) : store.touch(id, ...rest);
   for (let passed = 0; passed < limits.robotIdleMs + 5 * 60_000; passed += 60_000) {
-    for (const { robot, key } of robots) robot.heard(key)();
+    for (const { robot, key } of robots) robot.received(key)();
     await clock.pass(60_000);
   }
   expect(robots.filter(({ robot }) => robot.isOver)).toEqual([]);
@@ -110,7 +110,7 @@ it("looks no more at a robot that is deleted before its turn comes", async () =>
   await clock.pass(limits.touchMs);
   const last = robots[14];
   if (last === undefined) throw new Error("there are 15");
-  last.robot.heard(last.key)();
+  last.robot.received(last.key)();
   const noted: string[] = [];
   instead.touch = async (id) => void noted.push(id);
   await registry.remove(last.robot);

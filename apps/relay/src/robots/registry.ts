@@ -5,8 +5,8 @@
 import type { Registration } from "@corridor/protocol";
 import type { Logger } from "pino";
 import type { Clock } from "../platform/time/clock.ts";
-import { LocalSwitchboard } from "../bus/local.ts";
-import type { Switchboard } from "../bus/bus.ts";
+import { LocalBus } from "../bus/local.ts";
+import type { Bus } from "../bus/bus.ts";
 import { canBeKey, hashKey, mintId, mintKey } from "../platform/keys.ts";
 import {
   noRobot,
@@ -24,7 +24,7 @@ import { checkRight, type Verb } from "./access/rights.ts";
 import { callerOf, unknownScript, type Caller, type Introduction } from "./access/caller.ts";
 import { Robot } from "./robot.ts";
 import { TokenBucket } from "../platform/limits/token-bucket.ts";
-import { noWitness, type Witness } from "./delivery/witness.ts";
+import { noObserver, type CommandObserver } from "./delivery/command-observer.ts";
 
 const LIFE_CHECK_MS = 1_000;
 const EXPIRY_CHECK_MS = 60_000;
@@ -36,7 +36,7 @@ const NOTED_SHARE = 1 / 30;
 const NOTED_AT_LEAST = 10;
 
 /** Current numbers of pages and readers, for gauges. */
-export interface Census {
+export interface ConnectionCounts {
   /** robots with a page at this relay */
   pages: number;
   readers: Record<ReaderDoor, number>;
@@ -45,9 +45,9 @@ export interface Census {
 /** Optional parts of a hub. */
 export interface HubOptions {
   /** metrics observer of commands; default: none */
-  witness?: Witness;
+  observer?: CommandObserver;
   /** message bus to other relays; default: a local one */
-  switchboard?: Switchboard;
+  bus?: Bus;
 }
 
 export interface Grant {
@@ -60,8 +60,8 @@ export class RobotRegistry {
   readonly #clock: Clock;
   readonly #timers: CoalescedTimers;
   readonly #log: Logger;
-  readonly #witness: Witness;
-  readonly #switchboard: Switchboard;
+  readonly #observer: CommandObserver;
+  readonly #bus: Bus;
   readonly #robots = new Map<string, Promise<Robot | null>>();
   /** by address; in memory only */
   readonly #registrations = new Map<string, TokenBucket>();
@@ -76,8 +76,8 @@ export class RobotRegistry {
     this.#clock = clock;
     this.#timers = new CoalescedTimers(clock);
     this.#log = log;
-    this.#witness = options.witness ?? noWitness;
-    this.#switchboard = options.switchboard ?? new LocalSwitchboard();
+    this.#observer = options.observer ?? noObserver;
+    this.#bus = options.bus ?? new LocalBus();
     this.#lives = new StaggeredInterval({
       clock,
       everyMs: LIFE_CHECK_MS,
@@ -150,22 +150,22 @@ export class RobotRegistry {
     return { robot, key: caller };
   }
 
-  async census(): Promise<Census> {
-    const census: Census = {
+  async connectionCounts(): Promise<ConnectionCounts> {
+    const connectionCounts: ConnectionCounts = {
       pages: 0,
       readers: { websocket: 0, line: 0, events: 0, "long-poll": 0 },
     };
     for (const found of this.#robots.values()) {
       const robot = await found.catch(() => null);
       if (robot === null) continue;
-      if (robot.hasPage) census.pages += 1;
+      if (robot.hasPage) connectionCounts.pages += 1;
       const { websocket, line, events, "long-poll": waiting } = robot.readers.count;
-      census.readers.websocket += websocket;
-      census.readers.line += line;
-      census.readers.events += events;
-      census.readers["long-poll"] += waiting;
+      connectionCounts.readers.websocket += websocket;
+      connectionCounts.readers.line += line;
+      connectionCounts.readers.events += events;
+      connectionCounts.readers["long-poll"] += waiting;
     }
-    return census;
+    return connectionCounts;
   }
 
   /** Deletes a robot with all its stored data, and disconnects all clients. */
@@ -191,8 +191,8 @@ export class RobotRegistry {
       found = this.#load(id);
       this.#robots.set(id, found);
       // Unknown ids and failed reads are not cached.
-      const forget = (): void => void this.#robots.delete(id);
-      void found.then((robot) => robot === null && forget(), forget);
+      const remove = (): void => void this.#robots.delete(id);
+      void found.then((robot) => robot === null && remove(), remove);
     }
     return found;
   }
@@ -204,9 +204,9 @@ export class RobotRegistry {
       store: this.#store,
       clock: this.#clock,
       timers: this.#timers,
-      witness: this.#witness,
-      switchboard: this.#switchboard,
-      forgotten: () => this.#robots.delete(id),
+      observer: this.#observer,
+      bus: this.#bus,
+      deleted: () => this.#robots.delete(id),
     });
   }
 

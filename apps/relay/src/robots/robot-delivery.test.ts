@@ -20,13 +20,13 @@ describe("a robot: delivery", () => {
   it("gives nothing to a page that went while it took the robot, and all to the next", async () => {
     const setup = await withRobot();
     await setup.submit(LEFT);
-    const told: RelayToPage[] = [];
+    const sent: RelayToPage[] = [];
     let isOpen = true;
     const link: PageLink = {
       get isOpen() {
         return isOpen;
       },
-      send: (...messages) => told.push(...messages),
+      send: (...messages) => sent.push(...messages),
       close: () => undefined,
     };
     const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
@@ -35,7 +35,7 @@ describe("a robot: delivery", () => {
     setup.robot.leavePage(link, true);
     await taken;
     expect(setup.robot.hasPage).toBe(false);
-    expect(told.filter(({ type }) => type === "command")).toEqual([]);
+    expect(sent.filter(({ type }) => type === "command")).toEqual([]);
     expect(await setup.states()).toEqual(["1 accepted"]);
     const host = await page(setup);
     expect(host.seqs("command")).toEqual([1]);
@@ -44,9 +44,9 @@ describe("a robot: delivery", () => {
   it("tells the page its time, so that the page knows what a frame was held up", async () => {
     const setup = await withRobot();
     const host = await page(setup);
-    await setup.robot.hearPage(host.link, { type: "time", epoch: host.epoch });
-    const welcome = host.told.find(({ type }) => type === "welcome");
-    expect(host.told.at(-1)).toEqual({ type: "time", at: (welcome as { at: number }).at });
+    await setup.robot.receiveFromPage(host.link, { type: "time", epoch: host.epoch });
+    const welcome = host.sent.find(({ type }) => type === "welcome");
+    expect(host.sent.at(-1)).toEqual({ type: "time", at: (welcome as { at: number }).at });
   });
 
   it("acknowledges a command before anything else is said about it", async () => {
@@ -76,7 +76,7 @@ describe("a robot: delivery", () => {
     setup.robot.leavePage(before.link, true);
     const after = await page(setup, { lastApplied: 2, endings: [completed(1)] });
     expect(after.seqs("command")).toEqual([3]);
-    expect(after.told).toContainEqual({ type: "stored", seq: 1 });
+    expect(after.sent).toContainEqual({ type: "stored", seq: 1 });
     expect(await setup.states()).toEqual(["1 completed", "2 started", "3 delivered"]);
   });
 
@@ -90,7 +90,7 @@ describe("a robot: delivery", () => {
     await first.started(1);
     setup.robot.leavePage(first.link, true);
     expect(await setup.states()).toEqual(["1 delivered"]);
-    await setup.robot.hearPage(second.link, { type: "started", epoch: first.epoch, seq: 1 });
+    await setup.robot.receiveFromPage(second.link, { type: "started", epoch: first.epoch, seq: 1 });
     expect(second.closed).toEqual([closeReasons.replaced.code]);
     expect(await setup.states()).toEqual(["1 delivered"]);
   });
@@ -120,8 +120,8 @@ describe("a robot: delivery", () => {
     await setup.clock.pass(5_000);
     expect(await setup.states()).toEqual(["1 cancelled"]);
     const late = await page(setup, { lastApplied: 1, endings: [completed(1)] });
-    const { told } = late;
-    expect(told.find(({ type }) => type === "refused")).toMatchObject({
+    const { sent } = late;
+    expect(sent.find(({ type }) => type === "refused")).toMatchObject({
       record: {
         seq: 1,
         state: "cancelled",
@@ -129,7 +129,7 @@ describe("a robot: delivery", () => {
           "The robot disconnected. Check that its page is open and connected under Remote, then send a new command.",
       },
     });
-    expect(told.some(({ type }) => type === "stored")).toBe(false);
+    expect(sent.some(({ type }) => type === "stored")).toBe(false);
     expect(await setup.states()).toEqual(["1 cancelled"]);
   });
 });

@@ -184,12 +184,12 @@ describe("a robot: what scripts see", () => {
     const setup = await withRobot();
     const host = await page(setup);
     await setup.clock.pass(2_000);
-    const before = host.told.length;
+    const before = host.sent.length;
     for (let n = 0; n < 50; n++) {
-      setup.robot.heard(setup.key)();
+      setup.robot.received(setup.key)();
       await setup.clock.pass(100);
     }
-    const drivers = host.told.slice(before).filter(({ type }) => type === "drivers");
+    const drivers = host.sent.slice(before).filter(({ type }) => type === "drivers");
     expect(drivers.length).toBeGreaterThanOrEqual(5);
     expect(drivers.length).toBeLessThanOrEqual(6);
     expect(drivers.at(-1)).toMatchObject({ connected: 0, client: "Python" });

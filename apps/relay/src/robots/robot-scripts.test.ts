@@ -4,16 +4,16 @@ import { deafReader, withRobot, page, type Setup, type Host } from "./testing/ro
 describe("a robot: the life of its scripts", () => {
   const name = (setup: Setup): string => setup.key.hash.slice(0, 6);
   const alive = (host: Host) =>
-    host.told.flatMap((message) => (message.type === "drivers" ? [message.alive] : [])).at(-1);
+    host.sent.flatMap((message) => (message.type === "drivers" ? [message.alive] : [])).at(-1);
 
   it("says within a second which script was heard, and for how long it has been silent", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     await setup.clock.pass(2_000);
-    setup.robot.heard(setup.key)();
+    setup.robot.received(setup.key)();
     expect(alive(host)).toEqual([{ driver: name(setup), silentMs: 0, connectionMs: null }]);
     await setup.clock.pass(300);
-    setup.robot.heard(setup.key)();
+    setup.robot.received(setup.key)();
     await setup.clock.pass(700);
     expect(alive(host)).toEqual([{ driver: name(setup), silentMs: 700, connectionMs: null }]);
   });
@@ -21,17 +21,17 @@ describe("a robot: the life of its scripts", () => {
   it("takes a request that waits for a sign of life, each second, and none that was answered", async () => {
     const setup = await withRobot();
     const host = await page(setup);
-    const answered = setup.robot.heard(setup.key);
+    const answered = setup.robot.received(setup.key);
     await setup.clock.pass(10_500);
-    const before = host.told.length;
+    const before = host.sent.length;
     await setup.clock.pass(2_000);
-    expect(host.told.slice(before)).toHaveLength(2);
+    expect(host.sent.slice(before)).toHaveLength(2);
     expect(alive(host)).toMatchObject([{ silentMs: 0 }]);
     answered();
     await setup.clock.pass(2_000);
-    const silent = host.told.length;
+    const silent = host.sent.length;
     await setup.clock.pass(10_000);
-    expect(host.told).toHaveLength(silent);
+    expect(host.sent).toHaveLength(silent);
   });
 
   it("hears a script that speaks on its line, and takes none of that for a request that waits", async () => {
@@ -43,9 +43,9 @@ describe("a robot: the life of its scripts", () => {
     await setup.clock.pass(1_000);
     expect(alive(host)).toEqual([{ driver: name(setup), silentMs: 1_000, connectionMs: null }]);
     expect(setup.robot.scripts).toMatchObject([{ silentMs: 1_000, connections: 0 }]);
-    const told = host.told.length;
+    const sent = host.sent.length;
     await setup.clock.pass(5_000);
-    expect(host.told).toHaveLength(told);
+    expect(host.sent).toHaveLength(sent);
     setup.robot.spoke(setup.key);
     expect(alive(host)).toMatchObject([{ silentMs: 0 }]);
     await setup.clock.pass(130_000);
@@ -55,7 +55,7 @@ describe("a robot: the life of its scripts", () => {
   it("goes on to count a request as waiting while its script speaks on its line", async () => {
     const setup = await withRobot();
     await page(setup);
-    const answered = setup.robot.heard(setup.key);
+    const answered = setup.robot.received(setup.key);
     setup.robot.spoke(setup.key);
     await setup.clock.pass(3_000);
     expect(setup.robot.scripts).toMatchObject([{ silentMs: 0 }]);
@@ -67,7 +67,7 @@ describe("a robot: the life of its scripts", () => {
   it("says at once that a script has a new line", async () => {
     const setup = await withRobot();
     const host = await page(setup);
-    setup.robot.heard(setup.key)();
+    setup.robot.received(setup.key)();
     setup.robot.readers.join(
       setup.key,
       { snapshot: () => undefined, state: () => undefined, ...deafReader },

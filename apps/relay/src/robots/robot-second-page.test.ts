@@ -29,7 +29,7 @@ describe("a robot: a second page", () => {
     const first = await withBusyPage(setup, true);
     const coming = anotherPage(setup);
     await settled();
-    expect(first.told.at(-1)).toEqual({ type: "yield" });
+    expect(first.sent.at(-1)).toEqual({ type: "yield" });
     // These reports were in transit when the relay asked the first page.
     await first.started(2);
     await first.ended(completed(1));
@@ -61,12 +61,12 @@ describe("a robot: a second page", () => {
   });
 
   it("gets what a page has left that said goodbye, but not of one whose line was lost", async () => {
-    for (const saidGoodbye of [true, false]) {
+    for (const closedByPage of [true, false]) {
       const setup = await withRobot();
       const first = await withBusyPage(setup);
-      setup.robot.leavePage(first.link, saidGoodbye);
+      setup.robot.leavePage(first.link, closedByPage);
       const second = await anotherPage(setup);
-      expect(second.seqs("command")).toEqual(saidGoodbye ? [2, 3] : []);
+      expect(second.seqs("command")).toEqual(closedByPage ? [2, 3] : []);
     }
   });
 
@@ -93,9 +93,9 @@ describe("a robot: a second page", () => {
   it("hears to the end what a page said before its goodbye", async () => {
     const setup = await withRobot();
     const first = await withBusyPage(setup);
-    const heard = first.started(2);
+    const received = first.started(2);
     setup.robot.leavePage(first.link, true);
-    await heard;
+    await received;
     expect((await anotherPage(setup)).seqs("command")).toEqual([3]);
   });
 
@@ -122,10 +122,10 @@ describe("a robot: a second page", () => {
   it("leaves the robot to the first page where it goes before it has it", async () => {
     const setup = await withRobot();
     const first = await withBusyPage(setup, true);
-    const told: string[] = [];
+    const sent: string[] = [];
     const gone: PageLink = {
       isOpen: false,
-      send: ({ type }) => told.push(type),
+      send: ({ type }) => sent.push(type),
       close: () => undefined,
     };
     const resume: Resume = {
@@ -139,7 +139,7 @@ describe("a robot: a second page", () => {
     await settled();
     await setup.clock.pass(2 * limits.yieldMs);
     await coming;
-    expect(told).toEqual([]);
+    expect(sent).toEqual([]);
     // The first page reconnects and continues.
     expect(first.closed).toEqual([1013]);
     setup.robot.leavePage(first.link, false);

@@ -9,7 +9,7 @@ describe("a robot: replacing and cancelling", () => {
     const host = await page(setup);
     for (let n = 0; n < 9; n++) await setup.submit(LEFT);
     await setup.submit({ ...LEFT, replace: true });
-    expect(host.told.at(-1)).toMatchObject({ type: "command", seq: 10, replace: true });
+    expect(host.sent.at(-1)).toMatchObject({ type: "command", seq: 10, replace: true });
     expect((await setup.states()).slice(7)).toEqual([
       "8 delivered",
       "9 superseded",
@@ -23,7 +23,7 @@ describe("a robot: replacing and cancelling", () => {
     for (let n = 0; n < 9; n++) await setup.submit(LEFT);
     expect(await setup.robot.cancel(setup.key, 9)).toMatchObject({ state: "cancelled" });
     expect(await setup.robot.cancel(setup.key, 8)).toMatchObject({ state: "delivered" });
-    expect(host.told.at(-1)).toEqual({ type: "cancel", seq: 8, cause: "sender" });
+    expect(host.sent.at(-1)).toEqual({ type: "cancel", seq: 8, cause: "sender" });
     await host.ended({ ...completed(8), state: "cancelled" });
     expect(await setup.robot.cancel(setup.key, 8)).toMatchObject({ state: "cancelled" });
     await expect(setup.robot.cancel(setup.key, 10)).rejects.toMatchObject({ kind: "no-command" });
@@ -43,7 +43,7 @@ describe("a robot: withdrawing commands while the page is disconnected", () => {
       expect(await setup.robot.cancel(setup.key, seq)).toHaveProperty("seq");
     const after = await page(setup, { lastApplied: 1 });
     expect(after.seqs("command")).toEqual([3]);
-    expect(after.told).toContainEqual({ type: "cancel", seq: 1, cause: "sender" });
+    expect(after.sent).toContainEqual({ type: "cancel", seq: 1, cause: "sender" });
     expect(await setup.states()).toEqual(["1 started", "2 cancelled", "3 delivered"]);
     await after.ended({ ...completed(1), state: "cancelled" });
     expect(await setup.states()).toEqual(["1 cancelled", "2 cancelled", "3 delivered"]);

@@ -22,7 +22,7 @@ describe("a robot: time to live", () => {
     await setup.submit({ ...LEFT, ttl: 2_000, age: 300 });
     await setup.clock.pass(500);
     const host = await page(setup);
-    expect(host.told.find(({ type }) => type === "command")).toMatchObject({
+    expect(host.sent.find(({ type }) => type === "command")).toMatchObject({
       seq: 1,
       ttl: 2_000,
       remaining: 1_200,
@@ -54,7 +54,7 @@ describe("a robot: time to live", () => {
     const host = await page(setup);
     for (let n = 0; n < 9; n++) await setup.submit({ ...LEFT, ttl: 2_000 });
     await setup.clock.pass(2_000);
-    const shown = host.told.flatMap((message) =>
+    const shown = host.sent.flatMap((message) =>
       message.type === "state" ? [[message.record.seq, message.record.state, message.ttl]] : [],
     );
     expect(shown).toEqual([

@@ -16,7 +16,7 @@ export class RobotView {
   #newest: CarriedSnapshot | null = null;
   /** tick of the newest snapshot of this page */
   #tick: number | null = null;
-  #heardAt = 0;
+  #lastActiveAt = 0;
   /** lower bound of seq, above all snapshots of previous pages */
   #least = 0;
   #state: "awake" | "asleep" | "away" = "away";
@@ -42,12 +42,12 @@ export class RobotView {
     this.#newest = seq === snapshot.seq ? snapshot : snapshot.numbered(seq);
     // A repeated tick proves nothing, and does not wake a robot that is asleep.
     if (isStill) return this.#marked();
-    this.#heardAt = now;
+    this.#lastActiveAt = now;
     this.#state = "awake";
   }
 
   /** Records a snapshot from the page's relay, which has already set its seq and state. */
-  hear(snapshot: CarriedSnapshot): void {
+  receive(snapshot: CarriedSnapshot): void {
     this.#newest = snapshot;
     this.#state = "awake";
   }
@@ -56,7 +56,7 @@ export class RobotView {
   pageCame(now: number, ageMs: number): void {
     // The last seq at a relay that is gone is unknown, but it cannot exceed this.
     this.#least = Math.ceil((ageMs / 1000) * MOST_A_SECOND);
-    this.#heardAt = now;
+    this.#lastActiveAt = now;
     this.#tick = null;
     if (this.#state === "away") this.#state = "asleep";
     this.#marked();
@@ -69,7 +69,7 @@ export class RobotView {
 
   /** @returns true if the page has just been detected as asleep */
   checkAsleep(now: number): boolean {
-    if (this.#state !== "awake" || now - this.#heardAt <= limits.asleepMs) return false;
+    if (this.#state !== "awake" || now - this.#lastActiveAt <= limits.asleepMs) return false;
     this.#state = "asleep";
     this.#marked();
     return true;

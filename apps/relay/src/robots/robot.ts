@@ -15,9 +15,9 @@ import {
 } from "@corridor/protocol";
 import type { Clock } from "../platform/time/clock.ts";
 import type { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
-import type { Switchboard } from "../bus/bus.ts";
+import type { Bus } from "../bus/bus.ts";
 import type { RobotStore, StoredKey, StoredScript, StoredRobot } from "../store/port.ts";
-import { Audience, type CallerWait } from "./readers/subscribers.ts";
+import { Subscribers, type CallerWait } from "./readers/subscribers.ts";
 import { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import { CommandLife } from "./delivery/command-life.ts";
 import { DriverRoster } from "./presence/driver-roster.ts";
@@ -27,7 +27,7 @@ import { limits } from "../platform/limits/limits.ts";
 import { MazeBoard } from "./maze-board.ts";
 import { OtherRelays } from "./other-relays.ts";
 import type { PageLink } from "./page/page-link.ts";
-import { PageSeat } from "./page/page-seat.ts";
+import { PageOwnership } from "./page/page-ownership.ts";
 import type { ReaderSource } from "./readers/feed.ts";
 import { Readers } from "./readers/readers.ts";
 import { RobotLine } from "./presence/robot-line.ts";
@@ -37,17 +37,17 @@ import type { Caller } from "./access/caller.ts";
 import { ScriptClocks } from "./delivery/script-clocks.ts";
 import { ScriptGate } from "./access/script-gate.ts";
 import { RobotUse } from "./robot-use.ts";
-import type { Witness } from "./delivery/witness.ts";
+import type { CommandObserver } from "./delivery/command-observer.ts";
 
 export interface RobotParts {
   store: RobotStore;
   clock: Clock;
   /** shared by all robots */
   timers: CoalescedTimers;
-  witness: Witness;
-  switchboard: Switchboard;
+  observer: CommandObserver;
+  bus: Bus;
   /** called when another relay has deleted the robot */
-  forgotten: () => void;
+  deleted: () => void;
 }
 
 export class Robot {
@@ -65,8 +65,8 @@ export class Robot {
   readonly #clock: Clock;
   readonly #view = new RobotView();
   readonly #events: EventLog;
-  readonly #audience: Audience;
-  readonly #seat: PageSeat;
+  readonly #subscribers: Subscribers;
+  readonly #ownership: PageOwnership;
   readonly #life: CommandLife;
   readonly #line: RobotLine;
   readonly #others: OtherRelays;
@@ -74,19 +74,19 @@ export class Robot {
   #isOver = false;
 
   private constructor(stored: StoredRobot, parts: RobotParts) {
-    const { store, clock, timers, witness } = parts;
+    const { store, clock, timers, observer } = parts;
     this.id = stored.id;
     this.createdAt = stored.createdAt;
     this.#clock = clock;
     this.#events = new EventLog(clock);
-    const audience = new Audience(clock, this.#events);
-    const seat = new PageSeat(clock.now(), stored);
+    const subscribers = new Subscribers(clock, this.#events);
+    const ownership = new PageOwnership(clock.now(), stored);
     const line = new RobotLine(clock, timers);
-    this.#audience = audience;
-    this.#seat = seat;
+    this.#subscribers = subscribers;
+    this.#ownership = ownership;
     this.#line = line;
-    const shared = { store, clock, timers, witness };
-    this.#life = new CommandLife({ ...shared, robot: this.id, audience, seat, line });
+    const shared = { store, clock, timers, observer };
+    this.#life = new CommandLife({ ...shared, robot: this.id, subscribers, ownership, line });
     this.keys = new KeyRing({
       robot: this.id,
       rights: this.rights,
@@ -100,7 +100,7 @@ export class Robot {
         this.roster.awayChanged();
       },
       revoked: (key) => this.#revoked(key),
-      doubted: () => audience.dismiss(({ kind }) => kind !== "own", "busy"),
+      doubted: () => subscribers.dismiss(({ kind }) => kind !== "own", "busy"),
     });
     this.#use = new RobotUse(stored, { store, clock, keys: this.keys });
     this.gate = new ScriptGate({
@@ -121,20 +121,20 @@ export class Robot {
       robot: this.id,
       store,
       clock,
-      tell: (version) => audience.tellMaze(version),
+      notify: (version) => subscribers.publishMaze(version),
       changed: (version) => line.mazeChanged(version),
     });
-    const tell = (): void => this.#tellScripts();
-    this.roster = new DriverRoster(clock, tell, () => this.gate.away);
+    const notify = (): void => this.#notifyScripts();
+    this.roster = new DriverRoster(clock, notify, () => this.gate.away);
     const source: ReaderSource = {
       events: this.#events,
       newest: () => this.newest,
-      tellOpen: (toReader) => this.#life.log.tellOpen(toReader),
+      readOpen: (toReader) => this.#life.log.readOpen(toReader),
     };
-    this.readers = new Readers({ clock, timers, audience, source, roster: this.roster });
+    this.readers = new Readers({ clock, timers, subscribers, source, roster: this.roster });
     this.#others = new OtherRelays({
       clock,
-      seat,
+      ownership,
       view: this.#view,
       line,
       life: this.#life,
@@ -145,11 +145,11 @@ export class Robot {
         link.close(closeReasons.restart);
         this.leavePage(link, false);
       },
-      tellReaders: () => this.#tellReaders(),
-      tellScripts: tell,
+      notifyReaders: () => this.#notifyReaders(),
+      notifyScripts: notify,
       over: () => {
         if (this.isOver) return;
-        parts.forgotten();
+        parts.deleted();
         this.close("over");
       },
     });
@@ -158,10 +158,10 @@ export class Robot {
   /** Loads a robot into memory and subscribes to its channel. */
   static async open(stored: StoredRobot, parts: RobotParts): Promise<Robot> {
     const robot = new Robot(stored, parts);
-    await robot.#line.open(parts.switchboard, stored.id, {
-      stepped: (step, isOwn) => robot.#life.heardStep(step, isOwn),
+    await robot.#line.open(parts.bus, stored.id, {
+      stepped: (step, isOwn) => robot.#life.receivedStep(step, isOwn),
       missed: () => robot.missedNews(),
-      heard: (news) => robot.#others.heard(news),
+      received: (news) => robot.#others.received(news),
     });
     await robot.#others.meet();
     return robot;
@@ -189,14 +189,14 @@ export class Robot {
   }
 
   get hasPage(): boolean {
-    return this.#seat.page !== null;
+    return this.#ownership.page !== null;
   }
 
   /**
    * Scripts by name, at all relays that this one knows of: connected, recently active or blocked.
    */
   get scripts(): ScriptView[] {
-    return this.#line.withOthers(this.roster.told()).scripts;
+    return this.#line.withOthers(this.roster.report()).scripts;
   }
 
   get newest(): CarriedSnapshot | null {
@@ -209,9 +209,9 @@ export class Robot {
    */
   get isQuiet(): boolean {
     const isUnused = this.#clock.now() - this.lastUsedAt > limits.touchMs;
-    const isAlone = !this.hasPage && this.#audience.isEmpty;
-    const isHeldElsewhere = this.#seat.isElsewhere || this.newest === null;
-    return isUnused && isAlone && !this.#seat.isAwayOpen && isHeldElsewhere;
+    const isAlone = !this.hasPage && this.#subscribers.isEmpty;
+    const isHeldElsewhere = this.#ownership.isElsewhere || this.newest === null;
+    return isUnused && isAlone && !this.#ownership.isAwayOpen && isHeldElsewhere;
   }
 
   // --- the page ---
@@ -221,10 +221,10 @@ export class Robot {
     await this.#life.takePage(link, resume, () => {
       this.#use.used();
       const now = this.#clock.now();
-      this.#view.pageCame(now, this.#seat.epoch > 1 ? now - this.createdAt : 0);
+      this.#view.pageCame(now, this.#ownership.epoch > 1 ? now - this.createdAt : 0);
       // Before the endings in the same message, so that readers of an ending see no older snapshot.
       if (resume.snapshot !== undefined) this.#show(CarriedSnapshot.of(resume.snapshot));
-      this.#tellScripts();
+      this.#notifyScripts();
       // The page disconnected before it owned the robot, when `leavePage` had no effect yet.
       if (!link.isOpen) this.leavePage(link, false);
     });
@@ -232,21 +232,21 @@ export class Robot {
 
   /**
    * The page's connection is closed. No effect if another page owns the robot.
-   * @param saidGoodbye whether the page closed it, after all of its reports
+   * @param closedByPage whether the page closed it, after all of its reports
    */
-  leavePage(link: PageLink, saidGoodbye: boolean): void {
-    if (!this.#seat.isHeldBy(link)) return;
-    this.#seat.leave(this.#clock.now(), saidGoodbye);
-    this.#life.handover.left(this.#seat.epoch, saidGoodbye);
+  leavePage(link: PageLink, closedByPage: boolean): void {
+    if (!this.#ownership.isHeldBy(link)) return;
+    this.#ownership.leave(this.#clock.now(), closedByPage);
+    this.#life.handover.left(this.#ownership.epoch, closedByPage);
     this.#view.pageLeft();
-    this.#tellSnapshot();
-    this.#line.pageLeft(this.#seat.epoch, saidGoodbye);
+    this.#publishSnapshot();
+    this.#line.pageLeft(this.#ownership.epoch, closedByPage);
   }
 
   /**
    * Handles a snapshot of the page. The check of the page's permission already recorded the use.
    */
-  hearSnapshot(link: PageLink, epoch: number, snapshot: CarriedSnapshot): void {
+  receiveSnapshot(link: PageLink, epoch: number, snapshot: CarriedSnapshot): void {
     if (this.#isNews(link, epoch)) this.#show(snapshot);
   }
 
@@ -254,7 +254,7 @@ export class Robot {
    * Handles a message of the page. Ignores messages of a replaced page. Disconnects a page that
    * sends another epoch.
    */
-  hearPage(link: PageLink, message: PageToRelay): Promise<void> | undefined {
+  receiveFromPage(link: PageLink, message: PageToRelay): Promise<void> | undefined {
     if (!this.#isNews(link, message.epoch)) return undefined;
     this.#use.used();
     switch (message.type) {
@@ -266,10 +266,10 @@ export class Robot {
         return undefined;
       case "ended":
         this.#line.hurry();
-        return this.#life.hearPage(link, message);
+        return this.#life.receiveFromPage(link, message);
       case "started":
       case "yielded":
-        return this.#life.hearPage(link, message);
+        return this.#life.receiveFromPage(link, message);
     }
   }
 
@@ -277,8 +277,8 @@ export class Robot {
    * Whether the page owns the robot with this epoch. Disconnects a page that sends another epoch.
    */
   #isNews(link: PageLink, epoch: number): boolean {
-    if (!this.#seat.isHeldBy(link)) return false;
-    if (epoch !== this.#seat.page?.epoch) {
+    if (!this.#ownership.isHeldBy(link)) return false;
+    if (epoch !== this.#ownership.page?.epoch) {
       link.close(closeReasons.replaced);
       return false;
     }
@@ -328,7 +328,10 @@ export class Robot {
     const record = await this.#life.log.endOf(seq, waitLimit);
     const hasWaited = waitLimit.milliseconds > 0;
     if (!hasWaited || hasEnded(record.state) || this.#view.isAwake) return record;
-    return { ...record, reason: this.#seat.isTaken ? SILENT_ROBOT_REASON : ABSENT_ROBOT_REASON };
+    return {
+      ...record,
+      reason: this.#ownership.isTaken ? SILENT_ROBOT_REASON : ABSENT_ROBOT_REASON,
+    };
   }
 
   /** Records a message of a script on its connection. */
@@ -338,9 +341,9 @@ export class Robot {
   }
 
   /** Records a request of a script. @returns function to call once the request is answered */
-  heard({ script }: Caller): () => void {
+  received({ script }: Caller): () => void {
     this.#use.used();
-    return script === null ? () => undefined : this.roster.heard(script);
+    return script === null ? () => undefined : this.roster.received(script);
   }
 
   // --- time and end ---
@@ -349,10 +352,10 @@ export class Robot {
   async checkLife(): Promise<void> {
     const now = this.#clock.now();
     this.rights.changed();
-    this.#events.forgetOld();
-    if (this.hasPage && this.#view.checkAsleep(now)) this.#tellSnapshot();
-    if (this.#seat.isElsewhere) this.#line.stayHere(this.roster.told());
-    if (this.#seat.awayMs(now) >= limits.pageAwayMs) await this.#life.pageIsGone();
+    this.#events.deleteOld();
+    if (this.hasPage && this.#view.checkAsleep(now)) this.#publishSnapshot();
+    if (this.#ownership.isElsewhere) this.#line.stayHere(this.roster.report());
+    if (this.#ownership.awayMs(now) >= limits.pageAwayMs) await this.#life.pageIsGone();
   }
 
   /** Whether a use of the robot or its keys is due to be stored. */
@@ -373,13 +376,13 @@ export class Robot {
   /** Ends the robot for all connected clients. */
   close(reason: "over" | "restart"): void {
     this.#isOver = true;
-    if (this.hasPage) this.#line.pageLeft(this.#seat.epoch, false);
-    if (reason === "over") this.#line.forgotten();
+    if (this.hasPage) this.#line.pageLeft(this.#ownership.epoch, false);
+    if (reason === "over") this.#line.deleted();
     this.#life.close(reason);
     this.roster.close();
-    this.#seat.page?.link.close(closeReasons[reason]);
-    this.#seat.clear();
-    this.#audience.close(reason);
+    this.#ownership.page?.link.close(closeReasons[reason]);
+    this.#ownership.clear();
+    this.#subscribers.close(reason);
     this.leave();
   }
 
@@ -397,9 +400,9 @@ export class Robot {
   }
 
   /** Sends the current scripts to the page, here or at another relay. */
-  #tellScripts(): void {
-    const scripts = this.roster.told();
-    if (this.#seat.isElsewhere) return this.#line.sayHere(scripts);
+  #notifyScripts(): void {
+    const scripts = this.roster.report();
+    if (this.#ownership.isElsewhere) return this.#line.sayHere(scripts);
     this.#life.display.sayWith({
       type: "drivers",
       at: this.#clock.now(),
@@ -411,7 +414,7 @@ export class Robot {
   /** Disconnects the users of a revoked key and ends their commands. */
   #revoked({ hash }: StoredKey): void {
     this.scriptClocks.revoked(hash);
-    this.#audience.dismiss((caller) => caller.hash === hash, "revoked");
+    this.#subscribers.dismiss((caller) => caller.hash === hash, "revoked");
     this.#askToEnd();
     // A blocked script is removed with its key.
     this.gate.learn({ away: this.gate.away.filter(({ driver }) => driver !== hash) });
@@ -419,7 +422,7 @@ export class Robot {
 
   /** Disconnects a blocked script and ends its commands. */
   #blocked({ id }: StoredScript): void {
-    this.#audience.dismiss(({ script }) => script?.id === id, "blocked");
+    this.#subscribers.dismiss(({ script }) => script?.id === id, "blocked");
     this.#askToEnd();
   }
 
@@ -432,17 +435,17 @@ export class Robot {
   /** Stores a snapshot of the page and publishes it. */
   #show(snapshot: CarriedSnapshot): void {
     this.#view.report(snapshot, this.#clock.now());
-    this.#tellSnapshot();
+    this.#publishSnapshot();
   }
 
-  #tellSnapshot(): void {
+  #publishSnapshot(): void {
     const { newest } = this;
     if (newest === null) return;
-    this.#audience.tellSnapshot(newest);
+    this.#subscribers.publishSnapshot(newest);
     this.#line.snapshot(newest);
   }
 
-  #tellReaders(): void {
-    if (this.newest !== null) this.#audience.tellSnapshot(this.newest);
+  #notifyReaders(): void {
+    if (this.newest !== null) this.#subscribers.publishSnapshot(this.newest);
   }
 }

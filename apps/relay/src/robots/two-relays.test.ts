@@ -14,8 +14,8 @@ import {
 import { snapshotOf } from "@corridor/protocol/testing";
 import { pino } from "pino";
 import { describe, expect, it, onTestFinished } from "vitest";
-import { LocalSwitchboard } from "../bus/local.ts";
-import type { Ears, News } from "../bus/bus.ts";
+import { LocalBus } from "../bus/local.ts";
+import type { BusListener, BusMessage } from "../bus/bus.ts";
 import { SqliteRobotStore } from "../store/sqlite/sqlite-robot-store.ts";
 import { StoreAway } from "../platform/errors/store-away.ts";
 import { cutStore } from "../store/cases/cut-store.ts";
@@ -38,40 +38,40 @@ async function withRelays() {
   const clock = new FakeClock();
   const store = new SqliteRobotStore(join(testFolder(), "corridor.sqlite"));
   onTestFinished(() => store.close());
-  const switchboard = new LocalSwitchboard();
+  const bus = new LocalBus();
   const log = pino({ level: "silent" });
-  const ears: Ears[] = [];
+  const listener: BusListener[] = [];
   const pages = new RobotRegistry(store, clock, log, {
-    switchboard: {
+    bus: {
       join: (registration, own) => {
-        ears.push(own);
-        return switchboard.join(registration, own);
+        listener.push(own);
+        return bus.join(registration, own);
       },
-      close: () => switchboard.close(),
+      close: () => bus.close(),
     },
   });
   const cut = cutStore(store);
-  const scripts = new RobotRegistry(cut.store, clock, log, { switchboard });
+  const scripts = new RobotRegistry(cut.store, clock, log, { bus });
   const registration = await pages.register("10.0.0.1", "http://localhost");
   const atPages = (await pages.authorise(registration.id, registration.ownerKey, "host")).robot;
   const page = async (robot = atPages, resume: Partial<Resume> = {}, isSilent = false) => {
-    const told: RelayToPage[] = [];
+    const sent: RelayToPage[] = [];
     const closed: number[] = [];
     let epoch = 0;
     const link: PageLink = {
       isOpen: true,
       send: (...messages) => {
-        told.push(...messages);
+        sent.push(...messages);
         if (messages.some(({ type }) => type === "yield") && !isSilent)
-          void robot.hearPage(link, { type: "yielded", epoch });
+          void robot.receiveFromPage(link, { type: "yielded", epoch });
       },
       close: ({ code }) => closed.push(code),
     };
     const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
     await robot.takePage(link, { ...nothing, ...resume });
-    const welcome = told.find((message) => message.type === "welcome");
+    const welcome = sent.find((message) => message.type === "welcome");
     epoch = welcome?.epoch ?? 0;
-    return { robot, link, told, closed, epoch };
+    return { robot, link, sent, closed, epoch };
   };
   const host = await page();
   const { robot: atScripts, key } = await scripts.authorise(
@@ -115,8 +115,8 @@ async function withRelays() {
     /** A relay that shares the store, but not the message bus. */
     newRelay: () => new RobotRegistry(store, clock, log),
     /** Delivers a message to the first relay, as its channel would. */
-    tellPages: (news: News) => ears.at(-1)?.heard(news),
-    switchboard,
+    notifyPages: (news: BusMessage) => listener.at(-1)?.received(news),
+    bus,
     pages,
     scripts,
     registration,
@@ -133,9 +133,9 @@ async function withRelays() {
 type Host = Awaited<ReturnType<Awaited<ReturnType<typeof withRelays>>["page"]>>;
 
 const report = ({ robot, link, epoch }: Host, change = {}) =>
-  robot.hearPage(link, { type: "snapshot", epoch, snapshot: snapshotOf(change) });
-const seqs = ({ told }: Host): number[] =>
-  told.flatMap((message) =>
+  robot.receiveFromPage(link, { type: "snapshot", epoch, snapshot: snapshotOf(change) });
+const seqs = ({ sent }: Host): number[] =>
+  sent.flatMap((message) =>
     message.type === "command" || message.type === "stop" ? [message.seq] : [],
   );
 
@@ -146,9 +146,9 @@ describe("page and script at different relays", () => {
     expect(await submit(LEFT)).toMatchObject({ seq: 1, state: "accepted" });
     expect(seqs(host)).toEqual([1]);
     const { robot, link, epoch } = host;
-    await robot.hearPage(link, { type: "started", epoch, seq: 1 });
+    await robot.receiveFromPage(link, { type: "started", epoch, seq: 1 });
     const end = atScripts.endOf(1, waitLimit(25_000));
-    await robot.hearPage(link, { type: "ended", epoch, ...completed(1) });
+    await robot.receiveFromPage(link, { type: "ended", epoch, ...completed(1) });
     expect(await end).toMatchObject({ seq: 1, state: "completed" });
     expect(said).toEqual(["1 delivered", "1 started", "1 completed"]);
   });
@@ -156,17 +156,17 @@ describe("page and script at different relays", () => {
   it("shows the page what waits and what was ended elsewhere, and asks it to cancel", async () => {
     const { host, clock, submit, atScripts, key } = await withRelays();
     for (let n = 0; n < 9; n++) await submit(LEFT);
-    expect(host.told.at(-1)).toMatchObject({
+    expect(host.sent.at(-1)).toMatchObject({
       type: "state",
       record: { seq: 9, state: "accepted" },
     });
     await atScripts.cancel(key, 9);
     await clock.pass(limits.shownIntervalMs);
-    expect(host.told.findLast(({ type }) => type === "state")).toMatchObject({
+    expect(host.sent.findLast(({ type }) => type === "state")).toMatchObject({
       record: { seq: 9, state: "cancelled" },
     });
     await atScripts.cancel(key, 1);
-    expect(host.told.at(-1)).toEqual({ type: "cancel", seq: 1, cause: "sender" });
+    expect(host.sent.at(-1)).toEqual({ type: "cancel", seq: 1, cause: "sender" });
     await submit({ action: "stop" });
     expect(seqs(host)).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 10]);
   });
@@ -206,7 +206,7 @@ describe("page and script at different relays", () => {
     await report(host, { seq: 1 });
     await report(host, { seq: 2 });
     const { robot, link, epoch } = host;
-    await robot.hearPage(link, { type: "ended", epoch, ...completed(1) });
+    await robot.receiveFromPage(link, { type: "ended", epoch, ...completed(1) });
     await settled();
     expect(said).toEqual(["snapshot 1 running", "snapshot 2 running", "1 completed"]);
   });
@@ -225,25 +225,25 @@ describe("page and script at different relays", () => {
   });
 
   it("sends nothing to a relay that does not hold the robot any more", async () => {
-    const { host, clock, atScripts, switchboard, registration } = await withRelays();
+    const { host, clock, atScripts, bus, registration } = await withRelays();
     atScripts.leave();
     await clock.pass(limits.relaySilenceMs + 2_000);
-    const heard: string[] = [];
-    await switchboard.join(registration.id, {
+    const received: string[] = [];
+    await bus.join(registration.id, {
       stepped: () => undefined,
       missed: () => undefined,
-      heard: ({ kind }) => heard.push(kind),
+      received: ({ kind }) => received.push(kind),
     });
     await report(host, { seq: 8 });
-    expect(heard).toEqual(["page"]);
+    expect(received).toEqual(["page"]);
   });
 
   it("tells the page of the scripts at all relays", async () => {
     const { host, clock, atScripts, key, read } = await withRelays();
     read();
-    atScripts.heard(key)();
+    atScripts.received(key)();
     await clock.pass(limits.driversIntervalMs);
-    const drivers = host.told.findLast(({ type }) => type === "drivers");
+    const drivers = host.sent.findLast(({ type }) => type === "drivers");
     expect(drivers).toMatchObject({
       connected: 1,
       client: "Python",
@@ -258,7 +258,7 @@ describe("page and script at different relays", () => {
     expect(host.closed).toEqual([closeReasons.replaced.code]);
     expect(second.epoch).toBe(host.epoch + 1);
     expect(seqs(second)).toEqual([1]);
-    await host.robot.hearPage(host.link, { type: "started", epoch: host.epoch, seq: 1 });
+    await host.robot.receiveFromPage(host.link, { type: "started", epoch: host.epoch, seq: 1 });
     expect(await atScripts.commandsAfter(0)).toMatchObject([{ seq: 1, state: "delivered" }]);
   });
 
@@ -267,14 +267,14 @@ describe("page and script at different relays", () => {
     const first = await page(atPages, { page: "page-one", fresh: true });
     for (let n = 0; n < 2; n++) await submit(LEFT);
     const { robot, link, epoch } = first;
-    void robot.hearPage(link, { type: "started", epoch, seq: 1 });
+    void robot.receiveFromPage(link, { type: "started", epoch, seq: 1 });
     const second = await page(atScripts, { page: "page-two", fresh: true });
-    expect(first.told.at(-1)).toEqual({ type: "yield" });
+    expect(first.sent.at(-1)).toEqual({ type: "yield" });
     expect(first.closed).toEqual([closeReasons.replaced.code]);
     expect(seqs(second)).toEqual([2]);
     // The same page on a new connection, at another relay, is not asked.
     const again = await page(atPages, { page: "page-two", lastApplied: 2 });
-    expect(second.told.at(-1)).not.toEqual({ type: "yield" });
+    expect(second.sent.at(-1)).not.toEqual({ type: "yield" });
     expect(await atPages.commandsAfter(1)).toMatchObject([{ seq: 2, state: "started" }]);
     expect(seqs(again)).toEqual([]);
   });
@@ -304,9 +304,9 @@ describe("page and script at different relays", () => {
   });
 
   it("lets the page of a relay that was taken for dead connect anew, and ends nothing of it", async () => {
-    const { host, atScripts, page, submit, clock, tellPages } = await withRelays();
+    const { host, atScripts, page, submit, clock, notifyPages } = await withRelays();
     await submit(LEFT);
-    tellPages({ kind: "lapsed" });
+    notifyPages({ kind: "lapsed" });
     expect(host.closed).toEqual([closeReasons.restart.code]);
     const again = await page(host.robot, { lastApplied: 1 });
     await clock.pass(limits.pageAwayMs + 5_000);
@@ -344,7 +344,7 @@ describe("page and script at different relays", () => {
     await host.robot.keys.make({ kind: "drive", replace: true });
     await settled();
     expect(said).toEqual(["1 delivered", "revoked"]);
-    expect(host.told.filter(({ type }) => type === "cancel")).not.toEqual([]);
+    expect(host.sent.filter(({ type }) => type === "cancel")).not.toEqual([]);
     await expect(
       scripts.authorise(registration.id, registration.driverKey, "read"),
     ).rejects.toMatchObject({
@@ -386,7 +386,7 @@ describe("page and script at different relays", () => {
     await submit(LEFT);
     await atScripts.gate.pause(true);
     await settled();
-    expect(host.told).toContainEqual({ type: "cancel", seq: 1, cause: "paused" });
+    expect(host.sent).toContainEqual({ type: "cancel", seq: 1, cause: "paused" });
     expect(host.robot.gate.isPaused).toBe(true);
     await expect(submit(LEFT)).rejects.toMatchObject({ kind: "driving-paused" });
     await host.robot.gate.pause(false);

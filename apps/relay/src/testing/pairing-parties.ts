@@ -59,7 +59,7 @@ export function scriptAt({ origin }: Requests) {
           body: JSON.stringify(body),
         }),
       ),
-    hear: async (key: string, wait = 0) =>
+    receive: async (key: string, wait = 0) =>
       outcomeOf(
         pairingAnswerSchema,
         await fetch(`${url}?wait=${wait}`, { headers: { Authorization: `Bearer ${key}` } }),

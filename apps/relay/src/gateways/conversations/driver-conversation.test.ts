@@ -10,7 +10,7 @@ import { DriverConversation } from "./driver-conversation.ts";
 
 function withSlowStore() {
   const waiting: (() => void)[] = [];
-  const told: RelayToDriver[] = [];
+  const sent: RelayToDriver[] = [];
   const closed: number[] = [];
   const key = callerOf({ kind: "drive", hash: "d" }, unknownScript);
   const robot = {
@@ -29,7 +29,7 @@ function withSlowStore() {
       send: (...texts) => {
         for (const text of texts) {
           const message = decodeFrame(relayToDriverSchema, text);
-          if (message.ok) told.push(message.value);
+          if (message.ok) sent.push(message.value);
         }
       },
       sendSnapshot: () => undefined,
@@ -48,9 +48,9 @@ function withSlowStore() {
   };
   const turn = (): Promise<void> => new Promise((resolve) => void setImmediate(resolve));
   const problems = (): string[] =>
-    told.flatMap((message) => (message.type === "problem" ? [message.problem.type] : []));
+    sent.flatMap((message) => (message.type === "problem" ? [message.problem.type] : []));
   const say = (text: string): void => void conversation.received(Buffer.from(text));
-  return { say, send, told, waiting, problems, closed, turn };
+  return { say, send, sent, waiting, problems, closed, turn };
 }
 
 it("accepts 64 commands ahead, repeatedly", async () => {
@@ -87,10 +87,10 @@ it("closes a script that keeps sending without waiting", async () => {
 });
 
 it("includes the idempotency key of an invalid command, if it is readable", () => {
-  const { say, told } = withSlowStore();
+  const { say, sent } = withSlowStore();
   const wrong = (key: unknown) =>
     JSON.stringify({ type: "command", key, command: { action: "move", dist: 5 } });
   for (const text of [wrong("wrong-field-1"), wrong("short"), wrong(7), "{", "null"]) say(text);
-  const keys = told.flatMap((message) => (message.type === "problem" ? [message.key] : []));
+  const keys = sent.flatMap((message) => (message.type === "problem" ? [message.key] : []));
   expect(keys).toEqual(["wrong-field-1", null, null, null, null]);
 });

@@ -53,12 +53,12 @@ export class PageConversation implements Conversation {
     }
     const report = readSnapshotMessage(bytes);
     if (report !== null) {
-      robot.hearSnapshot(this.#link, report.epoch, report.snapshot);
+      robot.receiveSnapshot(this.#link, report.epoch, report.snapshot);
       return undefined;
     }
     const message = decodeFrame(pageToRelaySchema, bytes.toString());
     if (!message.ok) return this.#refuse(message.problems);
-    return robot.hearPage(this.#link, message.value);
+    return robot.receiveFromPage(this.#link, message.value);
   }
 
   heartbeat(): void {

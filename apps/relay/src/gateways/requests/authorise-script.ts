@@ -30,7 +30,7 @@ export async function authoriseScript(
   );
   const { robot, key } = grant;
   const transitMs = robot.scriptClocks.came(key.hash, readScriptTime(request), cameAt);
-  const markAnswered = robot.heard(key);
+  const markAnswered = robot.received(key);
   response.once("close", markAnswered);
   // The client may have disconnected during authorisation.
   if (response.closed) markAnswered();

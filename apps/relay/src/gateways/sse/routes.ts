@@ -60,7 +60,7 @@ function streamTo(
     if (reason === "tooSlow") return destroy();
     response.end();
     // A client that does not read never receives the end.
-    cancelTimer = clock.after(limits.goodbyeMs, destroy);
+    cancelTimer = clock.after(limits.closingMs, destroy);
   };
   let sentBytes = 0;
   const write = (text: string): void => {

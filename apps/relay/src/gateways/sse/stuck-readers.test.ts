@@ -92,7 +92,7 @@ describe("a client that does not read", () => {
     const relay = await startTestRelay({ clock });
     const robot = await relay.register();
     await floodUnread(relay, robot);
-    await clock.pass(limits.goodbyeMs);
+    await clock.pass(limits.closingMs);
     expect(await connectedScripts(relay, robot)).toBe(0);
     await expectService(relay, robot);
   });

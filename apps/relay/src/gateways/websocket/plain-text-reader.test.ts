@@ -5,7 +5,7 @@ import { describe, expect, it } from "vitest";
 import { WebSocketServer, type WebSocket } from "ws";
 import { readPlainTexts } from "./plain-text-reader.ts";
 
-const [MORE, TEXT, BYTES, GOODBYE, PING, PONG] = [0, 1, 2, 8, 9, 10];
+const [MORE, TEXT, BYTES, CLOSE_FRAME, PING, PONG] = [0, 1, 2, 8, 9, 10];
 const WHOLE = 0x80;
 
 interface Shape {
@@ -56,11 +56,11 @@ async function receive(bytes: Buffer, pieces: number, isPlain: boolean): Promise
     server.handleUpgrade(request, line, Buffer.alloc(0), resolve);
   });
   const all: unknown[] = [];
-  const hear = (data: Buffer, isBinary: boolean): void => {
+  const receive = (data: Buffer, isBinary: boolean): void => {
     all.push([isBinary ? "bytes" : "text", data.toString()]);
   };
-  socket.on("message", hear);
-  if (isPlain) readPlainTexts(line, (text) => hear(text, false));
+  socket.on("message", receive);
+  if (isPlain) readPlainTexts(line, (text) => receive(text, false));
   socket.on("ping", (data) => all.push(["ping", data.toString()]));
   socket.on("pong", (data) => all.push(["pong", data.toString()]));
   socket.on("error", ({ message }) => all.push(["error", message]));
@@ -124,7 +124,7 @@ const lines: Record<string, Buffer[]> = {
   ],
   "a goodbye, and more": [
     frame("first"),
-    frame(Buffer.from([0x03, 0xe8, 0x62, 0x79, 0x65]), { first: WHOLE | GOODBYE }),
+    frame(Buffer.from([0x03, 0xe8, 0x62, 0x79, 0x65]), { first: WHOLE | CLOSE_FRAME }),
     last,
   ],
   "a frame without an end": [frame("first"), frame("never whole").subarray(0, 9)],
@@ -143,7 +143,7 @@ describe("messages of a WebSocket", () => {
   it("arrive one by one, even if many are in one chunk", async () => {
     const words = Array.from({ length: 300 }, (_, n) => `message ${n}`);
     const bytes = Buffer.concat(words.map((word) => frame(word)));
-    const heard = await receive(bytes, bytes.length, true);
-    expect(heard.slice(0, 300)).toEqual(words.map((word) => ["text", word]));
+    const received = await receive(bytes, bytes.length, true);
+    expect(received.slice(0, 300)).toEqual(words.map((word) => ["text", word]));
   });
 });

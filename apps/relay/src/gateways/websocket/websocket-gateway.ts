@@ -171,7 +171,7 @@ export class WebSocketGateway {
     this.#countByAddress.set(address, countOfAddress);
     // Messages are processed in order, so that none overtakes the first.
     let work: Promise<void> = Promise.resolve();
-    const hear = (data: Buffer, isBinary: boolean): void => {
+    const receive = (data: Buffer, isBinary: boolean): void => {
       // Messages still arrive while a socket closes, but responses could not be sent.
       if (!client.port.isOpen) return;
       client.lastMessageAt = clock.now();
@@ -186,8 +186,8 @@ export class WebSocketGateway {
         .then(() => this.#hello(client, data))
         .catch((error: unknown) => this.#refuse(client, error));
     };
-    socket.on("message", hear);
-    readPlainTexts(connection, (bytes) => hear(bytes, false));
+    socket.on("message", receive);
+    readPlainTexts(connection, (bytes) => receive(bytes, false));
     socket.on("pong", () => (client.lastMessageAt = clock.now()));
     // On oversized messages or broken framing, `ws` closes the socket with 1009 or 1002.
     socket.on("error", (error) => this.#options.log.debug({ err: error }, "WebSocket error"));

@@ -27,14 +27,14 @@ async function opened() {
     client.terminate();
     server.close();
   });
-  const told: string[] = [];
+  const sent: string[] = [];
   client.on("message", (data: Buffer, isBinary) => {
-    told.push(isBinary ? "bytes" : data.toString());
+    sent.push(isBinary ? "bytes" : data.toString());
   });
-  client.on("ping", () => told.push("a ping"));
-  client.on("close", (code) => told.push(`closed with ${code}`));
+  client.on("ping", () => sent.push("a ping"));
+  client.on("close", (code) => sent.push(`closed with ${code}`));
   const [{ port, line }] = await Promise.all([promise, once(client, "open")]);
-  return { port, line, client, told };
+  return { port, line, client, sent };
 }
 
 describe("a WebSocket connection", () => {
@@ -48,7 +48,7 @@ describe("a WebSocket connection", () => {
     { name: "65,535 bytes of multi-byte characters", text: "→".repeat(21_845) },
     { name: "65,536 bytes of multi-byte characters", text: "🤖".repeat(16_384) },
   ])("sends a text in one write, as every client reads it: $name", async ({ text }) => {
-    const { port, line, client, told } = await opened();
+    const { port, line, client, sent } = await opened();
     const before = port.sentBytes;
     let writes = 0;
     const write = line.write.bind(line);
@@ -58,13 +58,13 @@ describe("a WebSocket connection", () => {
     };
     port.send(text);
     await once(client, "message");
-    expect(told).toEqual([text]);
+    expect(sent).toEqual([text]);
     expect(writes).toBe(1);
     expect(port.sentBytes - before).toBeGreaterThanOrEqual(Buffer.byteLength(text));
   });
 
   it("sends several texts in one write, as separate messages", async () => {
-    const { port, line, client, told } = await opened();
+    const { port, line, client, sent } = await opened();
     let writes = 0;
     const write = line.write.bind(line);
     line.write = (chunk: Buffer) => {
@@ -74,7 +74,7 @@ describe("a WebSocket connection", () => {
     const texts = ["one", "é".repeat(200), "", "x".repeat(70_000), "last"];
     port.send();
     port.send(...texts);
-    await expect.poll(() => told).toEqual(texts);
+    await expect.poll(() => sent).toEqual(texts);
     expect(writes).toBe(1);
     const { sentBytes } = port;
     port.ask();
@@ -83,7 +83,7 @@ describe("a WebSocket connection", () => {
   });
 
   it("keeps the order of messages", async () => {
-    const { port, client, told } = await opened();
+    const { port, client, sent } = await opened();
     const long = "x".repeat(300_000);
     const snapshot = CarriedSnapshot.of(snapshotOf({ seq: 1 }));
     port.send("first");
@@ -96,7 +96,7 @@ describe("a WebSocket connection", () => {
     port.sendSnapshot(snapshot);
     await once(client, "close");
     const passed = String(snapshot.message);
-    expect(told).toEqual(["first", "a ping", long, passed, "last", "closed with 1000"]);
+    expect(sent).toEqual(["first", "a ping", long, passed, "last", "closed with 1000"]);
   });
 
   it("reports what the client has received, to the byte", async () => {
@@ -110,7 +110,7 @@ describe("a WebSocket connection", () => {
   });
 
   it("closes for a client that does not read, with a bounded buffer", async () => {
-    const { port, client, told } = await opened();
+    const { port, client, sent } = await opened();
     client.pause();
     const text = "x".repeat(100_000);
     let most = 0;
@@ -124,7 +124,7 @@ describe("a WebSocket connection", () => {
     expect(most).toBeLessThan(limits.stuckReaderBytes + 2 * text.length);
     client.resume();
     await once(client, "close");
-    expect(told.at(-1)).toBe(`closed with ${closeReasons.tooSlow.code}`);
-    expect(new Set(told.slice(0, -1))).toEqual(new Set([text]));
+    expect(sent.at(-1)).toBe(`closed with ${closeReasons.tooSlow.code}`);
+    expect(new Set(sent.slice(0, -1))).toEqual(new Set([text]));
   });
 });

@@ -76,7 +76,7 @@ export class WsPort implements ReaderConnection, ReaderFlow {
     // A client that does not read does not answer the close frame either.
     this.#socket.once(
       "close",
-      this.#clock.after(limits.goodbyeMs, () => this.#socket.terminate()),
+      this.#clock.after(limits.closingMs, () => this.#socket.terminate()),
     );
   }
 

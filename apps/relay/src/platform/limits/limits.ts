@@ -7,7 +7,7 @@ export const limits = {
   /** accepted, waiting commands of one robot; a script that far ahead of its robot is a mistake */
   waitingCommands: 64,
   /** newest commands of one robot that are stored; an older one is deleted once it has ended */
-  keptCommands: 10_000,
+  storedCommands: 10_000,
   /**
    * delivered commands that the page has not started; enough to hide the latency of the connection
    */
@@ -125,7 +125,7 @@ export const limits = {
    */
   tooFastInARow: 100,
   /** time to read the close frame of a connection before it is terminated */
-  goodbyeMs: 5_000,
+  closingMs: 5_000,
   /** invalid messages of one script before it is disconnected */
   badFrames: 10,
 } as const;

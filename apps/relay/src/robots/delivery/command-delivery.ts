@@ -10,7 +10,7 @@ import { commandFrame } from "../page/page-frames.ts";
 import type { PageDisplay } from "../page/page-display.ts";
 import type { PageHandover } from "../page/page-handover.ts";
 import type { PageLink } from "../page/page-link.ts";
-import type { PageSeat } from "../page/page-seat.ts";
+import type { PageOwnership } from "../page/page-ownership.ts";
 
 /** Commands that are marked as delivered and are to be sent now. */
 export interface Due {
@@ -24,7 +24,7 @@ export interface CommandDeliveryParts {
   robot: string;
   store: Pick<RobotStore, "deliver" | "hasAll">;
   clock: Clock;
-  seat: PageSeat;
+  ownership: PageOwnership;
   handover: PageHandover;
   display: PageDisplay;
   /** called with the delivered records */
@@ -51,9 +51,9 @@ export class CommandDelivery {
    * deliver, or no page to deliver to
    */
   async take(): Promise<Due | null> {
-    const { robot, store, clock, seat, handover } = this.#parts;
-    if (seat.page === null || handover.isUnderWay) return null;
-    const { link, epoch } = seat.page;
+    const { robot, store, clock, ownership, handover } = this.#parts;
+    if (ownership.page === null || handover.isUnderWay) return null;
+    const { link, epoch } = ownership.page;
     const now = clock.now();
     try {
       // After most commands there is nothing more to deliver. `hasAll` detects that without a

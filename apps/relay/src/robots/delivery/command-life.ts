@@ -21,7 +21,7 @@ import type { Step } from "../../bus/bus.ts";
 import { noRobot, restarting } from "../../platform/errors/problems.ts";
 import type { CoalescedTimers } from "../../platform/time/coalesced-timers.ts";
 import type { RobotStore, TermedRecord } from "../../store/port.ts";
-import type { Audience } from "../readers/subscribers.ts";
+import type { Subscribers } from "../readers/subscribers.ts";
 import { CommandDelivery, type Due } from "./command-delivery.ts";
 import { CommandLog } from "./command-log.ts";
 import { CommandRecall } from "./command-recall.ts";
@@ -33,19 +33,19 @@ import { OrderedWork } from "./ordered-work.ts";
 import { PageHandover, type Settled } from "../page/page-handover.ts";
 import { PageDisplay } from "../page/page-display.ts";
 import type { PageLink } from "../page/page-link.ts";
-import type { PageSeat } from "../page/page-seat.ts";
+import type { PageOwnership } from "../page/page-ownership.ts";
 import type { RobotLine } from "../presence/robot-line.ts";
 import type { Caller } from "../access/caller.ts";
-import type { Witness } from "./witness.ts";
+import type { CommandObserver } from "./command-observer.ts";
 
 export interface CommandLifeParts {
   robot: string;
   store: RobotStore;
   clock: Clock;
   timers: CoalescedTimers;
-  witness: Witness;
-  audience: Audience;
-  seat: PageSeat;
+  observer: CommandObserver;
+  subscribers: Subscribers;
+  ownership: PageOwnership;
   line: RobotLine;
 }
 
@@ -53,9 +53,9 @@ export class CommandLife {
   readonly #robot: string;
   readonly #store: RobotStore;
   readonly #clock: Clock;
-  readonly #witness: Witness;
-  readonly #audience: Audience;
-  readonly #seat: PageSeat;
+  readonly #observer: CommandObserver;
+  readonly #subscribers: Subscribers;
+  readonly #ownership: PageOwnership;
   readonly #line: RobotLine;
   readonly #delivery: CommandDelivery;
   readonly #allowance = new DriverAllowance();
@@ -74,33 +74,50 @@ export class CommandLife {
   /** seq of the newest command if that is a stop; otherwise null */
   #newestStop: number | null = null;
   /** whether this relay is publishing a step of its own in this turn */
-  #isTelling = false;
+  #isNotifying = false;
   /** whether the store may hold a waiting command that it did not confirm */
   #isInDoubt = false;
   #end: "over" | "restart" | null = null;
 
-  constructor({ robot, store, clock, timers, witness, audience, seat, line }: CommandLifeParts) {
+  constructor({
+    robot,
+    store,
+    clock,
+    timers,
+    observer,
+    subscribers,
+    ownership,
+    line,
+  }: CommandLifeParts) {
     this.#robot = robot;
     this.#store = store;
     this.#clock = clock;
-    this.#witness = witness;
-    this.#audience = audience;
-    this.#seat = seat;
+    this.#observer = observer;
+    this.#subscribers = subscribers;
+    this.#ownership = ownership;
     this.#line = line;
-    this.handover = new PageHandover({ clock, seat, line });
-    const sent = (records: readonly CommandRecord[]): void => this.#tellStates(records);
+    this.handover = new PageHandover({ clock, ownership, line });
+    const sent = (records: readonly CommandRecord[]): void => this.#publishStates(records);
     const { handover } = this;
-    const display = new PageDisplay({ seat, clock, timers });
+    const display = new PageDisplay({ ownership, clock, timers });
     this.display = display;
-    this.#delivery = new CommandDelivery({ robot, store, clock, seat, handover, display, sent });
-    this.log = new CommandLog(robot, store, audience, this.#work);
+    this.#delivery = new CommandDelivery({
+      robot,
+      store,
+      clock,
+      ownership,
+      handover,
+      display,
+      sent,
+    });
+    this.log = new CommandLog(robot, store, subscribers, this.#work);
     this.recall = new CommandRecall({
       robot,
       store,
       work: this.#work,
       ended: (commands) => this.#endedHere(commands),
       ask: (seq, cause) => {
-        seat.page?.link.send({ type: "cancel", seq, cause });
+        ownership.page?.link.send({ type: "cancel", seq, cause });
         line.cancel(seq, cause);
       },
     });
@@ -121,11 +138,11 @@ export class CommandLife {
       const settled = await this.handover.settle(resume);
       // The page disconnected while the previous page released the robot. That one may reconnect.
       if (!link.isOpen) return;
-      await this.#seatPage(link, resume, { ...settled, seated });
+      await this.#admitPage(link, resume, { ...settled, seated });
     });
   }
 
-  async #seatPage(
+  async #admitPage(
     link: PageLink,
     resume: Resume,
     { epoch: settled, left, seated }: Settled & { seated: () => void },
@@ -135,7 +152,7 @@ export class CommandLife {
       const taken = await this.#store.takeOver(this.#robot, {
         lastApplied,
         // A page can never end a command that another page started.
-        fresh: fresh || (this.#seat.name !== "" && !this.handover.isSame(resume)),
+        fresh: fresh || (this.#ownership.name !== "" && !this.handover.isSame(resume)),
         endings,
         pose: snapshot?.pose ?? null,
         page: name,
@@ -145,17 +162,17 @@ export class CommandLife {
       if (taken === null || this.#end !== null)
         return link.close(closeReasons[this.#end ?? "over"]);
       // Another relay's page may be newer, and its message may arrive before this response.
-      if (this.#seat.isElsewhere && this.#seat.epoch > taken.epoch)
+      if (this.#ownership.isElsewhere && this.#ownership.epoch > taken.epoch)
         return link.close(closeReasons.replaced);
-      this.#seat.page?.link.close(closeReasons.replaced);
-      this.#seat.take({ link, epoch: taken.epoch, name });
+      this.#ownership.page?.link.close(closeReasons.replaced);
+      this.#ownership.take({ link, epoch: taken.epoch, name });
       this.#line.pageCame(taken.epoch, name);
       const at = this.#clock.now();
       link.send({ type: "welcome", version: PROTOCOL_VERSION, epoch: taken.epoch, at });
       const refused = new Map(taken.refused.map((record) => [record.seq, record]));
       for (const { seq } of endings) this.#answerEnding(link, seq, refused.get(seq) ?? null);
       seated();
-      this.#tellStates(taken.changed);
+      this.#publishStates(taken.changed);
       await this.recall.askAgainInTurn();
       await this.#expireNow();
       await this.#delivery.run();
@@ -163,14 +180,14 @@ export class CommandLife {
   }
 
   /** Handles a page's report that a command started or ended, or that it released the robot. */
-  async hearPage(
+  async receiveFromPage(
     link: PageLink,
     message: Extract<PageToRelay, { type: "started" | "ended" | "yielded" }>,
   ): Promise<void> {
     await this.#work.run(async () => {
       // The connection may be closed by now. Its reports count until another page acquires the
       // robot.
-      if (message.epoch !== this.#seat.epoch) return;
+      if (message.epoch !== this.#ownership.epoch) return;
       try {
         await this.#heed(link, message);
       } catch (error) {
@@ -182,7 +199,10 @@ export class CommandLife {
     });
   }
 
-  async #heed(link: PageLink, message: Parameters<CommandLife["hearPage"]>[1]): Promise<void> {
+  async #heed(
+    link: PageLink,
+    message: Parameters<CommandLife["receiveFromPage"]>[1],
+  ): Promise<void> {
     switch (message.type) {
       case "started":
         return this.#started(message.epoch, message.seq);
@@ -200,8 +220,8 @@ export class CommandLife {
   /** Ends the commands of a page that is gone, unless a page is connected again. */
   async pageIsGone(): Promise<void> {
     await this.#work.run(async () => {
-      if (this.#seat.page !== null || this.#seat.isElsewhere) return;
-      const { epoch } = this.#seat;
+      if (this.#ownership.page !== null || this.#ownership.isElsewhere) return;
+      const { epoch } = this.#ownership;
       const ended = await this.#store.abandon(
         this.#robot,
         epoch,
@@ -209,8 +229,8 @@ export class CommandLife {
       );
       // Another relay has the page after all, and its message arrives soon.
       if (ended === null) return;
-      this.#seat.settleAway();
-      this.#tellStates(ended);
+      this.#ownership.settleAway();
+      this.#publishStates(ended);
     });
   }
 
@@ -219,8 +239,8 @@ export class CommandLife {
     const due = this.#delivery.take();
     const record = await started;
     if (record !== null) {
-      this.#witness.started(this.#secondsSince(Date.parse(record.acceptedAt)));
-      this.#tellStates([record]);
+      this.#observer.started(this.#secondsSince(Date.parse(record.acceptedAt)));
+      this.#publishStates([record]);
     }
     this.#delivery.send(await due);
   }
@@ -234,12 +254,12 @@ export class CommandLife {
     if (ending.state === "cancelled") this.display.flush();
     // The page may not end this command now. It retains the ending and sends it again when it
     // reconnects.
-    const isKept = outcome === "over" && record !== null && !hasEnded(record.state);
-    if (!isKept) {
+    const isStored = outcome === "over" && record !== null && !hasEnded(record.state);
+    if (!isStored) {
       const isRepeated = record?.state === ending.state;
       this.#answerEnding(link, ending.seq, isRepeated ? null : record);
     }
-    if (outcome === "ended") this.#tellStates([record]);
+    if (outcome === "ended") this.#publishStates([record]);
     this.#delivery.send(await due);
   }
 
@@ -265,7 +285,7 @@ export class CommandLife {
 
   async #expireNow(): Promise<void> {
     try {
-      const isAbsent = !this.#seat.isTaken;
+      const isAbsent = !this.#ownership.isTaken;
       const { ended, next } = await this.#store.expire(this.#robot, this.#clock.now(), isAbsent);
       if (next !== null) this.#deadlines.wake(next);
       this.#endedHere(ended);
@@ -290,10 +310,10 @@ export class CommandLife {
   // --- other relays ---
 
   /** Handles the changes of a step. The message bus also delivers the steps of this relay. */
-  heardStep(step: Step, isOwn: boolean): void {
-    if (this.#isTelling) return this.#audience.tellStates(step.changed);
-    const heard = this.#work.run(async () => {
-      this.#audience.tellStates(step.changed);
+  receivedStep(step: Step, isOwn: boolean): void {
+    if (this.#isNotifying) return this.#subscribers.publishStates(step.changed);
+    const received = this.#work.run(async () => {
+      this.#subscribers.publishStates(step.changed);
       if (isOwn || this.#end !== null) return;
       this.display.show(step.ended);
       const { added } = step;
@@ -301,17 +321,18 @@ export class CommandLife {
       this.#newestStop = isStop(added) ? added.record.seq : null;
       // The relay that stored the command may fail before the deadline.
       this.#deadlines.wake(added.deadline);
-      if (this.#seat.page !== null) this.#delivery.sendOrShow(added, await this.#delivery.take());
+      if (this.#ownership.page !== null)
+        this.#delivery.sendOrShow(added, await this.#delivery.take());
     });
-    heard.catch(() => undefined);
+    received.catch(() => undefined);
   }
 
   /** Steps may have been missed: notifies readers of the gap and delivers waiting commands. */
   missedSteps(): void {
     const made = this.#work.run(async () => {
-      this.#audience.tellMissed();
+      this.#subscribers.publishMissed();
       this.#deadlines.wake(this.#clock.now());
-      if (this.#seat.page !== null) await this.recall.askAgainInTurn();
+      if (this.#ownership.page !== null) await this.recall.askAgainInTurn();
       await this.#delivery.run();
     });
     made.catch(() => undefined);
@@ -357,7 +378,7 @@ export class CommandLife {
         acceptedAt: cameAt,
         deadline: cameAt + ttl - age,
         maxWaiting: limits.waitingCommands,
-        keep: limits.keptCommands,
+        keep: limits.storedCommands,
       });
       const due = this.#delivery.take();
       const result = await added.catch(async (error: unknown) => {
@@ -377,7 +398,7 @@ export class CommandLife {
       }
       const { record, ended } = result;
       this.#newestStop = isStop ? record.seq : null;
-      this.#witness.stored(this.#secondsSince(cameAt));
+      this.#observer.stored(this.#secondsSince(cameAt));
       acknowledge(record);
       const terms = {
         driver: grant.hash,
@@ -412,16 +433,16 @@ export class CommandLife {
     this.#deadlines.close();
   }
 
-  #tellStates(records: readonly CommandRecord[]): void {
+  #publishStates(records: readonly CommandRecord[]): void {
     this.#stepped({ changed: [...records] });
   }
 
   /** Publishes a step of this relay to all subscribers, including its own readers. */
   #stepped(step: Partial<Step> & Pick<Step, "changed">): void {
-    for (const { state } of step.changed) if (hasEnded(state)) this.#witness.ended(state);
-    this.#isTelling = true;
+    for (const { state } of step.changed) if (hasEnded(state)) this.#observer.ended(state);
+    this.#isNotifying = true;
     this.#line.stepped(step);
-    this.#isTelling = false;
+    this.#isNotifying = false;
   }
 
   #secondsSince(time: number): number {

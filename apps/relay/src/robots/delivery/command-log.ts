@@ -1,7 +1,7 @@
 /** Queries for the commands of one robot: one command, a list, the open ones, or the end of one. */
 import { hasEnded, type CommandRecord, type EventGap } from "@corridor/protocol";
 import type { RobotStore } from "../../store/port.ts";
-import type { Audience, CallerWait } from "../readers/subscribers.ts";
+import type { Subscribers, CallerWait } from "../readers/subscribers.ts";
 import { noCommand } from "./command-refusals.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import type { OrderedWork } from "./ordered-work.ts";
@@ -9,14 +9,14 @@ import type { OrderedWork } from "./ordered-work.ts";
 export class CommandLog {
   readonly #robot: string;
   readonly #store: RobotStore;
-  readonly #audience: Audience;
+  readonly #subscribers: Subscribers;
   readonly #work: OrderedWork;
 
   /** @param work queue of all changes to commands; some reads run between two changes */
-  constructor(robot: string, store: RobotStore, audience: Audience, work: OrderedWork) {
+  constructor(robot: string, store: RobotStore, subscribers: Subscribers, work: OrderedWork) {
     this.#robot = robot;
     this.#store = store;
-    this.#audience = audience;
+    this.#subscribers = subscribers;
     this.#work = work;
   }
 
@@ -32,10 +32,10 @@ export class CommandLog {
   }
 
   /** Reports the commands that have not ended, between two changes. */
-  async tellOpen(tell: (open: EventGap["open"]) => void): Promise<void> {
+  async readOpen(notify: (open: EventGap["open"]) => void): Promise<void> {
     await this.#work.run(async () => {
       const open = await this.#store.openCommands(this.#robot);
-      tell(open.map(({ seq, state }) => ({ seq, state })));
+      notify(open.map(({ seq, state }) => ({ seq, state })));
     });
   }
 
@@ -52,7 +52,7 @@ export class CommandLog {
   }
 
   #nextEnd(seq: number, waitLimit: CallerWait): Promise<void> {
-    return this.#audience.until(waitLimit, (done) => ({
+    return this.#subscribers.until(waitLimit, (done) => ({
       state: ({ record }) => {
         if (record.seq === seq && hasEnded(record.state)) done();
       },

@@ -6,7 +6,7 @@ import { FakeClock } from "../../platform/testing/fake-clock.ts";
 import { completed } from "../../platform/testing/messages.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { PageDisplay } from "./page-display.ts";
-import { PageSeat } from "./page-seat.ts";
+import { PageOwnership } from "./page-ownership.ts";
 import { LEFT, page, withRobot, type Host } from "../testing/robot-at-relay.ts";
 
 const { shownIntervalMs } = limits;
@@ -44,10 +44,10 @@ function inWords(message: RelayToPage): string {
 }
 
 /** A robot's ownership, and pages that acquire it, with the writes that each page received. */
-function withSeat() {
+function withOwnership() {
   const clock = new FakeClock();
-  const seat = new PageSeat(clock.now(), { epoch: 0, page: "" });
-  const display = new PageDisplay({ seat, clock, timers: new CoalescedTimers(clock) });
+  const ownership = new PageOwnership(clock.now(), { epoch: 0, page: "" });
+  const display = new PageDisplay({ ownership, clock, timers: new CoalescedTimers(clock) });
   let epoch = 0;
   const newPage = (): string[][] => {
     const writes: string[][] = [];
@@ -57,15 +57,15 @@ function withSeat() {
       close: () => undefined,
     };
     epoch += 1;
-    seat.take({ link, epoch, name: "" });
+    ownership.take({ link, epoch, name: "" });
     return writes;
   };
-  return { clock, seat, display, newPage };
+  return { clock, ownership, display, newPage };
 }
 
 describe("what waits for the page", () => {
   it("is shown at once where little happens", async () => {
-    const { clock, display, newPage } = withSeat();
+    const { clock, display, newPage } = withOwnership();
     const writes = newPage();
     display.show([command(1)]);
     expect(writes).toEqual([["1 accepted"]]);
@@ -75,7 +75,7 @@ describe("what waits for the page", () => {
   });
 
   it("is shown all together a second later, in order, where much happens", async () => {
-    const { clock, display, newPage } = withSeat();
+    const { clock, display, newPage } = withOwnership();
     const writes = newPage();
     display.show([command(1)]);
     await clock.pass(100);
@@ -92,7 +92,7 @@ describe("what waits for the page", () => {
   });
 
   it("is shown at most once a second, though much of it is shown with something else", async () => {
-    const { clock, display, newPage } = withSeat();
+    const { clock, display, newPage } = withOwnership();
     const writes = newPage();
     for (let seq = 1; seq <= 50; seq++) {
       display.show([command(seq)]);
@@ -106,7 +106,7 @@ describe("what waits for the page", () => {
   });
 
   it("goes before whatever is said with it", () => {
-    const { display, newPage } = withSeat();
+    const { display, newPage } = withOwnership();
     const writes = newPage();
     display.sayWith({ type: "heartbeat" });
     for (const seq of [1, 2, 3]) display.show([command(seq)]);
@@ -119,7 +119,7 @@ describe("what waits for the page", () => {
   });
 
   it("is not shown to the next page where it was held for the one before", async () => {
-    const { clock, display, newPage } = withSeat();
+    const { clock, display, newPage } = withOwnership();
     const before = newPage();
     for (const seq of [1, 2]) display.show([command(seq)]);
     const after = newPage();
@@ -137,10 +137,10 @@ describe("what waits for the page", () => {
       flush: (display: PageDisplay) => display.sayWith({ type: "heartbeat" }),
     },
   ])("is shown to nobody where the page has gone: $how", async ({ flush }) => {
-    const { clock, seat, display, newPage } = withSeat();
+    const { clock, ownership, display, newPage } = withOwnership();
     const writes = newPage();
     for (const seq of [1, 2]) display.show([command(seq)]);
-    seat.leave(clock.now(), true);
+    ownership.leave(clock.now(), true);
     flush(display);
     display.show([command(3)]);
     await clock.pass(10 * shownIntervalMs);
@@ -152,7 +152,7 @@ describe("what waits for the page", () => {
 });
 
 describe("a page whose robot has more to do than it may have at a time", () => {
-  const shown = ({ told }: Host): string[] => told.map(inWords).filter((words) => /\d/.test(words));
+  const shown = ({ sent }: Host): string[] => sent.map(inWords).filter((words) => /\d/.test(words));
 
   it("sees each command as waiting before it gets it, in order", async () => {
     const setup = await withRobot();
@@ -199,9 +199,9 @@ describe("a page whose robot has more to do than it may have at a time", () => {
     for (let n = 0; n < 10; n++) await setup.submit(LEFT);
     setup.robot.close("restart");
     expect(shown(host).slice(8)).toEqual(["9 accepted", "10 accepted"]);
-    const before = host.told.length;
+    const before = host.sent.length;
     await setup.clock.pass(10 * shownIntervalMs);
-    expect(host.told).toHaveLength(before);
+    expect(host.sent).toHaveLength(before);
   });
 
   it("sees what waits together with its scripts, when somebody is sent away", async () => {
@@ -209,6 +209,6 @@ describe("a page whose robot has more to do than it may have at a time", () => {
     const host = await page(setup);
     for (let n = 0; n < 10; n++) await setup.submit(LEFT);
     setup.robot.roster.awayChanged();
-    expect(host.told.map(inWords).slice(-2)).toEqual(["10 accepted", "drivers"]);
+    expect(host.sent.map(inWords).slice(-2)).toEqual(["10 accepted", "drivers"]);
   });
 });

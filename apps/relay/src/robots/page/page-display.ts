@@ -8,10 +8,10 @@ import type { CoalescedTimers, Waiter } from "../../platform/time/coalesced-time
 import type { TermedRecord } from "../../store/port.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import type { PageLink } from "./page-link.ts";
-import type { PageSeat, SeatedPage } from "./page-seat.ts";
+import type { PageOwnership, OwningPage } from "./page-ownership.ts";
 
 export class PageDisplay implements Waiter {
-  readonly #seat: PageSeat;
+  readonly #ownership: PageOwnership;
   readonly #clock: Clock;
   readonly #timers: CoalescedTimers;
   /** epoch of the page that the held commands are for */
@@ -21,8 +21,16 @@ export class PageDisplay implements Waiter {
   /** whether a timer is pending */
   #isArmed = false;
 
-  constructor({ seat, clock, timers }: { seat: PageSeat; clock: Clock; timers: CoalescedTimers }) {
-    this.#seat = seat;
+  constructor({
+    ownership,
+    clock,
+    timers,
+  }: {
+    ownership: PageOwnership;
+    clock: Clock;
+    timers: CoalescedTimers;
+  }) {
+    this.#ownership = ownership;
     this.#clock = clock;
     this.#timers = timers;
   }
@@ -52,8 +60,8 @@ export class PageDisplay implements Waiter {
   }
 
   /** The connected page. Discards commands that were held for a previous page. */
-  #page(): SeatedPage | null {
-    const { page } = this.#seat;
+  #page(): OwningPage | null {
+    const { page } = this.#ownership;
     const epoch = page?.epoch ?? 0;
     if (epoch === this.#epoch) return page;
     this.#epoch = epoch;

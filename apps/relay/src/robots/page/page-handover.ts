@@ -8,12 +8,12 @@ import type { Clock } from "../../platform/time/clock.ts";
 import { reloadReasons, replacedReasons, type LeftReasons } from "../../store/port.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import type { PageLink } from "./page-link.ts";
-import type { PageSeat } from "./page-seat.ts";
+import type { PageOwnership } from "./page-ownership.ts";
 import type { RobotLine } from "../presence/robot-line.ts";
 
 export interface PageHandoverParts {
   clock: Clock;
-  seat: PageSeat;
+  ownership: PageOwnership;
   line: RobotLine;
 }
 
@@ -26,26 +26,26 @@ export interface Settled {
 }
 
 /** How the owning page responds to the request to release the robot. */
-type Answer = "told all" | "gone" | "silent";
+type Answer = "reported all" | "gone" | "silent";
 
 export class PageHandover {
   readonly #clock: Clock;
-  readonly #seat: PageSeat;
+  readonly #ownership: PageOwnership;
   readonly #line: RobotLine;
   /** the page at this relay that was asked last */
   #asked: PageLink | null = null;
   /** reports how the page with this epoch responded */
   #answer: (epoch: number, answer: Answer) => void = () => undefined;
 
-  constructor({ clock, seat, line }: PageHandoverParts) {
+  constructor({ clock, ownership, line }: PageHandoverParts) {
     this.#clock = clock;
-    this.#seat = seat;
+    this.#ownership = ownership;
     this.#line = line;
   }
 
   /** Whether the page at this relay is releasing the robot and must not receive commands. */
   get isUnderWay(): boolean {
-    return this.#asked !== null && this.#asked === this.#seat.page?.link;
+    return this.#asked !== null && this.#asked === this.#ownership.page?.link;
   }
 
   /**
@@ -53,7 +53,7 @@ export class PageHandover {
    * Corridor send no name. Then only a newly loaded page counts as another page.
    */
   isSame({ page: name, fresh }: Pick<Resume, "page" | "fresh">): boolean {
-    return name === undefined ? !fresh : name === this.#seat.name;
+    return name === undefined ? !fresh : name === this.#ownership.name;
   }
 
   /**
@@ -61,11 +61,11 @@ export class PageHandover {
    * @param resume of the new page; the same page on a new connection reports what it has started
    */
   async settle(resume: Resume): Promise<Settled> {
-    const { epoch, isTaken, isInDoubt } = this.#seat;
+    const { epoch, isTaken, isInDoubt } = this.#ownership;
     if (this.isSame(resume)) return { epoch, left: reloadReasons };
-    const absent: Answer = isInDoubt ? "gone" : "told all";
+    const absent: Answer = isInDoubt ? "gone" : "reported all";
     const answer = isTaken ? await this.#givenUp(epoch) : absent;
-    if (answer === "told all") return { epoch, left: reloadReasons };
+    if (answer === "reported all") return { epoch, left: reloadReasons };
     // A reloaded tab closes its connection, or the connection breaks. A page that stays open beside
     // the new one is silent.
     const isReload = answer === "gone" && resume.fresh;
@@ -88,14 +88,14 @@ export class PageHandover {
    * Asks the page with this epoch to release the robot. @returns false if it is not at this relay
    */
   ask(epoch: number): boolean {
-    const { page } = this.#seat;
+    const { page } = this.#ownership;
     if (page?.epoch !== epoch) return false;
     const { link } = page;
     this.#asked = link;
     link.send({ type: "yield" });
     // No other page acquired the robot. This page may reconnect and own it again.
     this.#clock.after(2 * limits.yieldMs, () => {
-      if (this.#seat.isHeldBy(link)) link.close(closeReasons.busy);
+      if (this.#ownership.isHeldBy(link)) link.close(closeReasons.busy);
     });
     return true;
   }
@@ -106,11 +106,11 @@ export class PageHandover {
    */
   yielded(epoch: number, isHere: boolean): void {
     if (isHere) this.#line.yielded(epoch);
-    this.#answer(epoch, "told all");
+    this.#answer(epoch, "reported all");
   }
 
   /** The page with this epoch disconnected, so no other response follows. */
-  left(epoch: number, saidGoodbye: boolean): void {
-    this.#answer(epoch, saidGoodbye ? "told all" : "gone");
+  left(epoch: number, closedByPage: boolean): void {
+    this.#answer(epoch, closedByPage ? "reported all" : "gone");
   }
 }

@@ -13,12 +13,12 @@ import { limits } from "../../platform/limits/limits.ts";
 import { ScriptList } from "./script-list.ts";
 
 /** A script that is silent for longer than this holds no motion. */
-const FORGET_MS = 10_000;
+const SILENT_MS = 10_000;
 /** Maximum number of active scripts in a report. Motions of all others end. */
-export const MOST_TOLD = 16;
+export const MAX_REPORTED = 16;
 
 interface Life {
-  heardAt: number;
+  lastActiveAt: number;
   /** requests that wait for their response */
   waiting: number;
   /** when its newest connection was opened; null: it has opened none */
@@ -27,7 +27,7 @@ interface Life {
 
 export class DriverRoster {
   readonly #clock: Clock;
-  readonly #tell: () => void;
+  readonly #notify: () => void;
   /** the same scripts by name */
   readonly #list: ScriptList;
   readonly #away: () => readonly StoredScript[];
@@ -35,17 +35,17 @@ export class DriverRoster {
   readonly #lives = new Map<string, Life>();
   #connected = 0;
   #client: string | null = null;
-  #heardAt: number | null = null;
+  #lastActiveAt: number | null = null;
   #cancelTimer: (() => void) | null = null;
   #isNews = false;
 
   /**
-   * @param tell called when there is a change to report
+   * @param notify called when there is a change to report
    * @param away returns the scripts that the owner has blocked
    */
-  constructor(clock: Clock, tell: () => void, away: () => readonly StoredScript[]) {
+  constructor(clock: Clock, notify: () => void, away: () => readonly StoredScript[]) {
     this.#clock = clock;
-    this.#tell = tell;
+    this.#notify = notify;
     this.#list = new ScriptList(clock);
     this.#away = away;
   }
@@ -56,16 +56,16 @@ export class DriverRoster {
     this.#lifeOf(script.driver, now);
     this.#list.spoke(script, now);
     this.#client = script.client;
-    this.#heardAt = now;
+    this.#lastActiveAt = now;
     this.#changed();
   }
 
   /** Records a request of a script. @returns function to call once the request is answered */
-  heard(script: StoredScript): () => void {
+  received(script: StoredScript): () => void {
     const life = this.#lifeOf(script.driver);
-    const listed = this.#list.heard(script);
+    const listed = this.#list.received(script);
     this.#client = script.client;
-    this.#heardAt = this.#clock.now();
+    this.#lastActiveAt = this.#clock.now();
     life.waiting += 1;
     this.#changed();
     let isWaiting = true;
@@ -74,7 +74,7 @@ export class DriverRoster {
       isWaiting = false;
       listed();
       life.waiting -= 1;
-      life.heardAt = this.#clock.now();
+      life.lastActiveAt = this.#clock.now();
       this.#changed();
     };
   }
@@ -104,12 +104,13 @@ export class DriverRoster {
     this.#flush();
   }
 
-  told(): Scripts {
-    return { ...this.now(), alive: this.alive(), scripts: this.#list.told(this.#away()) };
+  report(): Scripts {
+    return { ...this.now(), alive: this.alive(), scripts: this.#list.report(this.#away()) };
   }
 
   now(): Drivers {
-    const silentMs = this.#heardAt === null ? null : Math.max(0, this.#clock.now() - this.#heardAt);
+    const silentMs =
+      this.#lastActiveAt === null ? null : Math.max(0, this.#clock.now() - this.#lastActiveAt);
     return { connected: this.#connected, client: this.#client, silentMs };
   }
 
@@ -117,13 +118,13 @@ export class DriverRoster {
   alive(): AliveDriver[] {
     const now = this.#clock.now();
     return [...this.#lives]
-      .map(([driver, { heardAt, waiting, lineAt }]) => ({
+      .map(([driver, { lastActiveAt, waiting, lineAt }]) => ({
         driver: keyId(driver),
-        silentMs: waiting > 0 ? 0 : Math.max(0, now - heardAt),
+        silentMs: waiting > 0 ? 0 : Math.max(0, now - lastActiveAt),
         connectionMs: lineAt === null ? null : Math.max(0, now - lineAt),
       }))
       .toSorted((a, b) => a.silentMs - b.silentMs)
-      .slice(0, MOST_TOLD);
+      .slice(0, MAX_REPORTED);
   }
 
   close(): void {
@@ -134,10 +135,10 @@ export class DriverRoster {
   #lifeOf(driver: string, now = this.#clock.now()): Life {
     let life = this.#lives.get(driver);
     if (life === undefined) {
-      life = { heardAt: now, waiting: 0, lineAt: null };
+      life = { lastActiveAt: now, waiting: 0, lineAt: null };
       this.#lives.set(driver, life);
     }
-    life.heardAt = now;
+    life.lastActiveAt = now;
     return life;
   }
 
@@ -149,8 +150,8 @@ export class DriverRoster {
   #flush(): void {
     this.#cancelTimer?.();
     this.#isNews = false;
-    this.#forgetSilent();
-    this.#tell();
+    this.#removeSilent();
+    this.#notify();
     this.#cancelTimer = this.#clock.after(limits.driversIntervalMs, () => {
       this.#cancelTimer = null;
       const isWaiting = [...this.#lives.values()].some(({ waiting }) => waiting > 0);
@@ -158,10 +159,10 @@ export class DriverRoster {
     });
   }
 
-  #forgetSilent(): void {
-    const before = this.#clock.now() - FORGET_MS;
-    for (const [driver, { heardAt, waiting }] of this.#lives) {
-      if (waiting === 0 && heardAt < before) this.#lives.delete(driver);
+  #removeSilent(): void {
+    const before = this.#clock.now() - SILENT_MS;
+    for (const [driver, { lastActiveAt, waiting }] of this.#lives) {
+      if (waiting === 0 && lastActiveAt < before) this.#lives.delete(driver);
     }
   }
 }

@@ -4,14 +4,14 @@
  */
 import type { AliveDriver, RecallCause } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
-import type { Ears, Line, Scripts, Step, Switchboard } from "../../bus/bus.ts";
+import type { BusListener, Line, Scripts, Step, Bus } from "../../bus/bus.ts";
 import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
 import {
   dueAfter,
   type CoalescedTimers,
   type Waiter,
 } from "../../platform/time/coalesced-timers.ts";
-import { MOST_TOLD } from "./driver-roster.ts";
+import { MAX_REPORTED } from "./driver-roster.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { mergedScripts } from "./script-list.ts";
 
@@ -20,7 +20,7 @@ export class RobotLine implements Waiter {
   readonly #timers: CoalescedTimers;
   #line: Line | null = null;
   /** other relays by name, with the time of their last announcement and their scripts */
-  readonly #others = new Map<string, { heardAt: number; scripts: Scripts }>();
+  readonly #others = new Map<string, { lastActiveAt: number; scripts: Scripts }>();
   #saidHereAt = -Infinity;
   #pending: CarriedSnapshot | null = null;
   /** no snapshot is published before this time, except one that precedes an ending */
@@ -33,8 +33,8 @@ export class RobotLine implements Waiter {
     this.#timers = timers;
   }
 
-  async open(switchboard: Switchboard, robot: string, ears: Ears): Promise<void> {
-    this.#line = await switchboard.join(robot, ears);
+  async open(bus: Bus, robot: string, listener: BusListener): Promise<void> {
+    this.#line = await bus.join(robot, listener);
   }
 
   /** Publishes the changes of a step of this relay, for all readers and for the page. */
@@ -44,39 +44,39 @@ export class RobotLine implements Waiter {
 
   /** @param name identifies the page across its connections */
   pageCame(epoch: number, name: string): void {
-    this.#line?.tell({ kind: "page", epoch, name });
+    this.#line?.notify({ kind: "page", epoch, name });
   }
 
-  pageLeft(epoch: number, saidGoodbye: boolean): void {
-    this.#line?.tell({ kind: "page-left", epoch, saidGoodbye });
+  pageLeft(epoch: number, closedByPage: boolean): void {
+    this.#line?.notify({ kind: "page-left", epoch, closedByPage });
   }
 
   /** Asks the page with this epoch, at another relay, to release the robot. */
   yield(epoch: number): void {
-    this.#line?.tell({ kind: "yield", epoch });
+    this.#line?.notify({ kind: "yield", epoch });
   }
 
   /** Reports that the page with this epoch at this relay has released the robot. */
   yielded(epoch: number): void {
-    this.#line?.tell({ kind: "yielded", epoch });
+    this.#line?.notify({ kind: "yielded", epoch });
   }
 
   /** Asks the page, at another relay, to end a command. */
   cancel(seq: number, cause: RecallCause): void {
-    this.#line?.tell({ kind: "cancel", seq, cause });
+    this.#line?.notify({ kind: "cancel", seq, cause });
   }
 
   /** Reports that the owner has changed keys or the permissions of scripts. */
   rightsChanged(): void {
-    this.#line?.tell({ kind: "keys" });
+    this.#line?.notify({ kind: "keys" });
   }
 
   mazeChanged(version: string): void {
-    this.#line?.tell({ kind: "maze", version });
+    this.#line?.notify({ kind: "maze", version });
   }
 
-  forgotten(): void {
-    this.#line?.tell({ kind: "over" });
+  deleted(): void {
+    this.#line?.notify({ kind: "over" });
   }
 
   /**
@@ -93,7 +93,7 @@ export class RobotLine implements Waiter {
    * Publishes the pending snapshot, so that readers at other relays receive it before an ending.
    */
   hurry(): void {
-    if (this.#pending !== null) this.#line?.tell({ kind: "snapshot", snapshot: this.#pending });
+    if (this.#pending !== null) this.#line?.notify({ kind: "snapshot", snapshot: this.#pending });
     this.#pending = null;
     this.#line?.hurry();
   }
@@ -104,7 +104,7 @@ export class RobotLine implements Waiter {
    */
   sayHere(scripts: Scripts, asks = false): void {
     this.#saidHereAt = this.#clock.now();
-    this.#line?.tell({ kind: "here", from: "", scripts, asks });
+    this.#line?.notify({ kind: "here", from: "", scripts, asks });
   }
 
   /** Repeats the announcement at intervals of `limits.relayHereMs`. */
@@ -112,15 +112,15 @@ export class RobotLine implements Waiter {
     if (this.#clock.now() - this.#saidHereAt >= limits.relayHereMs) this.sayHere(scripts);
   }
 
-  heardHere(from: string, scripts: Scripts): void {
-    this.#others.set(from, { heardAt: this.#clock.now(), scripts });
+  receivedHere(from: string, scripts: Scripts): void {
+    this.#others.set(from, { lastActiveAt: this.#clock.now(), scripts });
   }
 
   /** Scripts of all relays. The age of each announcement is added to its times. */
   withOthers(own: Scripts): Scripts {
-    this.#forgetSilent();
-    const all = [...this.#others.values()].map(({ heardAt, scripts }) =>
-      older(scripts, this.#clock.now() - heardAt),
+    this.#removeSilent();
+    const all = [...this.#others.values()].map(({ lastActiveAt, scripts }) =>
+      older(scripts, this.#clock.now() - lastActiveAt),
     );
     return all.reduce(together, own);
   }
@@ -133,14 +133,14 @@ export class RobotLine implements Waiter {
 
   get #hasOthers(): boolean {
     if (this.#others.size === 0) return false;
-    this.#forgetSilent();
+    this.#removeSilent();
     return this.#others.size > 0;
   }
 
-  #forgetSilent(): void {
+  #removeSilent(): void {
     const oldest = this.#clock.now() - limits.relaySilenceMs;
-    for (const [name, { heardAt }] of this.#others) {
-      if (heardAt < oldest) this.#others.delete(name);
+    for (const [name, { lastActiveAt }] of this.#others) {
+      if (lastActiveAt < oldest) this.#others.delete(name);
     }
   }
 
@@ -157,7 +157,7 @@ export class RobotLine implements Waiter {
       return this.#timers.wakeAfter(this.#notBefore - now, this);
     }
     this.#notBefore = dueAfter(this.#notBefore, now, limits.snapshotIntervalMs);
-    this.#line?.tell({ kind: "snapshot", snapshot: this.#pending });
+    this.#line?.notify({ kind: "snapshot", snapshot: this.#pending });
     this.#pending = null;
   }
 }
@@ -190,5 +190,5 @@ function together(a: Scripts, b: Scripts): Scripts {
   const { client, silentMs } = newest;
   const connected = a.connected + b.connected;
   const scripts = mergedScripts([a.scripts, b.scripts]);
-  return { connected, client, silentMs, scripts, alive: [...alive.values()].slice(-MOST_TOLD) };
+  return { connected, client, silentMs, scripts, alive: [...alive.values()].slice(-MAX_REPORTED) };
 }

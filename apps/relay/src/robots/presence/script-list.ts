@@ -13,7 +13,7 @@ const SHOWN_MS = 120_000;
 interface Trace {
   script: StoredScript;
   connections: number;
-  heardAt: number;
+  lastActiveAt: number;
   /** requests that wait for their response */
   waiting: number;
   last: ScriptView["last"];
@@ -36,12 +36,12 @@ export class ScriptList {
   }
 
   /** Records a request of a script. @returns function to call once the request is answered */
-  heard(script: StoredScript): () => void {
+  received(script: StoredScript): () => void {
     const trace = this.#traceOf(script);
     trace.waiting += 1;
     return () => {
       trace.waiting -= 1;
-      trace.heardAt = this.#clock.now();
+      trace.lastActiveAt = this.#clock.now();
     };
   }
 
@@ -60,19 +60,19 @@ export class ScriptList {
   }
 
   /** @param away blocked scripts; listed first, whenever they were active */
-  told(away: readonly StoredScript[]): ScriptView[] {
+  report(away: readonly StoredScript[]): ScriptView[] {
     const now = this.#clock.now();
     const isBlocked = (id: string): boolean => away.some((script) => script.id === id);
     const here = [...this.#traces.values()]
-      .filter(({ script, connections, waiting, heardAt }) => {
-        const isHere = connections > 0 || waiting > 0 || now - heardAt < SHOWN_MS;
+      .filter(({ script, connections, waiting, lastActiveAt }) => {
+        const isHere = connections > 0 || waiting > 0 || now - lastActiveAt < SHOWN_MS;
         return isHere && !isBlocked(script.id);
       })
       .slice(-MAX_SCRIPTS)
       .map((trace) => ({
         ...view(trace.script),
         connections: trace.connections,
-        silentMs: trace.waiting > 0 ? 0 : Math.max(0, now - trace.heardAt),
+        silentMs: trace.waiting > 0 ? 0 : Math.max(0, now - trace.lastActiveAt),
         last: trace.last,
         isBlocked: false,
       }));
@@ -88,18 +88,18 @@ export class ScriptList {
 
   #traceOf(script: StoredScript, now = this.#clock.now()): Trace {
     const known = this.#traces.get(script.id);
-    const trace = known ?? { script, connections: 0, heardAt: 0, waiting: 0, last: null };
-    trace.heardAt = now;
+    const trace = known ?? { script, connections: 0, lastActiveAt: 0, waiting: 0, last: null };
+    trace.lastActiveAt = now;
     if (trace === this.#newest) return trace;
     this.#newest = trace;
     this.#traces.delete(script.id);
     this.#traces.set(script.id, trace);
-    if (known === undefined) this.#forgetOldest();
+    if (known === undefined) this.#deleteOldest();
     return trace;
   }
 
   /** Bounds the memory for scripts that send ever new names. */
-  #forgetOldest(): void {
+  #deleteOldest(): void {
     if (this.#traces.size <= 2 * MAX_SCRIPTS) return;
     for (const [id, { connections, waiting }] of this.#traces) {
       if (connections > 0 || waiting > 0) continue;
@@ -121,7 +121,7 @@ export function mergedScripts(lists: readonly ScriptView[][]): ScriptView[] {
     byId.set(script.id, other === undefined ? script : merged(other, script));
   }
   const all = [...byId.values()];
-  const here = all.filter(({ isBlocked }) => !isBlocked).toSorted(byHeard);
+  const here = all.filter(({ isBlocked }) => !isBlocked).toSorted(byActivity);
   return [...all.filter(({ isBlocked }) => isBlocked), ...here.slice(0, MAX_SCRIPTS)];
 }
 
@@ -138,6 +138,6 @@ function merged(a: ScriptView, b: ScriptView): ScriptView {
   };
 }
 
-function byHeard(a: ScriptView, b: ScriptView): number {
+function byActivity(a: ScriptView, b: ScriptView): number {
   return (a.silentMs ?? Infinity) - (b.silentMs ?? Infinity);
 }

@@ -32,30 +32,30 @@ it("has every event that is neither too old nor one too many, by its number, and
       const clock: Clock = { now: () => now, after: () => () => undefined };
       const log = new EventLog(clock);
       let n = 0;
-      let kept: { n: number; at: number }[] = [];
+      let stored: { n: number; at: number }[] = [];
       for (const each of steps) {
         if (each === "forget") {
-          log.forgetOld();
-          kept = kept.filter(({ at }) => at >= now - EVENT_RETENTION_MS);
+          log.deleteOld();
+          stored = stored.filter(({ at }) => at >= now - EVENT_RETENTION_MS);
         } else if (each === "lose") {
           log.lose();
           n += 1;
-          kept = [];
+          stored = [];
         } else if ("passMs" in each) now += each.passMs;
         else {
           for (let times = 0; times < each.add; times++) {
             n += 1;
             log.add(record(n));
-            kept = [...kept, { n, at: now }].slice(-MAX_STORED_EVENTS);
+            stored = [...stored, { n, at: now }].slice(-MAX_STORED_EVENTS);
           }
         }
-        const oldest = kept[0]?.n ?? n + 1;
+        const oldest = stored[0]?.n ?? n + 1;
         expect(log.n).toBe(n);
         expect(log.after(n + 1)).toBeNull();
         expect([...(log.after(n) ?? [null])]).toEqual([]);
         expect(log.after(oldest - 2)).toBeNull();
         expect([...(log.after(oldest - 1) ?? [])]).toEqual(
-          kept.map((one) => ({ n: one.n, record: record(one.n) })),
+          stored.map((one) => ({ n: one.n, record: record(one.n) })),
         );
         expect(log.numberOf(log.since)).toBe(n);
       }
@@ -69,14 +69,14 @@ it("tells no event under another's number, whatever happens while it is read", (
   for (const happens of ["add", "lose"] as const) {
     const log = new EventLog(clock);
     for (let n = 1; n <= MAX_STORED_EVENTS; n++) log.add(record(n));
-    const told: number[] = [];
+    const sent: number[] = [];
     for (const event of log.after(0) ?? []) {
       expect(event.record).toEqual(record(event.n));
-      told.push(event.n);
+      sent.push(event.n);
       if (event.n === 500 && happens === "lose") log.lose();
       else if (event.n > 500) log.add(record(log.n + 1));
     }
     const last = happens === "lose" ? 500 : MAX_STORED_EVENTS;
-    expect(told).toEqual(Array.from({ length: last }, (_, at) => at + 1));
+    expect(sent).toEqual(Array.from({ length: last }, (_, at) => at + 1));
   }
 });

@@ -22,7 +22,7 @@ export class EventLog {
    * few are ever read again. As objects, a thousand for each of thousands of robots would fill most
    * of the heap.
    */
-  readonly #kept = new PackedTexts();
+  readonly #stored = new PackedTexts();
   #times: number[] = [];
   #n = 0;
 
@@ -42,10 +42,10 @@ export class EventLog {
 
   add(record: CommandRecord): StateEvent {
     this.#n += 1;
-    this.#kept.push(packed(record));
+    this.#stored.push(packed(record));
     this.#times.push(this.#clock.now());
-    if (this.#kept.length > MAX_STORED_EVENTS) {
-      this.#kept.shift(1);
+    if (this.#stored.length > MAX_STORED_EVENTS) {
+      this.#stored.shift(1);
       this.#times.shift();
     }
     return { n: this.#n, record };
@@ -54,21 +54,21 @@ export class EventLog {
   /** States may have been missed, so all readers of earlier positions must receive a gap. */
   lose(): void {
     this.#n += 1;
-    this.#forget(this.#kept.length);
+    this.#remove(this.#stored.length);
   }
 
   /** Deletes events that exceed the retention time. */
-  forgetOld(): void {
+  deleteOld(): void {
     const oldest = this.#clock.now() - EVENT_RETENTION_MS;
     if ((this.#times[0] ?? oldest) >= oldest) return;
     const first = this.#times.findIndex((at) => at >= oldest);
-    this.#forget(first < 0 ? this.#kept.length : first);
+    this.#remove(first < 0 ? this.#stored.length : first);
   }
 
   /** Whether all events after `n` are stored. */
   hasAfter(n: number): boolean {
     const missed = this.#n - n;
-    return missed >= 0 && missed <= this.#kept.length;
+    return missed >= 0 && missed <= this.#stored.length;
   }
 
   /**
@@ -87,13 +87,13 @@ export class EventLog {
 
   *#from(first: number, last: number): Iterable<StateEvent> {
     for (let n = first; n <= last; n++) {
-      const at = n - this.#n + this.#kept.length - 1;
-      if (at >= 0) yield { n, record: unpacked(this.#kept.at(at)) };
+      const at = n - this.#n + this.#stored.length - 1;
+      if (at >= 0) yield { n, record: unpacked(this.#stored.at(at)) };
     }
   }
 
-  #forget(count: number): void {
-    this.#kept.shift(count);
+  #remove(count: number): void {
+    this.#stored.shift(count);
     this.#times.splice(0, count);
   }
 }

@@ -32,8 +32,8 @@ function robotWithReaders() {
   const events = new EventLog(clock);
   let newest: CarriedSnapshot | null = null;
   const feeds: ReaderFeed[] = [];
-  /** @param heard called after each state, as a connection may break during a write */
-  const join = (since: string | null = null, heard?: (feed: ReaderFeed) => void) => {
+  /** @param received called after each state, as a connection may break during a write */
+  const join = (since: string | null = null, received?: (feed: ReaderFeed) => void) => {
     const said: string[] = [];
     const flow = { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined };
     const say = (text: string, bytes: number): void => {
@@ -48,7 +48,7 @@ function robotWithReaders() {
         snapshot: ({ seq }) => say(`snapshot ${seq}`, 400),
         state: ({ n }) => {
           say(`state ${n}`, STATE_BYTES);
-          heard?.(feed);
+          received?.(feed);
         },
         gap: ({ n, open }) => say(`gap ${n} ${open.map(({ seq }) => seq).join()}`, 200),
         maze: (version) => say(`maze ${version}`, 50),
@@ -57,7 +57,7 @@ function robotWithReaders() {
       {
         events,
         newest: () => newest,
-        tellOpen: async (tell) => tell([{ seq: 5, state: "started" }]),
+        readOpen: async (notify) => notify([{ seq: 5, state: "started" }]),
       },
       { clock, timers },
     );
@@ -117,7 +117,7 @@ describe("a reader that comes back", () => {
     const since = events.since;
     happen(after);
     await clock.pass(ms);
-    events.forgetOld();
+    events.deleteOld();
     const { said } = join(since);
     happen();
     await clock.pass(1_000);

@@ -59,7 +59,7 @@ export interface ReaderSource {
   readonly events: EventLog;
   newest(): CarriedSnapshot | null;
   /** Reports the commands that have not ended, between two changes. @throws if the store fails */
-  tellOpen(tell: (open: EventGap["open"]) => void): Promise<void>;
+  readOpen(notify: (open: EventGap["open"]) => void): Promise<void>;
 }
 
 /** A snapshot in transit, and its end position on the connection. */
@@ -108,9 +108,9 @@ export class ReaderFeed implements Waiter {
    */
   begin(since: string | null): void {
     const { events } = this.#source;
-    const told = since === null ? events.n : events.numberOf(since);
-    const isMissing = told === null || !events.hasAfter(told);
-    this.#n = told ?? 0;
+    const position = since === null ? events.n : events.numberOf(since);
+    const isMissing = position === null || !events.hasAfter(position);
+    this.#n = position ?? 0;
     const snapshot = this.#source.newest();
     this.#sink.began({ stream: events.stream, n: isMissing ? null : this.#n, snapshot });
     if (snapshot !== null) this.#left(snapshot);
@@ -130,7 +130,7 @@ export class ReaderFeed implements Waiter {
     if (!isProof && this.#unread > limits.stuckReaderBytes) return this.over("tooSlow");
     if (this.#isFull) this.#isHeld = true;
     if (this.#isHeld) this.#arm();
-    else this.#tell(event);
+    else this.#notify(event);
   }
 
   /** States were missed: the reader receives a gap. */
@@ -223,13 +223,13 @@ export class ReaderFeed implements Waiter {
         this.#isHeld = true;
         return this.#arm();
       }
-      this.#tell(event);
+      this.#notify(event);
     }
   }
 
   #missed(): void {
     this.#isMissing = true;
-    const told = this.#source.tellOpen((open) => {
+    const position = this.#source.readOpen((open) => {
       if (this.#isClosed) return;
       this.#isMissing = false;
       this.#isHeld = false;
@@ -238,10 +238,10 @@ export class ReaderFeed implements Waiter {
       const newest = this.#source.newest();
       if (newest !== null) this.snapshot(newest);
     });
-    told.catch(() => this.over("busy"));
+    position.catch(() => this.over("busy"));
   }
 
-  #tell(event: StateEvent): void {
+  #notify(event: StateEvent): void {
     if (this.#pending !== null && (hasEnded(event.record.state) || this.#hasCredit)) {
       this.#sendSnapshot(this.#pending, this.#clock.now());
     }

@@ -1,6 +1,6 @@
 /** Events for a long poll: what a feed sends to a connected reader, in one response. */
 import type { EventGap, EventPage } from "@corridor/protocol";
-import type { Audience, CallerWait } from "./subscribers.ts";
+import type { Subscribers, CallerWait } from "./subscribers.ts";
 import type { ReaderSource } from "./feed.ts";
 
 export interface WantedEvents {
@@ -16,24 +16,24 @@ export interface WantedEvents {
  * @returns the events after the wait; immediately for a first request or after missed states
  */
 export async function nextEvents(
-  source: ReaderSource & { audience: Audience },
+  source: ReaderSource & { subscribers: Subscribers },
   { since, after }: WantedEvents,
   waitLimit: CallerWait,
 ): Promise<EventPage> {
-  const { events, audience } = source;
-  const page = (told: number, gap: EventGap | null): EventPage => ({
+  const { events, subscribers } = source;
+  const page = (position: number, gap: EventGap | null): EventPage => ({
     since: events.since,
     gap,
-    states: [...(events.after(told) ?? [])],
+    states: [...(events.after(position) ?? [])],
     snapshot: source.newest()?.value ?? null,
   });
   if (since === undefined) return page(events.n, null);
-  const told = events.numberOf(since);
-  if (told === null || !events.hasAfter(told)) return afterGap(source, page);
+  const position = events.numberOf(since);
+  if (position === null || !events.hasAfter(position)) return afterGap(source, page);
   const before = source.newest();
   const isKnown = after === undefined || (before?.seq ?? -1) <= after;
-  if (events.n === told && isKnown) {
-    await audience.until(waitLimit, (done) => ({
+  if (events.n === position && isKnown) {
+    await subscribers.until(waitLimit, (done) => ({
       state: done,
       ...(after !== undefined && {
         snapshot: ({ seq, state }) => {
@@ -43,15 +43,15 @@ export async function nextEvents(
     }));
   }
   // A burst during the wait may have exceeded the event log.
-  return events.hasAfter(told) ? page(told, null) : afterGap(source, page);
+  return events.hasAfter(position) ? page(position, null) : afterGap(source, page);
 }
 
 async function afterGap(
   source: ReaderSource,
-  page: (told: number, gap: EventGap) => EventPage,
+  page: (position: number, gap: EventGap) => EventPage,
 ): Promise<EventPage> {
   const { promise, resolve } = Promise.withResolvers<EventPage>();
-  await source.tellOpen((open) => {
+  await source.readOpen((open) => {
     const { n } = source.events;
     resolve(page(n, { n, open }));
   });

@@ -12,19 +12,19 @@ it("has every text as it came, in order, until it is let go of", () => {
   fc.assert(
     fc.property(fc.array(step, { maxLength: 60 }), (steps) => {
       const packed = new PackedTexts();
-      const kept: string[] = [];
+      const stored: string[] = [];
       for (const each of steps) {
         if ("shift" in each) {
-          const count = Math.min(each.shift, kept.length);
+          const count = Math.min(each.shift, stored.length);
           packed.shift(count);
-          kept.splice(0, count);
+          stored.splice(0, count);
         } else {
           const texts = Array<string>("times" in each ? each.times : 1).fill(each.push);
           for (const text of texts) packed.push(text);
-          kept.push(...texts);
+          stored.push(...texts);
         }
-        expect(packed.length).toBe(kept.length);
-        expect(kept.map((_, at) => packed.at(at))).toEqual(kept);
+        expect(packed.length).toBe(stored.length);
+        expect(stored.map((_, at) => packed.at(at))).toEqual(stored);
       }
     }),
   );

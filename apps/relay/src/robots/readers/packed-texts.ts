@@ -56,15 +56,15 @@ export class PackedTexts {
    * Moves the texts to the front and makes room for `size` more bytes. @returns their end offset
    */
   #makeRoom(size: number): number {
-    const kept = this.#bytes.subarray(this.#start, this.#ends.at(-1) ?? this.#start);
-    const needed = Math.max(kept.length + size, FIRST_BYTES / ROOM.made);
+    const stored = this.#bytes.subarray(this.#start, this.#ends.at(-1) ?? this.#start);
+    const needed = Math.max(stored.length + size, FIRST_BYTES / ROOM.made);
     const now = this.#bytes.length;
     const isRight = now >= needed * ROOM.least && now <= needed * ROOM.most;
     const bytes = isRight ? this.#bytes : Buffer.allocUnsafeSlow(Math.ceil(needed * ROOM.made));
-    kept.copy(bytes);
+    stored.copy(bytes);
     this.#ends = this.#ends.map((end) => end - this.#start);
     this.#bytes = bytes;
     this.#start = 0;
-    return kept.length;
+    return stored.length;
   }
 }

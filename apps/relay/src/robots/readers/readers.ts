@@ -2,7 +2,7 @@
 import type { EventPage, Snapshot } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
 import type { CoalescedTimers } from "../../platform/time/coalesced-timers.ts";
-import type { Audience, CallerWait, ReaderDoor } from "./subscribers.ts";
+import type { Subscribers, CallerWait, ReaderDoor } from "./subscribers.ts";
 import type { DriverRoster } from "../presence/driver-roster.ts";
 import { nextEvents, type WantedEvents } from "./next-events.ts";
 import { ReaderFeed, type ReaderSink, type ReaderSource } from "./feed.ts";
@@ -18,7 +18,7 @@ export interface JoinedReader {
 export interface ReadersParts {
   clock: Clock;
   timers: CoalescedTimers;
-  audience: Audience;
+  subscribers: Subscribers;
   /** shared by all readers */
   source: ReaderSource;
   roster: DriverRoster;
@@ -33,7 +33,7 @@ export class Readers {
 
   /** Number of readers by kind of subscription. */
   get count(): Record<ReaderDoor, number> {
-    return this.#parts.audience.count();
+    return this.#parts.subscribers.count();
   }
 
   /**
@@ -42,9 +42,9 @@ export class Readers {
    * @throws Refusal too-many-readers
    */
   join(caller: Caller, sink: ReaderSink, since: string | null): JoinedReader {
-    const { clock, timers, audience, source, roster } = this.#parts;
+    const { clock, timers, subscribers, source, roster } = this.#parts;
     const feed = new ReaderFeed(sink, source, { clock, timers });
-    const leave = audience.join(feed, caller, sink.door);
+    const leave = subscribers.join(feed, caller, sink.door);
     const { script } = caller;
     const disconnected = script === null ? () => undefined : roster.connected(script);
     feed.begin(since);
@@ -59,18 +59,18 @@ export class Readers {
 
   /** The states after `since`, and the newest snapshot: see `nextEvents`. */
   async nextEvents(wanted: WantedEvents, waitLimit: CallerWait): Promise<EventPage> {
-    const { source, audience } = this.#parts;
-    return nextEvents({ ...source, audience }, wanted, waitLimit);
+    const { source, subscribers } = this.#parts;
+    return nextEvents({ ...source, subscribers }, wanted, waitLimit);
   }
 
   /**
    * Waits for a snapshot that is newer than `after` or has another state. @returns the newest one
    */
   async nextSnapshot(after: number, waitLimit: CallerWait): Promise<Snapshot | null> {
-    const { audience, source } = this.#parts;
+    const { subscribers, source } = this.#parts;
     const before = source.newest();
     if (before !== null && before.seq > after) return before.value;
-    await audience.until(waitLimit, (done) => ({
+    await subscribers.until(waitLimit, (done) => ({
       snapshot: ({ seq, state }) => {
         if (seq > after || state !== before?.state) done();
       },

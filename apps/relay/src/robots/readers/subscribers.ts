@@ -40,7 +40,7 @@ export interface CallerWait extends WaitLimit {
   key?: Caller;
 }
 
-export class Audience {
+export class Subscribers {
   readonly #clock: Clock;
   readonly #events: EventLog;
   readonly #entries = new Set<{ listener: Listener; key: Caller | null; door: ReaderDoor }>();
@@ -113,15 +113,15 @@ export class Audience {
     }
   }
 
-  tellSnapshot(snapshot: CarriedSnapshot): void {
+  publishSnapshot(snapshot: CarriedSnapshot): void {
     for (const { listener } of this.#entries) listener.snapshot(snapshot);
   }
 
-  tellMaze(version: string): void {
+  publishMaze(version: string): void {
     for (const { listener } of this.#entries) listener.maze(version);
   }
 
-  tellStates(records: readonly CommandRecord[]): void {
+  publishStates(records: readonly CommandRecord[]): void {
     for (const record of records) {
       const event = this.#events.add(record);
       for (const { listener } of this.#entries) listener.state(event);
@@ -129,7 +129,7 @@ export class Audience {
   }
 
   /** States may have been missed: discards the stored events and notifies all subscribers. */
-  tellMissed(): void {
+  publishMissed(): void {
     this.#events.lose();
     for (const { listener } of this.#entries) listener.missed();
   }

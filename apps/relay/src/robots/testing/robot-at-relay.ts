@@ -88,7 +88,7 @@ export type Setup = Awaited<ReturnType<typeof withRobot>>;
  * @param isSilent whether the page ignores the request to release the robot
  */
 export async function page({ robot }: Setup, resume: Partial<Resume> = {}, isSilent = false) {
-  const told: RelayToPage[] = [];
+  const sent: RelayToPage[] = [];
   const closed: number[] = [];
   let epoch = 0;
   let isOpen = true;
@@ -97,7 +97,7 @@ export async function page({ robot }: Setup, resume: Partial<Resume> = {}, isSil
       return isOpen;
     },
     send: (...messages) => {
-      told.push(...messages);
+      sent.push(...messages);
       if (messages.some(({ type }) => type === "yield") && !isSilent) void yielded();
     },
     close: ({ code }) => {
@@ -105,7 +105,7 @@ export async function page({ robot }: Setup, resume: Partial<Resume> = {}, isSil
       closed.push(code);
     },
   };
-  const yielded = async () => robot.hearPage(link, { type: "yielded", epoch });
+  const yielded = async () => robot.receiveFromPage(link, { type: "yielded", epoch });
   await robot.takePage(link, {
     type: "resume",
     lastApplied: 0,
@@ -113,21 +113,21 @@ export async function page({ robot }: Setup, resume: Partial<Resume> = {}, isSil
     endings: [],
     ...resume,
   });
-  const welcome = told.find((message) => message.type === "welcome");
+  const welcome = sent.find((message) => message.type === "welcome");
   epoch = welcome?.type === "welcome" ? welcome.epoch : 0;
   const seqs = (type: "command" | "stop") =>
-    told.flatMap((message) => (message.type === type && "seq" in message ? [message.seq] : []));
+    sent.flatMap((message) => (message.type === type && "seq" in message ? [message.seq] : []));
   return {
-    told,
+    sent,
     closed,
     link,
     epoch,
     seqs,
     yielded,
-    started: (seq: number) => robot.hearPage(link, { type: "started", epoch, seq }),
-    ended: (ending: Ending) => robot.hearPage(link, { type: "ended", epoch, ...ending }),
+    started: (seq: number) => robot.receiveFromPage(link, { type: "started", epoch, seq }),
+    ended: (ending: Ending) => robot.receiveFromPage(link, { type: "ended", epoch, ...ending }),
     report: (change = {}) =>
-      robot.hearPage(link, { type: "snapshot", epoch, snapshot: snapshotOf(change) }),
+      robot.receiveFromPage(link, { type: "snapshot", epoch, snapshot: snapshotOf(change) }),
   };
 }
 

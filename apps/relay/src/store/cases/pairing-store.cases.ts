@@ -84,31 +84,31 @@ export function pairingStoreCases(name: string, open: () => Promise<OpenPairingS
     it.each([
       {
         when: "they are taken back",
-        forget: async ({ store }: OpenPairingStore) => expect(await store.remove(ROBOT)).toBe(true),
+        remove: async ({ store }: OpenPairingStore) => expect(await store.remove(ROBOT)).toBe(true),
       },
       {
         when: "their time is over",
-        forget: async ({ store }: OpenPairingStore) => {
+        remove: async ({ store }: OpenPairingStore) => {
           expect(await store.removeEnded(pairing.endsAt - 1)).toBe(0);
           expect(await store.removeEnded(pairing.endsAt)).toBe(1);
         },
       },
       {
         when: "their robot is deleted",
-        forget: async ({ robots }: OpenPairingStore) => void (await robots.remove(ROBOT)),
+        remove: async ({ robots }: OpenPairingStore) => void (await robots.remove(ROBOT)),
       },
       {
         when: "their robot runs out",
-        forget: async ({ robots }: OpenPairingStore) =>
+        remove: async ({ robots }: OpenPairingStore) =>
           void (await robots.removeExpired({ lastUsedAt: 10, createdAt: 10 })),
       },
-    ])("are gone from the files when $when", async ({ forget }) => {
+    ])("are gone from the files when $when", async ({ remove }) => {
       const opened = await withRobots();
       const { store, holds } = opened;
       await store.open(pairing);
       await store.ask(pairing.code, question, NOW);
       expect(await holds(question.key)).toBe(true);
-      await forget(opened);
+      await remove(opened);
       expect(await store.find({ robot: ROBOT }, NOW)).toBeNull();
       expect(await store.find({ key: question.key }, NOW)).toBeNull();
       for (const text of [pairing.code, question.key, question.name]) {

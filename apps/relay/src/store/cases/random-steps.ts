@@ -114,7 +114,7 @@ export const stepsKeeping = (...keep: number[]): fc.Arbitrary<Step> =>
   fc.oneof({ weight: 4, arbitrary: added(...keep) }, { weight: 6, arbitrary: done }, rare);
 
 /** All commands of all robots, in each form in which they can be read. */
-export async function told(store: RobotStore): Promise<unknown> {
+export async function contentsOf(store: RobotStore): Promise<unknown> {
   const all = [];
   for (const id of ROBOTS) {
     const listed = await store.commandsAfter(id, 0, 100);

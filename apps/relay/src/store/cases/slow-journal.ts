@@ -7,36 +7,37 @@ import type { DatabaseSync } from "node:sqlite";
 import { onTestFinished } from "vitest";
 import { testFolder } from "../../testing/test-relay.ts";
 import { GroupCommit, type Memory } from "../sqlite/file/group-commit.ts";
-import type { Journal, Told } from "../sqlite/file/journal.ts";
-import { JournalWriter, type Entry, type Tidying } from "../sqlite/file/journal-writer.ts";
+import type { Journal, Written } from "../sqlite/file/journal.ts";
+import { JournalWriter, type Entry, type Compaction } from "../sqlite/file/journal-writer.ts";
 import { openDatabase } from "../sqlite/file/sqlite-schema.ts";
 
 export const LOST = new Error("lost");
-export const NOTHING: Tidying = { bringing: [], deleted: 0, kept: [] };
+export const NOTHING: Compaction = { bringing: [], deleted: 0, stored: [] };
 
 /** A journal that writes on request of the test. */
 class SlowJournal implements Journal {
   readonly #writer: JournalWriter;
-  writing: { entries: readonly Entry[]; tidying: Tidying | null; told: Told } | null = null;
+  writing: { entries: readonly Entry[]; compaction: Compaction | null; written: Written } | null =
+    null;
   isClosed = false;
 
   constructor(db: DatabaseSync) {
     this.#writer = new JournalWriter(db);
   }
 
-  write(entries: readonly Entry[], tidying: Tidying | null, told: Told): void {
+  write(entries: readonly Entry[], compaction: Compaction | null, written: Written): void {
     if (this.writing !== null) throw new Error("It is still writing.");
     if (this.isClosed) throw new Error("It is closed.");
-    this.writing = { entries, tidying, told };
+    this.writing = { entries, compaction, written };
   }
 
   /** Ends the current write: the entries are on disk, or lost. */
-  tell(lost: Error | null = null, untidied: Error | null = null): void {
+  notify(lost: Error | null = null, uncompacted: Error | null = null): void {
     if (this.writing === null) throw new Error("It was given nothing.");
-    const { entries, told } = this.writing;
+    const { entries, written } = this.writing;
     if (lost === null) this.#writer.write(entries, null);
     this.writing = null;
-    told(lost, untidied);
+    written(lost, uncompacted);
   }
 
   get names(): string[] | null {
@@ -58,17 +59,17 @@ function namesInMemory(db: DatabaseSync) {
       .all()
       .map(({ entry }) => String(entry));
   let names: string[] | null = null;
-  const parts = { due: null as Tidying | null, isUntidy: false };
-  const tidied: unknown[] = [];
+  const parts = { due: null as Compaction | null, needsCompaction: false };
+  const compacted: unknown[] = [];
   const memory: Memory = {
-    undone: () => (names = null),
+    rolledBack: () => (names = null),
     due: () => parts.due,
-    get isUntidy() {
-      return parts.isUntidy;
+    get needsCompaction() {
+      return parts.needsCompaction;
     },
-    tidied: (_, failed) => tidied.push(failed),
+    compacted: (_, failed) => compacted.push(failed),
   };
-  return { memory, parts, tidied, onDisk, names: () => (names ??= onDisk()) };
+  return { memory, parts, compacted, onDisk, names: () => (names ??= onDisk()) };
 }
 
 /** Runs steps by name. Each step appends its name and returns all names. */
@@ -76,9 +77,9 @@ export function withJournal() {
   const db = openDatabase(join(testFolder(), "corridor.sqlite"));
   onTestFinished(() => db.close());
   db.exec("CREATE TABLE rows (name TEXT PRIMARY KEY) STRICT");
-  const { memory, parts, tidied, onDisk, names } = namesInMemory(db);
+  const { memory, parts, compacted, onDisk, names } = namesInMemory(db);
   const anew = () => {
-    memory.undone();
+    memory.rolledBack();
     const journal = new SlowJournal(db);
     return { journal, commits: new GroupCommit(db, { memory, journal, now: () => 0 }) };
   };
@@ -116,5 +117,5 @@ export function withJournal() {
       .all()
       .map(({ name }) => String(name));
   const steps = { append, step, rows };
-  return { db, anew, journal, commits, ...steps, hasRow, settled, names, onDisk, parts, tidied };
+  return { db, anew, journal, commits, ...steps, hasRow, settled, names, onDisk, parts, compacted };
 }

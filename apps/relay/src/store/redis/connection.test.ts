@@ -17,15 +17,15 @@ describe.skipIf(!hasRedis)("with Redis", () => {
       redis.destroy();
       hearing.destroy();
     });
-    const heard: string[] = [];
-    await hearing.subscribe("news", (text) => void heard.push(text));
+    const received: string[] = [];
+    await hearing.subscribe("news", (text) => void received.push(text));
     net.swallow();
     const writing = setInterval(() => void redis.set("a", "b").catch(() => undefined), 50);
     onTestFinished(() => clearInterval(writing));
     await expect(asked(redis.set("last", "1"))).rejects.toBeInstanceOf(StoreAway);
     await vi.waitFor(async () => {
       await redis.publish("news", "again");
-      expect(heard).toContain("again");
+      expect(received).toContain("again");
     }, SOON);
   });
 

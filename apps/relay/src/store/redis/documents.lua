@@ -15,7 +15,7 @@ end
 -- code.
 local LONGEST_CODE = 6
 
-local function forget(id)
+local function remove(id)
   local hash = redis.call('HGET', document(id), 'hash')
   if redis.call('GET', byHash(hash)) == id then redis.call('DEL', byHash(hash)) end
   redis.call('DEL', document(id), keys(id))
@@ -52,13 +52,13 @@ end
 function steps.remove()
   if redis.call('EXISTS', document(given.id)) == 0 then return '"no-document"' end
   if redis.call('SREM', keys(given.id), given.keyHash) == 0 then return '"wrong-key"' end
-  if redis.call('SCARD', keys(given.id)) == 0 then forget(given.id) end
+  if redis.call('SCARD', keys(given.id)) == 0 then remove(given.id) end
   return '"removed"'
 end
 
 function steps.removeUnused()
   local ids = redis.call('ZRANGE', uses, '-inf', '(' .. given.before, 'BYSCORE', 'LIMIT', 0, given.most)
-  for _, id in ipairs(ids) do forget(id) end
+  for _, id in ipairs(ids) do remove(id) end
   return tostring(#ids)
 end
 

@@ -9,7 +9,7 @@ local function pairing(robot) return session(robot) .. ':pairing' end
 -- by the hash of the code, or of the requesting script's key
 local function byHash(hash) return 'corridor:pairing:' .. hash end
 
-local function forget(robot)
+local function remove(robot)
   for _, hash in ipairs(redis.call('HMGET', pairing(robot), 'code', 'key')) do
     if hash then redis.call('DEL', byHash(hash)) end
   end
@@ -31,7 +31,7 @@ function steps.open()
   if holder and holder ~= given.robot then return '"taken"' end
   -- Redis does not roll back. The first write is one that Redis rejects if its memory is full.
   redis.call('ZADD', ENDS, given.endsAt, given.robot)
-  forget(given.robot)
+  remove(given.robot)
   redis.call('ZADD', ENDS, given.endsAt, given.robot)
   redis.call('SET', byHash(given.code), given.robot)
   redis.call('HSET', pairing(given.robot), 'code', given.code, 'endsAt', given.endsAt, 'state', 'open')
@@ -65,12 +65,12 @@ function steps.settle()
 end
 
 function steps.remove()
-  return tostring(forget(given.robot))
+  return tostring(remove(given.robot))
 end
 
 function steps.removeEnded()
   local robots = redis.call('ZRANGE', ENDS, '-inf', given.now, 'BYSCORE', 'LIMIT', 0, given.most)
-  for _, robot in ipairs(robots) do forget(robot) end
+  for _, robot in ipairs(robots) do remove(robot) end
   return tostring(#robots)
 end
 

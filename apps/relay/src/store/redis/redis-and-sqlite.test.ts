@@ -5,10 +5,10 @@ import { describe, expect, it, onTestFinished } from "vitest";
 import { hasRedis, startTestRedis } from "../../platform/testing/test-redis.ts";
 import { testFolder } from "../../testing/test-relay.ts";
 import { SqliteRobotStore } from "../sqlite/sqlite-robot-store.ts";
-import { stepsKeeping, told, type StepOfRobot } from "../cases/random-steps.ts";
+import { stepsKeeping, contentsOf, type StepOfRobot } from "../cases/random-steps.ts";
 import { ROBOTS, withRobots } from "../cases/robot-in-store.ts";
 import { connectRedis } from "./connection.ts";
-import { ForgottenBytes } from "./forgotten-bytes.ts";
+import { DeletedBytes } from "./deleted-bytes.ts";
 import { RedisRobotStore } from "./redis-robot-store.ts";
 
 interface Turn extends StepOfRobot {
@@ -44,7 +44,7 @@ describe.skipIf(!hasRedis)("a store in Redis", () => {
       fc.asyncProperty(turns, fc.constantFrom(1, 2, 8), async (all, most) => {
         await redis.flushAll();
         const relays = ["relay-a", "relay-b"].map(
-          (name) => new RedisRobotStore(redis, new ForgottenBytes(redis), name, most),
+          (name) => new RedisRobotStore(redis, new DeletedBytes(redis), name, most),
         );
         const sqlite = new SqliteRobotStore(join(folder, `${runs++}.sqlite`), 1_000_000);
         const [first] = relays;
@@ -65,7 +65,8 @@ describe.skipIf(!hasRedis)("a store in Redis", () => {
           at = relay;
         }
         await answered();
-        for (const store of relays) expect(await told(store)).toEqual(await told(sqlite));
+        for (const store of relays)
+          expect(await contentsOf(store)).toEqual(await contentsOf(sqlite));
         await sqlite.close();
       }),
       { numRuns: 40 },

@@ -25,7 +25,7 @@ export interface RedisClockOptions {
 export class RedisClock implements Clock {
   readonly #options: RedisClockOptions;
   #offset: number | null = null;
-  #told = -Infinity;
+  #newest = -Infinity;
   #isSetBack = false;
   #cancelTimer: () => void = () => undefined;
   #isClosed = false;
@@ -44,8 +44,8 @@ export class RedisClock implements Clock {
 
   now(): number {
     const now = Math.round(this.#options.clock.now() + (this.#offset ?? 0));
-    this.#told = Math.max(this.#told, now);
-    return this.#told;
+    this.#newest = Math.max(this.#newest, now);
+    return this.#newest;
   }
 
   after(ms: number, call: () => void): () => void {

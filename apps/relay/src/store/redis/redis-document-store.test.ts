@@ -2,7 +2,7 @@ import { describe, expect, it, onTestFinished } from "vitest";
 import { hasRedis, startTestRedis } from "../../platform/testing/test-redis.ts";
 import { documentStoreCases } from "../cases/document-store.cases.ts";
 import { connectRedis } from "./connection.ts";
-import { ForgottenBytes } from "./forgotten-bytes.ts";
+import { DeletedBytes } from "./deleted-bytes.ts";
 import { RedisDocumentStore } from "./redis-document-store.ts";
 
 describe.skipIf(!hasRedis)("with Redis", () => {
@@ -12,7 +12,7 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     const open = async () => {
       const redis = await connectRedis(server.url, () => undefined);
       onTestFinished(() => redis.destroy());
-      return new RedisDocumentStore(redis, new ForgottenBytes(redis));
+      return new RedisDocumentStore(redis, new DeletedBytes(redis));
     };
     return { store: await open(), reopen: open, holds: async (text) => server.holds(text) };
   });
@@ -21,7 +21,7 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     const server = await startTestRedis();
     const redis = await connectRedis(server.url, () => undefined);
     onTestFinished(() => redis.destroy());
-    const store = new RedisDocumentStore(redis, new ForgottenBytes(redis));
+    const store = new RedisDocumentStore(redis, new DeletedBytes(redis));
     const document = { hash: "h", text: "{}", keyHash: "old", now: 1 };
     await store.add({ ...document, ids: ["abcdefghijkl"] });
     const again = { ...document, keyHash: "new" };
@@ -38,7 +38,7 @@ describe.skipIf(!hasRedis)("with Redis", () => {
       [0, 1].map(async () => {
         const redis = await connectRedis(server.url, () => undefined);
         onTestFinished(() => redis.destroy());
-        return new RedisDocumentStore(redis, new ForgottenBytes(redis));
+        return new RedisDocumentStore(redis, new DeletedBytes(redis));
       }),
     );
     // Both relays try the same codes in the same order, for different texts.

@@ -3,7 +3,7 @@ import { z } from "zod";
 import { isDiskFull } from "../../platform/errors/disk-full.ts";
 import type { DocumentStore, NewDocument, RemoveResult } from "../document-store.ts";
 import { asked, type Redis } from "./connection.ts";
-import type { ForgottenBytes } from "./forgotten-bytes.ts";
+import type { DeletedBytes } from "./deleted-bytes.ts";
 import { Script } from "./script.ts";
 
 const USES = "corridor:documents";
@@ -15,13 +15,13 @@ const removeResult = z.enum(["removed", "no-document", "wrong-key"]);
 export class RedisDocumentStore implements DocumentStore {
   readonly #redis: Redis;
   readonly #script: Script;
-  readonly #forgotten: ForgottenBytes;
+  readonly #deletedBytes: DeletedBytes;
 
   /** @param redis closed by the caller */
-  constructor(redis: Redis, forgotten: ForgottenBytes) {
+  constructor(redis: Redis, deletedBytes: DeletedBytes) {
     this.#redis = redis;
     this.#script = new Script(redis, "documents.lua");
-    this.#forgotten = forgotten;
+    this.#deletedBytes = deletedBytes;
   }
 
   async add(document: NewDocument): Promise<string> {
@@ -42,7 +42,7 @@ export class RedisDocumentStore implements DocumentStore {
 
   async remove(id: string, keyHash: string): Promise<RemoveResult> {
     const result = removeResult.parse(await this.#script.run("remove", [USES], { id, keyHash }));
-    if (result === "removed") await this.#forgotten.sweep();
+    if (result === "removed") await this.#deletedBytes.sweep();
     return result;
   }
 
@@ -52,7 +52,7 @@ export class RedisDocumentStore implements DocumentStore {
       const values = { before, most: MOST_AT_ONCE };
       count = z.int().parse(await this.#script.run("removeUnused", [USES], values));
     }
-    if (total > 0) await this.#forgotten.sweep();
+    if (total > 0) await this.#deletedBytes.sweep();
     return total;
   }
 

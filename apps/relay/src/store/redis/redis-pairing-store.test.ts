@@ -2,7 +2,7 @@ import { describe, onTestFinished } from "vitest";
 import { hasRedis, startTestRedis } from "../../platform/testing/test-redis.ts";
 import { pairingStoreCases } from "../cases/pairing-store.cases.ts";
 import { connectRedis } from "./connection.ts";
-import { ForgottenBytes } from "./forgotten-bytes.ts";
+import { DeletedBytes } from "./deleted-bytes.ts";
 import { RedisPairingStore } from "./redis-pairing-store.ts";
 import { RedisRobotStore } from "./redis-robot-store.ts";
 
@@ -13,10 +13,10 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     const open = async () => {
       const redis = await connectRedis(server.url, () => undefined);
       onTestFinished(() => redis.destroy());
-      const forgotten = new ForgottenBytes(redis);
+      const deletedBytes = new DeletedBytes(redis);
       return {
-        store: new RedisPairingStore(redis, forgotten),
-        robots: new RedisRobotStore(redis, forgotten, "relay-a"),
+        store: new RedisPairingStore(redis, deletedBytes),
+        robots: new RedisRobotStore(redis, deletedBytes, "relay-a"),
       };
     };
     return {

@@ -10,7 +10,7 @@ import type {
   StoredPairing,
 } from "../pairing-store.ts";
 import type { Redis } from "./connection.ts";
-import type { ForgottenBytes } from "./forgotten-bytes.ts";
+import type { DeletedBytes } from "./deleted-bytes.ts";
 import { Script } from "./script.ts";
 
 const ENDS = "corridor:pairings";
@@ -37,12 +37,12 @@ const findAnswer = z
 
 export class RedisPairingStore implements PairingStore {
   readonly #script: Script;
-  readonly #forgotten: ForgottenBytes;
+  readonly #deletedBytes: DeletedBytes;
 
   /** @param redis closed by the caller */
-  constructor(redis: Redis, forgotten: ForgottenBytes) {
+  constructor(redis: Redis, deletedBytes: DeletedBytes) {
     this.#script = new Script(redis, "pairings.lua");
-    this.#forgotten = forgotten;
+    this.#deletedBytes = deletedBytes;
   }
 
   async open(pairing: NewPairing): Promise<"opened" | "taken" | "no-robot"> {
@@ -69,7 +69,7 @@ export class RedisPairingStore implements PairingStore {
 
   async remove(robot: string): Promise<boolean> {
     const removed = z.boolean().parse(await this.#step("remove", { robot }));
-    if (removed) await this.#forgotten.sweep();
+    if (removed) await this.#deletedBytes.sweep();
     return removed;
   }
 
@@ -78,7 +78,7 @@ export class RedisPairingStore implements PairingStore {
     for (let count = MOST_AT_ONCE; count === MOST_AT_ONCE; total += count) {
       count = z.int().parse(await this.#step("removeEnded", { now, most: MOST_AT_ONCE }));
     }
-    if (total > 0) await this.#forgotten.sweep();
+    if (total > 0) await this.#deletedBytes.sweep();
     return total;
   }
 

@@ -3,13 +3,13 @@ import { hasRedis, startTestRedis } from "../../platform/testing/test-redis.ts";
 import { storeCases } from "../cases/store.cases.ts";
 import { connectRedis } from "./connection.ts";
 import { requireDurable } from "./durability.ts";
-import { ForgottenBytes } from "./forgotten-bytes.ts";
+import { DeletedBytes } from "./deleted-bytes.ts";
 import { RedisRobotStore } from "./redis-robot-store.ts";
 
 async function openAt(url: string) {
   const redis = await connectRedis(url, () => undefined);
   onTestFinished(() => redis.destroy());
-  return { redis, store: new RedisRobotStore(redis, new ForgottenBytes(redis), "relay-a") };
+  return { redis, store: new RedisRobotStore(redis, new DeletedBytes(redis), "relay-a") };
 }
 
 describe.skipIf(!hasRedis)("with Redis", () => {

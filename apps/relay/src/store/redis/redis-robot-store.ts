@@ -34,7 +34,7 @@ import {
   storedOpen,
   storedRow,
 } from "./ended-commands.ts";
-import type { ForgottenBytes } from "./forgotten-bytes.ts";
+import type { DeletedBytes } from "./deleted-bytes.ts";
 import { keyMember } from "./loaded-robot.ts";
 import { BIRTHS, robotKeyOf, USES } from "./redis-keys.ts";
 import { RobotCommits } from "./robot-commits.ts";
@@ -52,20 +52,20 @@ export class RedisRobotStore implements RobotStore {
   readonly #robots: RobotCommits;
   readonly #read: Script;
   readonly #deletion: Script;
-  readonly #forgotten: ForgottenBytes;
+  readonly #deletedBytes: DeletedBytes;
 
   /**
    * @param redis closed by the caller
    * @param relay name of this relay, by which it recognises its own steps on the channel
    * @param most robots to keep in memory
    */
-  constructor(redis: Redis, forgotten: ForgottenBytes, relay: string, most?: number) {
+  constructor(redis: Redis, deletedBytes: DeletedBytes, relay: string, most?: number) {
     this.#redis = redis;
     this.#relay = relay;
     this.#robots = new RobotCommits(redis, relay, most);
     this.#read = new Script(redis, "read.lua");
     this.#deletion = new Script(redis, "deletion.lua", [relay]);
-    this.#forgotten = forgotten;
+    this.#deletedBytes = deletedBytes;
   }
 
   async create({
@@ -169,7 +169,7 @@ export class RedisRobotStore implements RobotStore {
   async remove(id: string): Promise<boolean> {
     const removed = z.boolean().parse(await this.#delete("remove", { id }));
     this.#robots.drop([id]);
-    if (removed) await this.#forgotten.sweep();
+    if (removed) await this.#deletedBytes.sweep();
     return removed;
   }
 
@@ -182,7 +182,7 @@ export class RedisRobotStore implements RobotStore {
       if (ids.length < MOST_AT_ONCE) break;
     }
     this.#robots.drop(all);
-    if (all.length > 0) await this.#forgotten.sweep();
+    if (all.length > 0) await this.#deletedBytes.sweep();
     return all;
   }
 

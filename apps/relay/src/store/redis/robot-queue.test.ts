@@ -4,7 +4,7 @@ import { hasRedis, startTestRedis } from "../../platform/testing/test-redis.ts";
 import { completed } from "../../platform/testing/messages.ts";
 import { ID, keyChange, LEFT, NOW, nothingDone, sent, STOP } from "../cases/robot-in-store.ts";
 import { connectRedis, type Redis } from "./connection.ts";
-import { ForgottenBytes } from "./forgotten-bytes.ts";
+import { DeletedBytes } from "./deleted-bytes.ts";
 import { lineOf } from "./redis-keys.ts";
 import { RedisRobotStore } from "./redis-robot-store.ts";
 import { RobotQueue } from "./robot-queue.ts";
@@ -32,7 +32,7 @@ async function relayAt(url: string, name: string) {
       };
     },
   });
-  const store = new RedisRobotStore(counting, new ForgottenBytes(redis), name);
+  const store = new RedisRobotStore(counting, new DeletedBytes(redis), name);
   const cost = async (step: () => Promise<unknown>): Promise<number> => {
     const before = requests;
     await step();

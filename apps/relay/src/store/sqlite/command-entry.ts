@@ -22,14 +22,14 @@ type Entry = [
   distance: number | null,
   epoch: number | null,
   /** missing in entries of the first journals */
-  forgotten?: number,
+  deletedTo?: number,
 ];
 
 /**
  * Serialises a row for the journal and the tables.
- * @param forgotten highest seq up to which this step deletes the robot's ended commands; 0: none
+ * @param deletedTo highest seq up to which this step deletes the robot's ended commands; 0: none
  */
-export function entryOf(row: CommandRow, forgotten: number): string {
+export function entryOf(row: CommandRow, deletedTo: number): string {
   const { seq, driver, script, key, text, acceptedAt, ttl, deadline, replace, lease } = row;
   const { state, reason, recalled, pose, distance, epoch } = row;
   const entry: Entry = [
@@ -49,16 +49,16 @@ export function entryOf(row: CommandRow, forgotten: number): string {
     pose === null ? null : JSON.stringify(pose),
     distance,
     epoch,
-    forgotten,
+    deletedTo,
   ];
   return JSON.stringify(entry);
 }
 
 /** @throws SyntaxError if the text is not an entry */
-export function rowIn(entry: string): { row: CommandRow; forgotten: number } {
+export function rowIn(entry: string): { row: CommandRow; deletedTo: number } {
   const [seq, driver, script, key, text, acceptedAt, ttl, deadline, replaces, lease, ...rest] =
     JSON.parse(entry) as Entry;
-  const [state, reason, recalled, pose, distance, epoch, forgotten = 0] = rest;
+  const [state, reason, recalled, pose, distance, epoch, deletedTo = 0] = rest;
   const row: CommandRow = {
     seq,
     driver,
@@ -78,5 +78,5 @@ export function rowIn(entry: string): { row: CommandRow; forgotten: number } {
     distance,
     epoch,
   };
-  return { row, forgotten };
+  return { row, deletedTo };
 }

@@ -12,7 +12,7 @@ const MOST_LEFT = 1_000;
 
 export class LiveRobot {
   readonly commands: RobotCommands;
-  readonly #keep: (row: CommandRow, forgotten: number) => number;
+  readonly #keep: (row: CommandRow, deletedTo: number) => number;
   /** newest entry of each command whose current row is not in the tables, by seq */
   readonly #unsettled = new Map<number, number>();
   /** keys of ended commands that only the tables hold; null: not all are known */
@@ -29,7 +29,7 @@ export class LiveRobot {
   constructor(
     standing: Standing,
     open: readonly CommandRow[],
-    keep: (row: CommandRow, forgotten: number) => number,
+    keep: (row: CommandRow, deletedTo: number) => number,
   ) {
     this.#keep = keep;
     this.#left = standing.lastSeq > open.length ? null : new KeyIndex();
@@ -45,7 +45,7 @@ export class LiveRobot {
   }
 
   /** Ended commands up to this seq must be deleted from the tables; 0: none. */
-  get toForget(): number {
+  get toDelete(): number {
     return this.#recordedAt === 0 ? 0 : this.#recorded;
   }
 
@@ -55,8 +55,8 @@ export class LiveRobot {
   }
 
   /** Restores a row from the journal. */
-  restore({ row, forgotten }: { row: CommandRow; forgotten: number }, entry: number): void {
-    this.commands.deleteEnded(forgotten);
+  restore({ row, deletedTo }: { row: CommandRow; deletedTo: number }, entry: number): void {
+    this.commands.deleteEnded(deletedTo);
     this.commands.restore(row);
     this.#note(row.seq, entry);
   }

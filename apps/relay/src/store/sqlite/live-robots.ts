@@ -8,7 +8,7 @@
  * of a robot to the tables later, once the journal is long. The robot that has waited longest is
  * first. Entries that the tables lack are read again when the file is opened and after a rollback.
  *
- * All methods except `peek`, `due` and `tidied` must be called in steps of the file. No other code
+ * All methods except `peek`, `due` and `compacted` must be called in steps of the file. No other code
  * may change commands in the tables.
  */
 import type { CommandRow } from "../../commands/command-row.ts";
@@ -16,7 +16,7 @@ import type { Standing } from "../../commands/robot-commands.ts";
 import { entryOf, rowIn } from "./command-entry.ts";
 import { EntryOwners } from "./entry-owners.ts";
 import type { Memory } from "./file/group-commit.ts";
-import type { Bringing, Entry, Tidying } from "./file/journal-writer.ts";
+import type { Bringing, Entry, Compaction } from "./file/journal-writer.ts";
 import { LiveRobot } from "./live-robot.ts";
 import { numberIn, rowsIn } from "./sqlite-rows.ts";
 import type { Statements } from "./file/statements.ts";
@@ -67,7 +67,7 @@ export class LiveRobots implements Memory {
   /** robots whose commands cannot be read: the error, and the entries to retain */
   readonly #broken = new Map<string, { error: unknown; entries: number[] }>();
   /** memory is invalid and must be restored */
-  #isUndone = true;
+  #isRolledBack = true;
 
   /**
    * @param statements rolled back together with their step
@@ -82,18 +82,18 @@ export class LiveRobots implements Memory {
   }
 
   /** Called after a rollback that may have made memory invalid. */
-  undone(): void {
-    this.#isUndone = true;
+  rolledBack(): void {
+    this.#isRolledBack = true;
   }
 
   /** The robot in its current state, outside of a step; null if that requires a read. */
   peek(id: string): LiveRobot | null {
-    return this.#isUndone ? null : (this.#live.get(id) ?? null);
+    return this.#isRolledBack ? null : (this.#live.get(id) ?? null);
   }
 
   /** Loads a robot's commands into memory. @returns null if there is no such robot */
   open(id: string): LiveRobot | null {
-    if (this.#isUndone) this.#restore();
+    if (this.#isRolledBack) this.#restore();
     return this.#load(id);
   }
 
@@ -105,7 +105,7 @@ export class LiveRobots implements Memory {
 
   /** Called after robots were deleted from the tables. Their entries become orphans. */
   remove(ids: readonly string[]): void {
-    if (this.#isUndone) this.#restore();
+    if (this.#isRolledBack) this.#restore();
     const gone = new Set(ids);
     for (const id of gone) {
       this.#orphan(this.#broken.get(id)?.entries ?? []);
@@ -129,23 +129,23 @@ export class LiveRobots implements Memory {
   /** Deletes a batch of orphaned entries. */
   deleteOrphans(): void {
     // A rollback may have restored the robot of these entries.
-    if (this.#isUndone) this.#restore();
+    if (this.#isRolledBack) this.#restore();
     for (const entry of this.#orphans.splice(-ENTRIES_AT_A_TIME))
       this.#statements.run("DELETE FROM journal WHERE id = ?", [entry]);
   }
 
   /** Whether an idle journal has something to compact. */
-  get isUntidy(): boolean {
+  get needsCompaction(): boolean {
     return this.#owners.size > this.#long;
   }
 
   /**
-   * Compaction to write with the next entries. `tidied` must be called before the next write.
+   * Compaction to write with the next entries. `compacted` must be called before the next write.
    * @param isIdle also compacts what could wait
    */
-  due(entries: number, isIdle: boolean): Tidying | null {
+  due(entries: number, isIdle: boolean): Compaction | null {
     const isLong = this.#owners.size > this.#long * (isIdle ? 1 : MUCH_LONGER);
-    if (this.#isUndone || (!isLong && this.#crowded.size === 0)) return null;
+    if (this.#isRolledBack || (!isLong && this.#crowded.size === 0)) return null;
     const bringing: Bringing[] = [];
     let left = Math.max(ROWS_AT_A_TIME, 2 * entries);
     for (const id of this.#inTurn(isLong)) {
@@ -157,21 +157,21 @@ export class LiveRobots implements Memory {
       this.#bringing.set(id, first);
       const { openFrom, standing } = robot.commands;
       const { lastSeq } = standing;
-      const { toForget: forgotten } = robot;
+      const { toDelete: deletedTo } = robot;
       const { rows, gone } = robot.unsettled();
       const upTo = this.#next - 1;
-      bringing.push({ robot: id, entries: rows, gone, upTo, lastSeq, openFrom, forgotten });
+      bringing.push({ robot: id, entries: rows, gone, upTo, lastSeq, openFrom, deletedTo });
       left -= rows.length + gone.length;
       if (left <= 0) break;
     }
     const most = Math.max(ENTRIES_AT_A_TIME, 4 * entries);
     const deleted = isLong ? this.#settledEntries(most) : 0;
     if (bringing.length === 0 && deleted === 0) return null;
-    return { bringing, deleted, kept: [...this.#broken.keys()] };
+    return { bringing, deleted, stored: [...this.#broken.keys()] };
   }
 
   /** Called after a compaction. @param failed the error; null if it succeeded */
-  tidied({ bringing, deleted }: Tidying, failed: unknown): void {
+  compacted({ bringing, deleted }: Compaction, failed: unknown): void {
     if (failed === null) {
       for (const { robot: id, upTo } of bringing) {
         const robot = this.#live.get(id);
@@ -205,7 +205,7 @@ export class LiveRobots implements Memory {
     const { epoch, last_seq: lastSeq, paused, open_from: openFrom } = row;
     const standing = { epoch, lastSeq, isPaused: paused === 1, ...this.#whoMay(id) };
     const open = rowsIn(this.#statements, OPEN_ROWS, [id, openFrom]);
-    const robot = new LiveRobot(standing, open, (...kept) => this.#keep(id, ...kept));
+    const robot = new LiveRobot(standing, open, (...stored) => this.#keep(id, ...stored));
     this.#live.set(id, robot);
     return robot;
   }
@@ -247,12 +247,12 @@ export class LiveRobots implements Memory {
       if (broken !== undefined && id > until) broken.entries.push(id);
       else this.#owners.add(id, robot);
     }
-    this.#isUndone = false;
+    this.#isRolledBack = false;
   }
 
-  #keep(id: string, row: CommandRow, forgotten: number): number {
+  #keep(id: string, row: CommandRow, deletedTo: number): number {
     const entry = this.#next++;
-    this.#append([entry, id, entryOf(row, forgotten)]);
+    this.#append([entry, id, entryOf(row, deletedTo)]);
     this.#owners.add(entry, id);
     this.#note(id, entry);
     return entry;

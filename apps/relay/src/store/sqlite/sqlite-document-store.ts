@@ -53,12 +53,12 @@ export class SqliteDocumentStore implements DocumentStore {
       );
       return "removed";
     };
-    return this.#file.forget(work, (result) => result === "removed");
+    return this.#file.remove(work, (result) => result === "removed");
   }
 
   async removeUnused(before: number): Promise<number> {
     const sql = "DELETE FROM documents WHERE last_used_at < ?";
-    return this.#file.forget(
+    return this.#file.remove(
       () => this.#file.writing.run(sql, [before]),
       (count) => count > 0,
     );

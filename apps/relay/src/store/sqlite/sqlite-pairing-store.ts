@@ -70,14 +70,14 @@ export class SqlitePairingStore implements PairingStore {
   }
 
   async remove(robot: string): Promise<boolean> {
-    return this.#file.forget(
+    return this.#file.remove(
       () => this.#file.writing.run("DELETE FROM pairings WHERE robot = ?", [robot]) > 0,
       (removed) => removed,
     );
   }
 
   async removeEnded(now: number): Promise<number> {
-    return this.#file.forget(
+    return this.#file.remove(
       () => this.#file.writing.run("DELETE FROM pairings WHERE ends_at <= ?", [now]),
       (count) => count > 0,
     );

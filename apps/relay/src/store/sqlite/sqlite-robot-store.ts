@@ -59,7 +59,7 @@ export class SqliteRobotStore implements RobotStore {
     this.#file.remember(this.#live);
     // A relay that was killed during a deletion leaves orphans. If this fails, the next deletion
     // retries it.
-    if (this.#live.hasOrphans) this.#forgetOrphans().catch(() => undefined);
+    if (this.#live.hasOrphans) this.#deleteOrphans().catch(() => undefined);
   }
 
   async create({
@@ -157,7 +157,7 @@ export class SqliteRobotStore implements RobotStore {
   }
 
   async remove(id: string): Promise<boolean> {
-    const isGone = await this.#file.forget(
+    const isGone = await this.#file.remove(
       () => {
         const removed = this.#writing.run("DELETE FROM sessions WHERE id = ?", [id]) > 0;
         if (removed) this.#live.remove([id]);
@@ -165,13 +165,13 @@ export class SqliteRobotStore implements RobotStore {
       },
       (removed) => removed,
     );
-    if (isGone) await this.#forgetOrphans();
+    if (isGone) await this.#deleteOrphans();
     return isGone;
   }
 
   async removeExpired(before: { lastUsedAt: number; createdAt: number }): Promise<string[]> {
     const sql = "DELETE FROM sessions WHERE last_used_at < ? OR created_at < ? RETURNING id";
-    const gone = await this.#file.forget(
+    const gone = await this.#file.remove(
       () => {
         const rows = this.#writing.all(sql, [before.lastUsedAt, before.createdAt]);
         const ids = rows.map((row) => String(row["id"]));
@@ -180,7 +180,7 @@ export class SqliteRobotStore implements RobotStore {
       },
       ({ length }) => length > 0,
     );
-    if (gone.length > 0) await this.#forgetOrphans();
+    if (gone.length > 0) await this.#deleteOrphans();
     return gone;
   }
 
@@ -313,9 +313,9 @@ export class SqliteRobotStore implements RobotStore {
    * Deletes the journal entries of deleted robots in batches. Runs at least once, so that a
    * concurrent deletion has finished when this returns.
    */
-  async #forgetOrphans(): Promise<void> {
+  async #deleteOrphans(): Promise<void> {
     do {
-      await this.#file.forget(
+      await this.#file.remove(
         () => this.#live.deleteOrphans(),
         () => true,
       );

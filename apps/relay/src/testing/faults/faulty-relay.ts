@@ -2,8 +2,8 @@
 import { decodeFrame, helloSchema, type SocketPort } from "@corridor/protocol";
 import { pino } from "pino";
 import type { Clock } from "../../platform/time/clock.ts";
-import { LocalSwitchboard } from "../../bus/local.ts";
-import type { Line, Switchboard } from "../../bus/bus.ts";
+import { LocalBus } from "../../bus/local.ts";
+import type { Line, Bus } from "../../bus/bus.ts";
 import type { Conversation } from "../../gateways/conversations/conversation.ts";
 import { DriverConversation } from "../../gateways/conversations/driver-conversation.ts";
 import { PageConversation } from "../../gateways/conversations/page-conversation.ts";
@@ -19,7 +19,7 @@ const noBallast = { hold: () => true, giveUp: () => false };
 /** What survives a relay: its database, and the message bus to other relays. */
 export class Backend {
   readonly store: SqliteRobotStore;
-  readonly switchboard = new LocalSwitchboard();
+  readonly bus = new LocalBus();
 
   constructor(path: string) {
     this.store = new SqliteRobotStore(new SqliteFile(path, { ballast: noBallast }));
@@ -33,7 +33,7 @@ export class FaultyRelay {
   readonly #lines: Line[] = [];
   #isAlive = true;
 
-  constructor({ store, switchboard }: Backend, time: VirtualTime) {
+  constructor({ store, bus }: Backend, time: VirtualTime) {
     this.#time = time;
     const clock: Clock = {
       now: () => time.now(),
@@ -45,7 +45,7 @@ export class FaultyRelay {
         }),
     };
     this.store = withVirtualTime(store, time, () => this.#isAlive);
-    const lines = { switchboard: this.#whileAlive(switchboard) };
+    const lines = { bus: this.#whileAlive(bus) };
     this.registry = new RobotRegistry(this.store, clock, pino({ level: "silent" }), lines);
   }
 
@@ -63,18 +63,18 @@ export class FaultyRelay {
    * A message bus that delivers nothing to a dead relay. The changes of its last step are still
    * published, because the store publishes them.
    */
-  #whileAlive(switchboard: Switchboard): Switchboard {
+  #whileAlive(bus: Bus): Bus {
     return {
-      join: async (robot, ears) => {
-        const line = await switchboard.join(robot, {
-          stepped: (step, isOwn) => this.#isAlive && ears.stepped(step, isOwn),
-          missed: () => this.#isAlive && ears.missed(),
-          heard: (news) => this.#isAlive && ears.heard(news),
+      join: async (robot, listener) => {
+        const line = await bus.join(robot, {
+          stepped: (step, isOwn) => this.#isAlive && listener.stepped(step, isOwn),
+          missed: () => this.#isAlive && listener.missed(),
+          received: (news) => this.#isAlive && listener.received(news),
         });
         this.#lines.push(line);
         return line;
       },
-      close: () => switchboard.close(),
+      close: () => bus.close(),
     };
   }
 

@@ -30,10 +30,10 @@ export function commandRoutes(registry: RobotRegistry): Router {
       },
       jsonText(),
       async (request, response) => {
-        const heard = await authoriseScript(registry, request, response, "command");
-        const { robot, key } = heard;
+        const received = await authoriseScript(registry, request, response, "command");
+        const { robot, key } = received;
         const command = readCommandRequest(request);
-        const { cameAt, transitMs } = arrivals.get(request) ?? heard;
+        const { cameAt, transitMs } = arrivals.get(request) ?? received;
         const age = command.age + transitMs + registry.clock.now() - cameAt;
         const order = { ...command, age };
         await robot.submit(key, order, (record) => accepted(response, robot.id, record));

@@ -11,8 +11,8 @@ import { FakeClock } from "../../../platform/testing/fake-clock.ts";
 import { startTestRelay, testFolder, type TestRelay } from "../../../testing/test-relay.ts";
 import { TestSocket } from "../../../testing/test-socket.ts";
 
-async function make(relay: TestRelay, robot: Registration, wish: object): Promise<CreatedKey> {
-  const request = { method: "POST", key: robot.ownerKey, body: wish };
+async function make(relay: TestRelay, robot: Registration, wanted: object): Promise<CreatedKey> {
+  const request = { method: "POST", key: robot.ownerKey, body: wanted };
   const answer = await relay.ask(robot, "/keys", request);
   expect(answer.status).toBe(201);
   return createdKeySchema.parse(await answer.json());
@@ -93,12 +93,12 @@ describe("keys of a robot", () => {
     const dataDir = testFolder();
     const before = await startTestRelay({ dataDir });
     const robot = await before.register();
-    const kept = await make(before, robot, { kind: "drive" });
+    const stored = await make(before, robot, { kind: "drive" });
     const gone = await make(before, robot, { kind: "drive" });
     expect(await revoke(before, robot, gone.id)).toBe(204);
     await before.close();
     const after = await startTestRelay({ dataDir });
-    expect((await after.ask(robot, "/commands", { key: kept.key })).status).toBe(200);
+    expect((await after.ask(robot, "/commands", { key: stored.key })).status).toBe(200);
     expect((await after.ask(robot, "/commands", { key: gone.key })).status).toBe(401);
   });
 
@@ -201,13 +201,13 @@ describe("a new driver key", () => {
     const [first] = await driveKeys(relay, robot);
     const paired = await make(relay, robot, { kind: "drive" });
     const replaced = await TestSocket.driver(relay, robot);
-    const kept = await TestSocket.driver(relay, { ...robot, driverKey: paired.key });
+    const stored = await TestSocket.driver(relay, { ...robot, driverKey: paired.key });
     const made = await make(relay, robot, { kind: "drive", replace: first });
     expect((await replaced.closed).code).toBe(4401);
     expect((await driveKeys(relay, robot)).toSorted()).toEqual([made.id, paired.id].toSorted());
     expect((await relay.ask(robot, "/commands")).status).toBe(401);
-    kept.send({ type: "command", command: { action: "left 90" } });
-    expect(await kept.next("ack")).toMatchObject({ record: { seq: 1 } });
+    stored.send({ type: "command", command: { action: "left 90" } });
+    expect(await stored.next("ack")).toMatchObject({ record: { seq: 1 } });
   });
 
   it.each([
@@ -219,8 +219,8 @@ describe("a new driver key", () => {
     },
   ])("is not made in the place of $what", async ({ replace }) => {
     const { relay, robot } = await withRobot();
-    const wish = { kind: "drive", replace: await replace(relay, robot) };
-    const request = { method: "POST", key: robot.ownerKey, body: wish };
+    const wanted = { kind: "drive", replace: await replace(relay, robot) };
+    const request = { method: "POST", key: robot.ownerKey, body: wanted };
     const refused = await relay.ask(robot, "/keys", request);
     expect(refused.status).toBe(409);
     expect(await refused.json()).toMatchObject({ type: "/problems/nothing-to-replace" });
@@ -264,7 +264,7 @@ describe("a new driver key", () => {
       state: "cancelled",
       reason: REVOKED_REASON,
     });
-    const kept = await relay.ask(robot, "/commands/11", { key: other.key });
-    expect((await kept.json()) as object).not.toMatchObject({ state: "cancelled" });
+    const stored = await relay.ask(robot, "/commands/11", { key: other.key });
+    expect((await stored.json()) as object).not.toMatchObject({ state: "cancelled" });
   });
 });

@@ -90,12 +90,12 @@ describe("the maze of a robot", () => {
       expect(versions[1]).toEqual({ type: "maze", version: tag.slice(1, -1) });
     }
     const text = new TextDecoder();
-    let heard = "";
+    let received = "";
     for await (const part of events.body ?? []) {
-      heard += text.decode(part, { stream: true });
-      if (heard.includes(`event: maze\ndata: {"version":"${tag.slice(1, -1)}"}\n\n`)) break;
+      received += text.decode(part, { stream: true });
+      if (received.includes(`event: maze\ndata: {"version":"${tag.slice(1, -1)}"}\n\n`)) break;
     }
-    expect(heard.match(/event: maze/g)).toHaveLength(2);
+    expect(received.match(/event: maze/g)).toHaveLength(2);
     stop.abort();
   });
 

@@ -52,15 +52,15 @@ describe("pairing with a code", () => {
       state: "asked",
       question: { id: hashKey(key).slice(0, 6), name: "Right wall", client: "curl" },
     });
-    expect((await script.hear(key)).body).toMatchObject({ state: "asked", address: null });
-    const answer = script.hear(key, 25);
+    expect((await script.receive(key)).body).toMatchObject({ state: "asked", address: null });
+    const answer = script.receive(key, 25);
     expect(await owner.say(true)).toBe("");
     const { body } = await answer;
     expect(body).toMatchObject({ state: "accepted" });
     expect(body?.address).toBe(`${relay.origin}/r/${robot.id}#${key}`);
     expect(await drive(body?.address ?? "")).toBe(202);
     // The response can be requested again if it was lost.
-    expect((await script.hear(key)).body).toEqual(body);
+    expect((await script.receive(key)).body).toEqual(body);
 
     const own = { key: robot.ownerKey };
     const { keys } = keyListSchema.parse(await (await relay.ask(robot, "/keys", own)).json());
@@ -72,7 +72,7 @@ describe("pairing with a code", () => {
   it("returns nothing if the owner declines", async () => {
     const { owner, script, relay, robot } = await withRobot();
     const key = (await script.ask({ code: await owner.code() })).body?.key ?? "";
-    const answer = script.hear(key, 25);
+    const answer = script.receive(key, 25);
     expect(await owner.say(false)).toBe("");
     expect(await answer).toMatchObject({ status: 403, kind: "pairing-refused" });
     expect(await drive(`${relay.origin}/r/${robot.id}#${key}`)).toBe(401);
@@ -89,7 +89,7 @@ describe("pairing with a code", () => {
     expect(asked.filter(({ kind }) => kind === "code-used")).toHaveLength(2);
     expect(await owner.takeBack()).toBe(204);
     const key = asked.find(({ body }) => body !== null)?.body?.key ?? "";
-    expect(await script.hear(key, 25)).toMatchObject({ status: 404, kind: "no-pairing" });
+    expect(await script.receive(key, 25)).toMatchObject({ status: 404, kind: "no-pairing" });
     expect(await owner.show()).toMatchObject({ state: "none" });
   });
 
@@ -100,7 +100,7 @@ describe("pairing with a code", () => {
     }
     const unknown = await script.ask({ code: "BCDFGHJK", key: "x" });
     expect(unknown).toMatchObject({ status: 400, kind: "bad-request" });
-    expect((await script.hear("drv_AAAAAAAAAAAAAAAAAAAAAA")).kind).toBe("no-pairing");
+    expect((await script.receive("drv_AAAAAAAAAAAAAAAAAAAAAA")).kind).toBe("no-pairing");
   });
 
   it("accepts the longest name with escaped characters, as Python sends it", async () => {
@@ -123,11 +123,11 @@ describe("pairing with a code", () => {
     for (let count = 3; count < 12; count++) await relay.ask(robot, "/keys", watch);
     const key = (await script.ask({ code: await owner.code() })).body?.key ?? "";
     expect(await owner.say(true)).toBe("too-many-keys");
-    expect((await script.hear(key)).body).toMatchObject({ state: "asked" });
+    expect((await script.receive(key)).body).toMatchObject({ state: "asked" });
     const { id } = (await made.json()) as { id: string };
     await relay.ask(robot, `/keys/${id}`, { method: "DELETE", ...own });
     expect(await owner.say(true)).toBe("");
-    expect((await script.hear(key)).body).toMatchObject({ state: "accepted" });
+    expect((await script.receive(key)).body).toMatchObject({ state: "accepted" });
   });
 
   it("ends after 10 minutes and leaves nothing in the files", async () => {
@@ -141,10 +141,10 @@ describe("pairing with a code", () => {
     expect(holds(hashKey(code))).toBe(true);
     for (const secret of [code, key]) expect(holds(secret)).toBe(false);
     await clock.pass(10 * MINUTE - 1_000);
-    expect((await script.hear(key)).body).toMatchObject({ state: "asked", endsInSeconds: 1 });
+    expect((await script.receive(key)).body).toMatchObject({ state: "asked", endsInSeconds: 1 });
     await clock.pass(1_000);
     expect(await owner.say(true)).toBe("no-question");
-    expect((await script.hear(key)).kind).toBe("no-pairing");
+    expect((await script.receive(key)).kind).toBe("no-pairing");
     await clock.pass(MINUTE);
     for (const text of [hashKey(code), hashKey(key), "A forgettable name"]) {
       expect(holds(text)).toBe(false);
@@ -154,7 +154,7 @@ describe("pairing with a code", () => {
   it("limits the duration and the number of waiting requests", async () => {
     const { owner, script, relay } = await withRobot();
     const key = (await script.ask({ code: await owner.code() })).body?.key ?? "";
-    const waiting = Array.from({ length: 6 }, () => script.hear(key, 25));
+    const waiting = Array.from({ length: 6 }, () => script.receive(key, 25));
     const refused = await Promise.race(waiting);
     expect(refused).toMatchObject({ status: 429, kind: "too-many-readers", retryAfter: 2 });
     await relay.close();
@@ -170,7 +170,7 @@ describe("pairing with a code", () => {
     await script.ask({ code: "BCDFGHJK" });
     const key = (await script.ask({ code })).body?.key ?? "";
     await owner.say(true);
-    await script.hear(key);
+    await script.receive(key);
     const text = lines.join("");
     expect(text).toContain("/pairing");
     for (const secret of [code, "BCDFGHJK", key.slice(4), hashKey(code), hashKey(key)]) {
@@ -252,7 +252,7 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     const code = await owner.code();
     const key = (await script.ask({ code, name: "Far" })).body?.key ?? "";
     await shown;
-    const answer = script.hear(key, 25);
+    const answer = script.receive(key, 25);
     expect(await owner.say(true)).toBe("");
     const address = (await answer).body?.address ?? "";
     expect(address).toBe(`${elsewhere.origin}/r/${robot.id}#${key}`);

@@ -158,8 +158,8 @@ describe("a blocked script", () => {
     await before.relay.close();
     const after = helpers(await startTestRelay({ dataDir: before.dataDir }), robot);
     expect((await after.as("Anna", "/commands?after=0")).status).toBe(403);
-    const wish = { kind: "drive", replace: true };
-    await after.relay.ask(robot, "/keys", { method: "POST", key: robot.ownerKey, body: wish });
+    const wanted = { kind: "drive", replace: true };
+    await after.relay.ask(robot, "/keys", { method: "POST", key: robot.ownerKey, body: wanted });
     expect(await after.scripts()).toEqual([]);
     expect((await after.as("Anna", "/commands?after=0")).status).toBe(401);
   });

@@ -6,38 +6,38 @@ import { AdaptiveJournal } from "./adaptive-journal.ts";
 function withWays() {
   let time = 0;
   const disk = { ms: 0.3 };
-  const written: string[] = [];
+  const writes: string[] = [];
   const way = (name: string): Journal => ({
-    write: (entries, tidying, told) => {
-      written.push(`${name} ${entries.length}${tidying === null ? "" : " tidying"}`);
+    write: (entries, compaction, written) => {
+      writes.push(`${name} ${entries.length}${compaction === null ? "" : " compaction"}`);
       time += disk.ms;
-      told(null, null);
+      written(null, null);
     },
-    close: async () => void written.push(`${name} closed`),
+    close: async () => void writes.push(`${name} closed`),
   });
   const shorter = new AdaptiveJournal(way("own"), way("thread"), () => time);
-  const write = (count: number, isTidying = false): string | undefined => {
+  const write = (count: number, isCompacting = false): string | undefined => {
     const entries = Array.from({ length: count }, (_, n): Entry => [n, "robot", "{}"]);
-    const tidying = isTidying ? { bringing: [], deleted: 1, kept: [] } : null;
-    let isTold = false;
-    shorter.write(entries, tidying, () => (isTold = true));
-    expect(isTold).toBe(true);
-    return written.at(-1);
+    const compaction = isCompacting ? { bringing: [], deleted: 1, stored: [] } : null;
+    let isReported = false;
+    shorter.write(entries, compaction, () => (isReported = true));
+    expect(isReported).toBe(true);
+    return writes.at(-1);
   };
-  return { write, disk, written, shorter, pass: (ms: number) => (time += ms) };
+  return { write, disk, writes, shorter, pass: (ms: number) => (time += ms) };
 }
 
 it("writes few entries itself, and has many or what is tidied written by the thread", async () => {
-  const { write, shorter, written } = withWays();
+  const { write, shorter, writes } = withWays();
   expect([write(1), write(4), write(1, true), write(1), write(5)]).toEqual([
     "own 1",
     "own 4",
-    "thread 1 tidying",
+    "thread 1 compaction",
     "own 1",
     "thread 5",
   ]);
   await shorter.close();
-  expect(written.at(-1)).toBe("thread closed");
+  expect(writes.at(-1)).toBe("thread closed");
 });
 
 it("has the thread write few, too, right behind many: more will come", () => {

@@ -3,8 +3,8 @@
  * for its answer takes longer than writing a few entries. Small batches are therefore written
  * synchronously. Large batches, and all batches while the disk is slow, go to the thread.
  */
-import type { Journal, Told } from "./journal.ts";
-import type { Entry, Tidying } from "./journal-writer.ts";
+import type { Journal, Written } from "./journal.ts";
+import type { Entry, Compaction } from "./journal-writer.ts";
 
 /**
  * Larger batches occur only under load. A small batch right after a large one usually has more
@@ -41,14 +41,14 @@ export class AdaptiveJournal implements Journal {
     this.#now = now;
   }
 
-  write(entries: readonly Entry[], tidying: Tidying | null, told: Told): void {
+  write(entries: readonly Entry[], compaction: Compaction | null, written: Written): void {
     const begun = this.#now();
-    const isLittle = tidying === null && Math.max(entries.length, this.#before) <= FEW;
+    const isLittle = compaction === null && Math.max(entries.length, this.#before) <= FEW;
     this.#before = entries.length;
     const isOwn = isLittle && begun >= this.#slowUntil;
-    (isOwn ? this.#own : this.#thread).write(entries, tidying, (...how) => {
+    (isOwn ? this.#own : this.#thread).write(entries, compaction, (...how) => {
       if (isOwn) this.#took(this.#now() - begun);
-      told(...how);
+      written(...how);
     });
   }
 

@@ -33,9 +33,9 @@ it("each is answered, by what those before it have left, whatever throws or is l
       parts.due = null;
       const lost = new Set<string>();
       let leftToAnswer = 0;
-      const tell = (fate: Error | null): void => {
+      const notify = (fate: Error | null): void => {
         if (fate !== null) for (const name of journal.names ?? []) lost.add(name);
-        if (journal.writing !== null) journal.tell(fate);
+        if (journal.writing !== null) journal.notify(fate);
       };
       const ask = ({ what, entries, throws }: Doing, name: string) => {
         const work = (): string[] => {
@@ -59,7 +59,7 @@ it("each is answered, by what those before it have left, whatever throws or is l
         const name = String(n);
         if (doing.what === "turn") await turn();
         else if (doing.what === "kept" || doing.what === "lost")
-          tell(doing.what === "lost" ? LOST : null);
+          notify(doing.what === "lost" ? LOST : null);
         else if (doing.what === "tidy") parts.due = parts.due === null ? NOTHING : null;
         else if (doing.what === "alone")
           void commits.alone(() => {
@@ -70,7 +70,7 @@ it("each is answered, by what those before it have left, whatever throws or is l
       leftToAnswer += 1;
       void commits.close().finally(() => (leftToAnswer -= 1));
       for (let turns = 0; leftToAnswer > 0 && turns < 200; turns++) {
-        tell(null);
+        notify(null);
         await turn();
       }
       expect(leftToAnswer).toBe(0);
@@ -81,11 +81,11 @@ it("each is answered, by what those before it have left, whatever throws or is l
         const got = await answer;
         // A step without entries may still be in a group that fails.
         const isLost = lost.has(name) || (entries === 0 && got === LOST.message);
-        const isKept = !isLost && throws === "no";
-        if (isKept) for (let each = 0; each < entries; each++) left.push(name);
-        if (isKept && what === "rows") rows.push(name);
-        const kept = { seen: [...left], onDisk: entries };
-        expect(got).toEqual(isKept ? kept : isLost ? LOST.message : "its own");
+        const isStored = !isLost && throws === "no";
+        if (isStored) for (let each = 0; each < entries; each++) left.push(name);
+        if (isStored && what === "rows") rows.push(name);
+        const stored = { seen: [...left], onDisk: entries };
+        expect(got).toEqual(isStored ? stored : isLost ? LOST.message : "its own");
       }
       expect(onDisk()).toEqual(left);
       expect(names()).toEqual(left);

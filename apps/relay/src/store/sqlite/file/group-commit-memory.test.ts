@@ -16,11 +16,11 @@ describe("steps that add entries", () => {
     await turn();
     expect(journal.names).toEqual(["a", "b"]);
     expect(settled).toEqual([]);
-    journal.tell();
+    journal.notify();
     expect(journal.names).toEqual(["c", "d"]);
     await turn();
     expect(settled).toEqual(["a kept", "b kept"]);
-    journal.tell();
+    journal.notify();
     expect(await d).toEqual(["a", "b", "c", "d"]);
   });
 
@@ -31,7 +31,7 @@ describe("steps that add entries", () => {
     void step("look", () => undefined);
     await turn();
     expect(settled).toEqual([]);
-    journal.tell();
+    journal.notify();
     await turn();
     expect(settled).toEqual(["a kept", "look kept"]);
     expect(journal.writing).toBeNull();
@@ -46,7 +46,7 @@ describe("steps that add entries", () => {
     const d = step("d");
     await turn();
     expect(hasRow()).toEqual([]);
-    journal.tell();
+    journal.notify();
     // The waiting steps run together with the step that ran before, in one transaction.
     expect(await d).toEqual(["a", "b", "c", "d"]);
     expect(hasRow()).toEqual(["c"]);
@@ -61,7 +61,7 @@ describe("steps that add entries", () => {
     const b = step("b");
     const c = rows("c");
     const d = step("d");
-    journal.tell(LOST);
+    journal.notify(LOST);
     expect(await Promise.all([b, c, d])).toEqual([["b"], ["b", "c"], ["b", "c", "d"]]);
     expect(onDisk()).toEqual(["b", "c", "d"]);
     expect(settled[0]).toBe("a lost");
@@ -77,12 +77,12 @@ describe("steps that add entries", () => {
     await expect(bad).rejects.toThrow("refused");
     await turn();
     expect(journal.names).toEqual(["a", "b"]);
-    journal.tell();
+    journal.notify();
     expect([await a, await b]).toEqual([["a"], ["a", "b"]]);
   });
 
   it("leave nothing of one that throws midway, in memory or on disk", async () => {
-    const { journal, append, step, parts, tidied } = withJournal();
+    const { journal, append, step, parts, compacted } = withJournal();
     parts.due = NOTHING;
     const a = step("a");
     const bad = step("bad", () => {
@@ -94,13 +94,13 @@ describe("steps that add entries", () => {
     await turn();
     expect(journal.names).toEqual(["a"]);
     // Memory is invalid at this point, so it must not reach the tables.
-    expect(journal.writing?.tidying).toBeNull();
-    journal.tell();
+    expect(journal.writing?.compaction).toBeNull();
+    journal.notify();
     await turn();
-    expect(journal.writing).toMatchObject({ tidying: NOTHING });
-    journal.tell();
+    expect(journal.writing).toMatchObject({ compaction: NOTHING });
+    journal.notify();
     expect([await a, await b]).toEqual([["a"], ["a", "b"]]);
-    expect(tidied).toEqual([null]);
+    expect(compacted).toEqual([null]);
   });
 
   it("are all on disk before work that wants no transaction, and what comes after it is not", async () => {
@@ -113,10 +113,10 @@ describe("steps that add entries", () => {
       throw new Error("no such pragma");
     });
     const c = step("c");
-    journal.tell();
+    journal.notify();
     expect(await alone).toEqual([false, ["a", "b"]]);
     await expect(failing).rejects.toThrow("no such pragma");
-    journal.tell();
+    journal.notify();
     expect(await c).toEqual(["a", "b", "c"]);
   });
 
@@ -129,7 +129,7 @@ describe("steps that add entries", () => {
     for (const late of [step("late"), rows("late"), commits.alone(() => undefined)])
       await expect(late).rejects.toThrow("closed");
     expect(journal.isClosed).toBe(false);
-    journal.tell();
+    journal.notify();
     await closed;
     expect(journal.isClosed).toBe(true);
     expect([await a, await b]).toEqual([["a"], ["a", "b"]]);
@@ -150,7 +150,7 @@ describe("many thousand steps", () => {
     const all = Array.from({ length: MANY }, () => commits.run(() => 1, "memory"));
     const row = commits.run(() => 2);
     const after = Array.from({ length: MANY }, () => commits.run(() => 3, "memory"));
-    journal.tell(lost);
+    journal.notify(lost);
     const sum = (await Promise.all([...all, row, ...after])).reduce((a, b) => a + b, 0);
     expect(sum).toBe(4 * MANY + 2);
   });
@@ -158,33 +158,33 @@ describe("many thousand steps", () => {
 
 describe("tidying", () => {
   it("goes with what is written, and tells what became of it", async () => {
-    const { journal, step, parts, tidied } = withJournal();
+    const { journal, step, parts, compacted } = withJournal();
     parts.due = NOTHING;
     void step("a");
     await turn();
-    expect(journal.writing).toMatchObject({ tidying: NOTHING });
-    const untidied = new Error("no room for rows");
-    journal.tell(null, untidied);
-    expect(tidied).toEqual([untidied]);
+    expect(journal.writing).toMatchObject({ compaction: NOTHING });
+    const uncompacted = new Error("no room for rows");
+    journal.notify(null, uncompacted);
+    expect(compacted).toEqual([uncompacted]);
     await turn();
     step("b").catch(() => undefined);
     await turn();
-    journal.tell(LOST);
-    expect(tidied).toEqual([untidied, LOST]);
+    journal.notify(LOST);
+    expect(compacted).toEqual([uncompacted, LOST]);
   });
 
   it("is done when there is nothing else to write, until all is tidy, and never after the end", async () => {
-    const { journal, commits, step, parts, tidied } = withJournal();
-    parts.isUntidy = true;
+    const { journal, commits, step, parts, compacted } = withJournal();
+    parts.needsCompaction = true;
     void step("a");
     await turn();
-    expect(journal.writing).toMatchObject({ tidying: null });
+    expect(journal.writing).toMatchObject({ compaction: null });
     parts.due = NOTHING;
-    journal.tell();
+    journal.notify();
     for (let times = 1; times <= 2; times++) {
-      await expect.poll(() => journal.writing).toMatchObject({ entries: [], tidying: NOTHING });
-      journal.tell();
-      expect(tidied.length).toBe(times);
+      await expect.poll(() => journal.writing).toMatchObject({ entries: [], compaction: NOTHING });
+      journal.notify();
+      expect(compacted.length).toBe(times);
     }
     await commits.close();
     await wait(30);
@@ -193,37 +193,37 @@ describe("tidying", () => {
 
   it("goes on without a pause as long as there is nothing else to write", async () => {
     const { journal, step, parts } = withJournal();
-    Object.assign(parts, { isUntidy: true, due: NOTHING });
+    Object.assign(parts, { needsCompaction: true, due: NOTHING });
     void step("a");
     await turn();
-    journal.tell();
+    journal.notify();
     await expect.poll(() => journal.writing).not.toBeNull();
     for (let times = 0; times < 3; times++) {
-      journal.tell();
+      journal.notify();
       await turn();
-      expect(journal.writing).toMatchObject({ entries: [], tidying: NOTHING });
+      expect(journal.writing).toMatchObject({ entries: [], compaction: NOTHING });
     }
-    journal.tell();
+    journal.notify();
     parts.due = null;
     void step("b");
     await turn();
-    expect(journal.writing).toMatchObject({ tidying: null });
+    expect(journal.writing).toMatchObject({ compaction: null });
     expect(journal.writing?.entries).toHaveLength(1);
   });
 
   it("is not tried for ever where it fails, but with what is written next", async () => {
     const { journal, step, parts } = withJournal();
-    Object.assign(parts, { isUntidy: true, due: NOTHING });
+    Object.assign(parts, { needsCompaction: true, due: NOTHING });
     void step("a");
     await turn();
-    journal.tell(null, new Error("no"));
+    journal.notify(null, new Error("no"));
     await expect.poll(() => journal.writing).not.toBeNull();
-    journal.tell(null, new Error("no"));
+    journal.notify(null, new Error("no"));
     await wait(30);
     expect(journal.writing).toBeNull();
     void step("b");
     await turn();
-    expect(journal.writing).toMatchObject({ tidying: NOTHING });
+    expect(journal.writing).toMatchObject({ compaction: NOTHING });
   });
 
   it("comes to its turn also where every group changes rows", async () => {
@@ -232,23 +232,23 @@ describe("tidying", () => {
     expect(journal.writing).toBeNull();
     parts.due = NOTHING;
     await rows("b");
-    expect(journal.writing).toMatchObject({ entries: [], tidying: NOTHING });
+    expect(journal.writing).toMatchObject({ entries: [], compaction: NOTHING });
     parts.due = null;
-    journal.tell();
+    journal.notify();
   });
 
   it("lets a step that changes rows wait", async () => {
     const { journal, step, rows, hasRow, parts } = withJournal();
-    parts.isUntidy = true;
+    parts.needsCompaction = true;
     void step("a");
     await turn();
     parts.due = NOTHING;
-    journal.tell();
+    journal.notify();
     await expect.poll(() => journal.writing).not.toBeNull();
     const b = rows("b");
     expect(hasRow()).toEqual([]);
-    parts.isUntidy = false;
-    journal.tell();
+    parts.needsCompaction = false;
+    journal.notify();
     await b;
     expect(hasRow()).toEqual(["b"]);
   });

@@ -19,38 +19,38 @@ function withTable(now: () => number = () => 0) {
   });
   const add = (n: number) => commits.run(() => db.exec(`INSERT INTO rows (n) VALUES (${n})`));
   /** what another process would find after a crash at this point */
-  const kept = () => Number(other.prepare("SELECT count(*) AS n FROM rows").get()?.["n"]);
-  return { db, commits, add, kept };
+  const stored = () => Number(other.prepare("SELECT count(*) AS n FROM rows").get()?.["n"]);
+  return { db, commits, add, stored };
 }
 
 describe("commits in groups", () => {
   it("answers nobody before all of the group are on disk", async () => {
-    const { add, kept } = withTable();
-    const keptAtAnswer: number[] = [];
-    const steps = [1, 2, 3].map((n) => add(n).then(() => keptAtAnswer.push(kept())));
-    expect(kept()).toBe(0);
+    const { add, stored } = withTable();
+    const storedAtAnswer: number[] = [];
+    const steps = [1, 2, 3].map((n) => add(n).then(() => storedAtAnswer.push(stored())));
+    expect(stored()).toBe(0);
     await Promise.all(steps);
-    expect(keptAtAnswer).toEqual([3, 3, 3]);
+    expect(storedAtAnswer).toEqual([3, 3, 3]);
   });
 
   it("does not let a group that changes rows grow beyond 50 steps", async () => {
-    const { add, kept } = withTable();
+    const { add, stored } = withTable();
     const steps = Array.from({ length: 120 }, (_, n) => add(n));
-    expect(kept()).toBe(100);
+    expect(stored()).toBe(100);
     await Promise.all(steps);
-    expect(kept()).toBe(120);
+    expect(stored()).toBe(120);
   });
 
   it("does not let a group last longer than 5 ms within one turn", async () => {
     let time = 0;
-    const { add, kept } = withTable(() => (time += 2));
+    const { add, stored } = withTable(() => (time += 2));
     const steps = [1, 2, 3].map((n) => add(n));
-    expect(kept()).toBe(3);
+    expect(stored()).toBe(3);
     await Promise.all(steps);
   });
 
   it("undoes a step that fails, and nothing else of its group", async () => {
-    const { db, commits, add, kept } = withTable();
+    const { db, commits, add, stored } = withTable();
     const failing = commits.run(() => {
       db.exec("INSERT INTO rows (n) VALUES (7)");
       throw new Error("half done");
@@ -62,25 +62,25 @@ describe("commits in groups", () => {
       "rejected",
       "fulfilled",
     ]);
-    expect(kept()).toBe(2);
+    expect(stored()).toBe(2);
   });
 
   it("tells everyone when the commit itself fails, and goes on with the next group", async () => {
-    const { db, commits, add, kept } = withTable();
+    const { db, commits, add, stored } = withTable();
     const orphan = commits.run(() =>
       db.exec("PRAGMA defer_foreign_keys = ON; INSERT INTO rows VALUES (1, 99)"),
     );
     const results = await Promise.allSettled([orphan, add(2)]);
     expect(results.map(({ status }) => status)).toEqual(["rejected", "rejected"]);
-    expect(kept()).toBe(0);
+    expect(stored()).toBe(0);
     await add(3);
-    expect(kept()).toBe(1);
+    expect(stored()).toBe(1);
   });
 
   it("commits what is open before work that wants no transaction", async () => {
-    const { db, commits, add, kept } = withTable();
+    const { db, commits, add, stored } = withTable();
     const step = add(1);
-    expect(await commits.alone(() => [db.isTransaction, kept()])).toEqual([false, 1]);
+    expect(await commits.alone(() => [db.isTransaction, stored()])).toEqual([false, 1]);
     await step;
   });
 
@@ -113,24 +113,24 @@ describe("commits in groups", () => {
             }),
           ),
         );
-        const kept = new Set<number>();
+        const stored = new Set<number>();
         const expected = all.map((each) => {
-          const isNew = new Set([...kept, ...each.rows]).size === kept.size + each.rows.length;
+          const isNew = new Set([...stored, ...each.rows]).size === stored.size + each.rows.length;
           if (each.throws || !isNew) return "threw";
-          for (const n of each.rows) kept.add(n);
-          return kept.size;
+          for (const n of each.rows) stored.add(n);
+          return stored.size;
         });
         expect(
           outcomes.map((each) => (each.status === "fulfilled" ? each.value : "threw")),
         ).toEqual(expected);
-        expect(rows()).toEqual([...kept].toSorted((a, b) => a - b));
+        expect(rows()).toEqual([...stored].toSorted((a, b) => a - b));
         db.exec("DELETE FROM rows");
       }),
     );
   });
 
   it("tells everyone when the steps before one that throws cannot be done again", async () => {
-    const { db, commits, add, kept } = withTable();
+    const { db, commits, add, stored } = withTable();
     let isFirst = true;
     const once = commits.run(() => {
       if (!isFirst) throw new Error("not again");
@@ -147,8 +147,8 @@ describe("commits in groups", () => {
       "Error: not again",
       "Error: half done",
     ]);
-    expect(kept()).toBe(0);
+    expect(stored()).toBe(0);
     await add(7);
-    expect(kept()).toBe(1);
+    expect(stored()).toBe(1);
   });
 });

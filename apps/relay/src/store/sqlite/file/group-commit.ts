@@ -19,7 +19,7 @@
  */
 import type { DatabaseSync } from "node:sqlite";
 import { InlineJournal, type Journal } from "./journal.ts";
-import { JournalWriter, type Entry, type Tidying } from "./journal-writer.ts";
+import { JournalWriter, type Entry, type Compaction } from "./journal-writer.ts";
 import { Statements } from "./statements.ts";
 
 const MOST_STEPS = 50;
@@ -37,7 +37,7 @@ interface Step {
   /** runs the step; may run again after a rollback */
   work: () => void;
   /** called once the group is on disk, or has failed */
-  kept: () => void;
+  stored: () => void;
   lost: (error: unknown) => void;
 }
 
@@ -52,13 +52,13 @@ interface Group {
 /** State in memory that belongs to the database. */
 export interface Memory {
   /** Called first after a rollback: the state in memory may be invalid. */
-  undone(): void;
+  rolledBack(): void;
   /** Compaction to write with a number of entries. @param isIdle nothing else is to be written */
-  due(entries: number, isIdle: boolean): Tidying | null;
+  due(entries: number, isIdle: boolean): Compaction | null;
   /** whether an idle journal would have something to compact */
-  readonly isUntidy: boolean;
+  readonly needsCompaction: boolean;
   /** Called after a compaction. @param failed the error; null if it succeeded */
-  tidied(tidying: Tidying, failed: unknown): void;
+  compacted(compaction: Compaction, failed: unknown): void;
 }
 
 export interface GroupCommitParts {
@@ -69,10 +69,10 @@ export interface GroupCommitParts {
 }
 
 const NO_MEMORY: Memory = {
-  undone: () => undefined,
+  rolledBack: () => undefined,
   due: () => null,
-  isUntidy: false,
-  tidied: () => undefined,
+  needsCompaction: false,
+  compacted: () => undefined,
 };
 
 export class GroupCommit {
@@ -96,7 +96,7 @@ export class GroupCommit {
   #isClosed = false;
   #isGoingOn = false;
   /** memory is poisoned: a step that threw left partial changes */
-  #isSpoiled = false;
+  #isBroken = false;
 
   constructor(
     db: DatabaseSync,
@@ -132,7 +132,7 @@ export class GroupCommit {
 
   /** Whether a memory step would run immediately and see the current memory. */
   get isPrompt(): boolean {
-    return this.#next === null && !this.#isSpoiled;
+    return this.#next === null && !this.#isBroken;
   }
 
   /** Adds an entry to the journal. Must be called within a step. */
@@ -159,7 +159,7 @@ export class GroupCommit {
         work: () => {
           result = work();
         },
-        kept: () => resolve(result),
+        stored: () => resolve(result),
         lost: reject,
       };
       if (this.#next === null && this.#mayDo(kind)) this.#do(step);
@@ -168,7 +168,7 @@ export class GroupCommit {
   }
 
   #mayDo(kind: Kind): boolean {
-    return !this.#isSpoiled && (kind === "memory" || this.#writing === null);
+    return !this.#isBroken && (kind === "memory" || this.#writing === null);
   }
 
   #do(step: Step): void {
@@ -184,7 +184,7 @@ export class GroupCommit {
       step.work();
     } catch (error) {
       step.lost(error);
-      return group.isTransaction ? this.#undoNewest(group, error) : this.#spoil(group, entries);
+      return group.isTransaction ? this.#undoNewest(group, error) : this.#fail(group, entries);
     }
     group.steps.push(step);
     if (
@@ -202,7 +202,7 @@ export class GroupCommit {
     } catch (error) {
       return step.lost(error);
     }
-    step.kept();
+    step.stored();
   }
 
   #begin(): Group {
@@ -225,10 +225,10 @@ export class GroupCommit {
   }
 
   /** Handles an error of a step that changes no rows. Its entries are not written. */
-  #spoil(group: Group, entries: number): void {
+  #fail(group: Group, entries: number): void {
     if (group.entries.length === entries) return;
     group.entries.length = entries;
-    this.#isSpoiled = true;
+    this.#isBroken = true;
   }
 
   /** Rolls back a step that threw, and runs the earlier steps of its group again. */
@@ -250,7 +250,7 @@ export class GroupCommit {
     if (this.#db.isTransaction) this.#statements.run("ROLLBACK");
     group.isTransaction = false;
     group.entries = [];
-    this.#memory.undone();
+    this.#memory.rolledBack();
   }
 
   /** Writes the open group unless a write is in progress. */
@@ -276,7 +276,7 @@ export class GroupCommit {
       return this.#lose(group, error);
     }
     this.#open = null;
-    for (const { kept } of group.steps) kept();
+    for (const { stored } of group.steps) stored();
   }
 
   /** Writes a group through the journal. */
@@ -284,21 +284,21 @@ export class GroupCommit {
     this.#open = null;
     this.#sent += 1;
     // Poisoned memory must not reach the tables, because the failed step has no entries.
-    const tidying = this.#isSpoiled ? null : this.#memory.due(group.entries.length, isIdle);
-    if (group.entries.length === 0 && tidying === null) {
-      for (const { kept } of group.steps) kept();
+    const compaction = this.#isBroken ? null : this.#memory.due(group.entries.length, isIdle);
+    if (group.entries.length === 0 && compaction === null) {
+      for (const { stored } of group.steps) stored();
       return;
     }
     this.#writing = group;
-    this.#journal.write(group.entries, tidying, (lost, untidied) => {
+    this.#journal.write(group.entries, compaction, (lost, uncompacted) => {
       this.#writing = null;
-      if (tidying !== null) this.#memory.tidied(tidying, lost ?? untidied);
-      if (lost === null) for (const { kept } of group.steps) kept();
+      if (compaction !== null) this.#memory.compacted(compaction, lost ?? uncompacted);
+      if (lost === null) for (const { stored } of group.steps) stored();
       else this.#undoSince(group, lost);
       // A failed compaction is retried with the next write, not in a loop.
-      const isWell = lost === null && untidied === null;
+      const isWell = lost === null && uncompacted === null;
       this.#goOn(isWell);
-      if (isIdle && isWell) this.#tidyOn();
+      if (isIdle && isWell) this.#compactMore();
     });
   }
 
@@ -307,8 +307,8 @@ export class GroupCommit {
     this.#waiting = [...(this.#open?.steps ?? []), ...this.#waiting.slice(this.#doneOfWaiting)];
     this.#doneOfWaiting = 0;
     this.#open = null;
-    this.#isSpoiled = false;
-    this.#memory.undone();
+    this.#isBroken = false;
+    this.#memory.rolledBack();
     for (const { lost } of group.steps) lost(error);
   }
 
@@ -321,8 +321,8 @@ export class GroupCommit {
    * Continues after a write: runs waiting steps, and writes finished steps if no write is in
    * progress.
    */
-  #goOn(mayTidy = true): void {
-    if (mayTidy && this.#memory.isUntidy) this.#tidySoon();
+  #goOn(mayCompact = true): void {
+    if (mayCompact && this.#memory.needsCompaction) this.#compactSoon();
     // The running loop handles the work of nested calls. Recursion could be thousands of calls deep
     // behind a slow disk.
     if (this.#isGoingOn) return;
@@ -338,7 +338,7 @@ export class GroupCommit {
   }
 
   #hasMore(): boolean {
-    if (this.#writing === null && (this.#open !== null || this.#isSpoiled)) return true;
+    if (this.#writing === null && (this.#open !== null || this.#isBroken)) return true;
     return this.#next !== null && this.#mayDo(this.#next.kind);
   }
 
@@ -348,9 +348,9 @@ export class GroupCommit {
   }
 
   #doWaiting(): void {
-    if (this.#isSpoiled && this.#writing === null && this.#open === null) {
-      this.#isSpoiled = false;
-      this.#memory.undone();
+    if (this.#isBroken && this.#writing === null && this.#open === null) {
+      this.#isBroken = false;
+      this.#memory.rolledBack();
     }
     for (let next = this.#next; next !== null && this.#mayDo(next.kind); next = this.#next) {
       this.#doneOfWaiting += 1;
@@ -363,21 +363,21 @@ export class GroupCommit {
   }
 
   /** Schedules compaction for when the journal is idle. */
-  #tidySoon(): void {
+  #compactSoon(): void {
     if (this.#timer !== null || this.#isClosed) return;
     const sent = this.#sent;
     this.#timer = setTimeout(() => {
       this.#timer = null;
       if (this.#isIdleSince(sent)) this.#send(this.#newGroup(), true);
-      else if (this.#memory.isUntidy) this.#tidySoon();
+      else if (this.#memory.needsCompaction) this.#compactSoon();
     }, IDLE_MS).unref();
   }
 
   /** Continues compaction without a delay while there is nothing else to write. */
-  #tidyOn(): void {
+  #compactMore(): void {
     const sent = this.#sent;
     setImmediate(() => {
-      if (this.#isClosed || !this.#memory.isUntidy || !this.#isIdleSince(sent)) return;
+      if (this.#isClosed || !this.#memory.needsCompaction || !this.#isIdleSince(sent)) return;
       this.#send(this.#newGroup(), true);
     });
   }

@@ -1,17 +1,17 @@
 /** The thread that writes the journal: see `ThreadedJournal`. */
 import { parentPort, workerData } from "node:worker_threads";
-import { JournalWriter, type Entry, type Tidying } from "./journal-writer.ts";
+import { JournalWriter, type Entry, type Compaction } from "./journal-writer.ts";
 import { openForWriting } from "./sqlite-schema.ts";
 
 /** null: the thread must end */
-export type Order = { entries: Flat; tidying: Tidying | null } | null;
+export type Order = { entries: Flat; compaction: Compaction | null } | null;
 
 /** Flattened entries, because nested arrays take longer to transfer. */
 type Flat = readonly Entry[number][];
 
 export interface Answer {
   lost: Failure | null;
-  untidied: Failure | null;
+  uncompacted: Failure | null;
 }
 
 interface Failure {
@@ -32,11 +32,11 @@ parentPort?.on("message", (order: Order) => {
   parentPort?.postMessage(done(order));
 });
 
-function done({ entries, tidying }: NonNullable<Order>): Answer {
+function done({ entries, compaction }: NonNullable<Order>): Answer {
   try {
-    return { lost: null, untidied: failureOf(writer.write(entriesIn(entries), tidying)) };
+    return { lost: null, uncompacted: failureOf(writer.write(entriesIn(entries), compaction)) };
   } catch (error) {
-    return { lost: failureOf(error), untidied: null };
+    return { lost: failureOf(error), uncompacted: null };
   }
 }
 

@@ -10,8 +10,8 @@ import { Statements } from "./statements.ts";
 const KEEP_ROWS = `INSERT INTO commands (robot, entry)
   SELECT robot, entry FROM json_each(?) AS given CROSS JOIN journal ON journal.id = given.value WHERE true
   ON CONFLICT (robot, seq) DO UPDATE SET entry = excluded.entry`;
-const FORGET_ENDED = "DELETE FROM commands WHERE robot = ? AND seq <= ? AND is_open = 0";
-const FORGET_ONE = "DELETE FROM commands WHERE robot = ? AND seq = ?";
+const DELETE_ENDED = "DELETE FROM commands WHERE robot = ? AND seq <= ? AND is_open = 0";
+const DELETE_ONE = "DELETE FROM commands WHERE robot = ? AND seq = ?";
 
 /** A row after a step. */
 export type Entry = [id: number, robot: string, text: string];
@@ -29,15 +29,15 @@ export interface Bringing {
   /** every command before this seq has ended */
   openFrom: number;
   /** ended commands up to this seq are deleted, except those in `entries`; 0: none */
-  forgotten: number;
+  deletedTo: number;
 }
 
 /** Rows to copy to the tables, and journal entries to delete. */
-export interface Tidying {
+export interface Compaction {
   bringing: Bringing[];
-  /** entries up to this number are deleted, except those of the robots in `kept` */
+  /** entries up to this number are deleted, except those of the robots in `stored` */
   deleted: number;
-  kept: string[];
+  stored: string[];
 }
 
 export class JournalWriter {
@@ -54,15 +54,15 @@ export class JournalWriter {
    * @returns the error of the compaction, or null
    * @throws the error of SQLite if no entry was written
    */
-  write(entries: readonly Entry[], tidying: Tidying | null): unknown {
-    if (tidying === null) {
+  write(entries: readonly Entry[], compaction: Compaction | null): unknown {
+    if (compaction === null) {
       this.#commit(() => this.append(entries));
       return null;
     }
     try {
       this.#commit(() => {
         this.append(entries);
-        this.#tidy(tidying);
+        this.#compact(compaction);
       });
       return null;
     } catch (error) {
@@ -78,18 +78,18 @@ export class JournalWriter {
     for (const entry of entries) this.#statements.run(sql, entry);
   }
 
-  #tidy({ bringing, deleted, kept }: Tidying): void {
+  #compact({ bringing, deleted, stored }: Compaction): void {
     for (const each of bringing) this.#bringIn(each);
     if (deleted === 0) return;
-    const isKept = "robot IN (SELECT value FROM json_each(?))";
-    const sql = `DELETE FROM journal WHERE id <= ? AND NOT ${isKept}`;
-    this.#statements.run(sql, [deleted, JSON.stringify(kept)]);
+    const isStored = "robot IN (SELECT value FROM json_each(?))";
+    const sql = `DELETE FROM journal WHERE id <= ? AND NOT ${isStored}`;
+    this.#statements.run(sql, [deleted, JSON.stringify(stored)]);
   }
 
-  #bringIn({ robot, entries, gone, upTo, lastSeq, openFrom, forgotten }: Bringing): void {
+  #bringIn({ robot, entries, gone, upTo, lastSeq, openFrom, deletedTo }: Bringing): void {
     // Deletions come first, because another command may reuse the key of a deleted one.
-    if (forgotten > 0) this.#statements.run(FORGET_ENDED, [robot, forgotten]);
-    for (const seq of gone) this.#statements.run(FORGET_ONE, [robot, seq]);
+    if (deletedTo > 0) this.#statements.run(DELETE_ENDED, [robot, deletedTo]);
+    for (const seq of gone) this.#statements.run(DELETE_ONE, [robot, seq]);
     if (this.#statements.run(KEEP_ROWS, [JSON.stringify(entries)]) !== entries.length)
       throw new Error("The journal has fewer entries than the checkpoint needs.");
     const sql =

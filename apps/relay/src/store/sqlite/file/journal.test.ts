@@ -11,7 +11,7 @@ import type { RobotStore } from "../../port.ts";
 import { SqliteFile } from "./sqlite-file.ts";
 import { SqliteRobotStore } from "../sqlite-robot-store.ts";
 import { NOW, ROBOTS, sent, withRobots } from "../../cases/robot-in-store.ts";
-import { stepsKeeping, told, type StepOfRobot } from "../../cases/random-steps.ts";
+import { stepsKeeping, contentsOf, type StepOfRobot } from "../../cases/random-steps.ts";
 
 /** A step, its robot, and an event in the store after it. */
 interface Turn extends StepOfRobot {
@@ -73,7 +73,7 @@ describe("the journal", () => {
               store = open();
             }
             await answered();
-            expect(await told(store)).toEqual(await told(plain));
+            expect(await contentsOf(store)).toEqual(await contentsOf(plain));
             await Promise.all([store.close(), plain.close()]);
           },
         ),

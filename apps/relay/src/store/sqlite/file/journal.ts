@@ -1,20 +1,20 @@
 /** Interface of the journal, and an implementation that writes synchronously. */
 import type { DatabaseSync } from "node:sqlite";
-import { JournalWriter, type Entry, type Tidying } from "./journal-writer.ts";
+import { JournalWriter, type Entry, type Compaction } from "./journal-writer.ts";
 
 /**
  * Receives the result of a write.
  * @param lost the error if nothing was written, or null
- * @param untidied the error if only the compaction failed, or null
+ * @param uncompacted the error if only the compaction failed, or null
  */
-export type Told = (lost: unknown, untidied: unknown) => void;
+export type Written = (lost: unknown, uncompacted: unknown) => void;
 
 export interface Journal {
   /**
    * Commits entries, together with a compaction if possible. No other write to the database may
-   * start before `told` is called, which can happen before this method returns.
+   * start before `written` is called, which can happen before this method returns.
    */
-  write(entries: readonly Entry[], tidying: Tidying | null, told: Told): void;
+  write(entries: readonly Entry[], compaction: Compaction | null, written: Written): void;
   close(): Promise<void>;
 }
 
@@ -26,14 +26,14 @@ export class InlineJournal implements Journal {
     this.#writer = new JournalWriter(db);
   }
 
-  write(entries: readonly Entry[], tidying: Tidying | null, told: Told): void {
-    let untidied: unknown;
+  write(entries: readonly Entry[], compaction: Compaction | null, written: Written): void {
+    let uncompacted: unknown;
     try {
-      untidied = this.#writer.write(entries, tidying);
+      uncompacted = this.#writer.write(entries, compaction);
     } catch (error) {
-      return told(error, null);
+      return written(error, null);
     }
-    told(null, untidied);
+    written(null, uncompacted);
   }
 
   async close(): Promise<void> {}

@@ -112,15 +112,15 @@ export class SqliteFile {
 
   /** Compaction needs space, so it waits while the disk is full. */
   #memoryWithRoom(): Memory {
-    const isUntidy = (): boolean => !this.#isFull && this.#memory?.isUntidy === true;
+    const needsCompaction = (): boolean => !this.#isFull && this.#memory?.needsCompaction === true;
     return {
-      undone: () => this.#memory?.undone(),
+      rolledBack: () => this.#memory?.rolledBack(),
       due: (...how) => (this.#isFull ? null : (this.#memory?.due(...how) ?? null)),
-      get isUntidy() {
-        return isUntidy();
+      get needsCompaction() {
+        return needsCompaction();
       },
-      tidied: (tidying, failed) => {
-        this.#memory?.tidied(tidying, failed);
+      compacted: (compaction, failed) => {
+        this.#memory?.compacted(compaction, failed);
         this.#noteFull(failed);
       },
     };
@@ -208,7 +208,7 @@ export class SqliteFile {
    * their copies from the write-ahead log.
    * @param hasDeleted whether the result of `work` shows a deletion
    */
-  async forget<T>(work: () => T, hasDeleted: (result: T) => boolean): Promise<T> {
+  async remove<T>(work: () => T, hasDeleted: (result: T) => boolean): Promise<T> {
     const result = await this.step(work);
     if (hasDeleted(result)) await this.#emptyLog();
     return result;

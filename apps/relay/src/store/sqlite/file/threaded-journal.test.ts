@@ -10,7 +10,7 @@ import { completed } from "../../../platform/testing/messages.ts";
 import { realSmallDisk } from "../../../platform/testing/small-disk.ts";
 import { testFolder } from "../../../testing/test-relay.ts";
 import { isDiskFull } from "../../../platform/errors/disk-full.ts";
-import type { Entry, Tidying } from "./journal-writer.ts";
+import type { Entry, Compaction } from "./journal-writer.ts";
 import { SqliteFile } from "./sqlite-file.ts";
 import { openDatabase } from "./sqlite-schema.ts";
 import { SqliteRobotStore } from "../sqlite-robot-store.ts";
@@ -27,9 +27,9 @@ function withThread(folder = testFolder()) {
     await journal.close();
     db.close();
   });
-  const write = (entries: Entry[], tidying: Tidying | null = null) =>
-    new Promise<{ lost: unknown; untidied: unknown }>((resolve) =>
-      journal.write(entries, tidying, (lost, untidied) => resolve({ lost, untidied })),
+  const write = (entries: Entry[], compaction: Compaction | null = null) =>
+    new Promise<{ lost: unknown; uncompacted: unknown }>((resolve) =>
+      journal.write(entries, compaction, (lost, uncompacted) => resolve({ lost, uncompacted })),
     );
   const onDisk = () => db.prepare("SELECT id, robot, entry FROM journal").all();
   /** the first thread that received a write */
@@ -42,7 +42,7 @@ function withThread(folder = testFolder()) {
 }
 
 const entry = (id: number): Entry => [id, "robot", `entry ${id}`];
-const DONE = { lost: null, untidied: null };
+const DONE = { lost: null, uncompacted: null };
 
 describe("the journal's thread", () => {
   it("has entries on disk when it says so, in their order", async () => {
@@ -56,13 +56,13 @@ describe("the journal's thread", () => {
   it("writes entries also where it cannot tidy, and says why", async () => {
     const { write, onDisk } = withThread();
     const bringing = [
-      { robot: "robot", entries: [99], gone: [], upTo: 99, lastSeq: 1, openFrom: 1, forgotten: 0 },
+      { robot: "robot", entries: [99], gone: [], upTo: 99, lastSeq: 1, openFrom: 1, deletedTo: 0 },
     ];
-    const { lost, untidied } = await write([entry(1)], { bringing, deleted: 1, kept: [] });
+    const { lost, uncompacted } = await write([entry(1)], { bringing, deleted: 1, stored: [] });
     expect(lost).toBeNull();
-    expect(untidied).toBeInstanceOf(Error);
+    expect(uncompacted).toBeInstanceOf(Error);
     expect(onDisk().length).toBe(1);
-    expect(await write([entry(2)], { bringing: [], deleted: 1, kept: [] })).toEqual(DONE);
+    expect(await write([entry(2)], { bringing: [], deleted: 1, stored: [] })).toEqual(DONE);
     expect(onDisk()).toEqual([{ id: 2, robot: "robot", entry: "entry 2" }]);
   });
 
@@ -153,7 +153,7 @@ describe("the journal's thread", () => {
     await write([entry(1)]);
     disk.fill();
     const much: Entry = [2, "robot", "x".repeat(1024 * 1024)];
-    const { lost } = await write([much], { bringing: [], deleted: 0, kept: [] });
+    const { lost } = await write([much], { bringing: [], deleted: 0, stored: [] });
     expect(lost).toMatchObject({ errcode: 13 });
     expect(isDiskFull(lost)).toBe(true);
     expect(onDisk().length).toBe(1);

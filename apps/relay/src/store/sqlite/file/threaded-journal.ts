@@ -3,15 +3,15 @@
  * steps of the next commit.
  */
 import { Worker } from "node:worker_threads";
-import type { Journal, Told } from "./journal.ts";
-import type { Entry, Tidying } from "./journal-writer.ts";
+import type { Journal, Written } from "./journal.ts";
+import type { Entry, Compaction } from "./journal-writer.ts";
 import type { Answer, Order } from "./journal-thread.ts";
 
 export class ThreadedJournal implements Journal {
   readonly #path: string;
   /** null: the thread has ended; the next write starts a new one */
   #thread: Worker | null;
-  #told: Told | null = null;
+  #written: Written | null = null;
 
   /** @param path of an existing database with the newest schema */
   constructor(path: string) {
@@ -19,17 +19,17 @@ export class ThreadedJournal implements Journal {
     this.#thread = this.#start();
   }
 
-  write(entries: readonly Entry[], tidying: Tidying | null, told: Told): void {
-    this.#told = told;
+  write(entries: readonly Entry[], compaction: Compaction | null, written: Written): void {
+    this.#written = written;
     try {
       this.#thread ??= this.#start();
       // Keeps the process alive until the answer arrives, but not longer.
       this.#thread.ref();
-      this.#thread.postMessage({ entries: entries.flat(), tidying } satisfies Order);
+      this.#thread.postMessage({ entries: entries.flat(), compaction } satisfies Order);
     } catch (error) {
       // The system may be unable to start a thread. Deferred, because the callback may write again
       // immediately.
-      setImmediate(() => this.#tell(error, null));
+      setImmediate(() => this.#notify(error, null));
     }
   }
 
@@ -49,9 +49,9 @@ export class ThreadedJournal implements Journal {
     });
     thread.unref();
     let failed: unknown = null;
-    thread.on("message", ({ lost, untidied }: Answer) => {
+    thread.on("message", ({ lost, uncompacted }: Answer) => {
       thread.unref();
-      this.#tell(lost && errorOf(lost), untidied && errorOf(untidied));
+      this.#notify(lost && errorOf(lost), uncompacted && errorOf(uncompacted));
     });
     thread.on("error", (error) => {
       failed = error;
@@ -59,15 +59,15 @@ export class ThreadedJournal implements Journal {
     thread.on("exit", (code) => {
       this.#thread = null;
       // The thread's connection is closed by now, so the caller can read what is on disk.
-      this.#tell(failed ?? new Error(`The journal thread exited with code ${code}.`), null);
+      this.#notify(failed ?? new Error(`The journal thread exited with code ${code}.`), null);
     });
     return thread;
   }
 
-  #tell(lost: unknown, untidied: unknown): void {
-    const told = this.#told;
-    this.#told = null;
-    told?.(lost, untidied);
+  #notify(lost: unknown, uncompacted: unknown): void {
+    const written = this.#written;
+    this.#written = null;
+    written?.(lost, uncompacted);
   }
 }
 

@@ -107,7 +107,7 @@ describe("the journal", () => {
     onTestFinished(() => db.close());
     const live = new LiveRobots(new Statements(db), () => undefined, 100);
     live.remove([id]);
-    live.undone();
+    live.rolledBack();
     live.deleteOrphans();
     expect([...(live.open(id)?.commands.open ?? [])].map(({ seq }) => seq)).toEqual([1, 2, 3]);
   });

@@ -1,7 +1,7 @@
 /** Metrics observer of commands. It receives kinds and times, never identities. */
 import type { CommandRecord } from "@corridor/protocol";
 
-export interface Witness {
+export interface CommandObserver {
   /** A command was stored this long after its arrival. */
   stored(seconds: number): void;
   /** A robot started a command this long after its arrival. */
@@ -10,7 +10,7 @@ export interface Witness {
   ended(state: CommandRecord["state"]): void;
 }
 
-export const noWitness: Witness = {
+export const noObserver: CommandObserver = {
   stored: () => undefined,
   started: () => undefined,
   ended: () => undefined,

@@ -9,7 +9,7 @@ import { valueIn } from "./durability.ts";
 
 const POLL_MS = 20;
 
-export class ForgottenBytes {
+export class DeletedBytes {
   readonly #redis: Redis;
   /** the rewrite that has not started yet; calls before its start share it */
   #next: Promise<void> | null = null;

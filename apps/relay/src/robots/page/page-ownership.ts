@@ -4,15 +4,15 @@
  */
 import type { PageLink } from "./page-link.ts";
 
-export interface SeatedPage {
+export interface OwningPage {
   link: PageLink;
   epoch: number;
   /** identifies the page across its connections; empty if the page sends none */
   name: string;
 }
 
-export class PageSeat {
-  #page: SeatedPage | null = null;
+export class PageOwnership {
+  #page: OwningPage | null = null;
   /** epoch of the page at another relay; null: none */
   #elsewhere: number | null = null;
   /** highest known epoch */
@@ -38,7 +38,7 @@ export class PageSeat {
     this.#isInDoubt = last.epoch > 0;
   }
 
-  get page(): SeatedPage | null {
+  get page(): OwningPage | null {
     return this.#page;
   }
 
@@ -79,7 +79,7 @@ export class PageSeat {
     return this.#awaySince === null ? 0 : now - this.#awaySince;
   }
 
-  take(page: SeatedPage): void {
+  take(page: OwningPage): void {
     this.#page = page;
     this.#epoch = page.epoch;
     this.#name = page.name;
@@ -92,7 +92,7 @@ export class PageSeat {
    * A page has acquired the robot at another relay.
    * @returns the page that owned the robot at this relay until then, if any
    */
-  takeElsewhere(epoch: number, name: string): SeatedPage | null {
+  takeElsewhere(epoch: number, name: string): OwningPage | null {
     if (epoch < this.#epoch) return null;
     const before = this.#page;
     this.#page = null;
@@ -105,16 +105,16 @@ export class PageSeat {
   }
 
   /** The page at another relay disconnected. @returns false if it was not the newest */
-  leaveElsewhere(epoch: number, now: number, saidGoodbye: boolean): boolean {
+  leaveElsewhere(epoch: number, now: number, closedByPage: boolean): boolean {
     if (this.#elsewhere !== epoch) return false;
-    this.#isInDoubt = !saidGoodbye;
+    this.#isInDoubt = !closedByPage;
     this.#elsewhere = null;
     this.#awaySince = now;
     return true;
   }
 
-  leave(now: number, saidGoodbye: boolean): void {
-    this.#isInDoubt = !saidGoodbye;
+  leave(now: number, closedByPage: boolean): void {
+    this.#isInDoubt = !closedByPage;
     this.#page = null;
     this.#awaySince = now;
   }
