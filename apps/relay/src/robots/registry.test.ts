@@ -57,7 +57,7 @@ it("sees to every robot though another one's step in the store fails", async () 
   expect(await second?.robot.commandsAfter(0)).toMatchObject([{ state: "cancelled" }]);
 });
 
-it("sees to robots though the store takes long to forget others", async () => {
+it("checks robots though the store takes long to delete others", async () => {
   const { clock, instead, robots, leftAlone } = await withRobots(1);
   instead.removeExpired = () => new Promise(() => undefined);
   await clock.pass(61_000);
@@ -83,7 +83,7 @@ it("writes down over some seconds that many robots are in use, not all in the sa
   expect(perSecond.map((noted) => noted.length)).toEqual([10, 10, 10, 10, 10, 10]);
 });
 
-it("forgets nobody who comes back at the last moment, however many there are", async () => {
+it("deletes no robot that returns at the last moment, however many there are", async () => {
   const { clock, enter } = await withRobots(60);
   await clock.pass(limits.robotIdleMs + 500);
   const robots = await enter();
@@ -92,7 +92,7 @@ it("forgets nobody who comes back at the last moment, however many there are", a
   expect(robots.filter(({ robot }) => robot.isOver)).toEqual([]);
 });
 
-it("forgets nobody who is in use though it cannot be written down for another", async () => {
+it("deletes no robot in use though the use of another cannot be stored", async () => {
   const { clock, store, instead, robots } = await withRobots(5);
   const [stuck] = robots;
   instead.touch = (id, ...rest) =>
@@ -118,7 +118,7 @@ it("looks no more at a robot that is deleted before its turn comes", async () =>
   expect(noted).toEqual([]);
 });
 
-it("forgets nothing any more once it is closed", async () => {
+it("deletes nothing once it is closed", async () => {
   const { clock, registry, instead } = await withRobots(1);
   let asked = 0;
   instead.removeExpired = async () => {

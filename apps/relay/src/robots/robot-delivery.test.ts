@@ -41,7 +41,7 @@ describe("a robot: delivery", () => {
     expect(host.seqs("command")).toEqual([1]);
   });
 
-  it("tells the page its time, so that the page knows what a frame was held up", async () => {
+  it("sends the page its time, so that the page knows how long a frame was delayed", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     await setup.robot.receiveFromPage(host.link, { type: "time", epoch: host.epoch });
@@ -95,7 +95,7 @@ describe("a robot: delivery", () => {
     expect(await setup.states()).toEqual(["1 delivered"]);
   });
 
-  it("tells the page to stop at once, past a full window", async () => {
+  it("sends a stop to the page at once, past a full window", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     for (let n = 0; n < 10; n++) await setup.submit(LEFT);

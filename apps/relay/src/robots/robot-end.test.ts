@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import { LEFT, withRobot, page } from "./testing/robot-at-relay.ts";
 
 describe("a robot: its end", () => {
-  it("is forgotten two hours after its last use, with everyone sent away", async () => {
+  it("is deleted two hours after its last use, and everyone is disconnected", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     await setup.clock.pass(60 * 60 * 1000);
@@ -18,7 +18,7 @@ describe("a robot: its end", () => {
     ).rejects.toMatchObject({ kind: "no-robot" });
   });
 
-  it("is forgotten after a day, however busy it is", async () => {
+  it("is deleted after a day, however busy it is", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     for (let hour = 0; hour < 24; hour++) {

@@ -94,7 +94,7 @@ describe("a robot: what scripts see", () => {
     expect(await read).toBe("completed at 200");
   });
 
-  it("tells apart a robot that runs, one that sleeps and one that is gone", async () => {
+  it("distinguishes a robot that runs, one that sleeps and one that is gone", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     await host.report({ tick: 1 });
@@ -180,7 +180,7 @@ describe("a robot: what scripts see", () => {
     expect(await setup.robot.endOf(1, waitLimit(0))).toMatchObject({ reason: null });
   });
 
-  it("tells the page about its scripts, at most once a second", async () => {
+  it("reports its scripts to the page, at most once a second", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     await setup.clock.pass(2_000);

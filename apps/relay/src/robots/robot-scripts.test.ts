@@ -6,7 +6,7 @@ describe("a robot: the life of its scripts", () => {
   const alive = (host: Host) =>
     host.sent.flatMap((message) => (message.type === "drivers" ? [message.alive] : [])).at(-1);
 
-  it("says within a second which script was heard, and for how long it has been silent", async () => {
+  it("reports within a second which script was active, and for how long it has been silent", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     await setup.clock.pass(2_000);
@@ -34,7 +34,7 @@ describe("a robot: the life of its scripts", () => {
     expect(host.sent).toHaveLength(silent);
   });
 
-  it("hears a script that speaks on its line, and takes none of that for a request that waits", async () => {
+  it("counts messages on a connection as activity, and none of them as a request that waits", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     await setup.clock.pass(2_000);

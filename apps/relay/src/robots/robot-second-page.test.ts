@@ -24,7 +24,7 @@ async function withBusyPage(setup: Setup, isSilent = false) {
 const anotherPage = (setup: Setup) => page(setup, { page: SECOND, fresh: true });
 
 describe("a robot: a second page", () => {
-  it("gets what the first has not begun, once that one has told what it has", async () => {
+  it("receives what the first has not started, once that one has reported what it has", async () => {
     const setup = await withRobot();
     const first = await withBusyPage(setup, true);
     const coming = anotherPage(setup);
@@ -60,7 +60,7 @@ describe("a robot: a second page", () => {
     ]);
   });
 
-  it("gets what a page has left that said goodbye, but not of one whose line was lost", async () => {
+  it("receives what a page has left that closed its connection, but not of one whose connection was lost", async () => {
     for (const closedByPage of [true, false]) {
       const setup = await withRobot();
       const first = await withBusyPage(setup);
@@ -90,7 +90,7 @@ describe("a robot: a second page", () => {
     expect(await reasons(slow)).toEqual(ended);
   });
 
-  it("hears to the end what a page said before its goodbye", async () => {
+  it("receives all that a page sent before it closed its connection", async () => {
     const setup = await withRobot();
     const first = await withBusyPage(setup);
     const received = first.started(2);

@@ -4,7 +4,7 @@ import { completed } from "../platform/testing/messages.ts";
 import { LEFT, waitLimit, withRobot, page } from "./testing/robot-at-relay.ts";
 
 describe("a robot: time to live", () => {
-  it("expires what no page takes in time, and tells who waits for its end", async () => {
+  it("expires what no page takes in time, and notifies those who wait for its end", async () => {
     const setup = await withRobot();
     await setup.submit({ ...LEFT, ttl: 400 });
     await setup.submit(LEFT);
@@ -17,7 +17,7 @@ describe("a robot: time to live", () => {
     expect(await setup.states()).toEqual(["1 expired", "2 expired"]);
   });
 
-  it("tells the robot how much time is left, counted from the first try", async () => {
+  it("sends the robot the time that is left, counted from the first try", async () => {
     const setup = await withRobot();
     await setup.submit({ ...LEFT, ttl: 2_000, age: 300 });
     await setup.clock.pass(500);

@@ -238,7 +238,7 @@ describe("page and script at different relays", () => {
     expect(received).toEqual(["page"]);
   });
 
-  it("tells the page of the scripts at all relays", async () => {
+  it("reports the scripts at all relays to the page", async () => {
     const { host, clock, atScripts, key, read } = await withRelays();
     read();
     atScripts.received(key)();
@@ -394,7 +394,7 @@ describe("page and script at different relays", () => {
     expect(await submit(LEFT)).toMatchObject({ seq: 2 });
   });
 
-  it("tells readers at every relay of another maze, also when that went unheard", async () => {
+  it("notifies readers at every relay of another maze, also when that message was lost", async () => {
     const { host, atScripts, read, cut } = await withRelays();
     const said = read();
     const first = await host.robot.mazes.keep(maze);
@@ -411,7 +411,7 @@ describe("page and script at different relays", () => {
     expect(ofMazes()).toHaveLength(2);
   });
 
-  it("forgets the robot at every relay at once", async () => {
+  it("deletes the robot at every relay at once", async () => {
     const { host, pages, scripts, registration, read } = await withRelays();
     const said = read();
     await pages.remove(host.robot);

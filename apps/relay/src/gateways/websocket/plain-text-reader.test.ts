@@ -122,7 +122,7 @@ const lines: Record<string, Buffer[]> = {
     frame("x", { lengthIn: 2 }),
     frame("y", { lengthIn: 8 }),
   ],
-  "a goodbye, and more": [
+  "a close frame, and more": [
     frame("first"),
     frame(Buffer.from([0x03, 0xe8, 0x62, 0x79, 0x65]), { first: WHOLE | CLOSE_FRAME }),
     last,

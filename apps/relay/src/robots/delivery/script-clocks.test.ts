@@ -17,7 +17,7 @@ it("a clock of one key says nothing of another key, though its id be the same", 
   expect(clocks.came("key 2", { clock: "the-same-id", sentAt: 5 }, AT)).toBe(0);
 });
 
-it("a key with ever new clocks forgets the oldest, and never one that is in use", () => {
+it("a key with ever new clocks loses the oldest, and never one that is in use", () => {
   const clocks = new ScriptClocks();
   const held = (): number => clocks.came("key", { clock: "in-use-01", sentAt: 1_000 }, AT + 3_000);
   clocks.came("key", { clock: "in-use-01", sentAt: 0 }, AT);
@@ -29,6 +29,6 @@ it("a key with ever new clocks forgets the oldest, and never one that is in use"
   expect(clocks.came("key", { clock: "idle-0001", sentAt: 0 }, AT + 3_000)).toBe(0);
 });
 
-it("a request that tells no time is taken as it comes", () => {
+it("a request without a time has no transit", () => {
   expect(new ScriptClocks().came("key", null, AT)).toBe(0);
 });

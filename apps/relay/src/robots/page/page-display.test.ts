@@ -185,7 +185,7 @@ describe("a page whose robot has more to do than it may have at a time", () => {
     ]);
   });
 
-  it("sees what waits before it hears that what it cancelled is stored: it may take all of that back", async () => {
+  it("receives what waits before the confirmation that its cancellation is stored: it may cancel all of that", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     for (let n = 0; n < 10; n++) await setup.submit(LEFT);

@@ -21,7 +21,7 @@ const record = (seq: number): CommandRecord => ({
 const step = fc.oneof(
   { weight: 4, arbitrary: fc.record({ add: fc.integer({ min: 1, max: 400 }) }) },
   fc.record({ passMs: fc.integer({ min: 1, max: EVENT_RETENTION_MS }) }),
-  fc.constant("forget" as const),
+  fc.constant("delete" as const),
   fc.constant("lose" as const),
 );
 
@@ -34,7 +34,7 @@ it("has every event that is neither too old nor one too many, by its number, and
       let n = 0;
       let stored: { n: number; at: number }[] = [];
       for (const each of steps) {
-        if (each === "forget") {
+        if (each === "delete") {
           log.deleteOld();
           stored = stored.filter(({ at }) => at >= now - EVENT_RETENTION_MS);
         } else if (each === "lose") {
@@ -64,7 +64,7 @@ it("has every event that is neither too old nor one too many, by its number, and
   );
 });
 
-it("tells no event under another's number, whatever happens while it is read", () => {
+it("returns no event under another's number, whatever happens while it is read", () => {
   const clock: Clock = { now: () => 0, after: () => () => undefined };
   for (const happens of ["add", "lose"] as const) {
     const log = new EventLog(clock);

@@ -80,7 +80,7 @@ function robotWithReaders() {
 }
 
 describe("a reader that comes back", () => {
-  it("is told what it missed, once and in order, and then what happens", () => {
+  it("receives what it missed, once and in order, and then what happens", () => {
     const { events, join, happen } = robotWithReaders();
     happen(2);
     const since = events.since;
@@ -90,7 +90,7 @@ describe("a reader that comes back", () => {
     expect(said).toEqual(["welcome 2", "state 3", "state 4", "state 5", "state 6"]);
   });
 
-  it("is told no more once its line breaks under what it missed", () => {
+  it("receives no more once its connection breaks under what it missed", () => {
     const { events, join, happen } = robotWithReaders();
     happen(2);
     const since = events.since;
@@ -99,7 +99,7 @@ describe("a reader that comes back", () => {
     expect(said).toEqual(["welcome 2", "state 3"]);
   });
 
-  it("is told of nothing old when it is new", () => {
+  it("receives nothing old when it is new", () => {
     const { join, happen } = robotWithReaders();
     happen(2);
     const { said } = join();
@@ -108,7 +108,7 @@ describe("a reader that comes back", () => {
   });
 
   it.each([
-    { name: "of more states than are kept", after: MAX_STORED_EVENTS + 1, ms: 0 },
+    { name: "of more states than are stored", after: MAX_STORED_EVENTS + 1, ms: 0 },
     { name: "of states that are too old", after: 1, ms: EVENT_RETENTION_MS + 1 },
   ])("gets one gap in place $name", async ({ after, ms }) => {
     const { clock, events, join, happen, report } = robotWithReaders();
@@ -250,7 +250,7 @@ describe("a reader that sleeps", () => {
     );
   });
 
-  it("is told of a gap when it slept through more than is kept", async () => {
+  it("receives a gap when it missed more than is stored", async () => {
     const { clock, join, happen } = robotWithReaders();
     const { said, takeAll } = join();
     happen(5_000);

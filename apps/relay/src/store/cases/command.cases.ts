@@ -69,7 +69,7 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
       expect(await add(STOP, null, { maxWaiting })).toMatchObject({ outcome: "stored" });
     });
 
-    it("forgets old commands once they have ended, with their keys, and never an open one", async () => {
+    it("deletes old commands once they have ended, with their keys, and never an open one", async () => {
       const { add, store, states, deliver } = await withRobot();
       const keep = 2;
       await add(LEFT, "key-0001", { keep });
@@ -91,7 +91,7 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
       expect(await states()).toEqual(["5 cancelled", "6 accepted"]);
     });
 
-    it("forgets only the commands of the robot that got a new one", async () => {
+    it("deletes only commands of the robot that received a new one", async () => {
       const { add, store, states, deliver } = await withRobot();
       await add(LEFT);
       await deliver(8);

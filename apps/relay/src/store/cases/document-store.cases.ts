@@ -6,7 +6,7 @@ const DAY_MS = 24 * 60 * 60 * 1000;
 const document: NewDocument = {
   ids: ["BCDF", "GHJKL"],
   hash: "hash-of-the-text",
-  text: '{"name":"a maze that may be forgotten"}',
+  text: '{"name":"a maze that may be deleted"}',
   keyHash: "hash-of-the-first-key",
   now: 1_000,
 };
@@ -61,13 +61,13 @@ export function documentStoreCases(name: string, open: () => Promise<OpenDocumen
     it("deletes with the key, and leaves no trace on disk", async () => {
       const { store, holds } = await open();
       await store.add(document);
-      expect(await holds("a maze that may be forgotten")).toBe(true);
+      expect(await holds("a maze that may be deleted")).toBe(true);
       expect(await store.remove("BCDF", "no-such-key")).toBe("wrong-key");
       expect(await read(store)).toBe(document.text);
       expect(await store.remove("BCDF", document.keyHash)).toBe("removed");
       expect(await store.remove("BCDF", document.keyHash)).toBe("no-document");
       expect(await read(store)).toBeNull();
-      for (const text of ["a maze that may be forgotten", document.keyHash, document.hash]) {
+      for (const text of ["a maze that may be deleted", document.keyHash, document.hash]) {
         expect(await holds(text)).toBe(false);
       }
     });
@@ -83,7 +83,7 @@ export function documentStoreCases(name: string, open: () => Promise<OpenDocumen
       expect(await read(store)).toBeNull();
     });
 
-    it("forgets what nobody uses, and nothing else", async () => {
+    it("deletes what nobody uses, and nothing else", async () => {
       const { store, holds } = await open();
       await store.add(document);
       await store.add({ ...document, ids: ["BBBB"], hash: "b", text: '"read"' });
@@ -93,7 +93,7 @@ export function documentStoreCases(name: string, open: () => Promise<OpenDocumen
       await store.add({ ...document, text: '"stored again"', ...again });
       expect(await store.removeUnused(2 * DAY_MS)).toBe(1);
       expect(await read(store)).toBeNull();
-      expect(await holds("a maze that may be forgotten")).toBe(false);
+      expect(await holds("a maze that may be deleted")).toBe(false);
       expect(await read(store, "BBBB")).toBe('"read"');
       expect(await read(store, "CCCC")).toBe('"stored again"');
     });

@@ -30,7 +30,7 @@ export function keyCases(name: string, open: () => Promise<OpenStore>): void {
       expect(replaced).toEqual({ outcome: "changed", keys: [watch], ended: [] });
     });
 
-    it("revokes all of a kind, whoever has made them", async () => {
+    it("revokes all keys of a kind, of every creator", async () => {
       const { store } = await withRobot();
       const other = { kind: "drive" as const, hash: "of-another-relay" };
       await store.changeKeys(ID, keyChange({ add: [watch, other] }));

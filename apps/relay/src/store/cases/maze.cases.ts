@@ -6,7 +6,7 @@ export function mazeCases(name: string, open: () => Promise<OpenStore>): void {
   const withRobot = () => robotIn(open);
 
   describe(`${name}: the maze of a robot`, () => {
-    it("is the newest that was kept, also after a restart", async () => {
+    it("is the newest that was stored, also after a restart", async () => {
       const { store, reopen } = await withRobot();
       expect(await store.maze(ID)).toBeNull();
       expect(await store.keepMaze(ID, '{"name":"first"}')).toBe(true);
@@ -14,7 +14,7 @@ export function mazeCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await (await reopen()).maze(ID)).toBe('{"name":"\u8ff7\u8def \u{1f9ed}"}');
     });
 
-    it("is kept for no robot but those that there are", async () => {
+    it("is stored for known robots only", async () => {
       const { store } = await withRobot();
       expect(await store.keepMaze("B".repeat(22), "{}")).toBe(false);
       expect(await store.maze("B".repeat(22))).toBeNull();
@@ -23,20 +23,20 @@ export function mazeCases(name: string, open: () => Promise<OpenStore>): void {
 
     it("goes from the disk with the robot", async () => {
       const { store, holds } = await withRobot();
-      const text = "a-maze-to-be-forgotten ".repeat(2_000);
+      const text = "a-maze-to-be-deleted ".repeat(2_000);
       await store.keepMaze(ID, text);
       await store.keepMaze(ID, `other-${text}`);
-      expect(await holds("a-maze-to-be-forgotten")).toBe(true);
+      expect(await holds("a-maze-to-be-deleted")).toBe(true);
       await store.remove(ID);
       expect(await store.maze(ID)).toBeNull();
-      expect(await holds("a-maze-to-be-forgotten")).toBe(false);
+      expect(await holds("a-maze-to-be-deleted")).toBe(false);
     });
 
     it("goes with a robot that ran out", async () => {
       const { store, holds } = await withRobot();
-      await store.keepMaze(ID, "a-maze-to-be-forgotten");
+      await store.keepMaze(ID, "a-maze-to-be-deleted");
       await store.removeExpired({ lastUsedAt: 9_000, createdAt: 9_000 });
-      expect(await holds("a-maze-to-be-forgotten")).toBe(false);
+      expect(await holds("a-maze-to-be-deleted")).toBe(false);
     });
   });
 }

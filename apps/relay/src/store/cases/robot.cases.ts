@@ -68,7 +68,7 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await store.recalled(ID)).toEqual([{ seq: 1, reason }]);
     });
 
-    it("sends nothing while it is away, not even where a relay has not heard of it", async () => {
+    it("sends nothing while it is blocked, not even where a relay does not know it yet", async () => {
       const { store, add } = await withRobot();
       const byAnna = { script: anna.id };
       await store.changeAway(ID, { add: anna, remove: null, reason, most: 16 });
@@ -141,17 +141,17 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
 
     it("deletes a session with all of its traces", async () => {
       const { add, store, holds } = await withRobot();
-      await add(LEFT, "a-key-to-be-forgotten");
-      expect(await holds("a-key-to-be-forgotten")).toBe(true);
+      await add(LEFT, "a-key-to-be-deleted");
+      expect(await holds("a-key-to-be-deleted")).toBe(true);
       expect(await store.remove(ID)).toBe(true);
       expect(await store.remove(ID)).toBe(false);
       expect(await store.find(ID)).toBeNull();
       expect(await store.commandsAfter(ID, 0, 10)).toEqual([]);
-      expect(await holds("a-key-to-be-forgotten")).toBe(false);
+      expect(await holds("a-key-to-be-deleted")).toBe(false);
       expect(await holds("driver-hash-of-this-robot")).toBe(false);
     });
 
-    it("forgets sessions that nobody uses or that are too old, and no others", async () => {
+    it("deletes robots that nobody uses or that are too old, and no others", async () => {
       const { store } = await withRobot();
       await store.create({ id: "BBBBBBBBBBBBBBBBBBBBBB", createdAt: 9_000, keys: [] });
       await store.touch(ID, 8_000, []);

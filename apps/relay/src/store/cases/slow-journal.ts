@@ -32,12 +32,12 @@ class SlowJournal implements Journal {
   }
 
   /** Ends the current write: the entries are on disk, or lost. */
-  notify(lost: Error | null = null, uncompacted: Error | null = null): void {
+  notify(lost: Error | null = null, compactionError: Error | null = null): void {
     if (this.writing === null) throw new Error("It was given nothing.");
     const { entries, written } = this.writing;
     if (lost === null) this.#writer.write(entries, null);
     this.writing = null;
-    written(lost, uncompacted);
+    written(lost, compactionError);
   }
 
   get names(): string[] | null {
@@ -91,7 +91,7 @@ export function withJournal() {
   const settled: string[] = [];
   const note = <T>(name: string, step: Promise<T>): Promise<T> => {
     const done = (how: string) => () => void settled.push(`${name} ${how}`);
-    step.then(done("kept"), done("lost"));
+    step.then(done("stored"), done("lost"));
     return step;
   };
   const step = (name: string, work = () => append(name)) =>

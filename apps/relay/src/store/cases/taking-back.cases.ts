@@ -73,7 +73,7 @@ export function takingBackCases(name: string, open: () => Promise<OpenStore>): v
       expect(await store.cancel(ID, 3, by)).toEqual({ outcome: "no-command" });
     });
 
-    it("keeps the wish to take back what the robot has, and ends by it what never arrived", async () => {
+    it("stores the request to cancel what the robot has, and ends by it what never arrived", async () => {
       const { add, deliver, store, states } = await withRobot();
       const by = { driver: sent.driver, reason: "cancelled by its sender" };
       for (let n = 0; n < 4; n++) await add(LEFT);

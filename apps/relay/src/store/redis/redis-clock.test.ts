@@ -18,7 +18,7 @@ async function withRedis(aheadMs: number, answerMs = 0) {
   return { machine, redis, clock, ahead: () => clock.now() - machine.now() };
 }
 
-it.each([60_000, -60_000])("tells the time of Redis, %d ms from its own", async (aheadMs) => {
+it.each([60_000, -60_000])("returns the time of Redis, %d ms from its own", async (aheadMs) => {
   const { ahead } = await withRedis(aheadMs);
   expect(ahead()).toBe(aheadMs);
 });

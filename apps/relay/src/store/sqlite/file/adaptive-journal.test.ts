@@ -27,7 +27,7 @@ function withWays() {
   return { write, disk, writes, shorter, pass: (ms: number) => (time += ms) };
 }
 
-it("writes few entries itself, and has many or what is tidied written by the thread", async () => {
+it("writes few entries itself, and has the thread write many entries and compactions", async () => {
   const { write, shorter, writes } = withWays();
   expect([write(1), write(4), write(1, true), write(1), write(5)]).toEqual([
     "own 1",

@@ -5,7 +5,7 @@ import { expect, it } from "vitest";
 import { LOST, NOTHING, withJournal } from "../../cases/slow-journal.ts";
 
 interface Doing {
-  what: "memory" | "rows" | "alone" | "turn" | "kept" | "lost" | "tidy";
+  what: "memory" | "rows" | "alone" | "turn" | "stored" | "lost" | "compact";
   /** entries that the step adds */
   entries: number;
   throws: "no" | "first" | "midway";
@@ -15,7 +15,7 @@ const doings = fc.array(
   fc.record<Doing>({
     what: fc.constantFrom(
       ...(["memory", "memory", "memory", "memory", "rows", "alone"] as const),
-      ...(["turn", "turn", "turn", "kept", "kept", "lost", "tidy"] as const),
+      ...(["turn", "turn", "turn", "stored", "stored", "lost", "compact"] as const),
     ),
     entries: fc.constantFrom(0, 1, 1, 2),
     throws: fc.constantFrom("no", "no", "no", "no", "first", "midway"),
@@ -58,9 +58,9 @@ it("each is answered, by what those before it have left, whatever throws or is l
       for (const [n, doing] of asked.entries()) {
         const name = String(n);
         if (doing.what === "turn") await turn();
-        else if (doing.what === "kept" || doing.what === "lost")
+        else if (doing.what === "stored" || doing.what === "lost")
           notify(doing.what === "lost" ? LOST : null);
-        else if (doing.what === "tidy") parts.due = parts.due === null ? NOTHING : null;
+        else if (doing.what === "compact") parts.due = parts.due === null ? NOTHING : null;
         else if (doing.what === "alone")
           void commits.alone(() => {
             if (db.isTransaction || journal.writing !== null) throw new Error("not alone");

@@ -19,7 +19,7 @@ describe("steps that add entries", () => {
     journal.notify();
     expect(journal.names).toEqual(["c", "d"]);
     await turn();
-    expect(settled).toEqual(["a kept", "b kept"]);
+    expect(settled).toEqual(["a stored", "b stored"]);
     journal.notify();
     expect(await d).toEqual(["a", "b", "c", "d"]);
   });
@@ -33,7 +33,7 @@ describe("steps that add entries", () => {
     expect(settled).toEqual([]);
     journal.notify();
     await turn();
-    expect(settled).toEqual(["a kept", "look kept"]);
+    expect(settled).toEqual(["a stored", "look stored"]);
     expect(journal.writing).toBeNull();
   });
 
@@ -50,7 +50,7 @@ describe("steps that add entries", () => {
     // The waiting steps run together with the step that ran before, in one transaction.
     expect(await d).toEqual(["a", "b", "c", "d"]);
     expect(hasRow()).toEqual(["c"]);
-    expect(settled).toEqual(["a kept", "b kept", "c kept", "d kept"]);
+    expect(settled).toEqual(["a stored", "b stored", "c stored", "d stored"]);
     expect(journal.writing).toBeNull();
   });
 
@@ -156,24 +156,24 @@ describe("many thousand steps", () => {
   });
 });
 
-describe("tidying", () => {
-  it("goes with what is written, and tells what became of it", async () => {
+describe("compaction", () => {
+  it("is written with the next entries, and reports the result", async () => {
     const { journal, step, parts, compacted } = withJournal();
     parts.due = NOTHING;
     void step("a");
     await turn();
     expect(journal.writing).toMatchObject({ compaction: NOTHING });
-    const uncompacted = new Error("no room for rows");
-    journal.notify(null, uncompacted);
-    expect(compacted).toEqual([uncompacted]);
+    const compactionError = new Error("no room for rows");
+    journal.notify(null, compactionError);
+    expect(compacted).toEqual([compactionError]);
     await turn();
     step("b").catch(() => undefined);
     await turn();
     journal.notify(LOST);
-    expect(compacted).toEqual([uncompacted, LOST]);
+    expect(compacted).toEqual([compactionError, LOST]);
   });
 
-  it("is done when there is nothing else to write, until all is tidy, and never after the end", async () => {
+  it("runs when there is nothing else to write, until all is compacted, and never after the end", async () => {
     const { journal, commits, step, parts, compacted } = withJournal();
     parts.needsCompaction = true;
     void step("a");

@@ -65,7 +65,7 @@ describe("commits in groups", () => {
     expect(stored()).toBe(2);
   });
 
-  it("tells everyone when the commit itself fails, and goes on with the next group", async () => {
+  it("rejects all steps when the commit itself fails, and continues with the next group", async () => {
     const { db, commits, add, stored } = withTable();
     const orphan = commits.run(() =>
       db.exec("PRAGMA defer_foreign_keys = ON; INSERT INTO rows VALUES (1, 99)"),
@@ -129,7 +129,7 @@ describe("commits in groups", () => {
     );
   });
 
-  it("tells everyone when the steps before one that throws cannot be done again", async () => {
+  it("rejects all steps when those before one that throws cannot be repeated", async () => {
     const { db, commits, add, stored } = withTable();
     let isFirst = true;
     const once = commits.run(() => {

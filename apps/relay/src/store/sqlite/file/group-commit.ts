@@ -290,13 +290,13 @@ export class GroupCommit {
       return;
     }
     this.#writing = group;
-    this.#journal.write(group.entries, compaction, (lost, uncompacted) => {
+    this.#journal.write(group.entries, compaction, (lost, compactionError) => {
       this.#writing = null;
-      if (compaction !== null) this.#memory.compacted(compaction, lost ?? uncompacted);
+      if (compaction !== null) this.#memory.compacted(compaction, lost ?? compactionError);
       if (lost === null) for (const { stored } of group.steps) stored();
       else this.#undoSince(group, lost);
       // A failed compaction is retried with the next write, not in a loop.
-      const isWell = lost === null && uncompacted === null;
+      const isWell = lost === null && compactionError === null;
       this.#goOn(isWell);
       if (isIdle && isWell) this.#compactMore();
     });

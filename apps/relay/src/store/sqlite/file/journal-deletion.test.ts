@@ -12,7 +12,7 @@ import { Statements } from "./statements.ts";
 import { NOW, ROBOTS, sent, withRobots } from "../../cases/robot-in-store.ts";
 
 describe("the journal", () => {
-  it("forgets as much over a restart: what ended late is there until the next command comes", async () => {
+  it("deletes as much over a restart: what ended late is there until the next command", async () => {
     const file = join(testFolder(), "corridor.sqlite");
     const [id = ""] = ROBOTS;
     for (const restarts of [false, true]) {
@@ -73,7 +73,7 @@ describe("the journal", () => {
     await store.close();
   });
 
-  it("is read as an earlier Corridor wrote it, whose entries said nothing of what is forgotten", async () => {
+  it("is read as an earlier version wrote it, whose entries did not name what is deleted", async () => {
     const file = join(testFolder(), "corridor.sqlite");
     const before = new SqliteRobotStore(file);
     await withRobots(before);
@@ -96,7 +96,7 @@ describe("the journal", () => {
     expect((await after.commandsAfter(id, 0, 10)).map(({ seq }) => seq)).toEqual([1, 3, 4]);
   });
 
-  it("deletes nothing of a robot whose deletion was undone", async () => {
+  it("deletes nothing of a robot whose deletion was rolled back", async () => {
     const file = join(testFolder(), "corridor.sqlite");
     const store = new SqliteRobotStore(file);
     await withRobots(store);
@@ -112,7 +112,7 @@ describe("the journal", () => {
     expect([...(live.open(id)?.commands.open ?? [])].map(({ seq }) => seq)).toEqual([1, 2, 3]);
   });
 
-  it("forgets a robot wholly that has more in it than a call can be given", async () => {
+  it("deletes all of a robot that has more entries than a statement can have parameters", async () => {
     const file = join(testFolder(), "corridor.sqlite");
     const [id = ""] = ROBOTS;
     const before = new SqliteRobotStore(file);

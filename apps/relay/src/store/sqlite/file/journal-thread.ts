@@ -11,7 +11,7 @@ type Flat = readonly Entry[number][];
 
 export interface Answer {
   lost: Failure | null;
-  uncompacted: Failure | null;
+  compactionError: Failure | null;
 }
 
 interface Failure {
@@ -34,9 +34,9 @@ parentPort?.on("message", (order: Order) => {
 
 function done({ entries, compaction }: NonNullable<Order>): Answer {
   try {
-    return { lost: null, uncompacted: failureOf(writer.write(entriesIn(entries), compaction)) };
+    return { lost: null, compactionError: failureOf(writer.write(entriesIn(entries), compaction)) };
   } catch (error) {
-    return { lost: failureOf(error), uncompacted: null };
+    return { lost: failureOf(error), compactionError: null };
   }
 }
 

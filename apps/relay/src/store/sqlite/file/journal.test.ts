@@ -15,14 +15,22 @@ import { stepsKeeping, contentsOf, type StepOfRobot } from "../../cases/random-s
 
 /** A step, its robot, and an event in the store after it. */
 interface Turn extends StepOfRobot {
-  after: "nothing" | "restart" | "undone" | "idle";
+  after: "nothing" | "restart" | "rolled back" | "idle";
 }
 
 const turns = fc.array(
   fc.record<Turn>({
     step: stepsKeeping(2, 100),
     robot: fc.constantFrom(...ROBOTS),
-    after: fc.constantFrom("nothing", "nothing", "nothing", "nothing", "restart", "undone", "idle"),
+    after: fc.constantFrom(
+      "nothing",
+      "nothing",
+      "nothing",
+      "nothing",
+      "restart",
+      "rolled back",
+      "idle",
+    ),
   }),
   { minLength: 10, maxLength: 60 },
 );
@@ -38,7 +46,7 @@ describe("the journal", () => {
     { where: "", isThreaded: false, numRuns: 25 },
     { where: " on a thread of its own", isThreaded: true, numRuns: 8 },
   ])(
-    "loses and changes nothing$where, however short it is, over restarts and undone steps",
+    "loses and changes nothing$where, however short it is, over restarts and rolled-back steps",
     async ({ isThreaded, numRuns }) => {
       const folder = testFolder();
       let runs = 0;
@@ -63,7 +71,7 @@ describe("the journal", () => {
               asked.push(
                 Promise.all(pair).then(([got, expected]) => expect(got).toEqual(expected)),
               );
-              if (after === "undone") asked.push(failing(store));
+              if (after === "rolled back") asked.push(failing(store));
               if (after === "nothing" && isHurried) continue;
               await answered();
               // Long enough for a checkpoint.
@@ -102,7 +110,7 @@ describe("the journal", () => {
     expect((await store.openCommands(good)).length).toBe(2);
   });
 
-  it("keeps what one has that cannot be read, however much of others is tidied", async () => {
+  it("retains what one robot has that cannot be read, however much of others is compacted", async () => {
     const file = join(testFolder(), "corridor.sqlite");
     const before = new SqliteRobotStore(file);
     await withRobots(before);
@@ -163,7 +171,7 @@ describe("the journal", () => {
     expect(await after.add(third, { ...sent, driver: "d" })).toMatchObject({ outcome: "stored" });
   });
 
-  it("is tidied a little at a time: no step writes much, however long it is", async () => {
+  it("is compacted in small parts: no step writes much, however long it is", async () => {
     const file = join(testFolder(), "corridor.sqlite");
     const store = new SqliteRobotStore(file, 3_000);
     onTestFinished(() => store.close());
@@ -207,7 +215,7 @@ describe("the journal", () => {
     expect(all.map(({ seq }) => seq)).toEqual(Array.from({ length: 600 }, (_, n) => n + 1));
   });
 
-  it("gets no longer than it may, and forgets a robot wholly", async () => {
+  it("stays below its maximum length, and deletes all of a robot", async () => {
     const file = join(testFolder(), "corridor.sqlite");
     const store = new SqliteRobotStore(file, 64);
     onTestFinished(() => store.close());

@@ -5,9 +5,9 @@ import { JournalWriter, type Entry, type Compaction } from "./journal-writer.ts"
 /**
  * Receives the result of a write.
  * @param lost the error if nothing was written, or null
- * @param uncompacted the error if only the compaction failed, or null
+ * @param compactionError the error if only the compaction failed, or null
  */
-export type Written = (lost: unknown, uncompacted: unknown) => void;
+export type Written = (lost: unknown, compactionError: unknown) => void;
 
 export interface Journal {
   /**
@@ -27,13 +27,13 @@ export class InlineJournal implements Journal {
   }
 
   write(entries: readonly Entry[], compaction: Compaction | null, written: Written): void {
-    let uncompacted: unknown;
+    let compactionError: unknown;
     try {
-      uncompacted = this.#writer.write(entries, compaction);
+      compactionError = this.#writer.write(entries, compaction);
     } catch (error) {
       return written(error, null);
     }
-    written(null, uncompacted);
+    written(null, compactionError);
   }
 
   async close(): Promise<void> {}

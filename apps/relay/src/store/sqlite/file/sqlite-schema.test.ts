@@ -30,7 +30,7 @@ function fileOfBefore(): string {
     for (const id of [other, ID]) {
       const pose = state === "completed" ? '{"x":1,"y":2,"heading":90}' : null;
       const recalled = state === "delivered" ? "its key was revoked" : null;
-      const reason = state === "cancelled" ? "a reason to be forgotten" : null;
+      const reason = state === "cancelled" ? "a reason to be deleted" : null;
       const terms = [reason, recalled, 1_000 * seq, 1_000 * seq + 9_000, pose, pose && 100];
       add.run(id, seq, sent.driver, `a-key-${seq}`, JSON.stringify(LEFT), state, ...terms);
     }
@@ -80,13 +80,13 @@ describe("a file of an earlier Corridor", () => {
     expect(await store.add(ID, sent)).toMatchObject({ outcome: "stored", record: { seq: 6 } });
   });
 
-  it("forgets a robot wholly, also what was written before", async () => {
+  it("deletes all of a robot, also what was written before", async () => {
     const file = fileOfBefore();
     const store = new SqliteRobotStore(file);
     onTestFinished(() => store.close());
     for (const id of [ID, "B".repeat(22)]) await store.remove(id);
     for (const path of [file, `${file}-wal`]) {
-      for (const text of ["a reason to be forgotten", "a-key-"]) {
+      for (const text of ["a reason to be deleted", "a-key-"]) {
         expect(readFileSync(path).includes(text)).toBe(false);
       }
     }

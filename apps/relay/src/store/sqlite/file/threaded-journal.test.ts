@@ -28,8 +28,10 @@ function withThread(folder = testFolder()) {
     db.close();
   });
   const write = (entries: Entry[], compaction: Compaction | null = null) =>
-    new Promise<{ lost: unknown; uncompacted: unknown }>((resolve) =>
-      journal.write(entries, compaction, (lost, uncompacted) => resolve({ lost, uncompacted })),
+    new Promise<{ lost: unknown; compactionError: unknown }>((resolve) =>
+      journal.write(entries, compaction, (lost, compactionError) =>
+        resolve({ lost, compactionError }),
+      ),
     );
   const onDisk = () => db.prepare("SELECT id, robot, entry FROM journal").all();
   /** the first thread that received a write */
@@ -42,7 +44,7 @@ function withThread(folder = testFolder()) {
 }
 
 const entry = (id: number): Entry => [id, "robot", `entry ${id}`];
-const DONE = { lost: null, uncompacted: null };
+const DONE = { lost: null, compactionError: null };
 
 describe("the journal's thread", () => {
   it("has entries on disk when it says so, in their order", async () => {
@@ -53,14 +55,14 @@ describe("the journal's thread", () => {
     expect(onDisk()).toEqual([1, 2, 3].map((id) => ({ id, robot: "robot", entry: `entry ${id}` })));
   });
 
-  it("writes entries also where it cannot tidy, and says why", async () => {
+  it("writes entries also where it cannot compact, and reports why", async () => {
     const { write, onDisk } = withThread();
     const bringing = [
       { robot: "robot", entries: [99], gone: [], upTo: 99, lastSeq: 1, openFrom: 1, deletedTo: 0 },
     ];
-    const { lost, uncompacted } = await write([entry(1)], { bringing, deleted: 1, stored: [] });
+    const { lost, compactionError } = await write([entry(1)], { bringing, deleted: 1, stored: [] });
     expect(lost).toBeNull();
-    expect(uncompacted).toBeInstanceOf(Error);
+    expect(compactionError).toBeInstanceOf(Error);
     expect(onDisk().length).toBe(1);
     expect(await write([entry(2)], { bringing: [], deleted: 1, stored: [] })).toEqual(DONE);
     expect(onDisk()).toEqual([{ id: 2, robot: "robot", entry: "entry 2" }]);

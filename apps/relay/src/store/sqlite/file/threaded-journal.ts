@@ -49,9 +49,9 @@ export class ThreadedJournal implements Journal {
     });
     thread.unref();
     let failed: unknown = null;
-    thread.on("message", ({ lost, uncompacted }: Answer) => {
+    thread.on("message", ({ lost, compactionError }: Answer) => {
       thread.unref();
-      this.#notify(lost && errorOf(lost), uncompacted && errorOf(uncompacted));
+      this.#notify(lost && errorOf(lost), compactionError && errorOf(compactionError));
     });
     thread.on("error", (error) => {
       failed = error;
@@ -64,10 +64,10 @@ export class ThreadedJournal implements Journal {
     return thread;
   }
 
-  #notify(lost: unknown, uncompacted: unknown): void {
+  #notify(lost: unknown, compactionError: unknown): void {
     const written = this.#written;
     this.#written = null;
-    written?.(lost, uncompacted);
+    written?.(lost, compactionError);
   }
 }
 
