@@ -156,6 +156,21 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     expect(received).toEqual([]);
   });
 
+  it("requests no key checks when Redis continues after a stall", async () => {
+    const redis = await startTestRedis();
+    const relay = await relayAt(redis.url, "relay-a");
+    await relay.store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
+    const { received } = await subscribe(relay);
+    for (const stallMs of [600, 900]) {
+      redis.stall();
+      await new Promise((resolve) => void setTimeout(resolve, stallMs));
+      redis.resume();
+      // Checks that began during the stall end within a few responses of Redis.
+      for (let n = 0; n < 5; n++) await relay.redis.ping();
+    }
+    expect(received).toEqual([]);
+  });
+
   it("reports missed messages after its connection broke, and receives again", async () => {
     const [relay, other] = await twoRelays();
     await relay.store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });

@@ -31,6 +31,12 @@ const ALIVE_MS = 3_000;
  * missed.
  */
 const KEY_CHECK_MS = 300;
+/**
+ * Pings of another connection that Redis answers before a missing answer counts. Each turn of its
+ * event loop reads and answers all connections, in any order. After a stall, the first ping may be
+ * read one turn before an older ping of the subscriber connection, and answered one turn earlier.
+ */
+const SILENCE_PINGS = 3;
 
 /** name of a page; earlier versions of Corridor stored none */
 const name = z.string().default("");
@@ -103,8 +109,8 @@ export class RedisBus implements Bus {
   #cancelTimer: () => void = () => undefined;
   #cancelCheck: () => void = () => undefined;
   #isClosed = false;
-  /** whether the last ping of the subscriber connection was answered */
-  #isAnswered = true;
+  /** the last ping of the subscriber connection */
+  #ping = { isAnswered: true };
 
   private constructor(options: RedisSwitchboardOptions) {
     this.#options = options;
@@ -133,7 +139,7 @@ export class RedisBus implements Bus {
     await bus.#sendHeartbeat();
     // The client resubscribes automatically, but messages in between are lost.
     options.subscriber.on("ready", () => {
-      bus.#isAnswered = true;
+      bus.#ping.isAnswered = true;
       bus.#onMissed();
     });
     bus.#checkSubscriber();
@@ -241,24 +247,33 @@ export class RedisBus implements Bus {
   }
 
   #checkSubscriber(): void {
-    const { clock, subscriber, redis } = this.#options;
+    const { clock, subscriber } = this.#options;
     if (!subscriber.isReady) this.#requestKeyChecks();
-    else if (this.#isAnswered) this.#pingSubscriber();
-    else {
-      // The connection is dead, or Redis is stalled. A stalled Redis cannot revoke a key.
-      redis.ping().then(
-        () => this.#isAnswered || this.#requestKeyChecks(),
-        () => undefined,
-      );
-    }
+    else if (this.#ping.isAnswered) this.#pingSubscriber();
+    else void this.#checkSilence(this.#ping);
     this.#cancelCheck = clock.after(KEY_CHECK_MS, () => this.#checkSubscriber());
   }
 
   #pingSubscriber(): void {
-    this.#isAnswered = false;
-    const onAnswer = (): void => void (this.#isAnswered = true);
+    const ping = { isAnswered: false };
+    this.#ping = ping;
+    const onAnswer = (): void => void (ping.isAnswered = true);
     // An error counts as an answer, because `isReady` reports a broken connection.
     this.#options.subscriber.ping().then(onAnswer, onAnswer);
+  }
+
+  /**
+   * An unanswered ping means that the connection is dead, or that Redis is stalled. A stalled Redis
+   * cannot revoke a key.
+   */
+  async #checkSilence(ping: { isAnswered: boolean }): Promise<void> {
+    const { redis } = this.#options;
+    try {
+      for (let n = 0; n < SILENCE_PINGS; n++) await redis.ping();
+    } catch {
+      return;
+    }
+    if (!ping.isAnswered) this.#requestKeyChecks();
   }
 
   #requestKeyChecks(): void {

@@ -19,6 +19,9 @@ export async function startTestRedis(settings: string[] = []) {
     url,
     port,
     stop: () => server.stop(),
+    /** Halts it without closing its connections, as a slow disk does. */
+    stall: () => process.kill(server.pid, "SIGSTOP"),
+    resume: () => process.kill(server.pid, "SIGCONT"),
     /** Restarts it with the same files on the same port. */
     restart: async () => {
       server = await startRedis(folder, { port, settings });
