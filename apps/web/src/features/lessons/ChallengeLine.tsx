@@ -12,7 +12,7 @@ import { metText } from "../../model/lessons/failure-text.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import styles from "./lessons.module.css";
 import { missionIds } from "../../model/lessons/missions/mission.ts";
-import { bonusMissionOf } from "../../model/lessons/missions/projects.ts";
+import { bonusMissionOf } from "../../model/lessons/missions/bonus-missions.ts";
 
 export function ChallengeLine() {
   const { t, i18n } = useTranslation(["missions", "words"], { useSuspense: false });

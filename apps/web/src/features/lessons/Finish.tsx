@@ -5,7 +5,7 @@ import { useServices } from "../../model/use-services.ts";
 import { formatClock } from "../../text/numbers.ts";
 import { Button } from "../../ui/Button.tsx";
 import { FieldError } from "../../ui/FieldError.tsx";
-import type { SolvedTrail } from "../../simulator/protocol/project-request.ts";
+import type { SolvedTrail } from "../../simulator/protocol/bonus-request.ts";
 import { fileName } from "../../ui/file-name.ts";
 import { lightPalette, pngOf } from "../../stage/svg/picture.ts";
 import { saveFile } from "../../ui/save-file.ts";

@@ -11,8 +11,8 @@ import type { LessonsService } from "../../model/lessons/lessons-service.ts";
 import type { LessonsRecord } from "../../model/lessons/lessons-storage.ts";
 import styles from "./lessons.module.css";
 import { Finish } from "./Finish.tsx";
-import { bestText } from "./project-text.ts";
-import { bonusMissionIdeas, bonusMissions } from "../../model/lessons/missions/projects.ts";
+import { bestText } from "./bonus-text.ts";
+import { bonusMissionIdeas, bonusMissions } from "../../model/lessons/missions/bonus-missions.ts";
 import { MissionPicture } from "./MissionPicture.tsx";
 import { chapterIds, chapters, type ChapterId } from "../../model/lessons/missions/chapters.ts";
 import { ideas } from "../../model/lessons/missions/ideas.ts";
@@ -65,7 +65,7 @@ function MissionPath({ service, onClose }: { service: LessonsService; onClose: (
       {chapterIds.map((chapter) => (
         <Chapter key={chapter} chapter={chapter} done={done} open={open} onOpen={openMission} />
       ))}
-      <Projects best={best} open={open} onOpen={openMission} />
+      <BonusMissions best={best} open={open} onOpen={openMission} />
       <div className={styles["pathFoot"]}>
         <p className={styles["count"]}>{t("path.progress", { count, all: missions.length })}</p>
         {isInChallenge && (
@@ -145,14 +145,14 @@ function Chapter({ chapter, done, open, onOpen }: ChapterProps) {
   );
 }
 
-interface ProjectsProps {
+interface BonusMissionsProps {
   best: LessonsRecord["best"];
-  /** id of the open project */
+  /** id of the open bonus mission */
   open: string | null;
   onOpen: (id: string) => void;
 }
 
-function Projects({ best, open, onOpen }: ProjectsProps) {
+function BonusMissions({ best, open, onOpen }: BonusMissionsProps) {
   const words = useTranslation(["missions", "words"], { useSuspense: false });
   const { t } = words;
   const titleId = useId();

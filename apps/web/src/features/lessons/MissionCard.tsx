@@ -12,10 +12,10 @@ import type { LessonsService } from "../../model/lessons/lessons-service.ts";
 import { HintButton, HintList } from "./MissionHints.tsx";
 import { MissionMazes } from "./MissionMazes.tsx";
 import { MissionOutcome } from "./MissionOutcome.tsx";
-import { BonusOutcome } from "./ProjectOutcome.tsx";
+import { BonusOutcome } from "./BonusOutcome.tsx";
 import styles from "./lessons.module.css";
 import { missionIds, nextMission } from "../../model/lessons/missions/mission.ts";
-import { bonusMissionIds, bonusMissionOf } from "../../model/lessons/missions/projects.ts";
+import { bonusMissionIds, bonusMissionOf } from "../../model/lessons/missions/bonus-missions.ts";
 import { useTask } from "./use-task.ts";
 
 export interface MissionCardProps {

@@ -4,7 +4,7 @@
  */
 import type { PlaceWords } from "../../stage/layers/places.ts";
 import type { Palette } from "../../stage/drawing/palette.ts";
-import type { SolvedTrail } from "../../simulator/protocol/project-request.ts";
+import type { SolvedTrail } from "../../simulator/protocol/bonus-request.ts";
 import { mazeSvg } from "../../stage/svg/maze-svg.ts";
 import type { Picture } from "../../stage/svg/picture.ts";
 import { escapeText, SvgPen } from "../../stage/svg/svg-pen.ts";

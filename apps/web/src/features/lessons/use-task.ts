@@ -7,7 +7,7 @@ import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
 import { missionIds } from "../../model/lessons/missions/mission.ts";
-import { bonusMissionOf } from "../../model/lessons/missions/projects.ts";
+import { bonusMissionOf } from "../../model/lessons/missions/bonus-missions.ts";
 
 export function useTask(): string {
   const { t } = useTranslation(["missions", "words"], { useSuspense: false });

@@ -18,7 +18,7 @@ import { noChallenge } from "../challenge/challenge-store.ts";
 import { dismiss, showMessage } from "../screen/screen-store.ts";
 import { newLineIds, setMaze, setProgram } from "../workspace/workspace-store.ts";
 import type { CheckAnswer } from "../../simulator/protocol/check-request.ts";
-import type { SolvedTrail } from "../../simulator/protocol/project-request.ts";
+import type { SolvedTrail } from "../../simulator/protocol/bonus-request.ts";
 import { showUndoable } from "../workspace/show-undoable.ts";
 import { readChallengeText, writeChallengeText } from "./challenge-text.ts";
 import { startChecker, type ChallengeChecker } from "./challenge-checker.ts";
@@ -29,8 +29,8 @@ import { MissionAddress, pageAddressBar, type AddressBar } from "../address/miss
 import { missionDocument } from "./mission-document.ts";
 import { nextMission, type MissionId } from "./missions/mission.ts";
 import { missions } from "./missions/missions.ts";
-import { bonusMissionOf, bonusMissions } from "./missions/projects.ts";
-import { BonusChecker } from "./project-checker.ts";
+import { bonusMissionOf, bonusMissions } from "./missions/bonus-missions.ts";
+import { BonusChecker } from "./bonus-checker.ts";
 
 /** Everything that an address can name. */
 const tasks = [...missions, ...bonusMissions];
@@ -404,8 +404,8 @@ export class LessonsService {
 
   #begin(challenge: ChallengeDocument, maze: number, mission: string | null): void {
     this.#judged = { kind: "open" };
-    // The project worker decides whether a maze defeats its program. No run on the screen decides
-    // it.
+    // The worker for bonus missions decides whether a maze defeats its program. No run on the
+    // screen decides it.
     const attempt = bonusMissionOf(mission) === "beat-right-wall" ? null : { challenge, maze };
     this.#ports.simulator.send({ type: "judge", id: ++this.#judgeId, attempt });
   }

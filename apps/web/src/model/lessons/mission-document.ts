@@ -1,7 +1,7 @@
 import type { ChallengeDocument } from "@corridor/challenge";
 import type { i18n } from "i18next";
 import { challengeOf, type Mission } from "./missions/mission.ts";
-import { bonusMissionOf, type BonusMission } from "./missions/projects.ts";
+import { bonusMissionOf, type BonusMission } from "./missions/bonus-missions.ts";
 
 /**
  * A mission as a complete document, in the language of the page.

@@ -2,8 +2,8 @@ import { mazePresets, type MazeDocument } from "@corridor/maze";
 import { programPresets } from "@corridor/program";
 import { describe, expect, it } from "vitest";
 import { challengeOf } from "./mission.ts";
-import { bonusMissions } from "./projects.ts";
-import { answerBonus } from "../../../simulator/check-worker/check-project.ts";
+import { bonusMissions } from "./bonus-missions.ts";
+import { answerBonus } from "../../../simulator/check-worker/answer-bonus.ts";
 
 const words = { task: "Task", short: "Task", hints: [] };
 const program = programPresets.find(({ id }) => id === "right-wall")?.program;

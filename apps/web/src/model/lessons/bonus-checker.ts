@@ -9,9 +9,9 @@ import type {
   BonusAnswers,
   BonusQuestion,
   SolvedTrail,
-} from "../../simulator/protocol/project-request.ts";
+} from "../../simulator/protocol/bonus-request.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
-import { BONUS_SECONDS, bonusMissionOf, type BonusMissionId } from "./missions/projects.ts";
+import { BONUS_SECONDS, bonusMissionOf, type BonusMissionId } from "./missions/bonus-missions.ts";
 
 /** Current state of the open bonus mission. */
 export type BonusStatus =
@@ -26,11 +26,11 @@ export type BonusStatus =
 const PAUSE_MS = 300;
 
 /** Sends a question to the worker. */
-export type AskProject = (question: BonusQuestion) => Promise<BonusAnswer>;
+export type AskBonus = (question: BonusQuestion) => Promise<BonusAnswer>;
 
 export class BonusChecker {
   readonly #ports: LessonsPorts;
-  readonly #ask: AskProject;
+  readonly #ask: AskBonus;
   readonly status = createStore<{ status: BonusStatus }>(() => ({ status: { kind: "none" } }));
   #timer: ReturnType<typeof setTimeout> | undefined;
   /** rises with each change; answers to older questions are discarded */
@@ -38,11 +38,7 @@ export class BonusChecker {
   readonly #onBest: (isStored: boolean) => void;
 
   /** @param onBest called after each attempt to store a result */
-  constructor(
-    ports: LessonsPorts,
-    onBest: (isStored: boolean) => void,
-    ask: AskProject = askWorker,
-  ) {
+  constructor(ports: LessonsPorts, onBest: (isStored: boolean) => void, ask: AskBonus = askWorker) {
     this.#ports = ports;
     this.#ask = ask;
     this.#onBest = onBest;
@@ -136,10 +132,10 @@ export class BonusChecker {
 }
 
 /** Starts one worker for each question. */
-const askWorker: AskProject = async (question) =>
+const askWorker: AskBonus = async (question) =>
   new Promise((resolve, reject) => {
     const worker = new Worker(
-      new URL("../../simulator/check-worker/project-check.worker.ts", import.meta.url),
+      new URL("../../simulator/check-worker/bonus-check.worker.ts", import.meta.url),
       {
         type: "module",
       },

@@ -4,8 +4,8 @@ import { useStore } from "zustand";
 import { useAnnouncement } from "../../model/use-announcement.ts";
 import type { LessonsService } from "../../model/lessons/lessons-service.ts";
 import styles from "./lessons.module.css";
-import type { BonusMissionId } from "../../model/lessons/missions/projects.ts";
-import { bestText, isReached, statusText } from "./project-text.ts";
+import type { BonusMissionId } from "../../model/lessons/missions/bonus-missions.ts";
+import { bestText, isReached, statusText } from "./bonus-text.ts";
 
 interface BonusOutcomeProps {
   id: BonusMissionId;

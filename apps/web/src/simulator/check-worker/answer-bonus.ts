@@ -10,7 +10,7 @@ import {
 } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
 import { ProgramRun, Simulation, TICKS_PER_SECOND } from "@corridor/simulation";
-import type { BonusAnswer, BonusAnswers, BonusQuestion } from "../protocol/project-request.ts";
+import type { BonusAnswer, BonusAnswers, BonusQuestion } from "../protocol/bonus-request.ts";
 
 /** Ticks between two points of a trail: 10 units of a straight line. */
 const TRAIL_EVERY = 6;

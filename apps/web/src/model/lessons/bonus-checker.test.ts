@@ -2,14 +2,14 @@ import { describe, expect, it, vi } from "vitest";
 import { MemoryStorage } from "../storage/testing/memory-storage.ts";
 import { createChallengeStore, noChallenge } from "../challenge/challenge-store.ts";
 import { createWorkspaceStore, setMaze, setProgram } from "../workspace/workspace-store.ts";
-import type { BonusAnswer, BonusQuestion } from "../../simulator/protocol/project-request.ts";
+import type { BonusAnswer, BonusQuestion } from "../../simulator/protocol/bonus-request.ts";
 import { firstMaze, firstProgram } from "../../simulator/protocol/first-project.ts";
 import type { FromWorker } from "../../simulator/protocol/worker-messages.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
 import { LessonsStorage } from "./lessons-storage.ts";
 import { challengeOf } from "./missions/mission.ts";
-import { bonusMissions, type BonusMissionId } from "./missions/projects.ts";
-import { BonusChecker } from "./project-checker.ts";
+import { bonusMissions, type BonusMissionId } from "./missions/bonus-missions.ts";
+import { BonusChecker } from "./bonus-checker.ts";
 
 function openPage(answer: (question: BonusQuestion) => BonusAnswer) {
   vi.useFakeTimers();

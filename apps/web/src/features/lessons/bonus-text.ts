@@ -1,13 +1,13 @@
 /** Texts of a bonus mission: its current state and the best result. */
-import type { BonusAnswers } from "../../simulator/protocol/project-request.ts";
+import type { BonusAnswers } from "../../simulator/protocol/bonus-request.ts";
 import { formatSeconds } from "../../text/numbers.ts";
 import type { MissionWords } from "../../model/lessons/mission-words.ts";
 import {
   BONUS_SECONDS,
   bonusMissions,
   type BonusMissionId,
-} from "../../model/lessons/missions/projects.ts";
-import type { BonusStatus } from "../../model/lessons/project-checker.ts";
+} from "../../model/lessons/missions/bonus-missions.ts";
+import type { BonusStatus } from "../../model/lessons/bonus-checker.ts";
 
 /** @returns null if there is nothing to report yet */
 export function statusText({ t, i18n }: MissionWords, status: BonusStatus): string | null {
