@@ -10,7 +10,7 @@ import { limits } from "../platform/limits/limits.ts";
 import type { MazeBoard } from "./maze-board.ts";
 import type { PageLink } from "./page/page-link.ts";
 import type { PageOwnership } from "./page/page-ownership.ts";
-import type { RobotLine } from "./presence/robot-line.ts";
+import type { RobotLine } from "./presence/robot-channel.ts";
 import type { RobotView } from "./robot-view.ts";
 
 export interface OtherRelaysParts {

@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import { completed } from "../platform/testing/messages.ts";
 import { settled } from "../platform/testing/fake-clock.ts";
 import { reloadReasons, replacedReasons } from "../store/port.ts";
-import { StoreAway } from "../platform/errors/store-away.ts";
+import { StoreAway } from "../platform/errors/store-unavailable.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { PageLink } from "./page/page-link.ts";
 import { LEFT, page, withRobot, type Setup } from "./testing/robot-at-relay.ts";

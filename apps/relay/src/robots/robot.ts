@@ -30,12 +30,12 @@ import type { PageLink } from "./page/page-link.ts";
 import { PageOwnership } from "./page/page-ownership.ts";
 import type { ReaderSource } from "./readers/feed.ts";
 import { Readers } from "./readers/readers.ts";
-import { RobotLine } from "./presence/robot-line.ts";
+import { RobotLine } from "./presence/robot-channel.ts";
 import { RobotView } from "./robot-view.ts";
 import { RightsVersion, type Verb } from "./access/rights.ts";
 import type { Caller } from "./access/caller.ts";
 import { ScriptClocks } from "./delivery/script-clocks.ts";
-import { ScriptGate } from "./access/script-gate.ts";
+import { ScriptGate } from "./access/script-access.ts";
 import { RobotUse } from "./robot-use.ts";
 import type { CommandObserver } from "./delivery/command-observer.ts";
 

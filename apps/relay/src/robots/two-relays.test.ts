@@ -17,7 +17,7 @@ import { describe, expect, it, onTestFinished } from "vitest";
 import { LocalBus } from "../bus/local.ts";
 import type { BusListener, BusMessage } from "../bus/bus.ts";
 import { SqliteRobotStore } from "../store/sqlite/sqlite-robot-store.ts";
-import { StoreAway } from "../platform/errors/store-away.ts";
+import { StoreAway } from "../platform/errors/store-unavailable.ts";
 import { cutStore } from "../store/cases/cut-store.ts";
 import { FakeClock, settled } from "../platform/testing/fake-clock.ts";
 import { completed } from "../platform/testing/messages.ts";

@@ -4,7 +4,7 @@
  */
 import { closeReasons, type CloseReason } from "@corridor/protocol";
 import type { OverReason } from "../../robots/readers/feed.ts";
-import { scriptIsAway } from "../../robots/access/script-gate.ts";
+import { scriptIsAway } from "../../robots/access/script-access.ts";
 
 export interface Conversation {
   /**

@@ -5,7 +5,7 @@
 import { describeProblem, type FieldProblem, type ProblemDocument } from "@corridor/protocol";
 import { problemKinds, type ProblemKind } from "./problem-kinds.ts";
 import { isDiskFull } from "./disk-full.ts";
-import { StoreAway } from "./store-away.ts";
+import { StoreAway } from "./store-unavailable.ts";
 
 export interface RefusalOptions {
   errors?: FieldProblem[];

@@ -11,7 +11,7 @@ import type {
   StoredKey,
   StoredRobot,
 } from "../../store/port.ts";
-import { StoreAway } from "../../platform/errors/store-away.ts";
+import { StoreAway } from "../../platform/errors/store-unavailable.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { checkRight, type RightsVersion, type Verb } from "./rights.ts";
 

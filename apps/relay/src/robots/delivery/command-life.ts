@@ -27,14 +27,14 @@ import { CommandLog } from "./command-log.ts";
 import { CommandRecall } from "./command-recall.ts";
 import { notStored } from "./command-refusals.ts";
 import { DeadlineTimer } from "./deadline-timer.ts";
-import { DriverAllowance } from "./driver-allowance.ts";
+import { DriverAllowance } from "./driver-rate-limiter.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import { OrderedWork } from "./ordered-work.ts";
+import { OrderedWork } from "./serial-queue.ts";
 import { PageHandover, type Settled } from "../page/page-handover.ts";
 import { PageDisplay } from "../page/page-display.ts";
 import type { PageLink } from "../page/page-link.ts";
 import type { PageOwnership } from "../page/page-ownership.ts";
-import type { RobotLine } from "../presence/robot-line.ts";
+import type { RobotLine } from "../presence/robot-channel.ts";
 import type { Caller } from "../access/caller.ts";
 import type { CommandObserver } from "./command-observer.ts";
 

@@ -4,7 +4,7 @@ import type { RobotStore } from "../../store/port.ts";
 import type { Subscribers, CallerWait } from "../readers/subscribers.ts";
 import { noCommand } from "./command-refusals.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import type { OrderedWork } from "./ordered-work.ts";
+import type { OrderedWork } from "./serial-queue.ts";
 
 export class CommandLog {
   readonly #robot: string;

@@ -21,7 +21,7 @@ import type {
   TermedRecord,
 } from "../../store/port.ts";
 import { noCommand, notYourCommand } from "./command-refusals.ts";
-import type { OrderedWork } from "./ordered-work.ts";
+import type { OrderedWork } from "./serial-queue.ts";
 
 export interface CommandRecallParts {
   robot: string;

@@ -4,7 +4,7 @@ import { noRobot, Refusal, retryAfter } from "../../platform/errors/problems.ts"
 import type { AddResult } from "../../store/port.ts";
 import { keyRevoked } from "../access/key-ring.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import { scriptIsAway } from "../access/script-gate.ts";
+import { scriptIsAway } from "../access/script-access.ts";
 
 /** Results of the store for a command that is neither stored nor a duplicate. */
 type NotStored = Exclude<AddResult, { outcome: "stored" | "duplicate" }>;

@@ -9,7 +9,7 @@ import { reloadReasons, replacedReasons, type LeftReasons } from "../../store/po
 import { limits } from "../../platform/limits/limits.ts";
 import type { PageLink } from "./page-link.ts";
 import type { PageOwnership } from "./page-ownership.ts";
-import type { RobotLine } from "../presence/robot-line.ts";
+import type { RobotLine } from "../presence/robot-channel.ts";
 
 export interface PageHandoverParts {
   clock: Clock;

@@ -8,11 +8,11 @@ import type { WaitLimit } from "../../platform/time/wait-limit.ts";
 import { Refusal, retryAfter } from "../../platform/errors/problems.ts";
 import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
 import type { EventLog } from "./event-log.ts";
-import { StoreAway } from "../../platform/errors/store-away.ts";
+import { StoreAway } from "../../platform/errors/store-unavailable.ts";
 import { keyRevoked } from "../access/key-ring.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import type { Caller } from "../access/caller.ts";
-import { scriptIsAway } from "../access/script-gate.ts";
+import { scriptIsAway } from "../access/script-access.ts";
 
 /** A subscriber: a reader's feed or a waiting request. */
 interface Listener {

@@ -1,6 +1,6 @@
 /** A store with simulated failures: before a step, or after it, so that its result is lost. */
 import type { RobotStore } from "../port.ts";
-import { StoreAway } from "../../platform/errors/store-away.ts";
+import { StoreAway } from "../../platform/errors/store-unavailable.ts";
 
 export interface CutStore {
   store: RobotStore;

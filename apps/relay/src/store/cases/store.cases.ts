@@ -4,7 +4,7 @@ import { keyCases } from "./key.cases.ts";
 import { mazeCases } from "./maze.cases.ts";
 import { pageCases } from "./page.cases.ts";
 import { robotCases } from "./robot.cases.ts";
-import { takingBackCases } from "./taking-back.cases.ts";
+import { takingBackCases } from "./withdrawal.cases.ts";
 import { timeCases } from "./time.cases.ts";
 import type { OpenStore } from "./robot-in-store.ts";
 

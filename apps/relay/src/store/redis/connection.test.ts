@@ -3,7 +3,7 @@ import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { hasRedis, startTestRedis } from "../../platform/testing/test-redis.ts";
 import { swallowingNet } from "../../platform/testing/swallowing-net.ts";
 import { asked, connectRedis } from "./connection.ts";
-import { StoreAway } from "../../platform/errors/store-away.ts";
+import { StoreAway } from "../../platform/errors/store-unavailable.ts";
 
 const SOON = { timeout: 15_000, interval: 100 };
 

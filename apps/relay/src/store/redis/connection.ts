@@ -2,7 +2,7 @@
 import { createClient, ErrorReply } from "@redis/client";
 import { z } from "zod";
 import { StoreFull } from "../../platform/errors/disk-full.ts";
-import { StoreAway } from "../../platform/errors/store-away.ts";
+import { StoreAway } from "../../platform/errors/store-unavailable.ts";
 
 const CONNECT_MS = 5_000;
 /** Interval between pings, and timeout for a response. A disk may block Redis for two seconds. */

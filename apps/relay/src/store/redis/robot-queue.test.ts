@@ -10,7 +10,7 @@ import { RedisRobotStore } from "./redis-robot-store.ts";
 import { RobotQueue } from "./robot-queue.ts";
 import * as machine from "../../commands/state-machine.ts";
 import { StoreFull } from "../../platform/errors/disk-full.ts";
-import { StoreAway } from "../../platform/errors/store-away.ts";
+import { StoreAway } from "../../platform/errors/store-unavailable.ts";
 
 async function connected(url: string): Promise<Redis> {
   const redis = await connectRedis(url, () => undefined);

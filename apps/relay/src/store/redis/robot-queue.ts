@@ -6,7 +6,7 @@
  * robot that the refusal returned.
  */
 import { z } from "zod";
-import { StoreAway } from "../../platform/errors/store-away.ts";
+import { StoreAway } from "../../platform/errors/store-unavailable.ts";
 import { LoadedRobot, robotAnswer } from "./loaded-robot.ts";
 import { commitKeys } from "./redis-keys.ts";
 import type { Script } from "./script.ts";

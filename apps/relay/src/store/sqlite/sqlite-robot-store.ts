@@ -30,7 +30,7 @@ import {
   type StoredRobot,
   type TermedRecord,
 } from "../port.ts";
-import { awayIn, setAway } from "./sqlite-away.ts";
+import { awayIn, setAway } from "./sqlite-blocked-scripts.ts";
 import { SqliteFile } from "./file/sqlite-file.ts";
 import { addKeys, keysIn, keyTimesIn, noteKeyUses, removeKeys } from "./sqlite-keys.ts";
 import type { Statements } from "./file/statements.ts";

@@ -1,6 +1,6 @@
 import { closeReasons } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { StoreAway } from "../platform/errors/store-away.ts";
+import { StoreAway } from "../platform/errors/store-unavailable.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { LEFT, withRobot, page } from "./testing/robot-at-relay.ts";
 
