@@ -5,7 +5,7 @@ import { CarriedSnapshot } from "./carried-snapshot.ts";
 import { pageState } from "../store/cases/robot-in-store.ts";
 import { sentCommand } from "../store/cases/sent-command.ts";
 import type { RobotStore } from "../store/port.ts";
-import type { Line, BusMessage, Bus } from "./bus.ts";
+import type { Channel, BusMessage, Bus } from "./bus.ts";
 
 const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 const OTHER = "BBBBBBBBBBBBBBBBBBBBBB";
@@ -22,17 +22,17 @@ export async function subscribe({ store, bus }: TestRelay, robot = ID) {
   const steps: string[] = [];
   const received: BusMessage[] = [];
   const missed = vi.fn<() => void>();
-  const line: Line = await bus.join(robot, {
+  const channel: Channel = await bus.join(robot, {
     stepped: ({ added, changed }, isOwn) => {
       const changes = changed.map(({ seq, state }) => `${seq} ${state}`);
       if (added !== null) changes.unshift(`+${added.record.seq}`);
       steps.push(`${changes.join(", ")}${isOwn ? " (own)" : ""}`);
     },
     missed,
-    received: (news) => received.push(news),
+    received: (message) => received.push(message),
   });
   return {
-    line,
+    channel,
     steps,
     received,
     missed,
@@ -41,27 +41,27 @@ export async function subscribe({ store, bus }: TestRelay, robot = ID) {
       if (result.outcome !== "stored") throw new Error(result.outcome);
       const { record, ended } = result;
       const added = { ...sentCommand(), record };
-      line.stepped({ added, ended, changed: ended.map((each) => each.record) });
+      channel.stepped({ added, ended, changed: ended.map((each) => each.record) });
       return record.seq;
     },
     take: async () => {
       const taken = await store.takeOver(robot, nothingDone);
       if (taken === null) throw new Error("there is no such robot");
-      line.stepped({ added: null, ended: [], changed: taken.changed });
-      line.notify({ kind: "page", epoch: taken.epoch, name: "page-of-test" });
+      channel.stepped({ added: null, ended: [], changed: taken.changed });
+      channel.notify({ kind: "page", epoch: taken.epoch, name: "page-of-test" });
       return taken.epoch;
     },
     deliver: async (epoch: number) => {
       const due = await store.deliver(robot, epoch, 8, sentCommand().acceptedAt);
       const changed = due.map(({ record }) => record);
-      line.stepped({ added: null, ended: [], changed });
+      channel.stepped({ added: null, ended: [], changed });
     },
   };
 }
 
 /** @param open opens two relays with a shared store, which the test closes */
-export function switchboardCases(name: string, open: () => Promise<[TestRelay, TestRelay]>): void {
-  async function withLine() {
+export function busCases(name: string, open: () => Promise<[TestRelay, TestRelay]>): void {
+  async function withChannel() {
     const relays = await open();
     for (const id of [ID, OTHER]) {
       await relays[0].store.create({ id, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
@@ -72,7 +72,7 @@ export function switchboardCases(name: string, open: () => Promise<[TestRelay, T
 
   describe(`${name}: channels between relays`, () => {
     it("delivers steps to all in the same order, with their origin", async () => {
-      const { a, b } = await withLine();
+      const { a, b } = await withChannel();
       await a.add();
       const epoch = await b.take();
       await b.deliver(epoch);
@@ -85,45 +85,45 @@ export function switchboardCases(name: string, open: () => Promise<[TestRelay, T
     });
 
     it("delivers messages to the others, for this robot only", async () => {
-      const { relays, a, b } = await withLine();
+      const { relays, a, b } = await withChannel();
       const elsewhere = await subscribe(relays[1], OTHER);
-      b.line.notify({ kind: "here", from: "b", scripts, asks: true });
+      b.channel.notify({ kind: "here", from: "b", scripts, asks: true });
       await vi.waitFor(() =>
         expect(a.received).toMatchObject([{ kind: "here", scripts, asks: true }]),
       );
       const snapshot = CarriedSnapshot.of(snapshotOf({ seq: 7 }));
-      a.line.notify({ kind: "snapshot", snapshot });
+      a.channel.notify({ kind: "snapshot", snapshot });
       await vi.waitFor(() =>
         expect(b.received).toMatchObject([
           { kind: "snapshot", snapshot: { message: snapshot.message } },
         ]),
       );
       const cancel = { kind: "cancel", seq: 3, cause: "revoked" } as const;
-      a.line.notify(cancel);
+      a.channel.notify(cancel);
       await vi.waitFor(() => expect(b.received.at(-1)).toMatchObject(cancel));
       const maze = { kind: "maze", version: "k3J9x2aBk3J9x2aBk3J9x2" } as const;
-      a.line.notify(maze);
+      a.channel.notify(maze);
       await vi.waitFor(() => expect(b.received.at(-1)).toMatchObject(maze));
       expect([a.received.length, elsewhere.received]).toEqual([1, []]);
     });
 
     it("reports which relay owns the page, also to later subscribers, and when it left", async () => {
-      const { relays, a, b } = await withLine();
+      const { relays, a, b } = await withChannel();
       const epoch = await a.take();
       await vi.waitFor(() => expect(b.received).toMatchObject([{ kind: "page", epoch }]));
-      b.line.leave();
+      b.channel.leave();
       const later = await subscribe(relays[1]);
       expect(later.received).toMatchObject([{ kind: "page", epoch }]);
-      a.line.notify({ kind: "page-left", epoch, closedByPage: true });
+      a.channel.notify({ kind: "page-left", epoch, closedByPage: true });
       await vi.waitFor(() =>
         expect(later.received.at(-1)).toMatchObject({ kind: "page-left", epoch }),
       );
     });
 
     it("delivers nothing after leaving", async () => {
-      const { a, b } = await withLine();
-      b.line.leave();
-      a.line.notify({ kind: "cancel", seq: 3, cause: "sender" });
+      const { a, b } = await withChannel();
+      b.channel.leave();
+      a.channel.notify({ kind: "cancel", seq: 3, cause: "sender" });
       await a.add();
       await a.deliver(await a.take());
       // A bus without other subscribers may skip the publication of new commands.

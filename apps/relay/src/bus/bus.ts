@@ -70,15 +70,15 @@ export interface BusListener {
   /** Steps may have been missed. */
   missed(): void;
   /** A message of another relay. */
-  received(news: BusMessage): void;
+  received(message: BusMessage): void;
 }
 
-export interface Line {
+export interface Channel {
   /** Publishes a step of this relay, unless the store has done so. */
   stepped(step: Step): void;
-  notify(news: BusMessage): void;
+  notify(message: BusMessage): void;
   /** Flushes pending messages, so that they precede the next step of the store. */
-  hurry(): void;
+  flush(): void;
   leave(): void;
 }
 
@@ -87,6 +87,6 @@ export interface Bus {
    * Subscribes this relay to a robot's channel. If a page owns the robot at another relay, the
    * subscriber receives that before the promise resolves.
    */
-  join(robot: string, listener: BusListener): Promise<Line>;
+  join(robot: string, listener: BusListener): Promise<Channel>;
   close(): Promise<void>;
 }

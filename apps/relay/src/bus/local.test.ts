@@ -3,9 +3,9 @@ import { onTestFinished } from "vitest";
 import { SqliteRobotStore } from "../store/sqlite/sqlite-robot-store.ts";
 import { testFolder } from "../testing/test-relay.ts";
 import { LocalBus } from "./local.ts";
-import { switchboardCases } from "./bus.cases.ts";
+import { busCases } from "./bus.cases.ts";
 
-switchboardCases("LocalSwitchboard", async () => {
+busCases("LocalBus", async () => {
   const store = new SqliteRobotStore(join(testFolder(), "corridor.sqlite"));
   onTestFinished(() => store.close());
   const relay = { store, bus: new LocalBus() };

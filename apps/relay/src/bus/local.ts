@@ -2,7 +2,7 @@
  * In-process message bus of a single relay. In tests, several relays of one process share one bus
  * and form a cluster.
  */
-import type { BusListener, Line, BusMessage, Step, Bus } from "./bus.ts";
+import type { BusListener, Channel, BusMessage, Step, Bus } from "./bus.ts";
 
 interface Member {
   listener: BusListener;
@@ -11,16 +11,16 @@ interface Member {
 }
 
 export class LocalBus implements Bus {
-  readonly #lines = new Map<string, Set<Member>>();
+  readonly #channels = new Map<string, Set<Member>>();
 
-  async join(robot: string, listener: BusListener): Promise<Line> {
-    const members = this.#lines.get(robot) ?? new Set();
-    this.#lines.set(robot, members);
+  async join(robot: string, listener: BusListener): Promise<Channel> {
+    const members = this.#channels.get(robot) ?? new Set();
+    this.#channels.set(robot, members);
     for (const { page } of members) if (page !== null) listener.received(page);
     const member: Member = { listener, page: null };
     members.add(member);
-    const notify = (news: BusMessage): void => {
-      for (const other of members) if (other !== member) other.listener.received(news);
+    const notify = (message: BusMessage): void => {
+      for (const other of members) if (other !== member) other.listener.received(message);
     };
     const leftPage = (closedByPage: boolean): void => {
       const { page: left } = member;
@@ -34,21 +34,22 @@ export class LocalBus implements Bus {
         if (step.changed.length === 0 && (step.added === null || members.size === 1)) return;
         for (const other of members) other.listener.stepped(step, other === member);
       },
-      notify: (news) => {
-        if (news.kind === "page-left") return leftPage(news.closedByPage);
-        if (news.kind === "page") member.page = news;
-        return notify(news);
+      notify: (message) => {
+        if (message.kind === "page-left") return leftPage(message.closedByPage);
+        if (message.kind === "page") member.page = message;
+        return notify(message);
       },
-      hurry: () => undefined,
+      flush: () => undefined,
       leave: () => {
         members.delete(member);
         leftPage(false);
-        if (members.size === 0 && this.#lines.get(robot) === members) this.#lines.delete(robot);
+        if (members.size === 0 && this.#channels.get(robot) === members)
+          this.#channels.delete(robot);
       },
     };
   }
 
   async close(): Promise<void> {
-    this.#lines.clear();
+    this.#channels.clear();
   }
 }

@@ -7,7 +7,7 @@ import { RedisRobotStore } from "../store/redis/redis-robot-store.ts";
 import { swallowingNet } from "../platform/testing/swallowing-net.ts";
 import { hasRedis, startTestRedis } from "../platform/testing/test-redis.ts";
 import { RedisBus } from "./redis.ts";
-import { subscribe, switchboardCases } from "./bus.cases.ts";
+import { subscribe, busCases } from "./bus.cases.ts";
 
 const DETECTION_MS = 5_000;
 const ID = "AAAAAAAAAAAAAAAAAAAAAA";
@@ -64,7 +64,7 @@ async function twoRelays() {
 }
 
 describe.skipIf(!hasRedis)("with Redis", () => {
-  switchboardCases("RedisSwitchboard", async () => [...(await twoRelays())]);
+  busCases("RedisBus", async () => [...(await twoRelays())]);
 
   it("reports the page of a dead relay as disconnected within five seconds", async () => {
     const [dying, other] = await twoRelays();

@@ -17,11 +17,11 @@ import type { Clock } from "../platform/time/clock.ts";
 import type { CarriedSnapshot } from "./carried-snapshot.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { asked, type Redis } from "../store/redis/connection.ts";
-import { lineOf, postOf, RELAYS, robotKeyOf } from "../store/redis/redis-keys.ts";
+import { channelOf, postOf, RELAYS, robotKeyOf } from "../store/redis/redis-keys.ts";
 import { termedRow } from "../store/redis/rows.ts";
 import { Script } from "../store/redis/script.ts";
 import { readPost, SnapshotPost } from "./snapshot-post.ts";
-import type { BusListener, Line, BusMessage, Bus } from "./bus.ts";
+import type { BusListener, Channel, BusMessage, Bus } from "./bus.ts";
 
 const HEARTBEAT_MS = 1_000;
 /** A relay without a heartbeat for this long counts as dead. */
@@ -90,7 +90,7 @@ interface Member {
   others: Map<string, number>;
 }
 
-export interface RedisSwitchboardOptions {
+export interface RedisBusOptions {
   redis: Redis;
   /** a dedicated connection for subscriptions */
   subscriber: Redis;
@@ -100,7 +100,7 @@ export interface RedisSwitchboardOptions {
 }
 
 export class RedisBus implements Bus {
-  readonly #options: RedisSwitchboardOptions;
+  readonly #options: RedisBusOptions;
   readonly #script: Script;
   readonly #members = new Map<string, Member>();
   readonly #post: SnapshotPost;
@@ -112,7 +112,7 @@ export class RedisBus implements Bus {
   /** the last ping of the subscriber connection */
   #ping = { isAnswered: true };
 
-  private constructor(options: RedisSwitchboardOptions) {
+  private constructor(options: RedisBusOptions) {
     this.#options = options;
     this.#script = new Script(options.redis, "../../bus/redis.lua", [options.relay]);
     this.#ownPresence = JSON.stringify({ kind: "here", from: options.relay }).slice(0, -1);
@@ -123,7 +123,7 @@ export class RedisBus implements Bus {
   }
 
   /** Opens the message bus. From then on this relay counts as alive. */
-  static async open(options: RedisSwitchboardOptions): Promise<RedisBus> {
+  static async open(options: RedisBusOptions): Promise<RedisBus> {
     const bus = new RedisBus(options);
     await asked(
       options.subscriber.subscribe(
@@ -146,7 +146,7 @@ export class RedisBus implements Bus {
     return bus;
   }
 
-  async join(robot: string, listener: BusListener): Promise<Line> {
+  async join(robot: string, listener: BusListener): Promise<Channel> {
     const { subscriber, relay, log } = this.#options;
     const others = new Map<string, number>();
     const member: Member = {
@@ -163,7 +163,7 @@ export class RedisBus implements Bus {
       if (message.success) this.#onMessage(member, message.data);
       else log.warn({ err: message.error }, "invalid message from another relay");
     };
-    const channel = lineOf(robot);
+    const channel = channelOf(robot);
     await asked(subscriber.subscribe(channel, onMessage));
     this.#members.set(robot, member);
     const holder = holderSchema.nullable().parse(await this.#run("holder", robot));
@@ -174,9 +174,9 @@ export class RedisBus implements Bus {
     return {
       // The store has published it.
       stepped: () => undefined,
-      notify: (news) => this.#publish(robot, news),
+      notify: (message) => this.#publish(robot, message),
       // Uses the same connection as the steps, which preserves the order.
-      hurry: () => this.#post.flush(),
+      flush: () => this.#post.flush(),
       leave: () => {
         if (this.#members.get(robot) === member) this.#members.delete(robot);
         subscriber.unsubscribe(channel, onMessage).catch(() => undefined);
@@ -193,15 +193,15 @@ export class RedisBus implements Bus {
     await this.#run("stop", "").catch(() => undefined);
   }
 
-  #publish(robot: string, news: BusMessage): void {
+  #publish(robot: string, message: BusMessage): void {
     const { redis, relay, log } = this.#options;
     // The store has published it, for a page with the new epoch.
-    if (news.kind === "page" || news.kind === "keys" || news.kind === "over") return;
-    if (news.kind === "snapshot") return this.#publishSnapshot(robot, news.snapshot);
+    if (message.kind === "page" || message.kind === "keys" || message.kind === "over") return;
+    if (message.kind === "snapshot") return this.#publishSnapshot(robot, message.snapshot);
     const published =
-      news.kind === "page-left"
-        ? this.#run("left", robot, { epoch: news.epoch, closedByPage: news.closedByPage })
-        : redis.publish(lineOf(robot), JSON.stringify({ ...news, from: relay }));
+      message.kind === "page-left"
+        ? this.#run("left", robot, { epoch: message.epoch, closedByPage: message.closedByPage })
+        : redis.publish(channelOf(robot), JSON.stringify({ ...message, from: relay }));
     published.catch((error: unknown) =>
       log.debug({ err: error }, "publishing to other relays failed"),
     );
@@ -323,6 +323,6 @@ export class RedisBus implements Bus {
   }
 
   async #run(step: string, robot: string, values: unknown = {}): Promise<unknown> {
-    return this.#script.run(step, [robotKeyOf(robot), lineOf(robot), RELAYS], values);
+    return this.#script.run(step, [robotKeyOf(robot), channelOf(robot), RELAYS], values);
   }
 }

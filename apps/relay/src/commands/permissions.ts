@@ -1,5 +1,5 @@
 /** What a robot's owner permits: its keys, and the scripts that are blocked. */
-import type { RobotCommands, Standing } from "./robot-commands.ts";
+import type { RobotCommands, AccessState } from "./robot-commands.ts";
 import { recallAllOf } from "./state-machine.ts";
 import type { TermedRecord } from "./steps.ts";
 
@@ -53,16 +53,16 @@ export interface ScriptChange {
   most: number;
 }
 
-export type AwayResult =
+export type BlockResult =
   /** `ended`: accepted commands of the script, which are now cancelled */
-  | { outcome: "changed"; away: StoredScript[]; ended: TermedRecord[] }
+  | { outcome: "changed"; blocked: StoredScript[]; ended: TermedRecord[] }
   | { outcome: "full" }
   | { outcome: "no-robot" };
 
 /** The keys and the blocked scripts of a robot. */
 export interface Permissions {
   keys: StoredKey[];
-  away: StoredScript[];
+  blocked: StoredScript[];
 }
 
 /**
@@ -80,17 +80,20 @@ export function changeKeys(
   const keys = [...before.keys.filter((key) => !isRevoked(key)), ...add];
   if (add.length > 0 && keys.length > most) return null;
   const revoked = before.keys.filter(isRevoked).map(({ hash }) => hash);
-  const away = before.away.filter(({ driver }) => !revoked.includes(driver));
-  Object.assign(robot.standing, standingOf({ keys, away }));
+  const blocked = before.blocked.filter(({ driver }) => !revoked.includes(driver));
+  Object.assign(robot.accessState, accessStateOf({ keys, blocked }));
   const ended = revoked.flatMap((driver) => recallAllOf(robot, { driver }, reason));
-  return { keys, away, revoked, ended };
+  return { keys, blocked, revoked, ended };
 }
 
 /** What of the permissions decides whether a command is accepted. */
-export function standingOf({ keys, away }: Permissions): Pick<Standing, "keys" | "away"> {
+export function accessStateOf({
+  keys,
+  blocked,
+}: Permissions): Pick<AccessState, "keys" | "blocked"> {
   return {
     keys: new Set(keys.map(({ hash }) => hash)),
-    away: new Set(away.map(({ id }) => id)),
+    blocked: new Set(blocked.map(({ id }) => id)),
   };
 }
 
@@ -98,17 +101,17 @@ export function standingOf({ keys, away }: Permissions): Pick<Standing, "keys" |
  * Blocks a script and recalls its commands, or unblocks one.
  * @returns the blocked scripts; null if there are too many
  */
-export function changeAway(
+export function changeBlocked(
   robot: RobotCommands,
   all: readonly StoredScript[],
   { add, remove, most, reason }: ScriptChange,
-): { away: StoredScript[]; ended: TermedRecord[] } | null {
-  const away = all.filter(({ id }) => id !== remove);
-  if (add !== null && !away.some(({ id }) => id === add.id)) {
-    if (away.length >= most) return null;
-    away.push(add);
+): { blocked: StoredScript[]; ended: TermedRecord[] } | null {
+  const blocked = all.filter(({ id }) => id !== remove);
+  if (add !== null && !blocked.some(({ id }) => id === add.id)) {
+    if (blocked.length >= most) return null;
+    blocked.push(add);
   }
-  robot.standing.away = new Set(away.map(({ id }) => id));
+  robot.accessState.blocked = new Set(blocked.map(({ id }) => id));
   const ended = add === null ? [] : recallAllOf(robot, { script: add.id }, reason);
-  return { away, ended };
+  return { blocked, ended };
 }

@@ -7,21 +7,21 @@ import type { CommandRow } from "./command-row.ts";
 import { KeyIndex } from "./key-index.ts";
 
 /** Robot state that determines which commands are accepted. */
-export interface Standing {
+export interface AccessState {
   epoch: number;
   lastSeq: number;
   isPaused: boolean;
   /** hashes */
   keys: ReadonlySet<string>;
   /** ids of blocked scripts */
-  away: ReadonlySet<string>;
+  blocked: ReadonlySet<string>;
 }
 
 /** @param before state before the change; null: the command is new */
 export type OnChange = (row: CommandRow, before: CommandState | null) => void;
 
 export class RobotCommands {
-  readonly standing: Standing;
+  readonly accessState: AccessState;
   readonly #onChange: OnChange;
   readonly #open = new Map<number, CommandRow>();
   readonly #ended = new Map<number, CommandRow>();
@@ -31,8 +31,8 @@ export class RobotCommands {
   readonly #waiting = { overtaking: 0, others: 0 };
 
   /** @param open the open commands, in order */
-  constructor(standing: Standing, open: readonly CommandRow[], onChange: OnChange) {
-    this.standing = standing;
+  constructor(accessState: AccessState, open: readonly CommandRow[], onChange: OnChange) {
+    this.accessState = accessState;
     this.#onChange = onChange;
     for (const row of open) this.#place(row);
   }
@@ -49,7 +49,7 @@ export class RobotCommands {
   /** Every command before this seq has ended. */
   get openFrom(): number {
     const [first] = this.#open.keys();
-    return first ?? this.standing.lastSeq + 1;
+    return first ?? this.accessState.lastSeq + 1;
   }
 
   /** Number of ended commands in memory. */
@@ -139,7 +139,7 @@ export class RobotCommands {
 
   #put(row: CommandRow): void {
     this.#place(row);
-    this.standing.lastSeq = Math.max(this.standing.lastSeq, row.seq);
+    this.accessState.lastSeq = Math.max(this.accessState.lastSeq, row.seq);
   }
 
   #place(row: CommandRow): void {

@@ -157,14 +157,14 @@ describe("a new command", () => {
     },
   ])("$name is $outcome", ({ change, outcome }) => {
     const robot = robotWith([rowOf()]);
-    robot.standing.away = new Set(["blocked"]);
+    robot.accessState.blocked = new Set(["blocked"]);
     expect(machine.add(robot, newCommand(change), none)).toMatchObject({ outcome });
   });
 
   it("with a known idempotency key is a duplicate, whatever else would refuse it", () => {
     const earlier = rowOf({ state: "completed", key: "key-0001" });
     const robot = robotWith([earlier]);
-    robot.standing.isPaused = true;
+    robot.accessState.isPaused = true;
     const again = newCommand({ key: "key-0001", deadline: NOW, maxWaiting: 0 });
     expect(machine.add(robot, again, () => earlier)).toMatchObject({
       outcome: "duplicate",
@@ -176,7 +176,7 @@ describe("a new command", () => {
 
   it("is refused while remote driving is paused, but a stop is not", () => {
     const robot = robotWith([]);
-    robot.standing.isPaused = true;
+    robot.accessState.isPaused = true;
     expect(machine.add(robot, newCommand(), none)).toEqual({ outcome: "paused" });
     const stop = newCommand({ command: { action: "stop" }, maxWaiting: 0 });
     expect(machine.add(robot, stop, none)).toMatchObject({ outcome: "stored" });

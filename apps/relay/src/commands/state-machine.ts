@@ -28,11 +28,11 @@ export function add(
   command: NewCommand,
   earlier: (driver: string, key: string) => CommandRow | null,
 ): AddResult {
-  const { standing } = robot;
+  const { accessState } = robot;
   const { driver, script, key } = command;
   const known = commandIn(JSON.stringify(command.command));
-  if (!standing.keys.has(driver)) return { outcome: "revoked" };
-  if (script !== null && standing.away.has(script)) return { outcome: "blocked" };
+  if (!accessState.keys.has(driver)) return { outcome: "revoked" };
+  if (script !== null && accessState.blocked.has(script)) return { outcome: "blocked" };
   const before = key === null ? null : earlier(driver, key);
   if (before !== null) {
     const outcome = before.text === known.text ? "duplicate" : "conflict";
@@ -42,12 +42,12 @@ export function add(
 }
 
 function addNew(robot: RobotCommands, command: NewCommand, known: KnownCommand): AddResult {
-  const { standing } = robot;
+  const { accessState } = robot;
   const { driver, script, key, acceptedAt, ttl, deadline, replace, lease } = command;
   const stops = isStop(known.text);
-  if (standing.isPaused && !stops) return { outcome: "paused" };
+  if (accessState.isPaused && !stops) return { outcome: "paused" };
   if (deadline <= acceptedAt) return { outcome: "late" };
-  const seq = standing.lastSeq + 1;
+  const seq = accessState.lastSeq + 1;
   const ended = stops || replace ? overtake(robot, { seq, stops }) : [];
   if (!stops && robot.waitingCount >= command.maxWaiting) return { outcome: "full" };
   robot.deleteEnded(seq - command.keep);
@@ -79,7 +79,7 @@ export function deliver(
   robot: RobotCommands,
   { epoch, window, now }: { epoch: number; window: number; now: number },
 ): TermedRecord[] {
-  if (robot.standing.epoch !== epoch) return [];
+  if (robot.accessState.epoch !== epoch) return [];
   if (robot.hasAll(window)) return [];
   const free = window - robot.deliveredCount;
   const due: CommandRow[] = [];
@@ -154,7 +154,7 @@ export function recallAllOf(
 
 /** Pauses remote driving and recalls all commands except stops, or resumes it. */
 export function pause(robot: RobotCommands, isPaused: boolean, reason: string): TermedRecord[] {
-  robot.standing.isPaused = isPaused;
+  robot.accessState.isPaused = isPaused;
   return isPaused ? recallAllOf(robot, "all", reason) : [];
 }
 
@@ -168,7 +168,7 @@ export function recalled(open: Iterable<CommandRow>): { seq: number; reason: str
 /** delivered → started. @returns null if it was not delivered or the epoch is not the newest */
 export function start(robot: RobotCommands, epoch: number, seq: number): CommandRecord | null {
   const row = robot.row(seq);
-  if (row?.state !== "delivered" || robot.standing.epoch !== epoch) return null;
+  if (row?.state !== "delivered" || robot.accessState.epoch !== epoch) return null;
   return recordOfRow(robot.change(row, { state: "started" }));
 }
 
@@ -179,7 +179,7 @@ export function end(
   ending: Ending,
   known: (seq: number) => CommandRow | null,
 ): EndResult {
-  const record = robot.standing.epoch === epoch ? finish(robot, ending) : null;
+  const record = robot.accessState.epoch === epoch ? finish(robot, ending) : null;
   if (record !== null) return { outcome: "ended", record };
   const row = known(ending.seq);
   return { outcome: "over", record: row && recordOfRow(row) };
@@ -198,8 +198,8 @@ function finish(robot: RobotCommands, ending: Ending): CommandRecord | null {
  * started commands. Does nothing if a newer page exists.
  */
 export function abandon(robot: RobotCommands, epoch: number, reason: string): CommandRecord[] {
-  if (robot.standing.epoch !== epoch) return [];
-  robot.standing.epoch += 1;
+  if (robot.accessState.epoch !== epoch) return [];
+  robot.accessState.epoch += 1;
   const left = [...robot.open].filter(isWithRobot);
   return left.map((row) => recordOfRow(robot.change(row, { state: "cancelled", reason })));
 }
@@ -217,12 +217,12 @@ export function takeOver(
   page: PageState,
   known: KnownCommands,
 ): { epoch: number; changed: CommandRecord[]; refused: CommandRecord[] } {
-  const { standing } = robot;
+  const { accessState } = robot;
   const { lastApplied, fresh, settled, endings, pose, left } = page;
-  const isSettled = settled !== null && settled >= standing.epoch;
-  standing.epoch += 1;
+  const isSettled = settled !== null && settled >= accessState.epoch;
+  accessState.epoch += 1;
   // A page with later commands than the store saw one that lost its newest commands.
-  standing.lastSeq = Math.max(standing.lastSeq, lastApplied);
+  accessState.lastSeq = Math.max(accessState.lastSeq, lastApplied);
   // The new page's robot has not moved for these commands.
   const ending = { state: "cancelled", pose, distance: pose === null ? null : 0 } as const;
   const changed = new Map<number, CommandRecord>();
@@ -258,7 +258,7 @@ export function takeOver(
     for (const { record } of overtake(robot, { seq, stops: what === "stop" }))
       changed.set(record.seq, record);
   }
-  const { epoch } = standing;
+  const { epoch } = accessState;
   return { epoch, changed: [...changed.values()].toSorted((a, b) => a.seq - b.seq), refused };
 }
 

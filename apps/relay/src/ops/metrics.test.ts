@@ -47,9 +47,9 @@ describe("/metrics", () => {
     const text = await scrape(relay);
     const expected = {
       corridor_robots_with_page: 1,
-      'corridor_readers{door="websocket"}': 1,
-      'corridor_readers{door="events"}': 1,
-      'corridor_readers{door="long-poll"}': 0,
+      'corridor_readers{transport="websocket"}': 1,
+      'corridor_readers{transport="events"}': 1,
+      'corridor_readers{transport="long-poll"}': 0,
       'corridor_commands_ended_total{state="completed"}': 1,
       'corridor_refusals_total{problem="key-conflict"}': 1,
       'corridor_refusals_total{problem="not-authorised"}': 1,

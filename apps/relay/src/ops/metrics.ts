@@ -32,7 +32,7 @@ export class Metrics implements CommandObserver {
   readonly #readers = new Gauge({
     name: "corridor_readers",
     help: "Scripts that read a robot, by transport.",
-    labelNames: ["door"] as const,
+    labelNames: ["transport"] as const,
     registers: [this.#registry],
   });
   readonly #ended = new Counter({
@@ -103,8 +103,8 @@ export class Metrics implements CommandObserver {
     const connectionCounts = await this.#readGauges?.();
     if (connectionCounts !== undefined) {
       this.#pages.set(connectionCounts.pages);
-      for (const [door, number] of Object.entries(connectionCounts.readers)) {
-        this.#readers.set({ door }, number);
+      for (const [transport, number] of Object.entries(connectionCounts.readers)) {
+        this.#readers.set({ transport }, number);
       }
     }
     return { type: this.#registry.contentType, text: await this.#registry.metrics() };

@@ -10,14 +10,14 @@ import { limits } from "../platform/limits/limits.ts";
 import type { MazeBoard } from "./maze-board.ts";
 import type { PageLink } from "./page/page-link.ts";
 import type { PageOwnership } from "./page/page-ownership.ts";
-import type { RobotLine } from "./presence/robot-channel.ts";
+import type { RobotChannel } from "./presence/robot-channel.ts";
 import type { RobotView } from "./robot-view.ts";
 
 export interface OtherRelaysParts {
   clock: Clock;
   ownership: PageOwnership;
   view: RobotView;
-  line: RobotLine;
+  channel: RobotChannel;
   life: CommandLife;
   keys: KeyRing;
   mazes: MazeBoard;
@@ -45,11 +45,11 @@ export class OtherRelays {
    * If another relay has the page, waits for its response: the newest snapshot, if there is one.
    */
   async meet(): Promise<void> {
-    const { ownership, line, roster, clock } = this.#parts;
+    const { ownership, channel, roster, clock } = this.#parts;
     if (!ownership.isElsewhere) return;
     const { promise, resolve } = Promise.withResolvers<void>();
     this.#met = resolve;
-    line.sayHere(roster.report(), true);
+    channel.announce(roster.report(), true);
     const cancelTimer = clock.after(limits.relayMeetMs, resolve);
     await promise;
     cancelTimer();
@@ -67,50 +67,50 @@ export class OtherRelays {
     mazes.lookAgain().catch(() => undefined);
   }
 
-  received(news: BusMessage): void {
-    const { ownership, view, line, life, keys, mazes, roster, clock } = this.#parts;
+  received(message: BusMessage): void {
+    const { ownership, view, channel, life, keys, mazes, roster, clock } = this.#parts;
     const { page } = ownership;
-    switch (news.kind) {
+    switch (message.kind) {
       case "page":
-        ownership.takeElsewhere(news.epoch, news.name)?.link.close(closeReasons.replaced);
-        return line.sayHere(roster.report());
+        ownership.takeElsewhere(message.epoch, message.name)?.link.close(closeReasons.replaced);
+        return channel.announce(roster.report());
       case "page-left":
-        if (!ownership.leaveElsewhere(news.epoch, clock.now(), news.closedByPage)) return;
-        life.handover.left(news.epoch, news.closedByPage);
+        if (!ownership.leaveElsewhere(message.epoch, clock.now(), message.closedByPage)) return;
+        life.handover.left(message.epoch, message.closedByPage);
         view.pageLeft();
         return this.#parts.notifyReaders();
       case "yield":
-        life.handover.ask(news.epoch);
+        life.handover.ask(message.epoch);
         return;
       case "yielded":
-        return life.handover.yielded(news.epoch, false);
+        return life.handover.yielded(message.epoch, false);
       case "lapsed":
         if (page !== null) this.#parts.lapsed(page.link);
         return;
       case "snapshot":
         if (page !== null) return;
-        view.receive(news.snapshot);
+        view.receive(message.snapshot);
         this.#met();
         return this.#parts.notifyReaders();
       case "here":
-        line.receivedHere(news.from, news.scripts);
+        channel.receivedAnnouncement(message.from, message.scripts);
         if (page === null) return this.#met();
-        if (news.asks) this.#answer(view.newest);
+        if (message.asks) this.#answer(view.newest);
         return this.#parts.notifyScripts();
       case "cancel":
-        return page?.link.send({ type: "cancel", seq: news.seq, cause: news.cause });
+        return page?.link.send({ type: "cancel", seq: message.seq, cause: message.cause });
       case "keys":
         return keys.refresh();
       case "maze":
-        return mazes.received(news.version);
+        return mazes.received(message.version);
       case "over":
         return this.#parts.over();
     }
   }
 
   #answer(newest: CarriedSnapshot | null): void {
-    const { line, roster } = this.#parts;
-    if (newest === null) line.sayHere(roster.report());
-    else line.snapshot(newest);
+    const { channel, roster } = this.#parts;
+    if (newest === null) channel.announce(roster.report());
+    else channel.snapshot(newest);
   }
 }

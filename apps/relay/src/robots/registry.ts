@@ -16,7 +16,7 @@ import {
   restarting,
 } from "../platform/errors/problems.ts";
 import type { RobotStore, StoredKey } from "../store/port.ts";
-import type { ReaderDoor } from "./readers/subscribers.ts";
+import { readerTransports, type ReaderTransport } from "./readers/subscribers.ts";
 import { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
 import { StaggeredInterval } from "../platform/time/staggered-interval.ts";
 import { limits } from "../platform/limits/limits.ts";
@@ -39,7 +39,7 @@ const NOTED_AT_LEAST = 10;
 export interface ConnectionCounts {
   /** robots with a page at this relay */
   pages: number;
-  readers: Record<ReaderDoor, number>;
+  readers: Record<ReaderTransport, number>;
 }
 
 /** Optional parts of a hub. */
@@ -146,24 +146,22 @@ export class RobotRegistry {
     if (stored === null) throw wrongKey(key);
     checkRight(stored.kind, verb);
     const caller = callerOf(stored, introduction);
-    robot.gate.check(caller);
+    robot.scriptAccess.check(caller);
     return { robot, key: caller };
   }
 
   async connectionCounts(): Promise<ConnectionCounts> {
     const connectionCounts: ConnectionCounts = {
       pages: 0,
-      readers: { websocket: 0, line: 0, events: 0, "long-poll": 0 },
+      readers: { websocket: 0, "long-poll-connection": 0, events: 0, "long-poll": 0 },
     };
     for (const found of this.#robots.values()) {
       const robot = await found.catch(() => null);
       if (robot === null) continue;
       if (robot.hasPage) connectionCounts.pages += 1;
-      const { websocket, line, events, "long-poll": waiting } = robot.readers.count;
-      connectionCounts.readers.websocket += websocket;
-      connectionCounts.readers.line += line;
-      connectionCounts.readers.events += events;
-      connectionCounts.readers["long-poll"] += waiting;
+      for (const transport of readerTransports) {
+        connectionCounts.readers[transport] += robot.readers.count[transport];
+      }
     }
     return connectionCounts;
   }

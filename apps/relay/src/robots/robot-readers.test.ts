@@ -42,7 +42,7 @@ describe("a robot: what scripts see", () => {
         snapshot,
         state: () => undefined,
         over: (reason) => over.push(reason),
-        door: "events",
+        transport: "events",
         flow,
       },
       null,

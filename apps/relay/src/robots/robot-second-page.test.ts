@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import { completed } from "../platform/testing/messages.ts";
 import { settled } from "../platform/testing/fake-clock.ts";
 import { reloadReasons, replacedReasons } from "../store/port.ts";
-import { StoreAway } from "../platform/errors/store-unavailable.ts";
+import { StoreUnavailableError } from "../platform/errors/store-unavailable.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { PageLink } from "./page/page-link.ts";
 import { LEFT, page, withRobot, type Setup } from "./testing/robot-at-relay.ts";
@@ -153,7 +153,7 @@ describe("a robot: a second page", () => {
     const coming = anotherPage(setup);
     await settled();
     setup.cut.isCut = true;
-    await expect(first.started(2)).rejects.toBeInstanceOf(StoreAway);
+    await expect(first.started(2)).rejects.toBeInstanceOf(StoreUnavailableError);
     setup.cut.isCut = false;
     expect(first.closed).toEqual([1013]);
     await first.yielded();

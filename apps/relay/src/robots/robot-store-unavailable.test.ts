@@ -1,6 +1,6 @@
 import { closeReasons } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { StoreAway } from "../platform/errors/store-unavailable.ts";
+import { StoreUnavailableError } from "../platform/errors/store-unavailable.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { LEFT, withRobot, page } from "./testing/robot-at-relay.ts";
 
@@ -32,7 +32,7 @@ describe("a robot: while its store does not answer", () => {
     const setup = await withRobot();
     const host = await page(setup);
     setup.cut.losesAnswers = true;
-    await expect(setup.submit(LEFT, "key-0001")).rejects.toBeInstanceOf(StoreAway);
+    await expect(setup.submit(LEFT, "key-0001")).rejects.toBeInstanceOf(StoreUnavailableError);
     setup.cut.losesAnswers = false;
     // The command may be marked as delivered but was not sent. Only a new connection of the page
     // resolves that.
@@ -46,7 +46,7 @@ describe("a robot: while its store does not answer", () => {
   it("delivers what was stored for a page that was not there, where nobody tries again", async () => {
     const setup = await withRobot();
     setup.cut.losesAnswers = true;
-    await expect(setup.submit(LEFT)).rejects.toBeInstanceOf(StoreAway);
+    await expect(setup.submit(LEFT)).rejects.toBeInstanceOf(StoreUnavailableError);
     setup.cut.losesAnswers = false;
     await setup.clock.pass(limits.storeRetryMs);
     const host = await page(setup);

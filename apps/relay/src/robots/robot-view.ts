@@ -19,7 +19,7 @@ export class RobotView {
   #lastActiveAt = 0;
   /** lower bound of seq, above all snapshots of previous pages */
   #least = 0;
-  #state: "awake" | "asleep" | "away" = "away";
+  #state: "awake" | "asleep" | "gone" = "gone";
 
   /** The newest snapshot, with the current state; null if the robot has never reported. */
   get newest(): CarriedSnapshot | null {
@@ -58,12 +58,12 @@ export class RobotView {
     this.#least = Math.ceil((ageMs / 1000) * MOST_A_SECOND);
     this.#lastActiveAt = now;
     this.#tick = null;
-    if (this.#state === "away") this.#state = "asleep";
+    if (this.#state === "gone") this.#state = "asleep";
     this.#marked();
   }
 
   pageLeft(): void {
-    this.#state = "away";
+    this.#state = "gone";
     this.#marked();
   }
 
@@ -78,6 +78,6 @@ export class RobotView {
   /** Marks the stored snapshot of a robot that does not report as gone or paused. */
   #marked(): void {
     if (this.#newest === null || this.#state === "awake") return;
-    this.#newest = this.#newest.with({ state: this.#state === "away" ? "gone" : "paused" });
+    this.#newest = this.#newest.with({ state: this.#state === "gone" ? "gone" : "paused" });
   }
 }

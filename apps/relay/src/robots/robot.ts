@@ -30,12 +30,12 @@ import type { PageLink } from "./page/page-link.ts";
 import { PageOwnership } from "./page/page-ownership.ts";
 import type { ReaderSource } from "./readers/feed.ts";
 import { Readers } from "./readers/readers.ts";
-import { RobotLine } from "./presence/robot-channel.ts";
+import { RobotChannel } from "./presence/robot-channel.ts";
 import { RobotView } from "./robot-view.ts";
 import { RightsVersion, type Verb } from "./access/rights.ts";
 import type { Caller } from "./access/caller.ts";
 import { ScriptClocks } from "./delivery/script-clocks.ts";
-import { ScriptGate } from "./access/script-access.ts";
+import { ScriptAccess } from "./access/script-access.ts";
 import { RobotUse } from "./robot-use.ts";
 import type { CommandObserver } from "./delivery/command-observer.ts";
 
@@ -55,7 +55,7 @@ export class Robot {
   readonly createdAt: number;
   readonly roster: DriverRoster;
   readonly keys: KeyRing;
-  readonly gate: ScriptGate;
+  readonly scriptAccess: ScriptAccess;
   /** version for which the result of a check stays valid */
   readonly rights = new RightsVersion();
   readonly mazes: MazeBoard;
@@ -68,7 +68,7 @@ export class Robot {
   readonly #subscribers: Subscribers;
   readonly #ownership: PageOwnership;
   readonly #life: CommandLife;
-  readonly #line: RobotLine;
+  readonly #channel: RobotChannel;
   readonly #others: OtherRelays;
   readonly #use: RobotUse;
   #isOver = false;
@@ -81,12 +81,12 @@ export class Robot {
     this.#events = new EventLog(clock);
     const subscribers = new Subscribers(clock, this.#events);
     const ownership = new PageOwnership(clock.now(), stored);
-    const line = new RobotLine(clock, timers);
+    const channel = new RobotChannel(clock, timers);
     this.#subscribers = subscribers;
     this.#ownership = ownership;
-    this.#line = line;
+    this.#channel = channel;
     const shared = { store, clock, timers, observer };
-    this.#life = new CommandLife({ ...shared, robot: this.id, subscribers, ownership, line });
+    this.#life = new CommandLife({ ...shared, robot: this.id, subscribers, ownership, channel });
     this.keys = new KeyRing({
       robot: this.id,
       rights: this.rights,
@@ -94,24 +94,24 @@ export class Robot {
       store,
       clock,
       change: (change) => this.#life.recall.changeKeys(change),
-      changed: () => line.rightsChanged(),
+      changed: () => channel.rightsChanged(),
       found: (found) => {
-        this.gate.learn(found);
+        this.scriptAccess.apply(found);
         this.roster.awayChanged();
       },
       revoked: (key) => this.#revoked(key),
       doubted: () => subscribers.dismiss(({ kind }) => kind !== "own", "busy"),
     });
     this.#use = new RobotUse(stored, { store, clock, keys: this.keys });
-    this.gate = new ScriptGate({
+    this.scriptAccess = new ScriptAccess({
       robot: this.id,
       rights: this.rights,
       stored,
       store,
-      change: (change) => this.#life.recall.changeAway(change),
+      change: (change) => this.#life.recall.changeBlocked(change),
       pause: async (isPaused) => this.#life.recall.pause(isPaused),
       changed: () => {
-        line.rightsChanged();
+        channel.rightsChanged();
         this.roster.awayChanged();
       },
       blocked: (script) => this.#blocked(script),
@@ -122,10 +122,10 @@ export class Robot {
       store,
       clock,
       notify: (version) => subscribers.publishMaze(version),
-      changed: (version) => line.mazeChanged(version),
+      changed: (version) => channel.mazeChanged(version),
     });
     const notify = (): void => this.#notifyScripts();
-    this.roster = new DriverRoster(clock, notify, () => this.gate.away);
+    this.roster = new DriverRoster(clock, notify, () => this.scriptAccess.blocked);
     const source: ReaderSource = {
       events: this.#events,
       newest: () => this.newest,
@@ -136,7 +136,7 @@ export class Robot {
       clock,
       ownership,
       view: this.#view,
-      line,
+      channel,
       life: this.#life,
       keys: this.keys,
       mazes: this.mazes,
@@ -158,10 +158,10 @@ export class Robot {
   /** Loads a robot into memory and subscribes to its channel. */
   static async open(stored: StoredRobot, parts: RobotParts): Promise<Robot> {
     const robot = new Robot(stored, parts);
-    await robot.#line.open(parts.bus, stored.id, {
+    await robot.#channel.open(parts.bus, stored.id, {
       stepped: (step, isOwn) => robot.#life.receivedStep(step, isOwn),
-      missed: () => robot.missedNews(),
-      received: (news) => robot.#others.received(news),
+      missed: () => robot.missedMessages(),
+      received: (message) => robot.#others.received(message),
     });
     await robot.#others.meet();
     return robot;
@@ -196,7 +196,7 @@ export class Robot {
    * Scripts by name, at all relays that this one knows of: connected, recently active or blocked.
    */
   get scripts(): ScriptView[] {
-    return this.#line.withOthers(this.roster.report()).scripts;
+    return this.#channel.withOthers(this.roster.report()).scripts;
   }
 
   get newest(): CarriedSnapshot | null {
@@ -240,14 +240,14 @@ export class Robot {
     this.#life.handover.left(this.#ownership.epoch, closedByPage);
     this.#view.pageLeft();
     this.#publishSnapshot();
-    this.#line.pageLeft(this.#ownership.epoch, closedByPage);
+    this.#channel.pageLeft(this.#ownership.epoch, closedByPage);
   }
 
   /**
    * Handles a snapshot of the page. The check of the page's permission already recorded the use.
    */
   receiveSnapshot(link: PageLink, epoch: number, snapshot: CarriedSnapshot): void {
-    if (this.#isNews(link, epoch)) this.#show(snapshot);
+    if (this.#isCurrent(link, epoch)) this.#show(snapshot);
   }
 
   /**
@@ -255,7 +255,7 @@ export class Robot {
    * sends another epoch.
    */
   receiveFromPage(link: PageLink, message: PageToRelay): Promise<void> | undefined {
-    if (!this.#isNews(link, message.epoch)) return undefined;
+    if (!this.#isCurrent(link, message.epoch)) return undefined;
     this.#use.used();
     switch (message.type) {
       case "snapshot":
@@ -265,7 +265,7 @@ export class Robot {
         link.send({ type: "time", at: this.#clock.now() });
         return undefined;
       case "ended":
-        this.#line.hurry();
+        this.#channel.flush();
         return this.#life.receiveFromPage(link, message);
       case "started":
       case "yielded":
@@ -276,7 +276,7 @@ export class Robot {
   /**
    * Whether the page owns the robot with this epoch. Disconnects a page that sends another epoch.
    */
-  #isNews(link: PageLink, epoch: number): boolean {
+  #isCurrent(link: PageLink, epoch: number): boolean {
     if (!this.#ownership.isHeldBy(link)) return false;
     if (epoch !== this.#ownership.page?.epoch) {
       link.close(closeReasons.replaced);
@@ -290,11 +290,11 @@ export class Robot {
   /**
    * Checks the permissions of a caller. Callers may reuse the result while `rights` is unchanged.
    * @throws Refusal if the key is revoked or lacks the permission, or the script is blocked;
-   * StoreAway if it is unknown whether the key is still valid
+   * StoreUnavailableError if it is unknown whether the key is still valid
    */
   check(caller: Caller, verb: Verb): void {
     this.keys.check(caller, verb);
-    this.gate.check(caller);
+    this.scriptAccess.check(caller);
     this.#use.used();
   }
 
@@ -354,7 +354,7 @@ export class Robot {
     this.rights.changed();
     this.#events.deleteOld();
     if (this.hasPage && this.#view.checkAsleep(now)) this.#publishSnapshot();
-    if (this.#ownership.isElsewhere) this.#line.stayHere(this.roster.report());
+    if (this.#ownership.isElsewhere) this.#channel.repeatAnnouncement(this.roster.report());
     if (this.#ownership.awayMs(now) >= limits.pageAwayMs) await this.#life.pageIsGone();
   }
 
@@ -376,8 +376,8 @@ export class Robot {
   /** Ends the robot for all connected clients. */
   close(reason: "over" | "restart"): void {
     this.#isOver = true;
-    if (this.hasPage) this.#line.pageLeft(this.#ownership.epoch, false);
-    if (reason === "over") this.#line.deleted();
+    if (this.hasPage) this.#channel.pageLeft(this.#ownership.epoch, false);
+    if (reason === "over") this.#channel.deleted();
     this.#life.close(reason);
     this.roster.close();
     this.#ownership.page?.link.close(closeReasons[reason]);
@@ -389,25 +389,25 @@ export class Robot {
   /** Releases the robot from memory. Other relays may still hold it. */
   leave(): void {
     this.keys.close();
-    this.#line.leave();
+    this.#channel.leave();
   }
 
   // --- other relays ---
 
   /** Messages of other relays may have been missed. */
-  missedNews(): void {
+  missedMessages(): void {
     this.#others.missed();
   }
 
   /** Sends the current scripts to the page, here or at another relay. */
   #notifyScripts(): void {
     const scripts = this.roster.report();
-    if (this.#ownership.isElsewhere) return this.#line.sayHere(scripts);
+    if (this.#ownership.isElsewhere) return this.#channel.announce(scripts);
     this.#life.display.sayWith({
       type: "drivers",
       at: this.#clock.now(),
-      ...this.#line.withOthers(scripts),
-      paused: this.gate.isPaused,
+      ...this.#channel.withOthers(scripts),
+      paused: this.scriptAccess.isPaused,
     });
   }
 
@@ -417,7 +417,9 @@ export class Robot {
     this.#subscribers.dismiss((caller) => caller.hash === hash, "revoked");
     this.#askToEnd();
     // A blocked script is removed with its key.
-    this.gate.learn({ away: this.gate.away.filter(({ driver }) => driver !== hash) });
+    this.scriptAccess.apply({
+      blocked: this.scriptAccess.blocked.filter(({ driver }) => driver !== hash),
+    });
   }
 
   /** Disconnects a blocked script and ends its commands. */
@@ -442,7 +444,7 @@ export class Robot {
     const { newest } = this;
     if (newest === null) return;
     this.#subscribers.publishSnapshot(newest);
-    this.#line.snapshot(newest);
+    this.#channel.snapshot(newest);
   }
 
   #notifyReaders(): void {

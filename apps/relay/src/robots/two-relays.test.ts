@@ -17,7 +17,7 @@ import { describe, expect, it, onTestFinished } from "vitest";
 import { LocalBus } from "../bus/local.ts";
 import type { BusListener, BusMessage } from "../bus/bus.ts";
 import { SqliteRobotStore } from "../store/sqlite/sqlite-robot-store.ts";
-import { StoreAway } from "../platform/errors/store-unavailable.ts";
+import { StoreUnavailableError } from "../platform/errors/store-unavailable.ts";
 import { cutStore } from "../store/cases/cut-store.ts";
 import { FakeClock, settled } from "../platform/testing/fake-clock.ts";
 import { completed } from "../platform/testing/messages.ts";
@@ -96,7 +96,7 @@ async function withRelays() {
     atScripts.readers.join(
       key,
       {
-        door: "websocket",
+        transport: "websocket",
         flow: { sentBytes: 0, takenBytes: 0, ask: () => undefined, isProof: false },
         began: () => undefined,
         snapshot: ({ seq, state }) => said.push(`snapshot ${seq} ${state}`),
@@ -115,7 +115,7 @@ async function withRelays() {
     /** A relay that shares the store, but not the message bus. */
     newRelay: () => new RobotRegistry(store, clock, log),
     /** Delivers a message to the first relay, as its channel would. */
-    notifyPages: (news: BusMessage) => listener.at(-1)?.received(news),
+    notifyPages: (message: BusMessage) => listener.at(-1)?.received(message),
     bus,
     pages,
     scripts,
@@ -327,7 +327,7 @@ describe("page and script at different relays", () => {
   it("says gap, and delivers what waits, when news between the relays were lost", async () => {
     const { host, registration, pages, atScripts, read, submit } = await withRelays();
     const said = read();
-    for (const robot of [host.robot, atScripts]) robot.missedNews();
+    for (const robot of [host.robot, atScripts]) robot.missedMessages();
     await settled();
     await submit(LEFT);
     expect(said).toEqual(["gap ", "1 delivered"]);
@@ -363,7 +363,7 @@ describe("page and script at different relays", () => {
       scripts
         .authorise(registration.id, registration.driverKey, "read")
         .catch((error: unknown) => error);
-    expect(await again()).toBeInstanceOf(StoreAway);
+    expect(await again()).toBeInstanceOf(StoreUnavailableError);
     cut.isCut = false;
     await clock.pass(limits.keysRetryMs);
     expect(await again()).toMatchObject({ kind: "not-authorised" });
@@ -384,12 +384,12 @@ describe("page and script at different relays", () => {
   it("pauses remote driving at every relay at once", async () => {
     const { host, atScripts, submit } = await withRelays();
     await submit(LEFT);
-    await atScripts.gate.pause(true);
+    await atScripts.scriptAccess.pause(true);
     await settled();
     expect(host.sent).toContainEqual({ type: "cancel", seq: 1, cause: "paused" });
-    expect(host.robot.gate.isPaused).toBe(true);
+    expect(host.robot.scriptAccess.isPaused).toBe(true);
     await expect(submit(LEFT)).rejects.toMatchObject({ kind: "driving-paused" });
-    await host.robot.gate.pause(false);
+    await host.robot.scriptAccess.pause(false);
     await settled();
     expect(await submit(LEFT)).toMatchObject({ seq: 2 });
   });
@@ -401,12 +401,12 @@ describe("page and script at different relays", () => {
     expect(said).toEqual([`maze ${first}`]);
     expect(await atScripts.mazes.read()).toEqual({ text: JSON.stringify(maze), version: first });
     await host.robot.mazes.keep(maze);
-    atScripts.missedNews();
+    atScripts.missedMessages();
     await settled();
     const ofMazes = () => said.filter((words) => words.startsWith("maze"));
     expect(ofMazes()).toEqual([`maze ${first}`]);
     await cut.store.keepMaze(host.robot.id, "{}");
-    atScripts.missedNews();
+    atScripts.missedMessages();
     await settled();
     expect(ofMazes()).toHaveLength(2);
   });

@@ -8,7 +8,7 @@
  */
 import type { CommandRecord, Ending } from "@corridor/protocol";
 import type {
-  AwayResult,
+  BlockResult,
   KeyChange,
   KeysResult,
   ScriptChange,
@@ -26,7 +26,7 @@ import type {
 
 export {
   keyKinds,
-  type AwayResult,
+  type BlockResult,
   type KeyChange,
   type KeyKind,
   type KeysResult,
@@ -71,14 +71,14 @@ export interface StoredRobot {
   createdAt: number;
   lastUsedAt: number;
   keys: StoredKey[];
-  away: StoredScript[];
+  blocked: StoredScript[];
   /** the owner has paused all scripts */
   isPaused: boolean;
 }
 
 export interface RobotStore {
   create(
-    robot: Omit<StoredRobot, "epoch" | "page" | "lastUsedAt" | "away" | "isPaused">,
+    robot: Omit<StoredRobot, "epoch" | "page" | "lastUsedAt" | "blocked" | "isPaused">,
   ): Promise<void>;
   find(id: string): Promise<StoredRobot | null>;
   /**
@@ -87,7 +87,7 @@ export interface RobotStore {
    */
   changeKeys(id: string, change: KeyChange): Promise<KeysResult>;
   /** Blocks a script and cancels its commands, or unblocks a script. Blocking is idempotent. */
-  changeAway(id: string, change: ScriptChange): Promise<AwayResult>;
+  changeBlocked(id: string, change: ScriptChange): Promise<BlockResult>;
   /**
    * Pauses remote driving and cancels all commands except stops, or resumes it.
    * @param reason why the commands are cancelled

@@ -5,7 +5,7 @@ import type { RobotStore } from "./port.ts";
 const COMMITS: ReadonlySet<string | symbol> = new Set([
   "create",
   "changeKeys",
-  "changeAway",
+  "changeBlocked",
   "pause",
   "keepMaze",
   "touch",

@@ -40,14 +40,14 @@ export function robotWith(
   rows: readonly CommandRow[],
   onChange: OnChange = () => undefined,
 ): RobotCommands {
-  const standing = {
+  const accessState = {
     epoch: EPOCH,
     lastSeq: 0,
     isPaused: false,
     keys: new Set([DRIVER]),
-    away: new Set<string>(),
+    blocked: new Set<string>(),
   };
-  const robot = new RobotCommands(standing, [], onChange);
+  const robot = new RobotCommands(accessState, [], onChange);
   for (const row of rows) robot.restore(row);
   return robot;
 }

@@ -4,7 +4,7 @@
  */
 import { closeReasons, type CloseReason } from "@corridor/protocol";
 import type { OverReason } from "../../robots/readers/feed.ts";
-import { scriptIsAway } from "../../robots/access/script-access.ts";
+import { scriptIsBlocked } from "../../robots/access/script-access.ts";
 
 export interface Conversation {
   /**
@@ -53,7 +53,7 @@ export function closeReader(port: Parameters<typeof closeWith>[0], reason: OverR
     return closeWith(port, closeReasons.notAuthorised, detail);
   }
   if (reason === "blocked") {
-    return closeWith(port, closeReasons.forbidden, scriptIsAway().problem.detail);
+    return closeWith(port, closeReasons.forbidden, scriptIsBlocked().problem.detail);
   }
   closeWith(port, closeReasons[reason]);
 }

@@ -24,7 +24,7 @@ function withSlowStore() {
     // oxlint-disable-next-line typescript/consistent-type-assertions -- the part of a robot that a conversation uses
     grant: { robot: robot as unknown as Robot, key },
     connection: {
-      door: "websocket",
+      transport: "websocket",
       flow: { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined },
       send: (...texts) => {
         for (const text of texts) {

@@ -47,7 +47,7 @@ export interface DriverOptions {
 }
 
 export class DriverConversation implements Conversation, ReaderSink {
-  readonly door: ReaderSink["door"];
+  readonly transport: ReaderSink["transport"];
   readonly flow: ReaderSink["flow"];
   readonly #options: DriverOptions;
   readonly #reader: JoinedReader;
@@ -67,7 +67,7 @@ export class DriverConversation implements Conversation, ReaderSink {
   constructor(options: DriverOptions) {
     this.#options = options;
     const { grant, connection, since, sentAt } = options;
-    this.door = connection.door;
+    this.transport = connection.transport;
     this.flow = connection.flow;
     // Before the welcome: the time until it arrives bounds the transit time of the hello for the
     // script.

@@ -7,7 +7,7 @@ import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
 import type { ReaderFlow } from "../../robots/readers/feed.ts";
 
 export interface ReaderConnection extends SocketPort {
-  readonly door: "websocket" | "line";
+  readonly transport: "websocket" | "long-poll-connection";
   readonly flow: ReaderFlow;
   /** Sends messages in one write. Does nothing once the connection is closed. */
   send(...texts: string[]): void;

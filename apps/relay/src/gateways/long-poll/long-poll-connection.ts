@@ -27,7 +27,7 @@ export interface LongPollConnectionParts {
 }
 
 export class LongPollConnection implements ReaderConnection {
-  readonly door = "line";
+  readonly transport = "long-poll-connection";
   readonly robot: string;
   readonly address: string;
   readonly #clock: Clock;

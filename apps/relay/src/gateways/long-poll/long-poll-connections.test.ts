@@ -14,7 +14,7 @@ import { TestSocket } from "../../testing/test-socket.ts";
 const RESUME = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
 
 /** A minimal client of a long-poll connection. It makes one request at a time. */
-class TestLine {
+class TestConnection {
   readonly #relay: TestRelay;
   readonly #robot: Registration;
   readonly key: string;
@@ -27,12 +27,12 @@ class TestLine {
     this.key = key;
   }
 
-  static async open(relay: TestRelay, robot: Registration, hello: object): Promise<TestLine> {
+  static async open(relay: TestRelay, robot: Registration, hello: object): Promise<TestConnection> {
     const answer = await relay.ask(robot, "/long-poll", {
       method: "POST",
       body: { type: "hello", version: 1, ...hello },
     });
-    return new TestLine(relay, robot, openedConnectionSchema.parse(await answer.json()).key);
+    return new TestConnection(relay, robot, openedConnectionSchema.parse(await answer.json()).key);
   }
 
   async send(...messages: object[]): Promise<unknown> {
@@ -81,10 +81,10 @@ async function withRobot(clock?: FakeClock) {
 describe("a long-poll connection", () => {
   it("carries a page and a script without WebSockets", async () => {
     const { relay, robot } = await withRobot();
-    const page = await TestLine.open(relay, robot, { role: "own", key: robot.ownerKey });
+    const page = await TestConnection.open(relay, robot, { role: "own", key: robot.ownerKey });
     await page.send(RESUME);
     const { epoch } = await page.next("welcome");
-    const script = await TestLine.open(relay, robot, { role: "drive", key: robot.driverKey });
+    const script = await TestConnection.open(relay, robot, { role: "drive", key: robot.driverKey });
     await script.next("welcome");
     await script.send({ type: "command", key: "a-key-0001", command: { action: "left 90" } });
     expect(await script.next("ack")).toMatchObject({ record: { seq: 1 } });
@@ -105,7 +105,7 @@ describe("a long-poll connection", () => {
 
   it("processes a repeated message once, and reports missing ones", async () => {
     const { relay, robot } = await withRobot();
-    const script = await TestLine.open(relay, robot, { role: "drive", key: robot.driverKey });
+    const script = await TestConnection.open(relay, robot, { role: "drive", key: robot.driverKey });
     const stop = { type: "command", command: { action: "stop" } };
     expect(await script.post({ first: 1, messages: [stop, stop] })).toEqual({ taken: 2 });
     expect(await script.post({ first: 1, messages: [stop, stop] })).toEqual({ taken: 2 });
@@ -122,7 +122,7 @@ describe("a long-poll connection", () => {
     for (let n = 0; n < 3; n++) {
       await relay.ask(robot, "/commands", { method: "POST", body: { action: "left 90" } });
     }
-    const page = await TestLine.open(relay, robot, { role: "own", key: robot.ownerKey });
+    const page = await TestConnection.open(relay, robot, { role: "own", key: robot.ownerKey });
     await page.send(RESUME);
     expect(await page.next("command")).toMatchObject({ seq: 1 });
     const rest = await page.fetch();
@@ -138,7 +138,7 @@ describe("a long-poll connection", () => {
 
   it("returns messages again until a request acknowledges them", async () => {
     const { relay, robot } = await withRobot();
-    const script = await TestLine.open(relay, robot, { role: "drive", key: robot.driverKey });
+    const script = await TestConnection.open(relay, robot, { role: "drive", key: robot.driverKey });
     const first = await script.fetch();
     expect(first.messages.map(({ type }) => type)).toEqual(["welcome"]);
     expect(await script.fetch()).toEqual(first);
@@ -148,7 +148,7 @@ describe("a long-poll connection", () => {
 
   it("closes with a reason when another page takes over the robot", async () => {
     const { relay, robot } = await withRobot();
-    const page = await TestLine.open(relay, robot, { role: "own", key: robot.ownerKey });
+    const page = await TestConnection.open(relay, robot, { role: "own", key: robot.ownerKey });
     await page.send(RESUME);
     await page.next("drivers");
     await TestSocket.page(relay, robot);
@@ -161,7 +161,7 @@ describe("a long-poll connection", () => {
   it("closes after a time without requests, and then the robot is deleted", async () => {
     const clock = new FakeClock();
     const { relay, robot } = await withRobot(clock);
-    const page = await TestLine.open(relay, robot, { role: "own", key: robot.ownerKey });
+    const page = await TestConnection.open(relay, robot, { role: "own", key: robot.ownerKey });
     await page.send(RESUME);
     const { epoch } = await page.next("welcome");
     await page.send({ type: "snapshot", epoch, snapshot: snapshotOf() });
@@ -173,7 +173,7 @@ describe("a long-poll connection", () => {
 
   it("closes a script that sends only invalid messages, as a WebSocket does", async () => {
     const { relay, robot } = await withRobot();
-    const script = await TestLine.open(relay, robot, { role: "drive", key: robot.driverKey });
+    const script = await TestConnection.open(relay, robot, { role: "drive", key: robot.driverKey });
     const nonsense = Array.from({ length: limits.badFrames }, () => ({ type: "nonsense" }));
     await script.send(...nonsense);
     await expect(script.next("heartbeat")).rejects.toThrow("4400");
@@ -181,13 +181,13 @@ describe("a long-poll connection", () => {
 
   it("ends with its robot and with the relay", async () => {
     const { relay, robot } = await withRobot();
-    const script = await TestLine.open(relay, robot, { role: "drive", key: robot.driverKey });
+    const script = await TestConnection.open(relay, robot, { role: "drive", key: robot.driverKey });
     await script.next("welcome");
     const waiting = script.fetch();
     await relay.ask(robot, "", { method: "DELETE", key: robot.ownerKey });
     expect((await waiting).closed).toMatchObject({ code: 4410 });
     const other = await relay.register();
-    const line = await TestLine.open(relay, other, { role: "drive", key: other.driverKey });
+    const line = await TestConnection.open(relay, other, { role: "drive", key: other.driverKey });
     await line.next("welcome");
     const open = line.fetch();
     await relay.ask(other, "/commands");
@@ -198,7 +198,7 @@ describe("a long-poll connection", () => {
   it("buffers snapshots for a script that does not fetch them", async () => {
     const { relay, robot } = await withRobot();
     const { socket: page, epoch } = await TestSocket.page(relay, robot);
-    const script = await TestLine.open(relay, robot, { role: "drive", key: robot.driverKey });
+    const script = await TestConnection.open(relay, robot, { role: "drive", key: robot.driverKey });
     await script.next("welcome");
     for (let seq = 1; seq <= 300; seq++) {
       page.send({ type: "snapshot", epoch, snapshot: snapshotOf({ seq, tick: seq }) });
@@ -230,7 +230,7 @@ describe("a long-poll connection", () => {
     { name: "an unknown connection key", key: () => "con_AAAAAAAAAAAAAAAAAAAAAA" },
   ])("is not reached with $name", async ({ key }) => {
     const { relay, robot } = await withRobot();
-    await TestLine.open(relay, robot, { role: "drive", key: robot.driverKey });
+    await TestConnection.open(relay, robot, { role: "drive", key: robot.driverKey });
     const answer = await relay.ask(robot, "/long-poll/messages", { key: key(robot) });
     expect(await answer.json()).toMatchObject({ type: "/problems/no-connection", status: 404 });
   });
@@ -254,7 +254,7 @@ describe("a long-poll connection", () => {
   it("is not accessible under another robot, and does not exist after it was closed", async () => {
     const { relay, robot } = await withRobot();
     const other = await relay.register();
-    const line = await TestLine.open(relay, robot, { role: "drive", key: robot.driverKey });
+    const line = await TestConnection.open(relay, robot, { role: "drive", key: robot.driverKey });
     const elsewhere = await relay.ask(other, "/long-poll/messages", { key: line.key });
     expect(elsewhere.status).toBe(404);
     const left = await relay.ask(robot, "/long-poll", { method: "DELETE", key: line.key });
@@ -273,7 +273,7 @@ describe("a long-poll connection", () => {
     [],
   ])("explains invalid messages: %j", async (body) => {
     const { relay, robot } = await withRobot();
-    const line = await TestLine.open(relay, robot, { role: "drive", key: robot.driverKey });
+    const line = await TestConnection.open(relay, robot, { role: "drive", key: robot.driverKey });
     expect(await line.post(body)).toMatchObject({ status: 400, type: "/problems/bad-request" });
     expect(await line.status()).toBe(200);
   });

@@ -76,7 +76,7 @@ function streamTo(
     );
   let stream = "";
   const reader = join({
-    door: "events",
+    transport: "events",
     flow: {
       get sentBytes() {
         return sentBytes;

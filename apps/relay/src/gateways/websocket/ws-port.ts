@@ -25,7 +25,7 @@ import type { ReaderConnection } from "../conversations/reader-connection.ts";
  * times the memory.
  */
 export class WsPort implements ReaderConnection, ReaderFlow {
-  readonly door = "websocket";
+  readonly transport = "websocket";
   readonly isProof = true;
   sentBytes = 0;
   takenBytes = 0;

@@ -18,7 +18,7 @@ export function isDiskFull(error: unknown): boolean {
  * that is rolled back never reaches the disk.
  * @throws the error of SQLite if there is no space
  */
-export function takeRoom(db: DatabaseSync): void {
+export function reserveSpace(db: DatabaseSync): void {
   db.exec("BEGIN IMMEDIATE");
   try {
     db.exec(

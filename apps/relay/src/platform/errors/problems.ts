@@ -5,7 +5,7 @@
 import { describeProblem, type FieldProblem, type ProblemDocument } from "@corridor/protocol";
 import { problemKinds, type ProblemKind } from "./problem-kinds.ts";
 import { isDiskFull } from "./disk-full.ts";
-import { StoreAway } from "./store-unavailable.ts";
+import { StoreUnavailableError } from "./store-unavailable.ts";
 
 export interface RefusalOptions {
   errors?: FieldProblem[];
@@ -101,7 +101,7 @@ export function asRefusal(error: unknown): Refusal {
       },
     );
   }
-  if (error instanceof StoreAway) {
+  if (error instanceof StoreUnavailableError) {
     return new Refusal(
       "no-store",
       "The relay's database does not respond. Send the request again in 2 s, with the same idempotency key.",

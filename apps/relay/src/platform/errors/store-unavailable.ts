@@ -1,6 +1,6 @@
 /** The store does not respond. It is unknown whether the step took effect. */
-export class StoreAway extends Error {
-  override readonly name = "StoreAway";
+export class StoreUnavailableError extends Error {
+  override readonly name = "StoreUnavailableError";
 
   constructor(cause: unknown) {
     super("the store is unavailable", { cause });

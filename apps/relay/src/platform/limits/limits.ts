@@ -53,7 +53,7 @@ export const limits = {
   socketsPerAddress: 400,
   /** interval of snapshots to one reader; on a long-poll connection each one costs a request */
   snapshotIntervalMs: 50,
-  lineSnapshotIntervalMs: 100,
+  longPollSnapshotIntervalMs: 100,
   /** unconfirmed snapshots to one reader; a sleeping reader finds no outdated ones when it wakes */
   snapshotCredit: 2,
   /** unread bytes above which the relay requests a reader's position */

@@ -11,7 +11,7 @@ import type {
   StoredKey,
   StoredRobot,
 } from "../../store/port.ts";
-import { StoreAway } from "../../platform/errors/store-unavailable.ts";
+import { StoreUnavailableError } from "../../platform/errors/store-unavailable.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { checkRight, type RightsVersion, type Verb } from "./rights.ts";
 
@@ -37,10 +37,10 @@ export class KeyRing {
   readonly #parts: KeyRingParts;
   #keys: readonly StoredKey[];
   /** number of notifications that the keys may have changed */
-  #news = 0;
+  #changes = 0;
   /** last use of each key, and the last use that is stored */
   readonly #uses = new Map<string, { at: number; notedAt: number | null }>();
-  #isLooking = false;
+  #isReloading = false;
   /** false: the keys may have changed, and the store did not respond in time */
   #isSure = true;
   #cancelTimers: (() => void)[] = [];
@@ -52,7 +52,7 @@ export class KeyRing {
 
   /**
    * The stored key that matches a bearer key; null if no key of this robot matches.
-   * @throws StoreAway if it is unknown whether the key is still valid
+   * @throws StoreUnavailableError if it is unknown whether the key is still valid
    */
   match(key: string): StoredKey | null {
     const held = matchKey(key, this.#keys);
@@ -65,7 +65,7 @@ export class KeyRing {
 
   /**
    * Checks that a key is valid and permits an operation.
-   * @throws Refusal if the key is revoked or lacks the permission; StoreAway as for `match`
+   * @throws Refusal if the key is revoked or lacks the permission; StoreUnavailableError as for `match`
    */
   check({ hash }: StoredKey, verb: Verb): void {
     const held = this.#keys.find((key) => key.hash === hash);
@@ -154,10 +154,10 @@ export class KeyRing {
    * respond in time, only the owner key is valid until it does.
    */
   refresh(): void {
-    this.#news += 1;
-    if (this.#isLooking) return;
-    this.#isLooking = true;
-    void this.#look();
+    this.#changes += 1;
+    if (this.#isReloading) return;
+    this.#isReloading = true;
+    void this.#reload();
   }
 
   close(): void {
@@ -165,7 +165,7 @@ export class KeyRing {
     this.#cancelTimers = [];
   }
 
-  async #look(): Promise<void> {
+  async #reload(): Promise<void> {
     const { store, robot, clock } = this.#parts;
     const cancelDoubt = clock.after(limits.keysUnsureMs, () => {
       this.#isSure = false;
@@ -173,12 +173,12 @@ export class KeyRing {
       this.#parts.doubted();
     });
     this.#cancelTimers = [cancelDoubt];
-    for (let known = -1; known !== this.#news;) {
-      const asked = this.#news;
+    for (let known = -1; known !== this.#changes;) {
+      const asked = this.#changes;
       try {
         const stored = await store.find(robot);
         if (stored !== null) {
-          this.#learn(stored.keys);
+          this.#apply(stored.keys);
           this.#parts.found(stored);
         }
         known = asked;
@@ -191,15 +191,16 @@ export class KeyRing {
     cancelDoubt();
     this.#isSure = true;
     this.#parts.rights.changed();
-    this.#isLooking = false;
+    this.#isReloading = false;
   }
 
   /** The owner key is exempt, because it ends only with the robot itself. */
   #requireSure({ kind }: StoredKey): void {
-    if (!this.#isSure && kind !== "own") throw new StoreAway("the valid keys are unknown");
+    if (!this.#isSure && kind !== "own")
+      throw new StoreUnavailableError("the valid keys are unknown");
   }
 
-  #learn(keys: readonly StoredKey[]): void {
+  #apply(keys: readonly StoredKey[]): void {
     const gone = this.#keys.filter(({ hash }) => !keys.some((key) => key.hash === hash));
     this.#keys = keys;
     this.#parts.rights.changed();
@@ -242,7 +243,7 @@ export class KeyRing {
         `This robot has ${MAX_KEYS} keys, the maximum. Revoke a key, then try again.`,
       );
     }
-    this.#learn(result.keys);
+    this.#apply(result.keys);
     this.#parts.changed();
   }
 

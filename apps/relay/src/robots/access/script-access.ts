@@ -7,7 +7,7 @@ import { MAX_BLOCKED_SCRIPTS, type ScriptRef } from "@corridor/protocol";
 import { keyId } from "../../platform/keys.ts";
 import { noRobot, Refusal } from "../../platform/errors/problems.ts";
 import type {
-  AwayResult,
+  BlockResult,
   ScriptChange,
   RobotStore,
   StoredScript,
@@ -16,13 +16,13 @@ import type {
 import type { RightsVersion } from "./rights.ts";
 import { scriptOf, type Caller } from "./caller.ts";
 
-export interface ScriptGateParts {
+export interface ScriptAccessParts {
   robot: string;
   rights: RightsVersion;
-  stored: Standing;
+  stored: ScriptPermissions;
   store: Pick<RobotStore, "find">;
   /** changes the blocked scripts in the store and recalls the affected commands */
-  change: (change: Omit<ScriptChange, "reason">) => Promise<AwayResult>;
+  change: (change: Omit<ScriptChange, "reason">) => Promise<BlockResult>;
   /** pauses in the store and recalls the affected commands; false if there is no such robot */
   pause: (isPaused: boolean) => Promise<boolean>;
   /** called after this relay has changed something */
@@ -34,16 +34,16 @@ export interface ScriptGateParts {
 }
 
 /** Permissions of scripts, as the owner has set them. */
-type Standing = Pick<StoredRobot, "away" | "isPaused">;
+type ScriptPermissions = Pick<StoredRobot, "blocked" | "isPaused">;
 
-export class ScriptGate {
-  readonly #parts: ScriptGateParts;
-  #away: readonly StoredScript[];
+export class ScriptAccess {
+  readonly #parts: ScriptAccessParts;
+  #blocked: readonly StoredScript[];
   #isPaused: boolean;
 
-  constructor(parts: ScriptGateParts) {
+  constructor(parts: ScriptAccessParts) {
     this.#parts = parts;
-    this.#away = parts.stored.away;
+    this.#blocked = parts.stored.blocked;
     this.#isPaused = parts.stored.isPaused;
   }
 
@@ -51,20 +51,20 @@ export class ScriptGate {
     return this.#isPaused;
   }
 
-  get away(): readonly StoredScript[] {
-    return this.#away;
+  get blocked(): readonly StoredScript[] {
+    return this.#blocked;
   }
 
   /** @throws Refusal blocked */
   check({ script }: Caller): void {
-    if (this.#away.some(({ id }) => id === script?.id)) throw scriptIsAway();
+    if (this.#blocked.some(({ id }) => id === script?.id)) throw scriptIsBlocked();
   }
 
   /**
    * Blocks a script. A script that is already blocked stays blocked.
    * @throws Refusal unknown-driver, too-many-blocked or no-robot
    */
-  async sendAway({ driver, name, client }: ScriptRef): Promise<StoredScript> {
+  async block({ driver, name, client }: ScriptRef): Promise<StoredScript> {
     const stored = await this.#stored();
     const key = stored?.keys.find(({ kind, hash }) => kind === "drive" && keyId(hash) === driver);
     if (key === undefined) {
@@ -79,9 +79,9 @@ export class ScriptGate {
   }
 
   /** @throws Refusal no-script if no script with this id is blocked */
-  async letBack(id: string): Promise<void> {
+  async unblock(id: string): Promise<void> {
     const stored = await this.#stored();
-    if (stored?.away.some((script) => script.id === id) !== true) {
+    if (stored?.blocked.some((script) => script.id === id) !== true) {
       throw new Refusal(
         "no-script",
         "This robot has no blocked script with this id. List its scripts with GET .../scripts.",
@@ -93,19 +93,19 @@ export class ScriptGate {
   /** Pauses remote driving, or resumes it. Repeated calls have no further effect. */
   async pause(isPaused: boolean): Promise<void> {
     if (!(await this.#parts.pause(isPaused))) throw noRobot();
-    this.learn({ away: this.#away, isPaused });
+    this.apply({ blocked: this.#blocked, isPaused });
     this.#parts.changed();
   }
 
   /** Applies the stored permissions, which another relay may have changed. */
-  learn({ away, isPaused }: { away: readonly StoredScript[]; isPaused?: boolean }): void {
-    const before = this.#away;
+  apply({ blocked, isPaused }: { blocked: readonly StoredScript[]; isPaused?: boolean }): void {
+    const before = this.#blocked;
     const wasPaused = this.#isPaused;
-    this.#away = away;
+    this.#blocked = blocked;
     this.#parts.rights.changed();
     this.#isPaused = isPaused ?? wasPaused;
     if (this.#isPaused && !wasPaused) this.#parts.paused();
-    for (const script of away) {
+    for (const script of blocked) {
       if (!before.some(({ id }) => id === script.id)) this.#parts.blocked(script);
     }
   }
@@ -124,13 +124,13 @@ export class ScriptGate {
         `${MAX_BLOCKED_SCRIPTS} scripts are blocked, the maximum. Unblock one, or create a new key, which disconnects all scripts of the old key.`,
       );
     }
-    this.learn(result);
+    this.apply(result);
     this.#parts.changed();
   }
 }
 
 /** Error response for a blocked script. */
-export function scriptIsAway(): Refusal {
+export function scriptIsBlocked(): Refusal {
   return new Refusal(
     "blocked",
     "The robot's owner has blocked this script. Ask the owner to press 'Unblock', then restart the script.",

@@ -27,14 +27,14 @@ import { CommandLog } from "./command-log.ts";
 import { CommandRecall } from "./command-recall.ts";
 import { notStored } from "./command-refusals.ts";
 import { DeadlineTimer } from "./deadline-timer.ts";
-import { DriverAllowance } from "./driver-rate-limiter.ts";
+import { DriverRateLimiter } from "./driver-rate-limiter.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import { OrderedWork } from "./serial-queue.ts";
+import { SerialQueue } from "./serial-queue.ts";
 import { PageHandover, type Settled } from "../page/page-handover.ts";
 import { PageDisplay } from "../page/page-display.ts";
 import type { PageLink } from "../page/page-link.ts";
 import type { PageOwnership } from "../page/page-ownership.ts";
-import type { RobotLine } from "../presence/robot-channel.ts";
+import type { RobotChannel } from "../presence/robot-channel.ts";
 import type { Caller } from "../access/caller.ts";
 import type { CommandObserver } from "./command-observer.ts";
 
@@ -46,7 +46,7 @@ export interface CommandLifeParts {
   observer: CommandObserver;
   subscribers: Subscribers;
   ownership: PageOwnership;
-  line: RobotLine;
+  channel: RobotChannel;
 }
 
 export class CommandLife {
@@ -56,12 +56,12 @@ export class CommandLife {
   readonly #observer: CommandObserver;
   readonly #subscribers: Subscribers;
   readonly #ownership: PageOwnership;
-  readonly #line: RobotLine;
+  readonly #channel: RobotChannel;
   readonly #delivery: CommandDelivery;
-  readonly #allowance = new DriverAllowance();
-  readonly #work = new OrderedWork();
+  readonly #rateLimiter = new DriverRateLimiter();
+  readonly #work = new SerialQueue();
   /** serializes pages that connect */
-  readonly #arrivals = new OrderedWork();
+  readonly #arrivals = new SerialQueue();
   /** transfers the robot from one page to the next */
   readonly handover: PageHandover;
   /** shows the page commands that it does not have */
@@ -87,7 +87,7 @@ export class CommandLife {
     observer,
     subscribers,
     ownership,
-    line,
+    channel,
   }: CommandLifeParts) {
     this.#robot = robot;
     this.#store = store;
@@ -95,8 +95,8 @@ export class CommandLife {
     this.#observer = observer;
     this.#subscribers = subscribers;
     this.#ownership = ownership;
-    this.#line = line;
-    this.handover = new PageHandover({ clock, ownership, line });
+    this.#channel = channel;
+    this.handover = new PageHandover({ clock, ownership, channel });
     const sent = (records: readonly CommandRecord[]): void => this.#publishStates(records);
     const { handover } = this;
     const display = new PageDisplay({ ownership, clock, timers });
@@ -118,7 +118,7 @@ export class CommandLife {
       ended: (commands) => this.#endedHere(commands),
       ask: (seq, cause) => {
         ownership.page?.link.send({ type: "cancel", seq, cause });
-        line.cancel(seq, cause);
+        channel.cancel(seq, cause);
       },
     });
     this.#deadlines = new DeadlineTimer(clock, () => void this.#expire().catch(() => undefined));
@@ -166,7 +166,7 @@ export class CommandLife {
         return link.close(closeReasons.replaced);
       this.#ownership.page?.link.close(closeReasons.replaced);
       this.#ownership.take({ link, epoch: taken.epoch, name });
-      this.#line.pageCame(taken.epoch, name);
+      this.#channel.pageCame(taken.epoch, name);
       const at = this.#clock.now();
       link.send({ type: "welcome", version: PROTOCOL_VERSION, epoch: taken.epoch, at });
       const refused = new Map(taken.refused.map((record) => [record.seq, record]));
@@ -355,7 +355,7 @@ export class CommandLife {
   ): Promise<void> {
     const cameAt = this.#clock.now();
     const isStop = request.command.action === "stop";
-    const tooFast = this.#allowance.take(grant.hash, isStop, cameAt);
+    const tooFast = this.#rateLimiter.take(grant.hash, isStop, cameAt);
     if (tooFast !== null && !isStop) throw tooFast;
     await this.#work.run(async () => {
       if (this.#end !== null) throw this.#end === "restart" ? restarting() : noRobot();
@@ -441,7 +441,7 @@ export class CommandLife {
   #stepped(step: Partial<Step> & Pick<Step, "changed">): void {
     for (const { state } of step.changed) if (hasEnded(state)) this.#observer.ended(state);
     this.#isNotifying = true;
-    this.#line.stepped(step);
+    this.#channel.stepped(step);
     this.#isNotifying = false;
   }
 

@@ -4,16 +4,16 @@ import type { RobotStore } from "../../store/port.ts";
 import type { Subscribers, CallerWait } from "../readers/subscribers.ts";
 import { noCommand } from "./command-refusals.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import type { OrderedWork } from "./serial-queue.ts";
+import type { SerialQueue } from "./serial-queue.ts";
 
 export class CommandLog {
   readonly #robot: string;
   readonly #store: RobotStore;
   readonly #subscribers: Subscribers;
-  readonly #work: OrderedWork;
+  readonly #work: SerialQueue;
 
   /** @param work queue of all changes to commands; some reads run between two changes */
-  constructor(robot: string, store: RobotStore, subscribers: Subscribers, work: OrderedWork) {
+  constructor(robot: string, store: RobotStore, subscribers: Subscribers, work: SerialQueue) {
     this.#robot = robot;
     this.#store = store;
     this.#subscribers = subscribers;

@@ -12,7 +12,7 @@ import {
   type RecallCause,
 } from "@corridor/protocol";
 import type {
-  AwayResult,
+  BlockResult,
   KeyChange,
   KeysResult,
   ScriptChange,
@@ -21,12 +21,12 @@ import type {
   TermedRecord,
 } from "../../store/port.ts";
 import { noCommand, notYourCommand } from "./command-refusals.ts";
-import type { OrderedWork } from "./serial-queue.ts";
+import type { SerialQueue } from "./serial-queue.ts";
 
 export interface CommandRecallParts {
   robot: string;
   store: RobotStore;
-  work: OrderedWork;
+  work: SerialQueue;
   /** called with commands that have ended at the relay */
   ended(commands: readonly TermedRecord[]): void;
   /** asks the page, here or at another relay, to end a command */
@@ -86,10 +86,10 @@ export class CommandRecall {
   }
 
   /** Changes which scripts are blocked, and recalls the commands of a newly blocked script. */
-  async changeAway(change: Omit<ScriptChange, "reason">): Promise<AwayResult> {
+  async changeBlocked(change: Omit<ScriptChange, "reason">): Promise<BlockResult> {
     const { robot, store, work } = this.#parts;
     return work.run(async () => {
-      const result = await store.changeAway(robot, { ...change, reason: reasons["blocked"] });
+      const result = await store.changeBlocked(robot, { ...change, reason: reasons["blocked"] });
       if (result.outcome === "changed") this.#parts.ended(result.ended);
       return result;
     });

@@ -4,7 +4,7 @@ import { noRobot, Refusal, retryAfter } from "../../platform/errors/problems.ts"
 import type { AddResult } from "../../store/port.ts";
 import { keyRevoked } from "../access/key-ring.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import { scriptIsAway } from "../access/script-access.ts";
+import { scriptIsBlocked } from "../access/script-access.ts";
 
 /** Results of the store for a command that is neither stored nor a duplicate. */
 type NotStored = Exclude<AddResult, { outcome: "stored" | "duplicate" }>;
@@ -16,7 +16,7 @@ export function notStored(result: NotStored, { ttl, age }: CommandTerms): Refusa
     case "revoked":
       return keyRevoked();
     case "blocked":
-      return scriptIsAway();
+      return scriptIsBlocked();
     case "paused":
       return new Refusal("driving-paused", PAUSED_REASON);
     case "full":

@@ -3,7 +3,7 @@ import { Refusal, retryAfter } from "../../platform/errors/problems.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { TokenBucket } from "../../platform/limits/token-bucket.ts";
 
-export class DriverAllowance {
+export class DriverRateLimiter {
   readonly #buckets = new Map<string, { commands: TokenBucket; stops: TokenBucket }>();
 
   /**

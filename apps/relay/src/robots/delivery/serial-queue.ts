@@ -1,5 +1,5 @@
 /** Serial queue: each task starts after the previous one has finished. */
-export class OrderedWork {
+export class SerialQueue {
   #newest: Promise<unknown> = Promise.resolve();
 
   /** Runs a task in its turn. A failed task does not stop the next one. */

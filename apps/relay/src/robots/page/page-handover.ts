@@ -9,12 +9,12 @@ import { reloadReasons, replacedReasons, type LeftReasons } from "../../store/po
 import { limits } from "../../platform/limits/limits.ts";
 import type { PageLink } from "./page-link.ts";
 import type { PageOwnership } from "./page-ownership.ts";
-import type { RobotLine } from "../presence/robot-channel.ts";
+import type { RobotChannel } from "../presence/robot-channel.ts";
 
 export interface PageHandoverParts {
   clock: Clock;
   ownership: PageOwnership;
-  line: RobotLine;
+  channel: RobotChannel;
 }
 
 /** What is known about the page that owned the robot. */
@@ -31,16 +31,16 @@ type Answer = "reported all" | "gone" | "silent";
 export class PageHandover {
   readonly #clock: Clock;
   readonly #ownership: PageOwnership;
-  readonly #line: RobotLine;
+  readonly #channel: RobotChannel;
   /** the page at this relay that was asked last */
   #asked: PageLink | null = null;
   /** reports how the page with this epoch responded */
   #answer: (epoch: number, answer: Answer) => void = () => undefined;
 
-  constructor({ clock, ownership, line }: PageHandoverParts) {
+  constructor({ clock, ownership, channel }: PageHandoverParts) {
     this.#clock = clock;
     this.#ownership = ownership;
-    this.#line = line;
+    this.#channel = channel;
   }
 
   /** Whether the page at this relay is releasing the robot and must not receive commands. */
@@ -78,7 +78,7 @@ export class PageHandover {
       if (of === epoch) resolve(answer);
     };
     const cancelTimer = this.#clock.after(limits.yieldMs, () => resolve("silent"));
-    if (!this.ask(epoch)) this.#line.yield(epoch);
+    if (!this.ask(epoch)) this.#channel.yield(epoch);
     const answer = await promise;
     cancelTimer();
     return answer;
@@ -105,7 +105,7 @@ export class PageHandover {
    * @param isHere whether that page is at this relay
    */
   yielded(epoch: number, isHere: boolean): void {
-    if (isHere) this.#line.yielded(epoch);
+    if (isHere) this.#channel.yielded(epoch);
     this.#answer(epoch, "reported all");
   }
 

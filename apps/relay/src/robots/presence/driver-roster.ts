@@ -22,7 +22,7 @@ interface Life {
   /** requests that wait for their response */
   waiting: number;
   /** when its newest connection was opened; null: it has opened none */
-  lineAt: number | null;
+  connectedAt: number | null;
 }
 
 export class DriverRoster {
@@ -30,24 +30,24 @@ export class DriverRoster {
   readonly #notify: () => void;
   /** the same scripts by name */
   readonly #list: ScriptList;
-  readonly #away: () => readonly StoredScript[];
+  readonly #blocked: () => readonly StoredScript[];
   /** by the hash of the script's key */
   readonly #lives = new Map<string, Life>();
   #connected = 0;
   #client: string | null = null;
   #lastActiveAt: number | null = null;
   #cancelTimer: (() => void) | null = null;
-  #isNews = false;
+  #hasChanged = false;
 
   /**
    * @param notify called when there is a change to report
-   * @param away returns the scripts that the owner has blocked
+   * @param blocked returns the scripts that the owner has blocked
    */
-  constructor(clock: Clock, notify: () => void, away: () => readonly StoredScript[]) {
+  constructor(clock: Clock, notify: () => void, blocked: () => readonly StoredScript[]) {
     this.#clock = clock;
     this.#notify = notify;
     this.#list = new ScriptList(clock);
-    this.#away = away;
+    this.#blocked = blocked;
   }
 
   /** Records a message of a script that waits for no response. */
@@ -83,7 +83,7 @@ export class DriverRoster {
   connected(script: StoredScript): () => void {
     this.#connected += 1;
     const listed = this.#list.connected(script);
-    this.#lifeOf(script.driver).lineAt = this.#clock.now();
+    this.#lifeOf(script.driver).connectedAt = this.#clock.now();
     // Immediately, because commands that the script held while disconnected may follow.
     this.#flush();
     return () => {
@@ -105,7 +105,7 @@ export class DriverRoster {
   }
 
   report(): Scripts {
-    return { ...this.now(), alive: this.alive(), scripts: this.#list.report(this.#away()) };
+    return { ...this.now(), alive: this.alive(), scripts: this.#list.report(this.#blocked()) };
   }
 
   now(): Drivers {
@@ -118,10 +118,10 @@ export class DriverRoster {
   alive(): AliveDriver[] {
     const now = this.#clock.now();
     return [...this.#lives]
-      .map(([driver, { lastActiveAt, waiting, lineAt }]) => ({
+      .map(([driver, { lastActiveAt, waiting, connectedAt }]) => ({
         driver: keyId(driver),
         silentMs: waiting > 0 ? 0 : Math.max(0, now - lastActiveAt),
-        connectionMs: lineAt === null ? null : Math.max(0, now - lineAt),
+        connectionMs: connectedAt === null ? null : Math.max(0, now - connectedAt),
       }))
       .toSorted((a, b) => a.silentMs - b.silentMs)
       .slice(0, MAX_REPORTED);
@@ -135,7 +135,7 @@ export class DriverRoster {
   #lifeOf(driver: string, now = this.#clock.now()): Life {
     let life = this.#lives.get(driver);
     if (life === undefined) {
-      life = { lastActiveAt: now, waiting: 0, lineAt: null };
+      life = { lastActiveAt: now, waiting: 0, connectedAt: null };
       this.#lives.set(driver, life);
     }
     life.lastActiveAt = now;
@@ -143,19 +143,19 @@ export class DriverRoster {
   }
 
   #changed(): void {
-    this.#isNews = true;
+    this.#hasChanged = true;
     if (this.#cancelTimer === null) this.#flush();
   }
 
   #flush(): void {
     this.#cancelTimer?.();
-    this.#isNews = false;
+    this.#hasChanged = false;
     this.#removeSilent();
     this.#notify();
     this.#cancelTimer = this.#clock.after(limits.driversIntervalMs, () => {
       this.#cancelTimer = null;
       const isWaiting = [...this.#lives.values()].some(({ waiting }) => waiting > 0);
-      if (this.#isNews || isWaiting) this.#flush();
+      if (this.#hasChanged || isWaiting) this.#flush();
     });
   }
 

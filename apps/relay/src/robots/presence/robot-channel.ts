@@ -4,7 +4,7 @@
  */
 import type { AliveDriver, RecallCause } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
-import type { BusListener, Line, Scripts, Step, Bus } from "../../bus/bus.ts";
+import type { BusListener, Channel, Scripts, Step, Bus } from "../../bus/bus.ts";
 import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
 import {
   dueAfter,
@@ -15,13 +15,13 @@ import { MAX_REPORTED } from "./driver-roster.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { mergedScripts } from "./script-list.ts";
 
-export class RobotLine implements Waiter {
+export class RobotChannel implements Waiter {
   readonly #clock: Clock;
   readonly #timers: CoalescedTimers;
-  #line: Line | null = null;
+  #channel: Channel | null = null;
   /** other relays by name, with the time of their last announcement and their scripts */
   readonly #others = new Map<string, { lastActiveAt: number; scripts: Scripts }>();
-  #saidHereAt = -Infinity;
+  #announcedAt = -Infinity;
   #pending: CarriedSnapshot | null = null;
   /** no snapshot is published before this time, except one that precedes an ending */
   #notBefore = -Infinity;
@@ -34,49 +34,49 @@ export class RobotLine implements Waiter {
   }
 
   async open(bus: Bus, robot: string, listener: BusListener): Promise<void> {
-    this.#line = await bus.join(robot, listener);
+    this.#channel = await bus.join(robot, listener);
   }
 
   /** Publishes the changes of a step of this relay, for all readers and for the page. */
   stepped(step: Partial<Step>): void {
-    this.#line?.stepped({ added: null, changed: [], ended: [], ...step });
+    this.#channel?.stepped({ added: null, changed: [], ended: [], ...step });
   }
 
   /** @param name identifies the page across its connections */
   pageCame(epoch: number, name: string): void {
-    this.#line?.notify({ kind: "page", epoch, name });
+    this.#channel?.notify({ kind: "page", epoch, name });
   }
 
   pageLeft(epoch: number, closedByPage: boolean): void {
-    this.#line?.notify({ kind: "page-left", epoch, closedByPage });
+    this.#channel?.notify({ kind: "page-left", epoch, closedByPage });
   }
 
   /** Asks the page with this epoch, at another relay, to release the robot. */
   yield(epoch: number): void {
-    this.#line?.notify({ kind: "yield", epoch });
+    this.#channel?.notify({ kind: "yield", epoch });
   }
 
   /** Reports that the page with this epoch at this relay has released the robot. */
   yielded(epoch: number): void {
-    this.#line?.notify({ kind: "yielded", epoch });
+    this.#channel?.notify({ kind: "yielded", epoch });
   }
 
   /** Asks the page, at another relay, to end a command. */
   cancel(seq: number, cause: RecallCause): void {
-    this.#line?.notify({ kind: "cancel", seq, cause });
+    this.#channel?.notify({ kind: "cancel", seq, cause });
   }
 
   /** Reports that the owner has changed keys or the permissions of scripts. */
   rightsChanged(): void {
-    this.#line?.notify({ kind: "keys" });
+    this.#channel?.notify({ kind: "keys" });
   }
 
   mazeChanged(version: string): void {
-    this.#line?.notify({ kind: "maze", version });
+    this.#channel?.notify({ kind: "maze", version });
   }
 
   deleted(): void {
-    this.#line?.notify({ kind: "over" });
+    this.#channel?.notify({ kind: "over" });
   }
 
   /**
@@ -86,33 +86,34 @@ export class RobotLine implements Waiter {
   snapshot(snapshot: CarriedSnapshot): void {
     if (!this.#hasOthers) return;
     this.#pending = snapshot;
-    if (!this.#isArmed) this.#flush();
+    if (!this.#isArmed) this.#publishDue();
   }
 
   /**
    * Publishes the pending snapshot, so that readers at other relays receive it before an ending.
    */
-  hurry(): void {
-    if (this.#pending !== null) this.#line?.notify({ kind: "snapshot", snapshot: this.#pending });
+  flush(): void {
+    if (this.#pending !== null)
+      this.#channel?.notify({ kind: "snapshot", snapshot: this.#pending });
     this.#pending = null;
-    this.#line?.hurry();
+    this.#channel?.flush();
   }
 
   /**
    * Announces to the page's relay that this relay holds the robot, so that it receives snapshots.
    * @param asks whether to request the newest snapshot immediately
    */
-  sayHere(scripts: Scripts, asks = false): void {
-    this.#saidHereAt = this.#clock.now();
-    this.#line?.notify({ kind: "here", from: "", scripts, asks });
+  announce(scripts: Scripts, asks = false): void {
+    this.#announcedAt = this.#clock.now();
+    this.#channel?.notify({ kind: "here", from: "", scripts, asks });
   }
 
   /** Repeats the announcement at intervals of `limits.relayHereMs`. */
-  stayHere(scripts: Scripts): void {
-    if (this.#clock.now() - this.#saidHereAt >= limits.relayHereMs) this.sayHere(scripts);
+  repeatAnnouncement(scripts: Scripts): void {
+    if (this.#clock.now() - this.#announcedAt >= limits.relayHereMs) this.announce(scripts);
   }
 
-  receivedHere(from: string, scripts: Scripts): void {
+  receivedAnnouncement(from: string, scripts: Scripts): void {
     this.#others.set(from, { lastActiveAt: this.#clock.now(), scripts });
   }
 
@@ -127,8 +128,8 @@ export class RobotLine implements Waiter {
 
   leave(): void {
     this.#pending = null;
-    this.#line?.leave();
-    this.#line = null;
+    this.#channel?.leave();
+    this.#channel = null;
   }
 
   get #hasOthers(): boolean {
@@ -146,10 +147,10 @@ export class RobotLine implements Waiter {
 
   wake(): void {
     this.#isArmed = false;
-    this.#flush();
+    this.#publishDue();
   }
 
-  #flush(): void {
+  #publishDue(): void {
     if (this.#pending === null) return;
     const now = this.#clock.now();
     if (now < this.#notBefore) {
@@ -157,7 +158,7 @@ export class RobotLine implements Waiter {
       return this.#timers.wakeAfter(this.#notBefore - now, this);
     }
     this.#notBefore = dueAfter(this.#notBefore, now, limits.snapshotIntervalMs);
-    this.#line?.notify({ kind: "snapshot", snapshot: this.#pending });
+    this.#channel?.notify({ kind: "snapshot", snapshot: this.#pending });
     this.#pending = null;
   }
 }

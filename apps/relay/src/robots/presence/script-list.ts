@@ -59,10 +59,10 @@ export class ScriptList {
     this.#traceOf(script).last = { seq, action };
   }
 
-  /** @param away blocked scripts; listed first, whenever they were active */
-  report(away: readonly StoredScript[]): ScriptView[] {
+  /** @param blocked blocked scripts; listed first, whenever they were active */
+  report(blocked: readonly StoredScript[]): ScriptView[] {
     const now = this.#clock.now();
-    const isBlocked = (id: string): boolean => away.some((script) => script.id === id);
+    const isBlocked = (id: string): boolean => blocked.some((script) => script.id === id);
     const here = [...this.#traces.values()]
       .filter(({ script, connections, waiting, lastActiveAt }) => {
         const isHere = connections > 0 || waiting > 0 || now - lastActiveAt < SHOWN_MS;
@@ -76,7 +76,7 @@ export class ScriptList {
         last: trace.last,
         isBlocked: false,
       }));
-    const gone = away.map((script) => ({
+    const gone = blocked.map((script) => ({
       ...view(script),
       connections: 0,
       silentMs: null,

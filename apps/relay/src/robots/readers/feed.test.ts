@@ -42,7 +42,7 @@ function robotWithReaders() {
     };
     const feed = new ReaderFeed(
       {
-        door: "websocket",
+        transport: "websocket",
         flow,
         began: ({ n }) => say(`welcome ${n}`, 100),
         snapshot: ({ seq }) => say(`snapshot ${seq}`, 400),

@@ -13,7 +13,7 @@ import {
   type CoalescedTimers,
   type Waiter,
 } from "../../platform/time/coalesced-timers.ts";
-import type { AwayReason, ReaderDoor } from "./subscribers.ts";
+import type { AwayReason, ReaderTransport } from "./subscribers.ts";
 import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
 import type { EventLog } from "./event-log.ts";
 import { limits } from "../../platform/limits/limits.ts";
@@ -39,7 +39,7 @@ export interface ReaderStart {
 
 /** The reader's end of a feed, independent of the transport. */
 export interface ReaderSink {
-  readonly door: Exclude<ReaderDoor, "long-poll">;
+  readonly transport: Exclude<ReaderTransport, "long-poll">;
   readonly flow: ReaderFlow;
   /** Sends the first message. */
   began(start: ReaderStart): void;
@@ -208,7 +208,9 @@ export class ReaderFeed implements Waiter {
   }
 
   get #pauseMs(): number {
-    return this.#sink.door === "line" ? limits.lineSnapshotIntervalMs : limits.snapshotIntervalMs;
+    return this.#sink.transport === "long-poll-connection"
+      ? limits.longPollSnapshotIntervalMs
+      : limits.snapshotIntervalMs;
   }
 
   #catchUp(): void {

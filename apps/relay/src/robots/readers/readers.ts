@@ -2,7 +2,7 @@
 import type { EventPage, Snapshot } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
 import type { CoalescedTimers } from "../../platform/time/coalesced-timers.ts";
-import type { Subscribers, CallerWait, ReaderDoor } from "./subscribers.ts";
+import type { Subscribers, CallerWait, ReaderTransport } from "./subscribers.ts";
 import type { DriverRoster } from "../presence/driver-roster.ts";
 import { nextEvents, type WantedEvents } from "./next-events.ts";
 import { ReaderFeed, type ReaderSink, type ReaderSource } from "./feed.ts";
@@ -32,7 +32,7 @@ export class Readers {
   }
 
   /** Number of readers by kind of subscription. */
-  get count(): Record<ReaderDoor, number> {
+  get count(): Record<ReaderTransport, number> {
     return this.#parts.subscribers.count();
   }
 
@@ -44,7 +44,7 @@ export class Readers {
   join(caller: Caller, sink: ReaderSink, since: string | null): JoinedReader {
     const { clock, timers, subscribers, source, roster } = this.#parts;
     const feed = new ReaderFeed(sink, source, { clock, timers });
-    const leave = subscribers.join(feed, caller, sink.door);
+    const leave = subscribers.join(feed, caller, sink.transport);
     const { script } = caller;
     const disconnected = script === null ? () => undefined : roster.connected(script);
     feed.begin(since);

@@ -8,11 +8,11 @@ import type { WaitLimit } from "../../platform/time/wait-limit.ts";
 import { Refusal, retryAfter } from "../../platform/errors/problems.ts";
 import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
 import type { EventLog } from "./event-log.ts";
-import { StoreAway } from "../../platform/errors/store-unavailable.ts";
+import { StoreUnavailableError } from "../../platform/errors/store-unavailable.ts";
 import { keyRevoked } from "../access/key-ring.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import type { Caller } from "../access/caller.ts";
-import { scriptIsAway } from "../access/script-access.ts";
+import { scriptIsBlocked } from "../access/script-access.ts";
 
 /** A subscriber: a reader's feed or a waiting request. */
 interface Listener {
@@ -32,8 +32,14 @@ interface Listener {
  */
 export type AwayReason = "over" | "restart" | "revoked" | "busy" | "blocked";
 
-/** Kinds of subscriptions. `line` is a long-poll connection, `long-poll` a single request. */
-export type ReaderDoor = "websocket" | "line" | "events" | "long-poll";
+/** Transports of subscriptions. `long-poll` is a single request. */
+export const readerTransports = [
+  "websocket",
+  "long-poll-connection",
+  "events",
+  "long-poll",
+] as const;
+export type ReaderTransport = (typeof readerTransports)[number];
 
 /** A wait of a caller: it fails once the caller may no longer read. */
 export interface CallerWait extends WaitLimit {
@@ -43,7 +49,11 @@ export interface CallerWait extends WaitLimit {
 export class Subscribers {
   readonly #clock: Clock;
   readonly #events: EventLog;
-  readonly #entries = new Set<{ listener: Listener; key: Caller | null; door: ReaderDoor }>();
+  readonly #entries = new Set<{
+    listener: Listener;
+    key: Caller | null;
+    transport: ReaderTransport;
+  }>();
 
   /** @param events numbers the states, and stores them for readers that reconnect */
   constructor(clock: Clock, events: EventLog) {
@@ -55,9 +65,9 @@ export class Subscribers {
     return this.#entries.size === 0;
   }
 
-  count(): Record<ReaderDoor, number> {
-    const counts = { websocket: 0, line: 0, events: 0, "long-poll": 0 };
-    for (const { door } of this.#entries) counts[door] += 1;
+  count(): Record<ReaderTransport, number> {
+    const counts = { websocket: 0, "long-poll-connection": 0, events: 0, "long-poll": 0 };
+    for (const { transport } of this.#entries) counts[transport] += 1;
     return counts;
   }
 
@@ -66,9 +76,9 @@ export class Subscribers {
    * @returns a function that removes the feed; it returns false if the feed is already removed
    * @throws Refusal too-many-readers, for this key or this robot
    */
-  join(listener: Listener, key: Caller, door: ReaderDoor): () => boolean {
+  join(listener: Listener, key: Caller, transport: ReaderTransport): () => boolean {
     const ofKey = [...this.#entries].filter(
-      (entry) => entry.door !== "long-poll" && entry.key?.hash === key.hash,
+      (entry) => entry.transport !== "long-poll" && entry.key?.hash === key.hash,
     ).length;
     // Many viewers, such as a class, share one watch key.
     if (key.kind !== "watch" && ofKey >= limits.readersPerKey) {
@@ -78,7 +88,7 @@ export class Subscribers {
         { headers: retryAfter(5000) },
       );
     }
-    return this.#add(listener, key, door);
+    return this.#add(listener, key, transport);
   }
 
   /**
@@ -86,7 +96,7 @@ export class Subscribers {
    * missed, or the robot ends.
    * @param listen returns the callbacks, which call `done` to end the wait
    * @throws Refusal too-many-readers, or the reason for which the relay ends the subscription;
-   * StoreAway if the valid keys are unknown
+   * StoreUnavailableError if the valid keys are unknown
    */
   async until(
     { milliseconds, signal, key }: CallerWait,
@@ -96,8 +106,8 @@ export class Subscribers {
     const { promise, resolve, reject } = Promise.withResolvers<void>();
     const over = (reason: AwayReason): void => {
       if (reason === "revoked") return reject(keyRevoked());
-      if (reason === "busy") return reject(new StoreAway("the valid keys are unknown"));
-      if (reason === "blocked") return reject(scriptIsAway());
+      if (reason === "busy") return reject(new StoreUnavailableError("the valid keys are unknown"));
+      if (reason === "blocked") return reject(scriptIsBlocked());
       return resolve();
     };
     const deaf = { snapshot: () => undefined, state: () => undefined, maze: () => undefined };
@@ -149,7 +159,7 @@ export class Subscribers {
     this.#entries.clear();
   }
 
-  #add(listener: Listener, key: Caller | null, door: ReaderDoor): () => boolean {
+  #add(listener: Listener, key: Caller | null, transport: ReaderTransport): () => boolean {
     // Viewers have a separate limit, so that they never exclude a script.
     const isWatcher = key?.kind === "watch";
     const alike = [...this.#entries].filter((entry) => (entry.key?.kind === "watch") === isWatcher);
@@ -160,7 +170,7 @@ export class Subscribers {
         { headers: retryAfter(5000) },
       );
     }
-    const entry = { listener, key, door };
+    const entry = { listener, key, transport };
     this.#entries.add(entry);
     return () => this.#entries.delete(entry);
   }

@@ -23,7 +23,7 @@ import { RobotRegistry } from "../registry.ts";
 
 /** No-op parts of a reader. */
 export const deafReader = {
-  door: "websocket",
+  transport: "websocket",
   flow: { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined },
   began: () => undefined,
   gap: () => undefined,

@@ -1,6 +1,6 @@
 /** A store with simulated failures: before a step, or after it, so that its result is lost. */
 import type { RobotStore } from "../port.ts";
-import { StoreAway } from "../../platform/errors/store-unavailable.ts";
+import { StoreUnavailableError } from "../../platform/errors/store-unavailable.ts";
 
 export interface CutStore {
   store: RobotStore;
@@ -17,9 +17,9 @@ export function cutStore(whole: RobotStore): CutStore {
       // Needs no connection.
       if (name === "hasAll") return part.bind(target) as unknown;
       return async (...values: unknown[]): Promise<unknown> => {
-        if (cut.isCut) throw new StoreAway("it was cut off");
+        if (cut.isCut) throw new StoreUnavailableError("it was cut off");
         const answer: unknown = await Reflect.apply(part, target, values);
-        if (cut.losesAnswers) throw new StoreAway("its answer was lost");
+        if (cut.losesAnswers) throw new StoreUnavailableError("its answer was lost");
         return answer;
       };
     },

@@ -100,7 +100,7 @@ const rare = fc.oneof(
   fc.constantFrom("s", "t").map(
     (script): Step =>
       (store, id) =>
-        store.changeAway(id, {
+        store.changeBlocked(id, {
           add: { id: script, driver: "d", name: null, client: "" },
           remove: script === "s" ? "t" : "s",
           reason: "away",

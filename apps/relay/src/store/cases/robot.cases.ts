@@ -14,40 +14,40 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
 
     it("stay away after a restart, each once, until they are let back", async () => {
       const { store, reopen } = await withRobot();
-      expect((await store.find(ID))?.away).toEqual([]);
-      await store.changeAway(ID, { add: anna, remove: null, reason, most: 16 });
-      await store.changeAway(ID, { add: nameless, remove: null, reason, most: 16 });
-      const again = await store.changeAway(ID, { add: anna, remove: null, reason, most: 2 });
-      expect(again).toEqual({ outcome: "changed", away: [anna, nameless], ended: [] });
+      expect((await store.find(ID))?.blocked).toEqual([]);
+      await store.changeBlocked(ID, { add: anna, remove: null, reason, most: 16 });
+      await store.changeBlocked(ID, { add: nameless, remove: null, reason, most: 16 });
+      const again = await store.changeBlocked(ID, { add: anna, remove: null, reason, most: 2 });
+      expect(again).toEqual({ outcome: "changed", blocked: [anna, nameless], ended: [] });
       const reopened = await reopen();
-      expect((await reopened.find(ID))?.away).toEqual([anna, nameless]);
+      expect((await reopened.find(ID))?.blocked).toEqual([anna, nameless]);
       const back = { add: null, remove: anna.id, reason, most: 16 };
-      expect(await reopened.changeAway(ID, back)).toMatchObject({ away: [nameless] });
-      await reopened.changeAway(ID, { add: null, remove: nameless.id, reason, most: 16 });
-      expect((await reopened.find(ID))?.away).toEqual([]);
+      expect(await reopened.changeBlocked(ID, back)).toMatchObject({ blocked: [nameless] });
+      await reopened.changeBlocked(ID, { add: null, remove: nameless.id, reason, most: 16 });
+      expect((await reopened.find(ID))?.blocked).toEqual([]);
     });
 
     it("are only so many, and none where there is no robot", async () => {
       const { store } = await withRobot();
-      await store.changeAway(ID, { add: anna, remove: null, reason, most: 1 });
+      await store.changeBlocked(ID, { add: anna, remove: null, reason, most: 1 });
       const one = { add: nameless, remove: null, reason, most: 1 };
-      expect(await store.changeAway(ID, one)).toEqual({ outcome: "full" });
-      expect((await store.find(ID))?.away).toEqual([anna]);
-      expect(await store.changeAway("B".repeat(22), one)).toEqual({ outcome: "no-robot" });
+      expect(await store.changeBlocked(ID, one)).toEqual({ outcome: "full" });
+      expect((await store.find(ID))?.blocked).toEqual([anna]);
+      expect(await store.changeBlocked("B".repeat(22), one)).toEqual({ outcome: "no-robot" });
     });
 
     it("are gone with their key, and from the disk with the robot", async () => {
       const { store, holds } = await withRobot();
       const other = { ...nameless, driver: "another-hash" };
-      await store.changeAway(ID, {
+      await store.changeBlocked(ID, {
         add: { ...anna, name: "Annas-name" },
         remove: null,
         reason,
         most: 16,
       });
-      await store.changeAway(ID, { add: other, remove: null, reason, most: 16 });
+      await store.changeBlocked(ID, { add: other, remove: null, reason, most: 16 });
       await store.changeKeys(ID, keyChange({ add: [watcher], remove: [driver] }));
-      expect((await store.find(ID))?.away).toEqual([other]);
+      expect((await store.find(ID))?.blocked).toEqual([other]);
       await store.remove(ID);
       expect(await holds("Annas-name")).toBe(false);
     });
@@ -60,7 +60,7 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
       await deliver(2);
       await add(LEFT, null, byAnna);
       await add(LEFT);
-      const result = await store.changeAway(ID, { add: anna, remove: null, reason, most: 16 });
+      const result = await store.changeBlocked(ID, { add: anna, remove: null, reason, most: 16 });
       expect(result).toMatchObject({
         ended: [{ record: { seq: 3, state: "cancelled", reason }, script: anna.id }],
       });
@@ -71,10 +71,10 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
     it("sends nothing while it is blocked, not even where a relay does not know it yet", async () => {
       const { store, add } = await withRobot();
       const byAnna = { script: anna.id };
-      await store.changeAway(ID, { add: anna, remove: null, reason, most: 16 });
+      await store.changeBlocked(ID, { add: anna, remove: null, reason, most: 16 });
       expect(await add(LEFT, null, byAnna)).toEqual({ outcome: "blocked" });
       expect(await add(LEFT)).toMatchObject({ outcome: "stored" });
-      await store.changeAway(ID, { add: null, remove: anna.id, reason, most: 16 });
+      await store.changeBlocked(ID, { add: null, remove: anna.id, reason, most: 16 });
       expect(await add(LEFT, null, byAnna)).toMatchObject({ outcome: "stored" });
     });
   });

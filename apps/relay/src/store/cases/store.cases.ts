@@ -4,7 +4,7 @@ import { keyCases } from "./key.cases.ts";
 import { mazeCases } from "./maze.cases.ts";
 import { pageCases } from "./page.cases.ts";
 import { robotCases } from "./robot.cases.ts";
-import { takingBackCases } from "./withdrawal.cases.ts";
+import { withdrawalCases } from "./withdrawal.cases.ts";
 import { timeCases } from "./time.cases.ts";
 import type { OpenStore } from "./robot-in-store.ts";
 
@@ -14,7 +14,7 @@ export function storeCases(name: string, open: () => Promise<OpenStore>): void {
   robotCases(name, open);
   commandCases(name, open);
   timeCases(name, open);
-  takingBackCases(name, open);
+  withdrawalCases(name, open);
   pageCases(name, open);
   mazeCases(name, open);
 }

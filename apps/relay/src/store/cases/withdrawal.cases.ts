@@ -13,7 +13,7 @@ import {
   robotIn,
 } from "./robot-in-store.ts";
 
-export function takingBackCases(name: string, open: () => Promise<OpenStore>): void {
+export function withdrawalCases(name: string, open: () => Promise<OpenStore>): void {
   const withRobot = () => robotIn(open);
 
   describe(`${name}: replacing and cancelling`, () => {

@@ -3,7 +3,7 @@ import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { hasRedis, startTestRedis } from "../../platform/testing/test-redis.ts";
 import { swallowingNet } from "../../platform/testing/swallowing-net.ts";
 import { asked, connectRedis } from "./connection.ts";
-import { StoreAway } from "../../platform/errors/store-unavailable.ts";
+import { StoreUnavailableError } from "../../platform/errors/store-unavailable.ts";
 
 const SOON = { timeout: 15_000, interval: 100 };
 
@@ -22,7 +22,7 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     net.swallow();
     const writing = setInterval(() => void redis.set("a", "b").catch(() => undefined), 50);
     onTestFinished(() => clearInterval(writing));
-    await expect(asked(redis.set("last", "1"))).rejects.toBeInstanceOf(StoreAway);
+    await expect(asked(redis.set("last", "1"))).rejects.toBeInstanceOf(StoreUnavailableError);
     await vi.waitFor(async () => {
       await redis.publish("news", "again");
       expect(received).toContain("again");

@@ -2,7 +2,7 @@
 import { createClient, ErrorReply } from "@redis/client";
 import { z } from "zod";
 import { StoreFull } from "../../platform/errors/disk-full.ts";
-import { StoreAway } from "../../platform/errors/store-unavailable.ts";
+import { StoreUnavailableError } from "../../platform/errors/store-unavailable.ts";
 
 const CONNECT_MS = 5_000;
 /** Interval between pings, and timeout for a response. A disk may block Redis for two seconds. */
@@ -94,24 +94,24 @@ function redisAt(url: string) {
   return redis;
 }
 
-/** Time of the Redis server in ms since 1970. @throws StoreAway */
+/** Time of the Redis server in ms since 1970. @throws StoreUnavailableError */
 export async function timeOf(redis: Redis): Promise<number> {
   const answer = await asked(redis.sendCommand(["TIME"]));
   const [seconds, micros] = z.tuple([z.coerce.number(), z.coerce.number()]).parse(answer);
   return seconds * 1000 + micros / 1000;
 }
 
-/** @throws StoreFull or StoreAway for failures of Redis rather than of the step */
+/** @throws StoreFull or StoreUnavailableError for failures of Redis rather than of the step */
 export async function asked<T>(answer: Promise<T>): Promise<T> {
   try {
     return await answer;
   } catch (error) {
-    if (!(error instanceof ErrorReply)) throw new StoreAway(error);
+    if (!(error instanceof ErrorReply)) throw new StoreUnavailableError(error);
     // OOM: the memory is full. MISCONF: Redis cannot write its files, usually because the disk is
     // full.
     if (/^(OOM|MISCONF)\b/.test(error.message)) throw new StoreFull();
     if (/^(LOADING|READONLY|MASTERDOWN|NOREPLICAS|BUSY)\b/.test(error.message)) {
-      throw new StoreAway(error);
+      throw new StoreUnavailableError(error);
     }
     throw error;
   }

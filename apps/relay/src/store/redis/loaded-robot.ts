@@ -5,9 +5,9 @@
 import { hasEnded } from "@corridor/protocol";
 import { z } from "zod";
 import type { CommandRow } from "../../commands/command-row.ts";
-import { standingOf, type Permissions } from "../../commands/permissions.ts";
+import { accessStateOf, type Permissions } from "../../commands/permissions.ts";
 import { RobotCommands } from "../../commands/robot-commands.ts";
-import { endedOf, keysOf, lineOf, openOf, robotKeyOf } from "./redis-keys.ts";
+import { endedOf, keysOf, channelOf, openOf, robotKeyOf } from "./redis-keys.ts";
 import { rowIn, textOf } from "./rows.ts";
 import { awayText, keysText } from "./permission-texts.ts";
 import type { Words } from "./words.ts";
@@ -48,17 +48,17 @@ export class LoadedRobot {
   #messages: string[] = [];
 
   constructor(id: string, relay: string, answer: z.output<typeof robotAnswer>) {
-    const [[version, epoch, lastSeq, n, keys, away, paused], open] = answer;
+    const [[version, epoch, lastSeq, n, keys, blocked, paused], open] = answer;
     const isPaused = paused === "1";
     this.#id = id;
     this.#relay = relay;
     this.version = version;
     this.#n = n;
-    this.permissions = { keys, away: away ?? [] };
+    this.permissions = { keys, blocked: blocked ?? [] };
     this.#stored = { epoch, lastSeq, isPaused, deletedUpTo: 0 };
     const rows = open.map(rowIn).toSorted((a, b) => a.seq - b.seq);
-    const standing = { epoch, lastSeq, isPaused, ...standingOf(this.permissions) };
-    this.commands = new RobotCommands(standing, rows, (row, before) => {
+    const accessState = { epoch, lastSeq, isPaused, ...accessStateOf(this.permissions) };
+    this.commands = new RobotCommands(accessState, rows, (row, before) => {
       this.#rows.set(row.seq, row);
       if (before === null) this.#added = row;
       else if (before !== row.state) this.#changed.set(row.seq, row);
@@ -82,13 +82,13 @@ export class LoadedRobot {
 
   /** The changes of a step as Redis commands. Releases ended commands from memory. */
   take(): Words[] {
-    const changes = [...this.#also, ...this.#ofRows(), ...this.#ofStanding()];
+    const changes = [...this.#also, ...this.#ofRows(), ...this.#ofAccessState()];
     const step = this.#stepMessage();
     if (step !== null) {
       changes.push(["HSET", robotKeyOf(this.#id), "n", String(this.#n)]);
       this.#messages.push(step);
     }
-    for (const text of this.#messages) changes.push(["PUBLISH", lineOf(this.#id), text]);
+    for (const text of this.#messages) changes.push(["PUBLISH", channelOf(this.#id), text]);
     for (const row of this.#rows.values()) if (hasEnded(row.state)) this.commands.release(row);
     this.#rows.clear();
     this.#changed.clear();
@@ -116,8 +116,8 @@ export class LoadedRobot {
     return changes;
   }
 
-  #ofStanding(): Words[] {
-    const { epoch, lastSeq, isPaused } = this.commands.standing;
+  #ofAccessState(): Words[] {
+    const { epoch, lastSeq, isPaused } = this.commands.accessState;
     const before = this.#stored;
     this.#stored = { epoch, lastSeq, isPaused, deletedUpTo: this.commands.deletedUpTo };
     const fields: string[] = [];

@@ -11,7 +11,7 @@ export function robotKeyOf(id: string): string {
 export const RELAYS = "corridor:relays";
 
 /** The channel of a robot. */
-export function lineOf(id: string): string {
+export function channelOf(id: string): string {
   return `${robotKeyOf(id)}:line`;
 }
 
@@ -41,5 +41,5 @@ export function keysOf(id: string): string {
 
 /** The keys that commit.lua expects, in order. */
 export function commitKeys(id: string): string[] {
-  return [robotKeyOf(id), openOf(id), keysOf(id), endedOf(id), USES, BIRTHS, lineOf(id)];
+  return [robotKeyOf(id), openOf(id), keysOf(id), endedOf(id), USES, BIRTHS, channelOf(id)];
 }

@@ -6,12 +6,12 @@
 import type { CommandRecord, Ending } from "@corridor/protocol";
 import { z } from "zod";
 import { recordOfRow, type CommandRow } from "../../commands/command-row.ts";
-import { changeAway, changeKeys } from "../../commands/permissions.ts";
+import { changeBlocked, changeKeys } from "../../commands/permissions.ts";
 import * as machine from "../../commands/state-machine.ts";
 import { StoreFull } from "../../platform/errors/disk-full.ts";
 import type {
   AddResult,
-  AwayResult,
+  BlockResult,
   CancelResult,
   EndResult,
   KeyChange,
@@ -72,7 +72,7 @@ export class RedisRobotStore implements RobotStore {
     id,
     createdAt,
     keys,
-  }: Omit<StoredRobot, "epoch" | "page" | "lastUsedAt" | "away" | "isPaused">) {
+  }: Omit<StoredRobot, "epoch" | "page" | "lastUsedAt" | "blocked" | "isPaused">) {
     const at = String(createdAt);
     const made = keys.flatMap(({ hash }) => [madeAt(hash), at]);
     const fields = ["epoch", "0", "seq", "0", "createdAt", at, "keys", JSON.stringify(keys)];
@@ -94,10 +94,10 @@ export class RedisRobotStore implements RobotStore {
         const before = robot.permissions;
         const changed = changeKeys(robot.commands, before, change);
         if (changed === null) return { outcome: "full" };
-        const { keys, away, revoked, ended } = changed;
-        robot.permissions = { keys, away };
+        const { keys, blocked, revoked, ended } = changed;
+        robot.permissions = { keys, blocked };
         const made = change.add.map(({ hash }) => [madeAt(hash), String(change.now)]);
-        const texts = { keys: JSON.stringify(keys), away: JSON.stringify(away) };
+        const texts = { keys: JSON.stringify(keys), away: JSON.stringify(blocked) };
         robot.set({ ...texts, ...Object.fromEntries(made) });
         const times = revoked.flatMap((hash) => [madeAt(hash), usedAt(hash)]);
         const isAdded = (field: string): boolean => made.some(([added]) => added === field);
@@ -109,14 +109,14 @@ export class RedisRobotStore implements RobotStore {
     });
   }
 
-  changeAway(id: string, change: ScriptChange): Promise<AwayResult> {
-    return this.#robots.run<AwayResult>(id, {
+  changeBlocked(id: string, change: ScriptChange): Promise<BlockResult> {
+    return this.#robots.run<BlockResult>(id, {
       none: { outcome: "no-robot" },
       work: (robot) => {
-        const changed = changeAway(robot.commands, robot.permissions.away, change);
+        const changed = changeBlocked(robot.commands, robot.permissions.blocked, change);
         if (changed === null) return { outcome: "full" };
-        robot.permissions = { ...robot.permissions, away: changed.away };
-        robot.set({ away: JSON.stringify(changed.away) });
+        robot.permissions = { ...robot.permissions, blocked: changed.blocked };
+        robot.set({ away: JSON.stringify(changed.blocked) });
         robot.publish({ kind: "keys" });
         return { outcome: "changed", ...changed };
       },
@@ -159,7 +159,7 @@ export class RedisRobotStore implements RobotStore {
       work: (robot, used) => {
         robot.also("ZADD", USES, "XX", "GT", String(now), id);
         for (const { hash, at } of keys) {
-          const isKey = robot.commands.standing.keys.has(hash);
+          const isKey = robot.commands.accessState.keys.has(hash);
           if (isKey && at > (used?.get(hash) ?? 0)) robot.set({ [usedAt(hash)]: String(at) });
         }
       },
@@ -254,7 +254,7 @@ export class RedisRobotStore implements RobotStore {
     return this.#robots.run<CommandRecord[] | null, boolean>(id, {
       none: [],
       read: ({ commands }) =>
-        commands.standing.epoch === epoch ? isHeldElsewhere(this.#redis, id, this.#relay) : null,
+        commands.accessState.epoch === epoch ? isHeldElsewhere(this.#redis, id, this.#relay) : null,
       work: ({ commands }, isHeld) =>
         isHeld === true ? null : machine.abandon(commands, epoch, reason),
     });

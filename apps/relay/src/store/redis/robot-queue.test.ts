@@ -5,12 +5,12 @@ import { completed } from "../../platform/testing/messages.ts";
 import { ID, keyChange, LEFT, NOW, nothingDone, sent, STOP } from "../cases/robot-in-store.ts";
 import { connectRedis, type Redis } from "./connection.ts";
 import { DeletedBytes } from "./deleted-bytes.ts";
-import { lineOf } from "./redis-keys.ts";
+import { channelOf } from "./redis-keys.ts";
 import { RedisRobotStore } from "./redis-robot-store.ts";
 import { RobotQueue } from "./robot-queue.ts";
 import * as machine from "../../commands/state-machine.ts";
 import { StoreFull } from "../../platform/errors/disk-full.ts";
-import { StoreAway } from "../../platform/errors/store-unavailable.ts";
+import { StoreUnavailableError } from "../../platform/errors/store-unavailable.ts";
 
 async function connected(url: string): Promise<Redis> {
   const redis = await connectRedis(url, () => undefined);
@@ -47,7 +47,7 @@ async function withRelays() {
   const b = await relayAt(url, "relay-b");
   const subscriber = await connected(url);
   const published: unknown[] = [];
-  await subscriber.subscribe(lineOf(ID), (text) => published.push(JSON.parse(text)));
+  await subscriber.subscribe(channelOf(ID), (text) => published.push(JSON.parse(text)));
   const keys = [{ kind: "drive" as const, hash: sent.driver }];
   await a.store.create({ id: ID, createdAt: 1_000, keys });
   const taken = await a.store.takeOver(ID, nothingDone);
@@ -67,7 +67,7 @@ describe("a step", () => {
     const queue = new RobotQueue(ID, { script, relay: "relay-a", newVersion: () => String(calls) });
     const pause = async () =>
       queue.run({ none: null, work: ({ commands }) => machine.pause(commands, true, "paused") });
-    await expect(pause()).rejects.toBeInstanceOf(StoreAway);
+    await expect(pause()).rejects.toBeInstanceOf(StoreUnavailableError);
     expect(calls).toBeLessThan(40);
     calls = 100;
     expect(await pause()).toEqual([]);

@@ -6,7 +6,7 @@
  * robot that the refusal returned.
  */
 import { z } from "zod";
-import { StoreAway } from "../../platform/errors/store-unavailable.ts";
+import { StoreUnavailableError } from "../../platform/errors/store-unavailable.ts";
 import { LoadedRobot, robotAnswer } from "./loaded-robot.ts";
 import { commitKeys } from "./redis-keys.ts";
 import type { Script } from "./script.ts";
@@ -87,7 +87,7 @@ export class RobotQueue {
 
   /**
    * Runs a step after all earlier ones.
-   * @throws StoreAway if the robot changes too often, or if it is unknown whether the step took
+   * @throws StoreUnavailableError if the robot changes too often, or if it is unknown whether the step took
    *   effect
    */
   async run<T, Read>(step: Step<T, Read>): Promise<T> {
@@ -197,7 +197,10 @@ export class RobotQueue {
     task.tries += 1;
     if (answer.outcome === "present") task.found();
     if (task.tries < MOST_TRIES) this.#refused.push(task);
-    else task.reject(new StoreAway(new Error("other relays changed the robot at each attempt")));
+    else
+      task.reject(
+        new StoreUnavailableError(new Error("other relays changed the robot at each attempt")),
+      );
     // All later commits are refused, too. The last refusal has the newest robot.
     this.#robot = this.#sent > 0 ? undefined : this.#robotIn(answer);
   }

@@ -47,7 +47,7 @@ export async function robotIn(read: Script, id: string): Promise<StoredRobot | n
   );
   if (!isThere.safeParse(replies).success) return null;
   const [found, lastUsedAt] = robotReply.parse(replies);
-  const [, epoch, createdAt, keys, away, paused, page] = found;
+  const [, epoch, createdAt, keys, blocked, paused, page] = found;
   return {
     id,
     epoch,
@@ -55,7 +55,7 @@ export async function robotIn(read: Script, id: string): Promise<StoredRobot | n
     createdAt,
     lastUsedAt,
     keys,
-    away: away ?? [],
+    blocked: blocked ?? [],
     isPaused: paused === "1",
   };
 }

@@ -5,7 +5,7 @@
  */
 import type { CommandRow } from "../../commands/command-row.ts";
 import { KeyIndex } from "../../commands/key-index.ts";
-import { RobotCommands, type Standing } from "../../commands/robot-commands.ts";
+import { RobotCommands, type AccessState } from "../../commands/robot-commands.ts";
 
 /** Looking up a key in the tables takes as long as all other work of the store for a command. */
 const MOST_LEFT = 1_000;
@@ -27,13 +27,13 @@ export class LiveRobot {
    *   are deleted with it (0: none). @returns the number of its entry
    */
   constructor(
-    standing: Standing,
+    accessState: AccessState,
     open: readonly CommandRow[],
     keep: (row: CommandRow, deletedTo: number) => number,
   ) {
     this.#keep = keep;
-    this.#left = standing.lastSeq > open.length ? null : new KeyIndex();
-    this.commands = new RobotCommands(standing, open, (row) => {
+    this.#left = accessState.lastSeq > open.length ? null : new KeyIndex();
+    this.commands = new RobotCommands(accessState, open, (row) => {
       const { deletedUpTo } = this.commands;
       this.#note(row.seq, this.#keep(row, deletedUpTo > this.#recorded ? deletedUpTo : 0));
     });

@@ -12,7 +12,7 @@
  * may change commands in the tables.
  */
 import type { CommandRow } from "../../commands/command-row.ts";
-import type { Standing } from "../../commands/robot-commands.ts";
+import type { AccessState } from "../../commands/robot-commands.ts";
 import { entryOf, rowIn } from "./command-entry.ts";
 import { EntryOwners } from "./entry-owners.ts";
 import type { Memory } from "./file/group-commit.ts";
@@ -155,8 +155,8 @@ export class LiveRobots implements Memory {
       if (robot === undefined || first === undefined) continue;
       this.#unsettled.delete(id);
       this.#bringing.set(id, first);
-      const { openFrom, standing } = robot.commands;
-      const { lastSeq } = standing;
+      const { openFrom, accessState } = robot.commands;
+      const { lastSeq } = accessState;
       const { toDelete: deletedTo } = robot;
       const { rows, gone } = robot.unsettled();
       const upTo = this.#next - 1;
@@ -203,9 +203,9 @@ export class LiveRobots implements Memory {
     const [row] = this.#statements.all(sql, [id]) as unknown as RobotRow[];
     if (row === undefined) return null;
     const { epoch, last_seq: lastSeq, paused, open_from: openFrom } = row;
-    const standing = { epoch, lastSeq, isPaused: paused === 1, ...this.#whoMay(id) };
+    const accessState = { epoch, lastSeq, isPaused: paused === 1, ...this.#accessStateOf(id) };
     const open = rowsIn(this.#statements, OPEN_ROWS, [id, openFrom]);
-    const robot = new LiveRobot(standing, open, (...stored) => this.#keep(id, ...stored));
+    const robot = new LiveRobot(accessState, open, (...stored) => this.#keep(id, ...stored));
     this.#live.set(id, robot);
     return robot;
   }
@@ -272,10 +272,10 @@ export class LiveRobots implements Memory {
     if (robot.isAtRest) this.#live.delete(id);
   }
 
-  #whoMay(id: string): Pick<Standing, "keys" | "away"> {
+  #accessStateOf(id: string): Pick<AccessState, "keys" | "blocked"> {
     return {
       keys: this.#texts("SELECT hash FROM keys WHERE robot = ?", id),
-      away: this.#texts("SELECT id FROM away WHERE robot = ?", id),
+      blocked: this.#texts("SELECT id FROM away WHERE robot = ?", id),
     };
   }
 

@@ -9,14 +9,14 @@
 import type { CommandRecord, Ending } from "@corridor/protocol";
 import { z } from "zod";
 import { recordOfRow } from "../../commands/command-row.ts";
-import { changeAway, changeKeys } from "../../commands/permissions.ts";
+import { changeBlocked, changeKeys } from "../../commands/permissions.ts";
 import * as machine from "../../commands/state-machine.ts";
 import { newestOvertaking, recordOf, recordsAfter, rowWith, withKey } from "./commands-of-robot.ts";
 import type { LiveRobot } from "./live-robot.ts";
 import { LiveRobots, LONG } from "./live-robots.ts";
 import {
   type AddResult,
-  type AwayResult,
+  type BlockResult,
   type CancelResult,
   type EndResult,
   type KeyChange,
@@ -30,7 +30,7 @@ import {
   type StoredRobot,
   type TermedRecord,
 } from "../port.ts";
-import { awayIn, setAway } from "./sqlite-blocked-scripts.ts";
+import { blockedScriptsIn, setBlockedScripts } from "./sqlite-blocked-scripts.ts";
 import { SqliteFile } from "./file/sqlite-file.ts";
 import { addKeys, keysIn, keyTimesIn, noteKeyUses, removeKeys } from "./sqlite-keys.ts";
 import type { Statements } from "./file/statements.ts";
@@ -66,7 +66,7 @@ export class SqliteRobotStore implements RobotStore {
     id,
     createdAt,
     keys,
-  }: Omit<StoredRobot, "epoch" | "page" | "lastUsedAt" | "away" | "isPaused">) {
+  }: Omit<StoredRobot, "epoch" | "page" | "lastUsedAt" | "blocked" | "isPaused">) {
     await this.#file.growingStep(() => {
       this.#writing.run("INSERT INTO sessions (id, created_at, last_used_at) VALUES (?, ?, ?)", [
         id,
@@ -88,7 +88,7 @@ export class SqliteRobotStore implements RobotStore {
       createdAt: row.created_at,
       lastUsedAt: row.last_used_at,
       keys: keysIn(reading, id),
-      away: awayIn(reading, id),
+      blocked: blockedScriptsIn(reading, id),
       isPaused: row.paused === 1,
     };
   }
@@ -96,27 +96,30 @@ export class SqliteRobotStore implements RobotStore {
   async changeKeys(id: string, change: KeyChange): Promise<KeysResult> {
     const work = (): KeysResult =>
       this.#of<KeysResult>(id, { outcome: "no-robot" }, ({ commands }) => {
-        const before = { keys: keysIn(this.#writing, id), away: awayIn(this.#writing, id) };
+        const before = {
+          keys: keysIn(this.#writing, id),
+          blocked: blockedScriptsIn(this.#writing, id),
+        };
         const changed = changeKeys(commands, before, change);
         if (changed === null) return { outcome: "full" };
-        const { keys, away, revoked, ended } = changed;
+        const { keys, blocked, revoked, ended } = changed;
         removeKeys(this.#writing, id, revoked);
         addKeys(this.#writing, id, change.add, change.now);
-        if (away.length < before.away.length) setAway(this.#writing, id, away);
+        if (blocked.length < before.blocked.length) setBlockedScripts(this.#writing, id, blocked);
         return { outcome: "changed", keys, ended };
       });
     // Keys can be revoked on a full disk.
     return change.add.length === 0 ? this.#file.step(work) : this.#file.growingStep(work);
   }
 
-  async changeAway(id: string, change: ScriptChange): Promise<AwayResult> {
+  async changeBlocked(id: string, change: ScriptChange): Promise<BlockResult> {
     // Scripts can be blocked on a full disk: their number is limited.
     return this.#file.step(() =>
-      this.#of<AwayResult>(id, { outcome: "no-robot" }, ({ commands }) => {
-        const changed = changeAway(commands, awayIn(this.#writing, id), change);
+      this.#of<BlockResult>(id, { outcome: "no-robot" }, ({ commands }) => {
+        const changed = changeBlocked(commands, blockedScriptsIn(this.#writing, id), change);
         if (changed === null) return { outcome: "full" };
-        setAway(this.#writing, id, changed.away);
-        return { outcome: "changed", ...changed, away: awayIn(this.#writing, id) };
+        setBlockedScripts(this.#writing, id, changed.blocked);
+        return { outcome: "changed", ...changed, blocked: blockedScriptsIn(this.#writing, id) };
       }),
     );
   }
@@ -237,7 +240,7 @@ export class SqliteRobotStore implements RobotStore {
     return this.#file.step(() =>
       this.#of<CommandRecord[]>(id, [], ({ commands }) => {
         const ended = machine.abandon(commands, epoch, reason);
-        const { epoch: now } = commands.standing;
+        const { epoch: now } = commands.accessState;
         if (now > epoch) this.#writing.run("UPDATE sessions SET epoch = ? WHERE id = ?", [now, id]);
         return ended;
       }),

@@ -3,7 +3,7 @@ import { decodeFrame, helloSchema, type SocketPort } from "@corridor/protocol";
 import { pino } from "pino";
 import type { Clock } from "../../platform/time/clock.ts";
 import { LocalBus } from "../../bus/local.ts";
-import type { Line, Bus } from "../../bus/bus.ts";
+import type { Channel, Bus } from "../../bus/bus.ts";
 import type { Conversation } from "../../gateways/conversations/conversation.ts";
 import { DriverConversation } from "../../gateways/conversations/driver-conversation.ts";
 import { PageConversation } from "../../gateways/conversations/page-conversation.ts";
@@ -30,7 +30,7 @@ export class FaultyRelay {
   readonly store: SqliteRobotStore;
   readonly registry: RobotRegistry;
   readonly #time: VirtualTime;
-  readonly #lines: Line[] = [];
+  readonly #channels: Channel[] = [];
   #isAlive = true;
 
   constructor({ store, bus }: Backend, time: VirtualTime) {
@@ -56,7 +56,7 @@ export class FaultyRelay {
   /** Stops all activity. The file remains, and other relays see it disconnect. */
   kill(): void {
     this.#isAlive = false;
-    for (const line of this.#lines) line.leave();
+    for (const channel of this.#channels) channel.leave();
   }
 
   /**
@@ -66,13 +66,13 @@ export class FaultyRelay {
   #whileAlive(bus: Bus): Bus {
     return {
       join: async (robot, listener) => {
-        const line = await bus.join(robot, {
+        const channel = await bus.join(robot, {
           stepped: (step, isOwn) => this.#isAlive && listener.stepped(step, isOwn),
           missed: () => this.#isAlive && listener.missed(),
-          received: (news) => this.#isAlive && listener.received(news),
+          received: (message) => this.#isAlive && listener.received(message),
         });
-        this.#lines.push(line);
-        return line;
+        this.#channels.push(channel);
+        return channel;
       },
       close: () => bus.close(),
     };
@@ -84,7 +84,7 @@ export class FaultyRelay {
     let isClosed = false;
     let work: Promise<void> = Promise.resolve();
     const connection: ReaderConnection = {
-      door: "websocket",
+      transport: "websocket",
       flow: { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined },
       send: (...texts) => {
         for (const text of texts) if (this.#isAlive) port.send(text);

@@ -27,7 +27,7 @@ export function scriptRoutes(registry: RobotRegistry): Router {
         readBearer(request),
         "moderate",
       );
-      const list: ScriptList = { paused: robot.gate.isPaused, scripts: robot.scripts };
+      const list: ScriptList = { paused: robot.scriptAccess.isPaused, scripts: robot.scripts };
       response.json(list);
     })
     .all(methodNotAllowed("GET"));
@@ -40,7 +40,7 @@ export function scriptRoutes(registry: RobotRegistry): Router {
         readBearer(request),
         "moderate",
       );
-      await robot.gate.pause(true);
+      await robot.scriptAccess.pause(true);
       response.status(204).end();
     })
     .delete(async (request, response) => {
@@ -49,7 +49,7 @@ export function scriptRoutes(registry: RobotRegistry): Router {
         readBearer(request),
         "moderate",
       );
-      await robot.gate.pause(false);
+      await robot.scriptAccess.pause(false);
       response.status(204).end();
     })
     .all(methodNotAllowed("PUT, DELETE"));
@@ -70,7 +70,7 @@ export function scriptRoutes(registry: RobotRegistry): Router {
           "moderate",
         );
         const reference = readBody(request, scriptRefSchema, MAX_FRAME_BYTES, "Invalid script.");
-        const script = await robot.gate.sendAway(reference);
+        const script = await robot.scriptAccess.block(reference);
         const blocked: BlockedScript = { ...script, driver: keyId(script.driver) };
         response
           .status(201)
@@ -89,7 +89,7 @@ export function scriptRoutes(registry: RobotRegistry): Router {
         "moderate",
       );
       const { scriptId } = read(scriptPath, { scriptId: request.params.scriptId }, "Invalid path.");
-      await robot.gate.letBack(scriptId);
+      await robot.scriptAccess.unblock(scriptId);
       response.status(204).end();
     })
     .all(methodNotAllowed("DELETE"));

@@ -27,13 +27,13 @@ function helpers(relay: TestRelay, robot: Registration) {
     if (found === undefined) throw new Error(`there is no ${name}`);
     return found;
   };
-  const sendAway = async ({ driver, name, client }: ScriptView) => {
+  const block = async ({ driver, name, client }: ScriptView) => {
     const body = { driver, name, client };
     const answer = await relay.ask(robot, "/blocked", { ...owner, method: "POST", body });
     expect(answer.status).toBe(201);
     return blockedScriptSchema.parse(await answer.json()).id;
   };
-  const letBack = async (id: string) =>
+  const unblock = async (id: string) =>
     (await relay.ask(robot, `/blocked/${id}`, { ...owner, method: "DELETE" })).status;
   /** Sends a request as a script with a name. */
   const as = (name: string, path: string, body?: unknown) =>
@@ -47,7 +47,7 @@ function helpers(relay: TestRelay, robot: Registration) {
     await socket.next("welcome");
     return socket;
   };
-  return { relay, scripts, named, sendAway, letBack, as, socketOf };
+  return { relay, scripts, named, block, unblock, as, socketOf };
 }
 
 describe("the scripts of a robot", () => {
@@ -96,7 +96,7 @@ describe("the scripts of a robot", () => {
 
 describe("a blocked script", () => {
   it("loses its connections with a reason, and is rejected until it is unblocked", async () => {
-    const { relay, robot, named, sendAway, letBack, as, socketOf } = await withRobot();
+    const { relay, robot, named, block, unblock, as, socketOf } = await withRobot();
     const socket = await socketOf("Anna");
     const waiting = as("Anna", "/events?since=00000000-0&wait=25");
     const opened = await relay.ask(robot, "/long-poll", {
@@ -107,7 +107,7 @@ describe("a blocked script", () => {
     await waiting;
     const poll = as("Anna", "/sensors?wait=25");
     await as("Anna", "/commands?after=0");
-    const anna = await sendAway(await named("Anna"));
+    const anna = await block(await named("Anna"));
 
     const { code, reason } = await socket.closed;
     expect([code, reason]).toEqual([4403, expect.stringContaining("blocked this script")]);
@@ -125,20 +125,20 @@ describe("a blocked script", () => {
     expect((await again.closed).code).toBe(4403);
     expect(await named("Anna")).toMatchObject({ isBlocked: true, connections: 0 });
 
-    expect(await letBack(anna)).toBe(204);
+    expect(await unblock(anna)).toBe(204);
     expect((await as("Anna", "/commands", LEFT)).status).toBe(202);
-    expect(await letBack(anna)).toBe(404);
+    expect(await unblock(anna)).toBe(404);
   });
 
   it("does not affect others with the same key, and its open commands end", async () => {
-    const { relay, robot, named, sendAway, as, socketOf } = await withRobot();
+    const { relay, robot, named, block, as, socketOf } = await withRobot();
     const { socket: page, epoch } = await TestSocket.page(relay, robot);
     const ben = await socketOf("Ben");
     for (let count = 0; count < 10; count++) await as("Anna", "/commands", LEFT);
     ben.send({ type: "command", command: LEFT });
     expect(await ben.next("ack")).toMatchObject({ record: { seq: 11 } });
     page.send({ type: "started", epoch, seq: 1 });
-    await sendAway(await named("Anna"));
+    await block(await named("Anna"));
     // The robot ends the commands that it has received.
     expect(await page.next("cancel")).toMatchObject({ seq: 1, cause: "blocked" });
     await expect
@@ -154,7 +154,7 @@ describe("a blocked script", () => {
     const before = await withRobot();
     const { robot } = before;
     await before.as("Anna", "/commands?after=0");
-    await before.sendAway(await before.named("Anna"));
+    await before.block(await before.named("Anna"));
     await before.relay.close();
     const after = helpers(await startTestRelay({ dataDir: before.dataDir }), robot);
     expect((await after.as("Anna", "/commands?after=0")).status).toBe(403);
@@ -165,10 +165,10 @@ describe("a blocked script", () => {
   });
 
   it("is one of at most 16, and must have a key of this robot", async () => {
-    const { relay, robot, as, named, sendAway } = await withRobot();
+    const { relay, robot, as, named, block } = await withRobot();
     for (let n = 0; n < 16; n++) {
       await as(`${n}`, "/commands?after=0");
-      await sendAway(await named(`${n}`));
+      await block(await named(`${n}`));
     }
     await as("one more", "/commands?after=0");
     const { driver, client } = await named("one more");

@@ -8,7 +8,7 @@
 import type { DatabaseSync } from "node:sqlite";
 import { BallastFile, type Ballast } from "./ballast.ts";
 import { openIntactDatabase, preparePrivateFile } from "./database-file.ts";
-import { isDiskFull, StoreFull, takeRoom } from "../../../platform/errors/disk-full.ts";
+import { isDiskFull, StoreFull, reserveSpace } from "../../../platform/errors/disk-full.ts";
 import { FileLock } from "./file-lock.ts";
 import { GroupCommit, type Memory } from "./group-commit.ts";
 import { InlineJournal } from "./journal.ts";
@@ -234,7 +234,7 @@ export class SqliteFile {
   async check(): Promise<"ok" | "full"> {
     try {
       if (this.#isFull) return (await this.#findRoom(0)) ? "ok" : "full";
-      await this.#commits.alone(() => takeRoom(this.#db));
+      await this.#commits.alone(() => reserveSpace(this.#db));
       return "ok";
     } catch (error) {
       if (!isDiskFull(error)) throw error;
@@ -271,7 +271,7 @@ export class SqliteFile {
     this.#lookedAt = now;
     if (!this.#ballast.hold()) return false;
     try {
-      await this.#commits.alone(() => takeRoom(this.#db));
+      await this.#commits.alone(() => reserveSpace(this.#db));
     } catch (error) {
       if (!isDiskFull(error)) throw error;
       this.#ballast.giveUp();
