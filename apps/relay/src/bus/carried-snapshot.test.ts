@@ -11,7 +11,7 @@ function reordered({ seq, ...rest }: Snapshot): Snapshot {
   return { ...rest, seq };
 }
 
-describe("a snapshot on its way", () => {
+describe("a carried snapshot", () => {
   it.each([
     { name: "made as an object", carried: CarriedSnapshot.of(plain) },
     { name: "found in a page's message", carried: readSnapshotMessage(bytesOf(plain))?.snapshot },
@@ -25,7 +25,7 @@ describe("a snapshot on its way", () => {
   it.each([
     { name: "short", value: snapshotOf({ motion: "" }) },
     { name: "with letters of several bytes", value: snapshotOf({ motion: "→".repeat(40) }) },
-  ])("is one whole WebSocket frame of text: $name", ({ value }) => {
+  ])("is one complete WebSocket text frame: $name", ({ value }) => {
     const { frame, message } = CarriedSnapshot.of(value);
     expect([frame[0], frame[1]]).toEqual([0x81, 126]);
     expect(frame.readUInt16BE(2)).toBe(frame.length - 4);
@@ -33,7 +33,7 @@ describe("a snapshot on its way", () => {
     expect(JSON.parse(frame.toString("utf8", 4))).toEqual({ type: "snapshot", snapshot: value });
   });
 
-  it("stays as it was when the bytes that it came with are used again", () => {
+  it("does not change if its buffer is reused", () => {
     const bytes = bytesOf(plain);
     const found = readSnapshotMessage(bytes);
     bytes.fill(0);
@@ -44,20 +44,20 @@ describe("a snapshot on its way", () => {
     { name: "made as an object", carried: CarriedSnapshot.of(plain) },
     { name: "with its fields in another order", carried: CarriedSnapshot.of(reordered(plain)) },
     { name: "found in a page's message", carried: readSnapshotMessage(bytesOf(plain))?.snapshot },
-  ])("can get another number: $name", ({ carried }) => {
+  ])("can have another number: $name", ({ carried }) => {
     const numbered = carried?.numbered(123_456);
     expect(numbered).toMatchObject({ seq: 123_456, tick: 420, state: "running" });
     expect(numbered?.value).toEqual({ ...plain, seq: 123_456 });
     expect(JSON.parse(String(numbered?.message))).toMatchObject({ snapshot: numbered?.value });
   });
 
-  it("can get another number and state", () => {
+  it("can have another number and state", () => {
     const carried = readSnapshotMessage(bytesOf(plain))?.snapshot.with({ seq: 9, state: "gone" });
     expect(carried?.value).toEqual({ ...plain, seq: 9, state: "gone" });
     expect(JSON.parse(String(carried?.json))).toEqual(carried?.value);
   });
 
-  it("is nobody's to guess: what is unusual is left to the schema", () => {
+  it("is parsed by the schema if its text is unusual", () => {
     expect(readSnapshotMessage(bytesOf({ ...plain, motion: "höher" }))).toBeNull();
     expect(readSnapshotMessage(Buffer.from([0xff, 0xfe]))).toBeNull();
   });

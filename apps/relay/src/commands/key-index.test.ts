@@ -2,7 +2,7 @@ import fc from "fast-check";
 import { expect, it } from "vitest";
 import { KeyIndex } from "./key-index.ts";
 
-it("has for each key of each driver what was set last, and knows how many that are", () => {
+it("stores the last value of each key of each driver, and counts them", () => {
   const change = fc.record({
     driver: fc.constantFrom("d", "e", "__proto__"),
     key: fc.constantFrom("", "k", "l"),

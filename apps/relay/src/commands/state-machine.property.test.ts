@@ -134,7 +134,7 @@ describe("after any events", () => {
     );
   });
 
-  it("the page has at most as many delivered commands as the window permits, besides those that pass it", () => {
+  it("the page has at most a window of delivered commands, not counting those that may exceed it", () => {
     inEachState((robot) => {
       const delivered = [...robot.open].filter(({ state }) => state === "delivered");
       const counted = delivered.filter(({ overtakes }) => !overtakes);

@@ -37,11 +37,11 @@ const events: Record<
   string,
   [happens: (robot: RobotCommands) => unknown, next: [Next, Next, Next]]
 > = {
-  "the page may have it": [
+  "it is delivered to the page": [
     (robot) => machine.deliver(robot, { epoch: EPOCH, window: 8, now: NOW }),
     ["delivered", "-", "-"],
   ],
-  "an earlier page may have it": [
+  "it is delivered to an earlier page": [
     (robot) => machine.deliver(robot, { epoch: EPOCH - 1, window: 8, now: NOW }),
     ["-", "-", "-"],
   ],
@@ -75,20 +75,20 @@ const events: Record<
   "an earlier page starts it": [(robot) => machine.start(robot, EPOCH - 1, 1), ["-", "-", "-"]],
   "the page completes it": [(robot) => end(robot, EPOCH), ["-", "completed", "completed"]],
   "an earlier page completes it": [(robot) => end(robot, EPOCH - 1), ["-", "-", "-"]],
-  "the page is given up": [
+  "the page is considered lost": [
     (robot) => machine.abandon(robot, EPOCH, "gone"),
     ["-", "cancelled", "cancelled"],
   ],
-  "an earlier page is given up": [
+  "an earlier page is considered lost": [
     (robot) => machine.abandon(robot, EPOCH - 1, "gone"),
     ["-", "-", "-"],
   ],
-  "the page returns without it": [(robot) => takeOver(robot, {}), ["-", "accepted", "-"]],
-  "the page returns with it": [
+  "the page reconnects without it": [(robot) => takeOver(robot, {}), ["-", "accepted", "-"]],
+  "the page reconnects with it": [
     (robot) => takeOver(robot, { lastApplied: 1 }),
     ["-", "started", "-"],
   ],
-  "the page returns and completed it": [
+  "the page reconnects and has completed it": [
     (robot) => takeOver(robot, { lastApplied: 1, endings: [endingOf(1)] }),
     ["-", "completed", "completed"],
   ],
@@ -100,7 +100,7 @@ const events: Record<
     (robot) => takeOver(robot, { fresh: true, lastApplied: 1 }),
     ["-", "cancelled", "cancelled"],
   ],
-  "another page comes": [
+  "another page connects": [
     (robot) => takeOver(robot, { settled: null, left: replacedReasons }),
     ["-", "cancelled", "cancelled"],
   ],
@@ -120,7 +120,7 @@ describe("a command", () => {
     expect(robot.row(1)?.state).toBe(after);
   });
 
-  it.each(endingStates)("that is %s stays as it is in every detail", (state) => {
+  it.each(endingStates)("that is %s never changes", (state) => {
     const row = rowOf({ state, reason: "first", pose: null, distance: 5 });
     const robot = robotWith([row], (changed) => expect(changed).not.toBe(row));
     const before = { ...row };
@@ -128,7 +128,7 @@ describe("a command", () => {
     expect(row).toEqual(before);
   });
 
-  it("that the robot has is marked by the first request to end it, and not delivered again", () => {
+  it("that was delivered is marked by the first request to end it, and not delivered again", () => {
     const robot = robotWith([rowOf({ state: "delivered" })]);
     machine.cancel(robot, robot.row(1), { ...by, reason: "first" });
     machine.recallAllOf(robot, "all", "second");
@@ -161,7 +161,7 @@ describe("a new command", () => {
     expect(machine.add(robot, newCommand(change), none)).toMatchObject({ outcome });
   });
 
-  it("with a known idempotency key is a duplicate, whatever else would refuse it", () => {
+  it("with a known idempotency key is a duplicate, even if it would be rejected otherwise", () => {
     const earlier = rowOf({ state: "completed", key: "key-0001" });
     const robot = robotWith([earlier]);
     robot.accessState.isPaused = true;
@@ -174,7 +174,7 @@ describe("a new command", () => {
     expect(machine.add(robot, other, () => earlier)).toMatchObject({ outcome: "conflict" });
   });
 
-  it("is refused while remote driving is paused, but a stop is not", () => {
+  it("is rejected while remote driving is paused, unless it is a stop", () => {
     const robot = robotWith([]);
     robot.accessState.isPaused = true;
     expect(machine.add(robot, newCommand(), none)).toEqual({ outcome: "paused" });
@@ -184,7 +184,7 @@ describe("a new command", () => {
 });
 
 describe("delivery", () => {
-  it("fills the window in order, and lets stops and replacing commands pass it", () => {
+  it("fills the window in order; stops and replacing commands may exceed it", () => {
     const robot = robotWith([
       rowOf({ seq: 1, state: "delivered" }),
       rowOf({ seq: 2 }),
@@ -204,8 +204,8 @@ describe("delivery", () => {
   });
 });
 
-describe("a page that takes the robot", () => {
-  it("gets nothing that a stop or a replacement has overtaken meanwhile, even if that has ended", () => {
+describe("a page that acquires the robot", () => {
+  it("receives no command that a stop or a replacement has overtaken, even if that one has ended", () => {
     const robot = robotWith([
       rowOf({ seq: 1, state: "delivered" }),
       rowOf({ seq: 2, replace: true, state: "completed" }),
@@ -219,13 +219,13 @@ describe("a page that takes the robot", () => {
     ]);
   });
 
-  it("raises the epoch, so that reports of the page before count no more", () => {
+  it("raises the epoch, so that reports of the previous page are ignored", () => {
     const robot = robotWith([rowOf({ state: "delivered" })]);
     expect(takeOver(robot, { lastApplied: 1 })).toMatchObject({ epoch: EPOCH + 1 });
     expect(end(robot, EPOCH)).toMatchObject({ outcome: "over", record: { state: "started" } });
   });
 
-  it("learns which of its endings came too late", () => {
+  it("receives the list of its endings that came too late", () => {
     const robot = robotWith([rowOf({ state: "cancelled" })]);
     const { refused } = takeOver(robot, { lastApplied: 1, endings: [endingOf(1)] });
     expect(refused).toMatchObject([{ seq: 1, state: "cancelled" }]);

@@ -45,7 +45,7 @@ async function withRobots(count: number) {
   return { clock, store, registry, instead, robots, enter, leftAlone };
 }
 
-it("sees to every robot though another one's step in the store fails", async () => {
+it("checks every robot even if the store fails for another one", async () => {
   const { clock, store, instead, robots, leftAlone } = await withRobots(2);
   for (const each of robots) await leftAlone(each);
   const [first, second] = robots;
@@ -57,7 +57,7 @@ it("sees to every robot though another one's step in the store fails", async () 
   expect(await second?.robot.commandsAfter(0)).toMatchObject([{ state: "cancelled" }]);
 });
 
-it("checks robots though the store takes long to delete others", async () => {
+it("checks robots while the store is slow to delete others", async () => {
   const { clock, instead, robots, leftAlone } = await withRobots(1);
   instead.removeExpired = () => new Promise(() => undefined);
   await clock.pass(61_000);
@@ -67,7 +67,7 @@ it("checks robots though the store takes long to delete others", async () => {
   expect(await only?.robot.commandsAfter(0)).toMatchObject([{ state: "cancelled" }]);
 });
 
-it("writes down over some seconds that many robots are in use, not all in the same", async () => {
+it("spreads the writes of last uses over some seconds", async () => {
   const { clock, store, instead, robots } = await withRobots(60);
   const notedAt = new Map<string, number>();
   const begun = clock.now();
@@ -83,7 +83,7 @@ it("writes down over some seconds that many robots are in use, not all in the sa
   expect(perSecond.map((noted) => noted.length)).toEqual([10, 10, 10, 10, 10, 10]);
 });
 
-it("deletes no robot that returns at the last moment, however many there are", async () => {
+it("deletes no robot that is used just before its deletion, for any number of robots", async () => {
   const { clock, enter } = await withRobots(60);
   await clock.pass(limits.robotIdleMs + 500);
   const robots = await enter();
@@ -92,7 +92,7 @@ it("deletes no robot that returns at the last moment, however many there are", a
   expect(robots.filter(({ robot }) => robot.isOver)).toEqual([]);
 });
 
-it("deletes no robot in use though the use of another cannot be stored", async () => {
+it("deletes no robot in use even if the use of another cannot be stored", async () => {
   const { clock, store, instead, robots } = await withRobots(5);
   const [stuck] = robots;
   instead.touch = (id, ...rest) =>
@@ -104,7 +104,7 @@ it("deletes no robot in use though the use of another cannot be stored", async (
   expect(robots.filter(({ robot }) => robot.isOver)).toEqual([]);
 });
 
-it("looks no more at a robot that is deleted before its turn comes", async () => {
+it("skips a robot that was deleted before its check", async () => {
   const { clock, registry, instead, robots } = await withRobots(15);
   // A pass has started: it has visited the first ten robots and visits the others soon.
   await clock.pass(limits.touchMs);
@@ -118,7 +118,7 @@ it("looks no more at a robot that is deleted before its turn comes", async () =>
   expect(noted).toEqual([]);
 });
 
-it("deletes nothing once it is closed", async () => {
+it("deletes nothing after it is closed", async () => {
   const { clock, registry, instead } = await withRobots(1);
   let asked = 0;
   instead.removeExpired = async () => {

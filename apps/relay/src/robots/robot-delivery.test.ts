@@ -6,7 +6,7 @@ import type { PageLink } from "./page/page-link.ts";
 import { deafReader, LEFT, withRobot, page } from "./testing/robot-at-relay.ts";
 
 describe("a robot: delivery", () => {
-  it("lets commands wait for the page, then gives it eight at a time, in order", async () => {
+  it("queues commands until the page connects, then delivers eight at a time, in order", async () => {
     const setup = await withRobot();
     for (let n = 0; n < 10; n++) await setup.submit(LEFT);
     const host = await page(setup);
@@ -17,7 +17,7 @@ describe("a robot: delivery", () => {
     expect(host.seqs("command")).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
   });
 
-  it("gives nothing to a page that went while it took the robot, and all to the next", async () => {
+  it("delivers nothing to a page that disconnected while it acquired the robot, and everything to the next", async () => {
     const setup = await withRobot();
     await setup.submit(LEFT);
     const sent: RelayToPage[] = [];
@@ -41,7 +41,7 @@ describe("a robot: delivery", () => {
     expect(host.seqs("command")).toEqual([1]);
   });
 
-  it("sends the page its time, so that the page knows how long a frame was delayed", async () => {
+  it("sends the page the relay's time, so that the page can measure the delay of a frame", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     await setup.robot.receiveFromPage(host.link, { type: "time", epoch: host.epoch });
@@ -49,7 +49,7 @@ describe("a robot: delivery", () => {
     expect(host.sent.at(-1)).toEqual({ type: "time", at: (welcome as { at: number }).at });
   });
 
-  it("acknowledges a command before anything else is said about it", async () => {
+  it("acknowledges a command before it sends any other message about it", async () => {
     const setup = await withRobot();
     await page(setup);
     const said: string[] = [];
@@ -68,7 +68,7 @@ describe("a robot: delivery", () => {
     expect(said).toEqual(["ack accepted", "delivered"]);
   });
 
-  it("gives a page that comes back what it has not begun, and takes its endings first", async () => {
+  it("delivers the commands that a reconnecting page has not started, after it accepts the page's endings", async () => {
     const setup = await withRobot();
     for (let n = 0; n < 3; n++) await setup.submit(LEFT);
     const before = await page(setup);
@@ -80,7 +80,7 @@ describe("a robot: delivery", () => {
     expect(await setup.states()).toEqual(["1 completed", "2 started", "3 delivered"]);
   });
 
-  it("sends the page before away, and refuses what it still says", async () => {
+  it("disconnects the previous page and rejects its later messages", async () => {
     const setup = await withRobot();
     await setup.submit(LEFT);
     const first = await page(setup);
@@ -95,7 +95,7 @@ describe("a robot: delivery", () => {
     expect(await setup.states()).toEqual(["1 delivered"]);
   });
 
-  it("sends a stop to the page at once, past a full window", async () => {
+  it("delivers a stop immediately, even if the window is full", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     for (let n = 0; n < 10; n++) await setup.submit(LEFT);
@@ -109,7 +109,7 @@ describe("a robot: delivery", () => {
     ]);
   });
 
-  it("ends what runs once the page has been away for two minutes, and says so", async () => {
+  it("ends running commands after the page was disconnected for two minutes, and reports that", async () => {
     const setup = await withRobot();
     await setup.submit(LEFT);
     const host = await page(setup);

@@ -30,8 +30,8 @@ describe("a robot: its end", () => {
   });
 });
 
-describe("a relay that ends", () => {
-  it("asks for another try, and never calls a robot or a key unknown", async () => {
+describe("a relay that shuts down", () => {
+  it("asks clients to retry, and never reports a robot or a key as unknown", async () => {
     const { registry, registration, submit } = await withRobot();
     await registry.close();
     const restarting = expect.objectContaining({ kind: "restarting" });

@@ -4,7 +4,7 @@ import { completed } from "../platform/testing/messages.ts";
 import { LEFT, withRobot, page, type Setup, type Host } from "./testing/robot-at-relay.ts";
 
 describe("a robot: limits", () => {
-  it("takes 40 commands at once and 20 a second, and always a stop", async () => {
+  it("accepts a burst of 40 commands, 20 a second, and always a stop", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     const send = async (): Promise<string> => {
@@ -25,7 +25,7 @@ describe("a robot: limits", () => {
     expect([await send(), await send()]).toEqual(["stored", "too-fast"]);
   });
 
-  it("stores 20 stops at once and 5 a second; the open one answers for more", async () => {
+  it("stores a burst of 20 stops and 5 a second; further stops return the open one", async () => {
     const setup = await withRobot();
     await page(setup);
     for (let n = 1; n <= 20; n++) {
@@ -42,7 +42,7 @@ describe("a robot: limits", () => {
   it.each([
     { name: "has ended", meanwhile: (host: Host) => host.ended(completed(20)) },
     { name: "is followed by a command", meanwhile: (_: Host, setup: Setup) => setup.submit(LEFT) },
-  ])("refuses a stop too many when the one before $name", async ({ meanwhile }) => {
+  ])("rejects a stop above the limit if the previous one $name", async ({ meanwhile }) => {
     const setup = await withRobot();
     const host = await page(setup);
     for (let n = 0; n < 20; n++) await setup.submit({ action: "stop" });
@@ -52,7 +52,7 @@ describe("a robot: limits", () => {
     expect(await setup.submit({ action: "stop" })).toMatchObject({ duplicate: false });
   });
 
-  it("lets 64 commands wait and names the 65th", async () => {
+  it("queues 64 commands and rejects the 65th", async () => {
     const setup = await withRobot();
     for (let n = 0; n < 64; n++) {
       await setup.submit(LEFT);
@@ -65,7 +65,7 @@ describe("a robot: limits", () => {
     });
   });
 
-  it("lets a class register at once, not a flood", async () => {
+  it("lets a class register at the same time, but limits a flood", async () => {
     const { registry } = await withRobot();
     const register = () => registry.register("10.0.0.2", "http://localhost");
     for (let n = 0; n < 200; n++) await register();

@@ -5,8 +5,8 @@ import { completed } from "../platform/testing/messages.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { deafReader, LEFT, waitLimit, withRobot, page } from "./testing/robot-at-relay.ts";
 
-describe("a robot: what scripts see", () => {
-  it("sends a reader at most 20 snapshots a second, the newest each time", async () => {
+describe("a robot: snapshots and states for scripts", () => {
+  it("sends a reader the newest snapshot at most 20 times a second", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     const seen: number[] = [];
@@ -25,7 +25,7 @@ describe("a robot: what scripts see", () => {
     expect(seen.at(-1)).toBe(100);
   });
 
-  it("sends a slow reader nothing old, and drops one that does not read", async () => {
+  it("sends a slow reader no outdated snapshots, and drops one that does not read", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     const flow = { sentBytes: 0, takenBytes: 0, isProof: false, ask: () => undefined };
@@ -60,7 +60,7 @@ describe("a robot: what scripts see", () => {
     expect(over).toEqual(["tooSlow"]);
   });
 
-  it("shows a newer snapshot before the ending that came after it", async () => {
+  it("sends a newer snapshot before the ending that followed it", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     await setup.submit(LEFT);
@@ -80,7 +80,7 @@ describe("a robot: what scripts see", () => {
     expect(said).toEqual(["snapshot 1", "snapshot 2", "completed"]);
   });
 
-  it("shows the robot as it is before the endings that a page brings along", async () => {
+  it("sends the current snapshot before the endings that a page reports when it connects", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     await setup.submit(LEFT);
@@ -94,7 +94,7 @@ describe("a robot: what scripts see", () => {
     expect(await read).toBe("completed at 200");
   });
 
-  it("distinguishes a robot that runs, one that sleeps and one that is gone", async () => {
+  it("distinguishes a running, a paused and a disconnected robot", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     await host.report({ tick: 1 });
@@ -105,7 +105,7 @@ describe("a robot: what scripts see", () => {
     expect(setup.robot.newest?.state).toBe("gone");
   });
 
-  it("takes a robot whose ticks stand still for asleep, until they go on", async () => {
+  it("reports a robot whose ticks do not advance as paused until they advance", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     for (let second = 0; second < 5; second++) {
@@ -117,14 +117,14 @@ describe("a robot: what scripts see", () => {
     expect(setup.robot.newest?.state).toBe("running");
   });
 
-  it("keeps counting snapshots when a reloaded page begins at 1 again", async () => {
+  it("continues the numbers of snapshots when a reloaded page restarts at 1", async () => {
     const setup = await withRobot();
     await (await page(setup)).report({ seq: 900 });
     await (await page(setup)).report({ seq: 1 });
     expect(setup.robot.newest?.seq).toBe(901);
   });
 
-  it("answers a long poll when there is news, and after the wait when there is none", async () => {
+  it("answers a long poll when an event occurs, or after the wait if none occurs", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     await host.report({ seq: 7 });
@@ -157,7 +157,7 @@ describe("a robot: what scripts see", () => {
     });
   });
 
-  it("names what to check where a command does not end because the page is gone or paused", async () => {
+  it("explains what to check if a command does not end because the page is disconnected or paused", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     for (let n = 0; n < 2; n++) await setup.submit(LEFT);

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { deafReader, withRobot, page, type Setup, type Host } from "./testing/robot-at-relay.ts";
 
-describe("a robot: the life of its scripts", () => {
+describe("a robot: activity of its scripts", () => {
   const name = (setup: Setup): string => setup.key.hash.slice(0, 6);
   const alive = (host: Host) =>
     host.sent.flatMap((message) => (message.type === "drivers" ? [message.alive] : [])).at(-1);
@@ -18,7 +18,7 @@ describe("a robot: the life of its scripts", () => {
     expect(alive(host)).toEqual([{ driver: name(setup), silentMs: 700, connectionMs: null }]);
   });
 
-  it("takes a request that waits for a sign of life, each second, and none that was answered", async () => {
+  it("counts a waiting request as activity each second, and an answered one no longer", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     const answered = setup.robot.received(setup.key);
@@ -34,7 +34,7 @@ describe("a robot: the life of its scripts", () => {
     expect(host.sent).toHaveLength(silent);
   });
 
-  it("counts messages on a connection as activity, and none of them as a request that waits", async () => {
+  it("counts messages on a connection as activity, but not as waiting requests", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     await setup.clock.pass(2_000);
@@ -52,7 +52,7 @@ describe("a robot: the life of its scripts", () => {
     expect(setup.robot.scripts).toEqual([]);
   });
 
-  it("goes on to count a request as waiting while its script speaks on its line", async () => {
+  it("counts a request as waiting while its script sends messages on its connection", async () => {
     const setup = await withRobot();
     await page(setup);
     const answered = setup.robot.received(setup.key);
@@ -64,7 +64,7 @@ describe("a robot: the life of its scripts", () => {
     expect(setup.robot.scripts).toMatchObject([{ silentMs: 3_000 }]);
   });
 
-  it("says at once that a script has a new line", async () => {
+  it("reports a new connection of a script immediately", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     setup.robot.received(setup.key)();

@@ -24,7 +24,7 @@ async function withBusyPage(setup: Setup, isSilent = false) {
 const anotherPage = (setup: Setup) => page(setup, { page: SECOND, fresh: true });
 
 describe("a robot: a second page", () => {
-  it("receives what the first has not started, once that one has reported what it has", async () => {
+  it("receives the commands that the first page has not started, after that page has reported its own", async () => {
     const setup = await withRobot();
     const first = await withBusyPage(setup, true);
     const coming = anotherPage(setup);
@@ -40,7 +40,7 @@ describe("a robot: a second page", () => {
     expect(await setup.states()).toEqual(["1 completed", "2 cancelled", "3 delivered"]);
   });
 
-  it("gets nothing of what a silent page may have begun", async () => {
+  it("receives no command that a silent page may have started", async () => {
     const setup = await withRobot();
     const first = await withBusyPage(setup, true);
     const coming = anotherPage(setup);
@@ -60,7 +60,7 @@ describe("a robot: a second page", () => {
     ]);
   });
 
-  it("receives what a page has left that closed its connection, but not of one whose connection was lost", async () => {
+  it("receives the remaining commands of a page that closed its connection, but not of one that lost it", async () => {
     for (const closedByPage of [true, false]) {
       const setup = await withRobot();
       const first = await withBusyPage(setup);
@@ -70,7 +70,7 @@ describe("a robot: a second page", () => {
     }
   });
 
-  it("ends what was given to a page whose connection broke because of the reload", async () => {
+  it("ends the commands of a page whose connection was lost, because of the reload", async () => {
     const reasons = async (setup: Setup) =>
       (await setup.robot.commandsAfter(0)).map(({ reason }) => reason);
     const reloaded = reloadReasons.delivered;
@@ -90,7 +90,7 @@ describe("a robot: a second page", () => {
     expect(await reasons(slow)).toEqual(ended);
   });
 
-  it("receives all that a page sent before it closed its connection", async () => {
+  it("receives everything that a page sent before it closed its connection", async () => {
     const setup = await withRobot();
     const first = await withBusyPage(setup);
     const received = first.started(2);
@@ -99,7 +99,7 @@ describe("a robot: a second page", () => {
     expect((await anotherPage(setup)).seqs("command")).toEqual([3]);
   });
 
-  it("is not waited for where it is the same page on a new line, which says itself what it has begun", async () => {
+  it("does not delay the same page on a new connection, which reports what it has started", async () => {
     const setup = await withRobot();
     await withBusyPage(setup);
     const again = await page(setup, { page: FIRST, lastApplied: 2 });
@@ -107,7 +107,7 @@ describe("a robot: a second page", () => {
     expect(await setup.states()).toEqual(["1 started", "2 started", "3 delivered"]);
   });
 
-  it("is known as the same page by a relay that was started anew", async () => {
+  it("is recognised as the same page after a restart of the relay", async () => {
     const setup = await withRobot();
     await withBusyPage(setup);
     const restarted = await setup.restarted();
@@ -119,7 +119,7 @@ describe("a robot: a second page", () => {
     expect(await other.states()).toEqual(["1 cancelled", "2 cancelled", "3 cancelled"]);
   });
 
-  it("leaves the robot to the first page where it goes before it has it", async () => {
+  it("leaves the robot to the first page if it disconnects before it acquires the robot", async () => {
     const setup = await withRobot();
     const first = await withBusyPage(setup, true);
     const sent: string[] = [];
@@ -147,7 +147,7 @@ describe("a robot: a second page", () => {
     expect(again.seqs("command")).toEqual([2, 3]);
   });
 
-  it("does not count what the first page says once its store has failed it", async () => {
+  it("ignores messages of the first page after the store failed during its acquisition", async () => {
     const setup = await withRobot();
     const first = await withBusyPage(setup, true);
     const coming = anotherPage(setup);

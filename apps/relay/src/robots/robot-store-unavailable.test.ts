@@ -4,8 +4,8 @@ import { StoreUnavailableError } from "../platform/errors/store-unavailable.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { LEFT, withRobot, page } from "./testing/robot-at-relay.ts";
 
-describe("a robot: while its store does not answer", () => {
-  it("expires late what it could not expire in time", async () => {
+describe("a robot: while its store is unavailable", () => {
+  it("expires commands late if it could not expire them in time", async () => {
     const setup = await withRobot();
     await setup.submit({ ...LEFT, ttl: 400 });
     setup.cut.isCut = true;
@@ -15,7 +15,7 @@ describe("a robot: while its store does not answer", () => {
     expect(await setup.states()).toEqual(["1 expired"]);
   });
 
-  it("ends later what runs without a page", async () => {
+  it("ends running commands without a page later", async () => {
     const setup = await withRobot();
     await setup.submit(LEFT);
     const host = await page(setup);
@@ -28,7 +28,7 @@ describe("a robot: while its store does not answer", () => {
     expect(await setup.states()).toEqual(["1 cancelled"]);
   });
 
-  it("delivers what was stored although the answer was lost, to the page that it had disconnected", async () => {
+  it("delivers a command that was stored although the response was lost, to the page that it had disconnected", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     setup.cut.losesAnswers = true;
@@ -43,7 +43,7 @@ describe("a robot: while its store does not answer", () => {
     expect(back.seqs("command")).toEqual([1]);
   });
 
-  it("delivers what was stored for a page that was not there, where nobody tries again", async () => {
+  it("delivers a command that was stored without a page, even if no script retries", async () => {
     const setup = await withRobot();
     setup.cut.losesAnswers = true;
     await expect(setup.submit(LEFT)).rejects.toBeInstanceOf(StoreUnavailableError);

@@ -4,7 +4,7 @@ import { completed } from "../platform/testing/messages.ts";
 import { LEFT, waitLimit, withRobot, page } from "./testing/robot-at-relay.ts";
 
 describe("a robot: time to live", () => {
-  it("expires what no page takes in time, and notifies those who wait for its end", async () => {
+  it("expires commands that no page receives in time, and notifies waiting requests", async () => {
     const setup = await withRobot();
     await setup.submit({ ...LEFT, ttl: 400 });
     await setup.submit(LEFT);
@@ -17,7 +17,7 @@ describe("a robot: time to live", () => {
     expect(await setup.states()).toEqual(["1 expired", "2 expired"]);
   });
 
-  it("sends the robot the time that is left, counted from the first try", async () => {
+  it("sends the robot the remaining time, counted from the first attempt", async () => {
     const setup = await withRobot();
     await setup.submit({ ...LEFT, ttl: 2_000, age: 300 });
     await setup.clock.pass(500);
@@ -36,7 +36,7 @@ describe("a robot: time to live", () => {
     expect(await setup.states()).toEqual(["1 expired"]);
   });
 
-  it("refuses a try that comes too late, keeps its key free, and answers a known key at any age", async () => {
+  it("rejects an attempt that is too late without using its key, and answers a known key at any age", async () => {
     const setup = await withRobot();
     const late = setup.submit({ ...LEFT, ttl: 1_000, age: 1_000 }, "key-0001");
     await expect(late).rejects.toMatchObject({ kind: "too-late" });
@@ -49,7 +49,7 @@ describe("a robot: time to live", () => {
     });
   });
 
-  it("shows the page what waits for it and how it ends", async () => {
+  it("shows the page its waiting commands and how they end", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     for (let n = 0; n < 9; n++) await setup.submit({ ...LEFT, ttl: 2_000 });
@@ -63,7 +63,7 @@ describe("a robot: time to live", () => {
     ]);
   });
 
-  it("does not deliver again what has expired while the page was away", async () => {
+  it("does not redeliver a command that expired while the page was disconnected", async () => {
     const setup = await withRobot();
     const before = await page(setup);
     await setup.submit({ ...LEFT, ttl: 400 });

@@ -11,7 +11,7 @@ function reported(seq: number, tick: number): CarriedSnapshot {
   return read.snapshot;
 }
 
-it("says of a robot that does not report that it sleeps, or is gone, until it reports again", () => {
+it("reports a silent robot as paused or disconnected until it reports again", () => {
   const view = new RobotView();
   view.pageCame(0, 0);
   view.report(reported(1, 60), 0);
@@ -29,7 +29,7 @@ it("says of a robot that does not report that it sleeps, or is gone, until it re
   expect(view.newest).toMatchObject({ seq: 3, state: "paused" });
 });
 
-it("keeps no more memory for a robot that is gone than its snapshot needs", () => {
+it("needs no more memory for a disconnected robot than its snapshot", () => {
   const view = new RobotView();
   view.pageCame(0, 0);
   view.report(reported(1, 60), 0);

@@ -4,7 +4,7 @@ import { completed } from "../platform/testing/messages.ts";
 import { LEFT, withRobot, page } from "./testing/robot-at-relay.ts";
 
 describe("a robot: replacing and cancelling", () => {
-  it("gives the page at once what replaces, and supersedes what waits", async () => {
+  it("delivers a replacing command immediately, and supersedes the waiting ones", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     for (let n = 0; n < 9; n++) await setup.submit(LEFT);
@@ -17,7 +17,7 @@ describe("a robot: replacing and cancelling", () => {
     ]);
   });
 
-  it("takes back what waits, and asks the robot for what it has", async () => {
+  it("withdraws a waiting command, and asks the robot to end a delivered one", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     for (let n = 0; n < 9; n++) await setup.submit(LEFT);
@@ -33,7 +33,7 @@ describe("a robot: replacing and cancelling", () => {
 });
 
 describe("a robot: withdrawing commands while the page is disconnected", () => {
-  it("does not deliver again what was taken back, and asks for what has begun", async () => {
+  it("does not redeliver a withdrawn command, and asks the page to end a started one", async () => {
     const setup = await withRobot();
     const before = await page(setup);
     for (let n = 0; n < 3; n++) await setup.submit(LEFT);
@@ -49,7 +49,7 @@ describe("a robot: withdrawing commands while the page is disconnected", () => {
     expect(await setup.states()).toEqual(["1 cancelled", "2 cancelled", "3 delivered"]);
   });
 
-  it("does not deliver again what a revoked key had sent", async () => {
+  it("does not redeliver the commands of a revoked key", async () => {
     const setup = await withRobot();
     const before = await page(setup);
     await setup.submit(LEFT);

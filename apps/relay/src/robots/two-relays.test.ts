@@ -140,7 +140,7 @@ const seqs = ({ sent }: Host): number[] =>
   );
 
 describe("page and script at different relays", () => {
-  it("takes a command to the page and its states back, in order", async () => {
+  it("delivers a command to the page and its states to the script, in order", async () => {
     const { host, submit, read, atScripts } = await withRelays();
     const said = read();
     expect(await submit(LEFT)).toMatchObject({ seq: 1, state: "accepted" });
@@ -153,7 +153,7 @@ describe("page and script at different relays", () => {
     expect(said).toEqual(["1 delivered", "1 started", "1 completed"]);
   });
 
-  it("shows the page what waits and what was ended elsewhere, and asks it to cancel", async () => {
+  it("shows the page commands that wait or ended at the other relay, and asks it to cancel", async () => {
     const { host, clock, submit, atScripts, key } = await withRelays();
     for (let n = 0; n < 9; n++) await submit(LEFT);
     expect(host.sent.at(-1)).toMatchObject({
@@ -171,7 +171,7 @@ describe("page and script at different relays", () => {
     expect(seqs(host)).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 10]);
   });
 
-  it("shows the newest snapshot to readers at the other relay, and when the page goes", async () => {
+  it("sends the newest snapshot to readers at the other relay, and reports when the page disconnects", async () => {
     const { host, clock, atScripts, read } = await withRelays();
     await clock.pass(limits.relayHereMs);
     const said = read();
@@ -188,7 +188,7 @@ describe("page and script at different relays", () => {
     expect(atScripts.newest).toMatchObject({ state: "gone" });
   });
 
-  it("knows the newest snapshot at once where a script comes to a relay that never saw the robot", async () => {
+  it("returns the newest snapshot immediately at a relay that never held the robot", async () => {
     const { host, scripts, atScripts, registration, clock } = await withRelays();
     await report(host, { seq: 7 });
     // Nobody used the robot there for a while, so it left memory.
@@ -198,7 +198,7 @@ describe("page and script at different relays", () => {
     expect(again.robot.newest).toMatchObject({ seq: 7 });
   });
 
-  it("shows readers at the other relay the newest snapshot before an ending that came after it", async () => {
+  it("sends readers at the other relay the newest snapshot before an ending that followed it", async () => {
     const { host, clock, submit, read } = await withRelays();
     await clock.pass(limits.relayHereMs);
     await submit(LEFT);
@@ -211,7 +211,7 @@ describe("page and script at different relays", () => {
     expect(said).toEqual(["snapshot 1 running", "snapshot 2 running", "1 completed"]);
   });
 
-  it("keeps counting snapshots when a reloaded page meets a relay that never held the robot", async () => {
+  it("continues the numbers of snapshots when a reloaded page connects to a relay that never held the robot", async () => {
     const { host, page, clock, registration, newRelay } = await withRelays();
     await clock.pass(30_000);
     await report(host, { seq: 900 });
@@ -224,7 +224,7 @@ describe("page and script at different relays", () => {
     expect(robot.newest?.seq).toBe(seq + 1);
   });
 
-  it("sends nothing to a relay that does not hold the robot any more", async () => {
+  it("sends nothing to a relay that no longer holds the robot", async () => {
     const { host, clock, atScripts, bus, registration } = await withRelays();
     atScripts.leave();
     await clock.pass(limits.relaySilenceMs + 2_000);
@@ -251,7 +251,7 @@ describe("page and script at different relays", () => {
     });
   });
 
-  it("sends the page away when another takes the robot at the other relay, and believes it no more", async () => {
+  it("disconnects the page when another acquires the robot at the other relay, and ignores its later messages", async () => {
     const { host, atScripts, page, submit } = await withRelays();
     await submit(LEFT);
     const second = await page(atScripts);
@@ -262,7 +262,7 @@ describe("page and script at different relays", () => {
     expect(await atScripts.commandsAfter(0)).toMatchObject([{ seq: 1, state: "delivered" }]);
   });
 
-  it("asks the page at the other relay what it has begun before another gets the robot", async () => {
+  it("asks the page at the other relay what it has started before another page acquires the robot", async () => {
     const { atPages, atScripts, page, submit } = await withRelays();
     const first = await page(atPages, { page: "page-one", fresh: true });
     for (let n = 0; n < 2; n++) await submit(LEFT);
@@ -279,7 +279,7 @@ describe("page and script at different relays", () => {
     expect(seqs(again)).toEqual([]);
   });
 
-  it("gives nothing to another page of what a silent one at the other relay may have begun", async () => {
+  it("delivers no command to another page that a silent page at the other relay may have started", async () => {
     const { atPages, atScripts, page, submit, clock } = await withRelays();
     await page(atPages, { page: "page-one", fresh: true }, true);
     await submit(LEFT);
@@ -289,7 +289,7 @@ describe("page and script at different relays", () => {
     expect(await atScripts.commandsAfter(0)).toMatchObject([{ seq: 1, state: "cancelled" }]);
   });
 
-  it("ends what a page has left behind once, and nothing of one that has come back elsewhere", async () => {
+  it("ends the commands of a disconnected page once, and none of a page that reconnected elsewhere", async () => {
     const { host, atScripts, page, submit, clock, read } = await withRelays();
     await submit(LEFT);
     host.robot.leavePage(host.link, true);
@@ -303,7 +303,7 @@ describe("page and script at different relays", () => {
     expect(said.filter((text) => text.endsWith("cancelled"))).toEqual(["1 cancelled"]);
   });
 
-  it("lets the page of a relay that was taken for dead connect anew, and ends nothing of it", async () => {
+  it("lets the page of a relay that was considered dead reconnect, and ends none of its commands", async () => {
     const { host, atScripts, page, submit, clock, notifyPages } = await withRelays();
     await submit(LEFT);
     notifyPages({ kind: "lapsed" });
@@ -314,7 +314,7 @@ describe("page and script at different relays", () => {
     expect(await atScripts.commandsAfter(0)).toMatchObject([{ seq: 1, state: "started" }]);
   });
 
-  it("expires what waits though the relay that stored it has ended", async () => {
+  it("expires waiting commands after the relay that stored them has ended", async () => {
     const { host, atPages, scripts, submit, clock } = await withRelays();
     await clock.pass(1_000);
     atPages.leavePage(host.link, true);
@@ -324,7 +324,7 @@ describe("page and script at different relays", () => {
     expect(await atPages.commandsAfter(0)).toMatchObject([{ seq: 1, state: "expired" }]);
   });
 
-  it("says gap, and delivers what waits, when news between the relays were lost", async () => {
+  it("sends a gap and delivers waiting commands if messages between the relays were lost", async () => {
     const { host, registration, pages, atScripts, read, submit } = await withRelays();
     const said = read();
     for (const robot of [host.robot, atScripts]) robot.missedMessages();
@@ -337,7 +337,7 @@ describe("page and script at different relays", () => {
     );
   });
 
-  it("ends a revoked key at every relay at once", async () => {
+  it("ends a revoked key at every relay immediately", async () => {
     const { host, scripts, registration, read, submit } = await withRelays();
     const said = read();
     await submit(LEFT);
@@ -352,7 +352,7 @@ describe("page and script at different relays", () => {
     });
   });
 
-  it("sends scripts away within a second where nobody can say whether their key was revoked", async () => {
+  it("disconnects scripts within a second if the relay cannot verify their key", async () => {
     const { host, scripts, registration, read, clock, cut } = await withRelays();
     const said = read();
     cut.isCut = true;
@@ -369,7 +369,7 @@ describe("page and script at different relays", () => {
     expect(await again()).toMatchObject({ kind: "not-authorised" });
   });
 
-  it("leaves scripts alone when the store is back in a moment, and their key was not revoked", async () => {
+  it("keeps scripts connected if the store recovers quickly and their key is valid", async () => {
     const { host, atScripts, key, read, clock, cut } = await withRelays();
     const said = read();
     cut.isCut = true;
@@ -381,7 +381,7 @@ describe("page and script at different relays", () => {
     expect(() => atScripts.keys.check(key, "command")).not.toThrow();
   });
 
-  it("pauses remote driving at every relay at once", async () => {
+  it("pauses remote driving at every relay immediately", async () => {
     const { host, atScripts, submit } = await withRelays();
     await submit(LEFT);
     await atScripts.scriptAccess.pause(true);
@@ -394,7 +394,7 @@ describe("page and script at different relays", () => {
     expect(await submit(LEFT)).toMatchObject({ seq: 2 });
   });
 
-  it("notifies readers at every relay of another maze, also when that message was lost", async () => {
+  it("notifies readers at every relay of a maze change, even if the message was lost", async () => {
     const { host, atScripts, read, cut } = await withRelays();
     const said = read();
     const first = await host.robot.mazes.keep(maze);
@@ -411,7 +411,7 @@ describe("page and script at different relays", () => {
     expect(ofMazes()).toHaveLength(2);
   });
 
-  it("deletes the robot at every relay at once", async () => {
+  it("deletes the robot at every relay immediately", async () => {
     const { host, pages, scripts, registration, read } = await withRelays();
     const said = read();
     await pages.remove(host.robot);

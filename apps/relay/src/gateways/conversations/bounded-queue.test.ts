@@ -45,7 +45,7 @@ describe("unfinished messages", () => {
     expect(closed).toEqual([4400]);
   });
 
-  it("no longer count once they are done", async () => {
+  it("do not count after they are processed", async () => {
     const { send, begun, closed, turn } = withSlowStore();
     for (let n = 0; n < 3; n++) {
       send(limits.unfinishedMessages);

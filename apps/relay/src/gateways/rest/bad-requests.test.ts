@@ -237,7 +237,7 @@ describe("an invalid request", () => {
       name: "an invalid Host",
       bytes: "POST /api/v1/robots HTTP/1.1\r\nHost: a b/c\r\nConnection: close\r\n\r\n",
     },
-  ])("on the bare line gets a 4xx: $name", async ({ bytes }) => {
+  ])("on a raw connection is answered with 4xx: $name", async ({ bytes }) => {
     const relay = await startTestRelay();
     const socket = connect(Number(new URL(relay.origin).port), "127.0.0.1");
     socket.end(bytes);

@@ -256,7 +256,7 @@ describe("the WebSocket: messages", () => {
     },
     { name: "a command number of 0", frame: { type: "started", epoch: 1, seq: 0 } },
     { name: "a huge command number", frame: { type: "started", epoch: 1, seq: 1e300 } },
-  ])("closes a page that sends $name, and lets it come back", async ({ frame }) => {
+  ])("closes a page that sends $name, and lets it reconnect", async ({ frame }) => {
     const relay = await startTestRelay();
     const robot = await relay.register();
     const { socket } = await TestSocket.page(relay, robot);

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { TokenBucket } from "./token-bucket.ts";
 
 describe("TokenBucket", () => {
-  it("gives a burst at once, then so many a second", () => {
+  it("permits a burst immediately, then the rate", () => {
     const bucket = new TokenBucket({ perSecond: 20, burst: 40 }, 0);
     const atOnce = Array.from({ length: 60 }, () => bucket.take(0)).filter((wait) => wait === 0);
     expect(atOnce).toHaveLength(40);
@@ -11,7 +11,7 @@ describe("TokenBucket", () => {
     expect(given).toBe(40);
   });
 
-  it("says after how long the next one is there", () => {
+  it("returns the time until the next token", () => {
     const bucket = new TokenBucket({ perSecond: 20, burst: 1 }, 0);
     bucket.take(0);
     const wait = bucket.take(0);
@@ -19,7 +19,7 @@ describe("TokenBucket", () => {
     expect(bucket.take(wait)).toBe(0);
   });
 
-  it("neither gives nor takes when the clock is set back", () => {
+  it("adds and removes no tokens when the clock is set back", () => {
     const bucket = new TokenBucket({ perSecond: 20, burst: 2 }, 1_000);
     bucket.take(1_000);
     expect(bucket.take(0)).toBe(0);

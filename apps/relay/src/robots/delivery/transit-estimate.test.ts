@@ -6,28 +6,28 @@ const HOUR_MS = 3_600_000;
 /** The relay's clock is years ahead of the script's. */
 const RELAY_MS = Date.UTC(2026, 0, 1);
 
-describe("how much longer than the quickest message another one was on its way", () => {
-  it("is nothing for the first, and for each that is as quick", () => {
+describe("the transit estimate: the delay of a message compared with the fastest one", () => {
+  it("is zero for the first message, and for each message that is as fast", () => {
     const transit = new TransitEstimate();
     expect(transit.came(0, RELAY_MS)).toBe(0);
     expect(transit.came(1_000, RELAY_MS + 1_000)).toBe(0);
   });
 
-  it("is what a message was held up, whatever the clocks say", () => {
+  it("is the delay of a message, independent of the clocks' offset", () => {
     const transit = new TransitEstimate();
     transit.came(5_000, RELAY_MS);
     expect(transit.came(6_000, RELAY_MS + 4_000)).toBeCloseTo(3_000, -1);
     expect(transit.came(9_000, RELAY_MS + 4_000)).toBe(0);
   });
 
-  it("counts from the quickest message, also where the first one was slow", () => {
+  it("is relative to the fastest message, even if the first one was slow", () => {
     const transit = new TransitEstimate();
     transit.came(0, RELAY_MS + 3_000);
     expect(transit.came(4_000, RELAY_MS + 4_000)).toBe(0);
     expect(transit.came(5_000, RELAY_MS + 8_000)).toBeCloseTo(3_000, -1);
   });
 
-  it("never looks long by drift alone, however long the session and its pauses", () => {
+  it("is never raised by drift alone, in sessions and pauses of any length", () => {
     const drifts = fc.double({ min: -100, max: 100, noNaN: true });
     const pauses = fc.array(fc.integer({ min: 1, max: HOUR_MS }), { minLength: 1, maxLength: 50 });
     fc.assert(
@@ -44,7 +44,7 @@ describe("how much longer than the quickest message another one was on its way",
     );
   });
 
-  it("still shows a delay after hours: drift hides at most 18 ms for each minute without a quick message", () => {
+  it("still detects a delay after hours: drift hides at most 18 ms per minute without a fast message", () => {
     const drifts = fc.double({ min: -100, max: 100, noNaN: true });
     const delays = fc.integer({ min: 0, max: 10_000 });
     fc.assert(
@@ -65,7 +65,7 @@ describe("how much longer than the quickest message another one was on its way",
     );
   });
 
-  it("is never less than nothing and always a number, whatever a sender claims", () => {
+  it("is a number that is not negative, for any timestamps of a sender", () => {
     const claims = fc.double({ min: 0, max: 999_999_999_999_999, noNaN: true });
     fc.assert(
       fc.property(fc.array(claims, { minLength: 1 }), (times) => {

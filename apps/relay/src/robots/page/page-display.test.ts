@@ -63,8 +63,8 @@ function withOwnership() {
   return { clock, ownership, display, newPage };
 }
 
-describe("what waits for the page", () => {
-  it("is shown at once where little happens", async () => {
+describe("the page's display of waiting commands", () => {
+  it("is updated immediately if changes are rare", async () => {
     const { clock, display, newPage } = withOwnership();
     const writes = newPage();
     display.show([command(1)]);
@@ -74,7 +74,7 @@ describe("what waits for the page", () => {
     expect(writes).toEqual([["1 accepted"], ["2 accepted"]]);
   });
 
-  it("is shown all together a second later, in order, where much happens", async () => {
+  it("is updated once, a second later and in order, if changes are frequent", async () => {
     const { clock, display, newPage } = withOwnership();
     const writes = newPage();
     display.show([command(1)]);
@@ -91,7 +91,7 @@ describe("what waits for the page", () => {
     expect(writes).toHaveLength(2);
   });
 
-  it("is shown at most once a second, though much of it is shown with something else", async () => {
+  it("is updated at most once a second, even if many updates accompany other messages", async () => {
     const { clock, display, newPage } = withOwnership();
     const writes = newPage();
     for (let seq = 1; seq <= 50; seq++) {
@@ -105,7 +105,7 @@ describe("what waits for the page", () => {
     expect(writes.flat()).toEqual(Array.from({ length: 50 }, (_, n) => `${n + 1} accepted`));
   });
 
-  it("goes before whatever is said with it", () => {
+  it("precedes the messages that it accompanies", () => {
     const { display, newPage } = withOwnership();
     const writes = newPage();
     display.sayWith({ type: "heartbeat" });
@@ -118,7 +118,7 @@ describe("what waits for the page", () => {
     ]);
   });
 
-  it("is not shown to the next page where it was held for the one before", async () => {
+  it("does not show the next page an update that was pending for the previous page", async () => {
     const { clock, display, newPage } = withOwnership();
     const before = newPage();
     for (const seq of [1, 2]) display.show([command(seq)]);
@@ -130,13 +130,13 @@ describe("what waits for the page", () => {
   });
 
   it.each([
-    { how: "by itself", flush: () => undefined },
-    { how: "when a command is given", flush: (display: PageDisplay) => display.flush() },
+    { how: "by the timer", flush: () => undefined },
+    { how: "before a command is delivered", flush: (display: PageDisplay) => display.flush() },
     {
-      how: "with something else",
+      how: "with another message",
       flush: (display: PageDisplay) => display.sayWith({ type: "heartbeat" }),
     },
-  ])("is shown to nobody where the page has gone: $how", async ({ flush }) => {
+  ])("is discarded if the page is disconnected: $how", async ({ flush }) => {
     const { clock, ownership, display, newPage } = withOwnership();
     const writes = newPage();
     for (const seq of [1, 2]) display.show([command(seq)]);
@@ -151,10 +151,10 @@ describe("what waits for the page", () => {
   });
 });
 
-describe("a page whose robot has more to do than it may have at a time", () => {
+describe("a page whose robot has more commands than the window", () => {
   const shown = ({ sent }: Host): string[] => sent.map(inWords).filter((words) => /\d/.test(words));
 
-  it("sees each command as waiting before it gets it, in order", async () => {
+  it("displays each command as waiting before it receives it, in order", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     for (let n = 0; n < 12; n++) await setup.submit(LEFT);
@@ -171,7 +171,7 @@ describe("a page whose robot has more to do than it may have at a time", () => {
     ]);
   });
 
-  it("sees what a stop has cancelled before the stop", async () => {
+  it("displays the commands that a stop cancelled before it receives the stop", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     for (let n = 0; n < 10; n++) await setup.submit(LEFT);
@@ -185,7 +185,7 @@ describe("a page whose robot has more to do than it may have at a time", () => {
     ]);
   });
 
-  it("receives what waits before the confirmation that its cancellation is stored: it may cancel all of that", async () => {
+  it("receives the waiting commands before the confirmation of its cancellation, which may cancel all of them", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     for (let n = 0; n < 10; n++) await setup.submit(LEFT);
@@ -193,7 +193,7 @@ describe("a page whose robot has more to do than it may have at a time", () => {
     expect(shown(host).slice(8)).toEqual(["9 accepted", "10 accepted", "stored 1", "command 9"]);
   });
 
-  it("sees what waits before its relay goes, and nothing after", async () => {
+  it("displays the waiting commands before its relay closes, and nothing afterwards", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     for (let n = 0; n < 10; n++) await setup.submit(LEFT);
@@ -204,7 +204,7 @@ describe("a page whose robot has more to do than it may have at a time", () => {
     expect(host.sent).toHaveLength(before);
   });
 
-  it("sees what waits together with its scripts, when somebody is sent away", async () => {
+  it("displays the waiting commands together with the scripts when a script is blocked", async () => {
     const setup = await withRobot();
     const host = await page(setup);
     for (let n = 0; n < 10; n++) await setup.submit(LEFT);

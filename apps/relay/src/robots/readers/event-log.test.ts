@@ -25,7 +25,7 @@ const step = fc.oneof(
   fc.constant("lose" as const),
 );
 
-it("has every event that is neither too old nor one too many, by its number, and says what is missing", () => {
+it("returns each event within the limits of age and count by its number, and reports missing ones", () => {
   fc.assert(
     fc.property(fc.array(step, { maxLength: 20 }), (steps) => {
       let now = 0;
@@ -64,7 +64,7 @@ it("has every event that is neither too old nor one too many, by its number, and
   );
 });
 
-it("returns no event under another's number, whatever happens while it is read", () => {
+it("returns no event under another event's number, even if it changes during a read", () => {
   const clock: Clock = { now: () => 0, after: () => () => undefined };
   for (const happens of ["add", "lose"] as const) {
     const log = new EventLog(clock);

@@ -79,8 +79,8 @@ function robotWithReaders() {
   return { clock, events, join, happen, report };
 }
 
-describe("a reader that comes back", () => {
-  it("receives what it missed, once and in order, and then what happens", () => {
+describe("a reader that reconnects", () => {
+  it("receives missed events once and in order, and then new ones", () => {
     const { events, join, happen } = robotWithReaders();
     happen(2);
     const since = events.since;
@@ -90,7 +90,7 @@ describe("a reader that comes back", () => {
     expect(said).toEqual(["welcome 2", "state 3", "state 4", "state 5", "state 6"]);
   });
 
-  it("receives no more once its connection breaks under what it missed", () => {
+  it("receives nothing more after its connection broke while it received missed events", () => {
     const { events, join, happen } = robotWithReaders();
     happen(2);
     const since = events.since;
@@ -99,7 +99,7 @@ describe("a reader that comes back", () => {
     expect(said).toEqual(["welcome 2", "state 3"]);
   });
 
-  it("receives nothing old when it is new", () => {
+  it("receives no earlier events if it is new", () => {
     const { join, happen } = robotWithReaders();
     happen(2);
     const { said } = join();
@@ -110,7 +110,7 @@ describe("a reader that comes back", () => {
   it.each([
     { name: "of more states than are stored", after: MAX_STORED_EVENTS + 1, ms: 0 },
     { name: "of states that are too old", after: 1, ms: EVENT_RETENTION_MS + 1 },
-  ])("gets one gap in place $name", async ({ after, ms }) => {
+  ])("receives one gap in place $name", async ({ after, ms }) => {
     const { clock, events, join, happen, report } = robotWithReaders();
     happen(3);
     report(7);
@@ -138,7 +138,7 @@ describe("a reader that comes back", () => {
     },
   );
 
-  it("gets a gap when it claims to know what has not happened yet", async () => {
+  it("receives a gap if its position is in the future", async () => {
     const { events, join, happen } = robotWithReaders();
     happen(2);
     const { said } = join(`${events.stream}-3`);
@@ -147,8 +147,8 @@ describe("a reader that comes back", () => {
   });
 });
 
-describe("a reader that keeps up", () => {
-  it("gets 20 snapshots a second of a robot that reports more, the newest each time", async () => {
+describe("a fast reader", () => {
+  it("receives the newest snapshot 20 times a second from a robot that reports more often", async () => {
     const { clock, join, report } = robotWithReaders();
     const { feed, said } = join();
     for (let seq = 1; seq <= 300; seq++) {
@@ -162,7 +162,7 @@ describe("a reader that keeps up", () => {
     expect(snapshots.at(-1)).toMatch(/ (299|300)$/);
   });
 
-  it("gets 20 a second again right after a time in which endings brought many more", async () => {
+  it("receives 20 snapshots a second again right after endings have added more", async () => {
     const { clock, join, report, happen } = robotWithReaders();
     const { feed, said } = join();
     let seq = 0;
@@ -180,7 +180,7 @@ describe("a reader that keeps up", () => {
     expect(await drive(1_000, false)).toBeGreaterThanOrEqual(19);
   });
 
-  it("gets on when the numbers of its robot's snapshots fall", async () => {
+  it("continues when the numbers of its robot's snapshots decrease", async () => {
     const { clock, join, report } = robotWithReaders();
     const { feed, said } = join();
     for (const seq of [1_000, 5, 6, 7, 8]) {
@@ -191,7 +191,7 @@ describe("a reader that keeps up", () => {
     expect(said.slice(1)).toEqual([1_000, 5, 6, 7, 8].map((seq) => `snapshot ${seq}`));
   });
 
-  it("gets the newest as soon as it has seen the one before, over a line however long", async () => {
+  it("receives the newest snapshot as soon as it confirms the previous one, at any latency", async () => {
     const { clock, join, report } = robotWithReaders();
     const { feed, said } = join();
     for (const seq of [1, 2, 3]) {
@@ -205,8 +205,8 @@ describe("a reader that keeps up", () => {
   });
 });
 
-describe("a reader that sleeps", () => {
-  it("has two snapshots on their way and no more, and then gets the newest", async () => {
+describe("a reader that stops reading", () => {
+  it("has at most two unconfirmed snapshots, and then receives the newest", async () => {
     const { clock, join, report } = robotWithReaders();
     const { said, takeAll } = join();
     for (let seq = 1; seq <= 100; seq++) {
@@ -219,7 +219,7 @@ describe("a reader that sleeps", () => {
     expect(said.slice(3)).toEqual(["snapshot 100"]);
   });
 
-  it("counts by its own word once it has given it, whatever its line says", async () => {
+  it("is measured by its own confirmations from the first one on, not by its connection", async () => {
     const { clock, join, report } = robotWithReaders();
     const { feed, said, takeAll } = join();
     report(1);
@@ -235,7 +235,7 @@ describe("a reader that sleeps", () => {
     expect(said.slice(4)).toEqual(["snapshot 9"]);
   });
 
-  it("finds the states that it slept through, in order, and few of them on the line", async () => {
+  it("receives missed states in order, while few of them are buffered on its connection", async () => {
     const { clock, join, happen } = robotWithReaders();
     const { said, flow, takeAll } = join();
     happen(900);
@@ -250,7 +250,7 @@ describe("a reader that sleeps", () => {
     );
   });
 
-  it("receives a gap when it missed more than is stored", async () => {
+  it("receives a gap if it missed more events than are stored", async () => {
     const { clock, join, happen } = robotWithReaders();
     const { said, takeAll } = join();
     happen(5_000);

@@ -8,7 +8,7 @@ const step = fc.oneof(
   fc.record({ times: fc.nat({ max: 200 }), push: fc.constant("again and again") }),
 );
 
-it("has every text as it came, in order, until it is let go of", () => {
+it("returns each text unchanged and in order until it is released", () => {
   fc.assert(
     fc.property(fc.array(step, { maxLength: 60 }), (steps) => {
       const packed = new PackedTexts();
@@ -30,7 +30,7 @@ it("has every text as it came, in order, until it is let go of", () => {
   );
 });
 
-it("takes little more than its texts need, and gives back what was needed once", () => {
+it("needs little more memory than its texts, and frees memory after a peak", () => {
   const packed = new PackedTexts();
   const text = "x".repeat(132);
   for (let count = 0; count < 1_000; count++) packed.push(text);

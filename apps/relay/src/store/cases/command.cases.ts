@@ -18,7 +18,7 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
   const withRobot = () => robotIn(open);
 
   describe(`${name}: commands`, () => {
-    it("numbers commands 1, 2, 3 and keeps the whole request", async () => {
+    it("numbers commands 1, 2, 3 and stores the whole request", async () => {
       const { add, store } = await withRobot();
       await add(LEFT);
       await add({ action: "drive", left: 0.2, right: -0.2, milliseconds: 602 }, "key-0001");
@@ -36,7 +36,7 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
       });
     });
 
-    it("gives a retry the first record, and refuses the key for another command", async () => {
+    it("returns the first record to a retry, and rejects the key for another command", async () => {
       const { add, states } = await withRobot();
       await add(LEFT, "key-0001");
       expect(await add(LEFT, "key-0001")).toMatchObject({
@@ -55,7 +55,7 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
       expect(await store.add(ID, other)).toMatchObject({ outcome: "stored" });
     });
 
-    it("refuses a command too many and leaves its key free, but never a stop", async () => {
+    it("rejects a command above the limit without using its key, but never a stop", async () => {
       const { add, deliver } = await withRobot();
       const maxWaiting = 2;
       await add(LEFT, null, { maxWaiting });
@@ -69,7 +69,7 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
       expect(await add(STOP, null, { maxWaiting })).toMatchObject({ outcome: "stored" });
     });
 
-    it("deletes old commands once they have ended, with their keys, and never an open one", async () => {
+    it("deletes old ended commands with their keys, and never an open one", async () => {
       const { add, store, states, deliver } = await withRobot();
       const keep = 2;
       await add(LEFT, "key-0001", { keep });
@@ -103,13 +103,13 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
       expect(await states()).toEqual(["1 completed"]);
     });
 
-    it("stores nothing for a robot that is not there", async () => {
+    it("stores nothing for an unknown robot", async () => {
       const { store } = await open();
       expect(await store.add(ID, sent)).toEqual({ outcome: "no-robot" });
       expect(await store.takeOver(ID, nothingDone)).toBeNull();
     });
 
-    it("delivers in order, no more than the window", async () => {
+    it("delivers in order, at most a window", async () => {
       const { add, store, states, deliver } = await withRobot();
       for (let n = 0; n < 4; n++) await add(LEFT);
       const first = await store.deliver(ID, EPOCH, 3, NOW);
@@ -124,7 +124,7 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
       expect(await states()).toEqual(["1 started", "2 delivered", "3 delivered", "4 delivered"]);
     });
 
-    it("lets a stop overtake: what waits is cancelled, what is delivered is the robot's to end", async () => {
+    it("lets a stop overtake: cancels waiting commands, and leaves delivered ones for the robot to end", async () => {
       const { add, states, deliver } = await withRobot();
       for (let n = 0; n < 3; n++) await add(LEFT);
       await deliver(2);
@@ -136,7 +136,7 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
       expect(await states()).toEqual(["1 delivered", "2 delivered", "3 cancelled", "4 delivered"]);
     });
 
-    it("keeps the first ending for ever", async () => {
+    it("never changes the first ending", async () => {
       const { add, store, deliver } = await withRobot();
       await add(LEFT);
       expect(await store.end(ID, EPOCH, completed(1))).toMatchObject({
@@ -159,7 +159,7 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
       expect(await store.command(ID, 1)).toMatchObject({ state: "completed", pose: { x: 250 } });
     });
 
-    it("ends what runs when the robot is gone, leaves what waits, and believes that page no more", async () => {
+    it("ends running commands of a lost page, leaves waiting ones, and ignores that page's later reports", async () => {
       const { add, store, deliver, states } = await withRobot();
       for (let n = 0; n < 3; n++) await add(LEFT);
       await deliver(2);

@@ -24,7 +24,7 @@ export function documentStoreCases(name: string, open: () => Promise<OpenDocumen
   describe(`${name}: documents behind short links`, () => {
     const read = (store: DocumentStore, id = "BCDF") => store.read(id, 2_000, DAY_MS);
 
-    it("gives back what was stored, after a restart too", async () => {
+    it("returns stored documents, also after a restart", async () => {
       const { store, reopen } = await open();
       expect(await store.add(document)).toBe("BCDF");
       expect(await read(store)).toBe(document.text);
@@ -33,7 +33,7 @@ export function documentStoreCases(name: string, open: () => Promise<OpenDocumen
       expect(await read(await reopen())).toBe(document.text);
     });
 
-    it("finds the same text again under its first id, and other texts under their own", async () => {
+    it("returns the first id for the same text, and separate ids for other texts", async () => {
       const { store } = await open();
       await store.add(document);
       const again = { ...document, ids: ["BBBB"], keyHash: "hash-of-the-second-key" };
@@ -43,7 +43,7 @@ export function documentStoreCases(name: string, open: () => Promise<OpenDocumen
       expect(await read(store, "BBBB")).toBe("{}");
     });
 
-    it("takes the first id that is free, and says so where none is", async () => {
+    it("uses the first free id, and reports if none is free", async () => {
       const { store } = await open();
       const texts = ["a", "b", "c"].map((hash) => ({ ...document, hash, text: `"${hash}"` }));
       const [first, second, third] = texts.map((each) => () => store.add(each));
@@ -58,7 +58,7 @@ export function documentStoreCases(name: string, open: () => Promise<OpenDocumen
       expect(added.toSorted()).toEqual(ids);
     });
 
-    it("deletes with the key, and leaves no trace on disk", async () => {
+    it("deletes a document with its key, and leaves nothing on disk", async () => {
       const { store, holds } = await open();
       await store.add(document);
       expect(await holds("a maze that may be deleted")).toBe(true);
@@ -72,7 +72,7 @@ export function documentStoreCases(name: string, open: () => Promise<OpenDocumen
       }
     });
 
-    it("keeps what somebody else has stored as well until they delete it too", async () => {
+    it("retains a document that another client stored too, until that client deletes it", async () => {
       const { store } = await open();
       await store.add(document);
       await store.add({ ...document, keyHash: "hash-of-the-second-key" });
@@ -83,7 +83,7 @@ export function documentStoreCases(name: string, open: () => Promise<OpenDocumen
       expect(await read(store)).toBeNull();
     });
 
-    it("deletes what nobody uses, and nothing else", async () => {
+    it("deletes unused documents, and no others", async () => {
       const { store, holds } = await open();
       await store.add(document);
       await store.add({ ...document, ids: ["BBBB"], hash: "b", text: '"read"' });
@@ -98,7 +98,7 @@ export function documentStoreCases(name: string, open: () => Promise<OpenDocumen
       expect(await read(store, "CCCC")).toBe('"stored again"');
     });
 
-    it("notes a use no more often than asked, and never takes one back", async () => {
+    it("records uses at most at the given interval, and never moves one back", async () => {
       const { store } = await open();
       await store.add({ ...document, now: 3 * DAY_MS });
       await store.read("BCDF", 3 * DAY_MS + 5, DAY_MS);

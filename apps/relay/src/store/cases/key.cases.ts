@@ -9,7 +9,7 @@ export function keyCases(name: string, open: () => Promise<OpenStore>): void {
     const watch = { kind: "watch" as const, hash: "watcher-hash" };
     const first = { kind: "drive" as const, hash: "driver-hash-of-this-robot" };
 
-    it("makes and revokes keys in one step, also for after a restart", async () => {
+    it("creates and revokes keys in one step, which survives a restart", async () => {
       const { store, reopen } = await withRobot();
       const change = keyChange({ add: [watch], remove: [first.hash] });
       const changed = { outcome: "changed", keys: [watch], ended: [] };
@@ -20,7 +20,7 @@ export function keyCases(name: string, open: () => Promise<OpenStore>): void {
       expect(keys.toSorted((a, b) => a.hash.localeCompare(b.hash))).toEqual([first, watch]);
     });
 
-    it("refuses one too many and leaves all as it was, but revokes and replaces then, too", async () => {
+    it("rejects a key above the limit without changes, and can still revoke and replace keys", async () => {
       const { store } = await withRobot();
       const full = await store.changeKeys(ID, keyChange({ add: [watch], most: 1 }));
       expect(full).toEqual({ outcome: "full" });
@@ -39,7 +39,7 @@ export function keyCases(name: string, open: () => Promise<OpenStore>): void {
       expect(replaced).toEqual({ outcome: "changed", keys: [watch, anew], ended: [] });
     });
 
-    it("takes back what a revoked key had sent, and stores nothing more of it", async () => {
+    it("withdraws the commands of a revoked key, and stores no more of them", async () => {
       const { store, add, deliver, states } = await withRobot();
       const other = { kind: "drive" as const, hash: "e" };
       await store.changeKeys(ID, keyChange({ add: [other] }));
@@ -57,7 +57,7 @@ export function keyCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await states()).toEqual(["1 delivered", "2 accepted", "3 cancelled", "4 accepted"]);
     });
 
-    it("says when each was made and used last, for those that count, after a restart too", async () => {
+    it("returns when each valid key was created and last used, also after a restart", async () => {
       const { store, reopen, holds } = await withRobot();
       await store.changeKeys(ID, keyChange({ add: [watch], now: 7_000 }));
       const made = { hash: first.hash, createdAt: 1_000, lastUsedAt: null };
@@ -86,7 +86,7 @@ export function keyCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await holds(first.hash)).toBe(false);
     });
 
-    it("has no keys where there is no robot", async () => {
+    it("has no keys for an unknown robot", async () => {
       const { store } = await withRobot();
       const change = keyChange({ add: [watch] });
       expect(await store.changeKeys("B".repeat(22), change)).toEqual({ outcome: "no-robot" });

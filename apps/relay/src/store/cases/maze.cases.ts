@@ -6,7 +6,7 @@ export function mazeCases(name: string, open: () => Promise<OpenStore>): void {
   const withRobot = () => robotIn(open);
 
   describe(`${name}: the maze of a robot`, () => {
-    it("is the newest that was stored, also after a restart", async () => {
+    it("is the last one stored, also after a restart", async () => {
       const { store, reopen } = await withRobot();
       expect(await store.maze(ID)).toBeNull();
       expect(await store.keepMaze(ID, '{"name":"first"}')).toBe(true);
@@ -21,7 +21,7 @@ export function mazeCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await store.find("B".repeat(22))).toBeNull();
     });
 
-    it("goes from the disk with the robot", async () => {
+    it("is deleted from the disk with the robot", async () => {
       const { store, holds } = await withRobot();
       const text = "a-maze-to-be-deleted ".repeat(2_000);
       await store.keepMaze(ID, text);
@@ -32,7 +32,7 @@ export function mazeCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await holds("a-maze-to-be-deleted")).toBe(false);
     });
 
-    it("goes with a robot that ran out", async () => {
+    it("is deleted with an expired robot", async () => {
       const { store, holds } = await withRobot();
       await store.keepMaze(ID, "a-maze-to-be-deleted");
       await store.removeExpired({ lastUsedAt: 9_000, createdAt: 9_000 });

@@ -16,8 +16,8 @@ import {
 export function pageCases(name: string, open: () => Promise<OpenStore>): void {
   const withRobot = () => robotIn(open);
 
-  describe(`${name}: a page takes the robot`, () => {
-    it("raises the epoch, makes what never arrived wait again, and knows what had begun", async () => {
+  describe(`${name}: a page acquires the robot`, () => {
+    it("raises the epoch, requeues commands that never arrived, and retains the started ones", async () => {
       const { add, store, states, deliver } = await withRobot();
       for (let n = 0; n < 4; n++) await add(LEFT);
       await deliver(8);
@@ -34,7 +34,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       expect((await store.takeOver(ID, nothingDone))?.epoch).toBe(EPOCH + 2);
     });
 
-    it("refuses the frames of the page before", async () => {
+    it("rejects the messages of the previous page", async () => {
       const { add, store, deliver, states } = await withRobot();
       await add(LEFT);
       await deliver(8);
@@ -45,7 +45,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await states()).toEqual(["1 started"]);
     });
 
-    it("names the endings that come too late, and takes a repeated one for what it is", async () => {
+    it("lists the endings that come too late, and accepts repeated ones", async () => {
       const { add, store, deliver } = await withRobot();
       await add(LEFT);
       await add(LEFT);
@@ -57,7 +57,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       expect(taken).toMatchObject({ changed: [], refused: [{ seq: 2, state: "cancelled" }] });
     });
 
-    it("ends what a reloaded page had begun, and what a waiting stop had overtaken", async () => {
+    it("ends the commands that a reloaded page had started, and those that a waiting stop had overtaken", async () => {
       const { add, store, states, deliver } = await withRobot();
       for (let n = 0; n < 3; n++) await add(LEFT);
       await deliver(8);
@@ -67,7 +67,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await store.command(ID, 1)).toMatchObject({ reason: reloadReasons.started });
     });
 
-    it("says where the restored robot stands of each command that a reload has cancelled", async () => {
+    it("records the position of the restored robot in each command that a reload has cancelled", async () => {
       const pose = { x: 50.25, y: 150, heading: 90.5 };
       for (const settled of [Number.MAX_SAFE_INTEGER, null]) {
         const { add, store, deliver } = await withRobot();
@@ -85,7 +85,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       }
     });
 
-    it("ends what the page before may have begun, where nobody knows, and puts nothing back", async () => {
+    it("ends the commands that the previous page may have started, and requeues none", async () => {
       for (const settled of [null, EPOCH - 1]) {
         const { add, store, states, deliver } = await withRobot();
         for (let n = 0; n < 4; n++) await add(LEFT);
@@ -102,7 +102,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       }
     });
 
-    it("ends them because of the reload where the page before is gone", async () => {
+    it("ends them because of the reload if the previous page is disconnected", async () => {
       const { add, store, deliver } = await withRobot();
       for (let n = 0; n < 2; n++) await add(LEFT);
       await deliver(2);
@@ -115,7 +115,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       ]);
     });
 
-    it("lists the commands that have not ended, in order", async () => {
+    it("lists the open commands in order", async () => {
       const { add, store, deliver } = await withRobot();
       for (let n = 0; n < 4; n++) await add(LEFT);
       await deliver(3);
@@ -136,7 +136,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await store.openCommands("BBBBBBBBBBBBBBBBBBBBBB")).toEqual([]);
     });
 
-    it("never gives a number again that the page has seen", async () => {
+    it("never reuses a number that the page has seen", async () => {
       const { add, store } = await withRobot();
       await store.takeOver(ID, pageState({ lastApplied: 41, fresh: false, endings: [] }));
       expect(await add(LEFT)).toMatchObject({ record: { seq: 42 } });

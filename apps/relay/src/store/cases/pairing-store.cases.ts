@@ -27,7 +27,7 @@ export function pairingStoreCases(name: string, open: () => Promise<OpenPairingS
   };
 
   describe(`${name}: pairing codes`, () => {
-    it("are found by robot, code and key, after a restart too", async () => {
+    it("are found by robot, code and key, also after a restart", async () => {
       const { store, reopen } = await withRobots();
       expect(await store.open(pairing)).toBe("opened");
       const opened = { ...pairing, state: "open", question: null };
@@ -41,7 +41,7 @@ export function pairingStoreCases(name: string, open: () => Promise<OpenPairingS
       expect(await again.find({ robot: OTHER }, NOW)).toBeNull();
     });
 
-    it("are for one script, and the first answer counts", async () => {
+    it("are for one script, and the first answer is final", async () => {
       const { store } = await withRobots();
       await store.open(pairing);
       const second = { key: "hash-of-a-second-key", name: null, client: "curl" };
@@ -58,7 +58,7 @@ export function pairingStoreCases(name: string, open: () => Promise<OpenPairingS
       });
     });
 
-    it("belong to one robot, and a new one takes the place of the last", async () => {
+    it("belong to one robot, and a new one replaces the previous one", async () => {
       const { store } = await withRobots();
       await store.open(pairing);
       await store.ask(pairing.code, question, NOW);
@@ -70,7 +70,7 @@ export function pairingStoreCases(name: string, open: () => Promise<OpenPairingS
       expect(await store.open({ ...pairing, robot: OTHER })).toBe("opened");
     });
 
-    it("count until their time is over, to the millisecond", async () => {
+    it("are valid until they expire, to the millisecond", async () => {
       const { store } = await withRobots();
       await store.open(pairing);
       expect(await store.find({ robot: ROBOT }, pairing.endsAt - 1)).not.toBeNull();
@@ -87,7 +87,7 @@ export function pairingStoreCases(name: string, open: () => Promise<OpenPairingS
         remove: async ({ store }: OpenPairingStore) => expect(await store.remove(ROBOT)).toBe(true),
       },
       {
-        when: "their time is over",
+        when: "they expire",
         remove: async ({ store }: OpenPairingStore) => {
           expect(await store.removeEnded(pairing.endsAt - 1)).toBe(0);
           expect(await store.removeEnded(pairing.endsAt)).toBe(1);
@@ -98,11 +98,11 @@ export function pairingStoreCases(name: string, open: () => Promise<OpenPairingS
         remove: async ({ robots }: OpenPairingStore) => void (await robots.remove(ROBOT)),
       },
       {
-        when: "their robot runs out",
+        when: "their robot expires",
         remove: async ({ robots }: OpenPairingStore) =>
           void (await robots.removeExpired({ lastUsedAt: 10, createdAt: 10 })),
       },
-    ])("are gone from the files when $when", async ({ remove }) => {
+    ])("are deleted from the files when $when", async ({ remove }) => {
       const opened = await withRobots();
       const { store, holds } = opened;
       await store.open(pairing);

@@ -5,14 +5,14 @@ import { ID, LEFT, STOP, keyChange, type OpenStore, robotIn } from "./robot-in-s
 export function robotCases(name: string, open: () => Promise<OpenStore>): void {
   const withRobot = () => robotIn(open);
 
-  describe(`${name}: scripts that are away`, () => {
+  describe(`${name}: blocked scripts`, () => {
     const driver = "driver-hash-of-this-robot";
     const reason = "its script was blocked";
     const anna = { id: "AnnaAnna", driver, name: "Anna \u00fc \u2713", client: "Python" };
     const watcher = { kind: "watch" as const, hash: "watcher-hash" };
     const nameless = { id: "Nameless", driver, name: null, client: "curl" };
 
-    it("stay away after a restart, each once, until they are let back", async () => {
+    it("stay blocked after a restart, each once, until they are unblocked", async () => {
       const { store, reopen } = await withRobot();
       expect((await store.find(ID))?.blocked).toEqual([]);
       await store.changeBlocked(ID, { add: anna, remove: null, reason, most: 16 });
@@ -27,7 +27,7 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
       expect((await reopened.find(ID))?.blocked).toEqual([]);
     });
 
-    it("are only so many, and none where there is no robot", async () => {
+    it("are limited in number, and cannot be added to an unknown robot", async () => {
       const { store } = await withRobot();
       await store.changeBlocked(ID, { add: anna, remove: null, reason, most: 1 });
       const one = { add: nameless, remove: null, reason, most: 1 };
@@ -36,7 +36,7 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await store.changeBlocked("B".repeat(22), one)).toEqual({ outcome: "no-robot" });
     });
 
-    it("are gone with their key, and from the disk with the robot", async () => {
+    it("are removed with their key, and from the disk with the robot", async () => {
       const { store, holds } = await withRobot();
       const other = { ...nameless, driver: "another-hash" };
       await store.changeBlocked(ID, {
@@ -52,7 +52,7 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await holds("Annas-name")).toBe(false);
     });
 
-    it("loses what it had sent: what waits ends, and the robot is asked for the rest", async () => {
+    it("loses its commands: waiting ones end, and the robot is asked to end the rest", async () => {
       const { store, add, deliver, states } = await withRobot();
       const byAnna = { script: anna.id };
       await add(LEFT, null, byAnna);
@@ -68,7 +68,7 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await store.recalled(ID)).toEqual([{ seq: 1, reason }]);
     });
 
-    it("sends nothing while it is blocked, not even where a relay does not know it yet", async () => {
+    it("sends no commands while it is blocked, even at a relay that has not been notified", async () => {
       const { store, add } = await withRobot();
       const byAnna = { script: anna.id };
       await store.changeBlocked(ID, { add: anna, remove: null, reason, most: 16 });
@@ -79,10 +79,10 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
     });
   });
 
-  describe(`${name}: remote driving that is paused`, () => {
+  describe(`${name}: paused remote driving`, () => {
     const reason = "paused";
 
-    it("takes back what was sent, all but stops, in the same step", async () => {
+    it("withdraws all commands except stops in the same step", async () => {
       const { store, add, deliver, states } = await withRobot();
       for (let n = 0; n < 3; n++) await add(LEFT);
       await deliver(2);
@@ -95,7 +95,7 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
       expect((await store.recalled(ID)).map(({ seq }) => seq)).toEqual([1, 2]);
     });
 
-    it("refuses commands and frees their keys, but takes a stop and knows what it took before", async () => {
+    it("rejects commands without using their keys, accepts stops, and returns earlier records to retries", async () => {
       const { store, add } = await withRobot();
       await add(LEFT, "key-0001");
       await store.pause(ID, true, reason);
@@ -106,7 +106,7 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await add(LEFT, "key-0002")).toMatchObject({ outcome: "stored" });
     });
 
-    it("stays so after a restart, and is nothing where there is no robot", async () => {
+    it("persists across a restart, and does not exist for an unknown robot", async () => {
       const { store, add, reopen } = await withRobot();
       await add(LEFT);
       expect((await store.find(ID))?.isPaused).toBe(false);
@@ -118,14 +118,14 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
   });
 
   describe(`${name}: sessions`, () => {
-    it("answers that it can be written, as often as it is asked", async () => {
+    it("reports each time that the store is writable", async () => {
       const { store, add, states } = await withRobot();
       await add(LEFT);
       expect([await store.check(), await store.check()]).toEqual(["ok", "ok"]);
       expect(await states()).toEqual(["1 accepted"]);
     });
 
-    it("still has everything after a restart", async () => {
+    it("restores everything after a restart", async () => {
       const { add, store, reopen, deliver } = await withRobot();
       await add(LEFT, "key-0001");
       await deliver(8);
@@ -151,7 +151,7 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await holds("driver-hash-of-this-robot")).toBe(false);
     });
 
-    it("deletes robots that nobody uses or that are too old, and no others", async () => {
+    it("deletes robots that are unused or too old, and no others", async () => {
       const { store } = await withRobot();
       await store.create({ id: "BBBBBBBBBBBBBBBBBBBBBB", createdAt: 9_000, keys: [] });
       await store.touch(ID, 8_000, []);

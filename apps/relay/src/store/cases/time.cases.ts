@@ -10,7 +10,7 @@ export function timeCases(name: string, open: () => Promise<OpenStore>): void {
   describe(`${name}: time to live`, () => {
     const short = { ttl: 400, deadline: NOW + 400 };
 
-    it("expires what waits too long, and says when the next is due", async () => {
+    it("expires commands that wait too long, and returns the next deadline", async () => {
       const { add, store, states } = await withRobot();
       await add(LEFT, null, short);
       await add(LEFT);
@@ -24,7 +24,7 @@ export function timeCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await store.expire(ID, NOW + 10_000)).toMatchObject({ next: null });
     });
 
-    it("leaves to the robot what was delivered in time, and delivers nothing late", async () => {
+    it("leaves commands that were delivered in time to the robot, and delivers none late", async () => {
       const { add, store, states } = await withRobot();
       await add(LEFT, null, short);
       await add(LEFT, null, short);
@@ -45,7 +45,7 @@ export function timeCases(name: string, open: () => Promise<OpenStore>): void {
       });
     });
 
-    it("refuses what comes too late and leaves its key free, but knows a key again at any age", async () => {
+    it("rejects a late command without using its key, and recognises a known key at any age", async () => {
       const { add, states } = await withRobot();
       expect(await add(LEFT, "key-0001", { deadline: NOW })).toEqual({ outcome: "late" });
       expect(await add(LEFT, "key-0001")).toMatchObject({ outcome: "stored", record: { seq: 1 } });
@@ -55,7 +55,7 @@ export function timeCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await states()).toEqual(["1 accepted"]);
     });
 
-    it("gives nothing more time when the clock was set back", async () => {
+    it("gives no extra time when the clock was set back", async () => {
       const { add, store, states } = await withRobot();
       await add(LEFT);
       expect(await store.deliver(ID, EPOCH, 8, NOW - 2_001)).toEqual([]);
@@ -64,7 +64,7 @@ export function timeCases(name: string, open: () => Promise<OpenStore>): void {
       expect(await states()).toEqual(["1 expired"]);
     });
 
-    it("still knows the deadlines after a restart", async () => {
+    it("restores the deadlines after a restart", async () => {
       const { add, store, reopen } = await withRobot();
       await add(LEFT, null, short);
       await store.close();

@@ -17,7 +17,7 @@ export function withdrawalCases(name: string, open: () => Promise<OpenStore>): v
   const withRobot = () => robotIn(open);
 
   describe(`${name}: replacing and cancelling`, () => {
-    it("supersedes what is accepted, and delivers what replaces past a full window", async () => {
+    it("supersedes accepted commands, and delivers the replacing one even if the window is full", async () => {
       const { add, deliver, states, store } = await withRobot();
       for (let n = 0; n < 3; n++) await add(LEFT);
       await deliver(2);
@@ -33,7 +33,7 @@ export function withdrawalCases(name: string, open: () => Promise<OpenStore>): v
       expect(await states()).toEqual(["1 delivered", "2 delivered", "3 superseded", "4 delivered"]);
     });
 
-    it("keeps overtaken what was delivered before and never arrived", async () => {
+    it("supersedes or cancels an overtaken command that was delivered and never arrived", async () => {
       const { add, deliver, states, store } = await withRobot();
       for (let n = 0; n < 3; n++) await add(LEFT);
       await deliver(8);
@@ -54,7 +54,7 @@ export function withdrawalCases(name: string, open: () => Promise<OpenStore>): v
       expect((await states()).slice(3)).toEqual(["4 cancelled", "5 cancelled", "6 expired"]);
     });
 
-    it("takes back what waits, for its sender only, and leaves to the robot what it has", async () => {
+    it("withdraws waiting commands for their sender only, and leaves delivered ones to the robot", async () => {
       const { add, deliver, store } = await withRobot();
       const by = { driver: sent.driver, reason: "cancelled by its sender" };
       await add(LEFT);
@@ -73,7 +73,7 @@ export function withdrawalCases(name: string, open: () => Promise<OpenStore>): v
       expect(await store.cancel(ID, 3, by)).toEqual({ outcome: "no-command" });
     });
 
-    it("stores the request to cancel what the robot has, and ends by it what never arrived", async () => {
+    it("stores the request to cancel a delivered command, and ends one that never arrived", async () => {
       const { add, deliver, store, states } = await withRobot();
       const by = { driver: sent.driver, reason: "cancelled by its sender" };
       for (let n = 0; n < 4; n++) await add(LEFT);

@@ -8,7 +8,7 @@ import { StoreUnavailableError } from "../../platform/errors/store-unavailable.t
 const SOON = { timeout: 15_000, interval: 100 };
 
 describe.skipIf(!hasRedis)("with Redis", () => {
-  it("finds out within seconds that its line is dead, however much is written to it, and makes a new one", async () => {
+  it("detects a dead connection within seconds, even while it writes to it, and reconnects", async () => {
     const { port } = await startTestRedis();
     const net = await swallowingNet(port);
     const redis = await connectRedis(net.url, () => undefined);
@@ -29,7 +29,7 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     }, SOON);
   });
 
-  it("stays closed once it was closed", async () => {
+  it("stays closed after it was closed", async () => {
     const { url } = await startTestRedis();
     const redis = await connectRedis(url, () => undefined);
     redis.destroy();

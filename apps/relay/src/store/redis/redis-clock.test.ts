@@ -23,12 +23,12 @@ it.each([60_000, -60_000])("returns the time of Redis, %d ms from its own", asyn
   expect(ahead()).toBe(aheadMs);
 });
 
-it("is off by no more than half of what the answer took", async () => {
+it("differs by at most half of the response time", async () => {
   const { ahead } = await withRedis(60_000, 100);
   expect(Math.abs(ahead() - 60_000)).toBeLessThanOrEqual(50);
 });
 
-it("follows ahead at once, and goes on while Redis is away", async () => {
+it("jumps ahead immediately, and continues while Redis is unavailable", async () => {
   const { machine, redis, ahead } = await withRedis(0);
   redis.aheadMs = 30_000;
   await machine.pass(5_000);
@@ -38,7 +38,7 @@ it("follows ahead at once, and goes on while Redis is away", async () => {
   expect(ahead()).toBe(30_000);
 });
 
-it("gives nothing more time: a little behind it goes more slowly, far behind it goes on", async () => {
+it("gives no extra time: slows down if Redis is slightly behind, and ignores Redis if it is far behind", async () => {
   const { machine, redis, clock, ahead } = await withRedis(0);
   redis.aheadMs = -10;
   for (let second = 0, before = clock.now(); second < 20; second++) {

@@ -17,7 +17,7 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     return { store: await open(), reopen: open, holds: async (text) => server.holds(text) };
   });
 
-  it("opens a link from before there were short codes, and gives the same text a code now", async () => {
+  it("opens a link from before short codes, and assigns a short code to the same text", async () => {
     const server = await startTestRedis();
     const redis = await connectRedis(server.url, () => undefined);
     onTestFinished(() => redis.destroy());
@@ -32,7 +32,7 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     expect(await store.add({ ...again, keyHash: "newer", ids: ["GHJK"] })).toBe("BCDF");
   });
 
-  it("never gives one code to two texts, though two relays want the same codes at the same moment", async () => {
+  it("never assigns one code to two texts, even if two relays request the same codes concurrently", async () => {
     const server = await startTestRedis();
     const relays = await Promise.all(
       [0, 1].map(async () => {

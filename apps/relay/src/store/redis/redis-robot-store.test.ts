@@ -23,7 +23,7 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     };
   });
 
-  it("is refused at the start when it would lose what was acknowledged", async () => {
+  it("is rejected at startup if it could lose acknowledged commands", async () => {
     const refused = async (settings: string[]) => {
       const { redis } = await openAt((await startTestRedis(settings)).url);
       return requireDurable(redis).then(
@@ -38,7 +38,7 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     expect(await refused(["--appendfsync", "always"])).toBe("");
   });
 
-  it("says where it looked when nobody answers", async () => {
+  it("names the address in the error if the server does not respond", async () => {
     await expect(connectRedis("redis://127.0.0.1:1", () => undefined)).rejects.toThrow(
       /Cannot connect to Redis at .* correct STORE_URL/,
     );

@@ -55,7 +55,7 @@ async function withRelays() {
 }
 
 describe("a step", () => {
-  it("fails if other relays change the robot at each attempt, and does not hold up the next one", async () => {
+  it("fails if other relays change the robot at each attempt, and does not delay the next step", async () => {
     let calls = 0;
     const state = ["a version", "1", "0", "0", "[]", null, null];
     const script = {
@@ -79,7 +79,7 @@ describe("a step that another relay's change has delayed", () => {
   const robotNow = (version: string) => [[version, "1", "0", "0", "[]", null, null], []];
 
   it.each([...Array(12).keys()])(
-    "stays before a step that arrives %i promises after the refusal",
+    "precedes a step that arrives %i promises after the rejection",
     async (promises) => {
       let version = "theirs";
       const stored: string[] = [];
@@ -149,7 +149,7 @@ describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
     expect(requests).toBe(4);
   });
 
-  it("of two relays at once lose and repeat nothing, and every step is published once, in order", async () => {
+  it("of two concurrent relays lose and repeat nothing, and each is published once, in order", async () => {
     const { a, b, published, epoch } = await withRelays();
     const count = 40;
     const add = async (n: number) =>
@@ -169,7 +169,7 @@ describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
     );
   });
 
-  it("know the idempotency key of a command that ended at another relay", async () => {
+  it("recognise the idempotency key of a command that ended at another relay", async () => {
     const { a, b, epoch } = await withRelays();
     const command = { ...sent, key: "key-0001" };
     await a.store.add(ID, command);
@@ -186,7 +186,7 @@ describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
     }
   });
 
-  it("publish a page before the commands that it changes, with what readers and pages show", async () => {
+  it("publish a page before the commands that it changes, with the data for readers and pages", async () => {
     const { a, published, epoch } = await withRelays();
     await a.store.add(ID, sent);
     await a.store.deliver(ID, epoch, 8, NOW);
@@ -205,7 +205,7 @@ describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
     ]);
   });
 
-  it("change nothing at all while the memory of Redis is full, and work again afterwards", async () => {
+  it("change nothing while the memory of Redis is full, and succeed again afterwards", async () => {
     const { a, published, epoch } = await withRelays();
     await a.store.add(ID, sent);
     await a.redis.configSet("maxmemory", "100kb");
@@ -224,7 +224,7 @@ describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
     });
   });
 
-  it("bring nothing back of a robot that another relay has deleted", async () => {
+  it("restore nothing of a robot that another relay has deleted", async () => {
     const { a, b } = await withRelays();
     await a.store.add(ID, sent);
     await b.store.remove(ID);

@@ -9,7 +9,7 @@ const change = fc.oneof(
   fc.record({ deleteOf: fc.array(owner) }),
 );
 
-it("knows whose each entry is and which are the oldest, whatever comes and goes", () => {
+it("returns the owner of each entry and the oldest entries, after any additions and deletions", () => {
   fc.assert(
     fc.property(fc.array(change, { maxLength: 60 }), (changes) => {
       const owners = new EntryOwners();
@@ -45,7 +45,7 @@ it("knows whose each entry is and which are the oldest, whatever comes and goes"
   );
 });
 
-it("gives back the places of what is gone, and goes on", () => {
+it("reuses the slots of deleted entries", () => {
   const owners = new EntryOwners();
   for (let entry = 1; entry <= 20_000; entry++) {
     owners.add(entry, entry % 2 === 0 ? "a" : "b");

@@ -28,7 +28,7 @@ documentStoreCases("SqliteDocumentStore", async () => {
   };
 });
 
-it("brings a file from before there were short links and deadlines to this schema, with its sessions", async () => {
+it("migrates a file from before short links and deadlines to this schema, with its sessions", async () => {
   const path = join(testFolder(), "corridor.sqlite");
   const id = "AAAAAAAAAAAAAAAAAAAAAA";
   const db = openDatabase(path, 1);
@@ -48,7 +48,7 @@ it("brings a file from before there were short links and deadlines to this schem
   expect(await robots.expire(id, 5_000)).toEqual({ ended: [], next: 15_000 });
 });
 
-it("opens a link from before there were short codes, and gives the same text a code now", async () => {
+it("opens a link from before short codes, and assigns a short code to the same text", async () => {
   const path = join(testFolder(), "corridor.sqlite");
   const before = 13;
   const db = openDatabase(path, before);

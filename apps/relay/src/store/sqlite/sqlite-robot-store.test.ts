@@ -37,7 +37,7 @@ const openStore = (isThreaded: boolean) => async (): Promise<OpenStore> => {
 storeCases("SqliteRobotStore", openStore(false));
 storeCases("SqliteRobotStore with a thread", openStore(true));
 
-it("finds the commands of a robot by index, however many have ended", async () => {
+it("finds the commands of a robot by index, for any number of ended ones", async () => {
   const file = join(testFolder(), "corridor.sqlite");
   // With a journal length of 0, the tables hold each write at the latest after the next one.
   const store = new SqliteRobotStore(file, 0);
@@ -82,7 +82,7 @@ it("finds the commands of a robot by index, however many have ended", async () =
   expect(slow).toEqual([]);
 });
 
-it("reads none of what has ended where it looks for what is open", async () => {
+it("reads no ended commands when it searches for open ones", async () => {
   const file = join(testFolder(), "corridor.sqlite");
   const store = new SqliteRobotStore(file, 0);
   const id = "AAAAAAAAAAAAAAAAAAAAAA";
@@ -99,7 +99,7 @@ it("reads none of what has ended where it looks for what is open", async () => {
   expect(db.prepare("SELECT open_from FROM sessions").get()).toEqual({ open_from: 4 });
 });
 
-it("is refused a file that another relay has, until that one ends", async () => {
+it("rejects a file that another relay holds, until that relay exits", async () => {
   const file = join(testFolder(), "corridor.sqlite");
   const other = startOther(file);
   onTestFinished(() => void other.kill("SIGKILL"));
@@ -123,7 +123,7 @@ function startOther(file: string) {
   });
 }
 
-it("says so when the file was written by a newer version", () => {
+it("reports that the file was written by a newer version", () => {
   const file = join(testFolder(), "corridor.sqlite");
   const db = new DatabaseSync(file);
   db.exec("PRAGMA user_version = 99");

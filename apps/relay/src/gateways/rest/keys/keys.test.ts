@@ -217,7 +217,7 @@ describe("a new driver key", () => {
       replace: async (relay: TestRelay, robot: Registration) =>
         (await make(relay, robot, { kind: "watch" })).id,
     },
-  ])("is not made in the place of $what", async ({ replace }) => {
+  ])("is not created in place of $what", async ({ replace }) => {
     const { relay, robot } = await withRobot();
     const wanted = { kind: "drive", replace: await replace(relay, robot) };
     const request = { method: "POST", key: robot.ownerKey, body: wanted };

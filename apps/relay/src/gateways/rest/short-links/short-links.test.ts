@@ -48,7 +48,7 @@ describe("a short link", () => {
       name: "a maze with special characters in its name",
       document: { ...maze, name: '"\\\0\uD800\u2028' },
     },
-  ])("leads to $name as it was", async ({ document }) => {
+  ])("returns $name unchanged", async ({ document }) => {
     const relay = await startTestRelay();
     const answer = await post(relay, document);
     expect(answer.status).toBe(201);
@@ -184,7 +184,7 @@ describe("an invalid document", () => {
   it.each([
     { name: "text/plain", headers: { "Content-Type": "text/plain" } },
     { name: "compressed", headers: { "Content-Encoding": "gzip" } },
-  ])("is refused by its type: $name", async ({ headers }) => {
+  ])("is rejected with 415: $name", async ({ headers }) => {
     const relay = await startTestRelay();
     expect((await problemOf(await post(relay, maze, headers))).status).toBe(415);
   });

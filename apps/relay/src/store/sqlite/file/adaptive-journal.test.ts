@@ -27,7 +27,7 @@ function withWays() {
   return { write, disk, writes, shorter, pass: (ms: number) => (time += ms) };
 }
 
-it("writes few entries itself, and has the thread write many entries and compactions", async () => {
+it("writes few entries itself, and lets the thread write many entries and compactions", async () => {
   const { write, shorter, writes } = withWays();
   expect([write(1), write(4), write(1, true), write(1), write(5)]).toEqual([
     "own 1",
@@ -40,12 +40,12 @@ it("writes few entries itself, and has the thread write many entries and compact
   expect(writes.at(-1)).toBe("thread closed");
 });
 
-it("has the thread write few, too, right behind many: more will come", () => {
+it("lets the thread write few entries right after many, because more will follow", () => {
   const { write } = withWays();
   expect([write(9), write(1), write(1)]).toEqual(["thread 9", "thread 1", "own 1"]);
 });
 
-it("has three wait for a slow disk, then one every ten seconds until it is quick", () => {
+it("writes three entries itself on a slow disk, then one every ten seconds until the disk is fast", () => {
   const { write, disk, pass } = withWays();
   disk.ms = 8;
   expect([write(1), write(1), write(1), write(1)]).toEqual(["own 1", "own 1", "own 1", "thread 1"]);
@@ -61,7 +61,7 @@ it("has three wait for a slow disk, then one every ten seconds until it is quick
 it.each([
   { times: [8, 0.3, 8, 0.3, 8, 0.3, 8, 0.3], last: "own 1", how: "now and then" },
   { times: [8, 8, 0.3, 8, 8, 0.3], last: "thread 1", how: "more often than not" },
-])("takes a disk that is slow $how for what it is", ({ times, last }) => {
+])("judges a disk that is slow $how by its recent writes", ({ times, last }) => {
   const { write, disk } = withWays();
   for (const ms of times) {
     disk.ms = ms;

@@ -45,7 +45,7 @@ async function driven(store: SqliteRobotStore): Promise<void> {
 }
 
 describe("the database file", () => {
-  it("cannot be read by other users of the machine, nor can the files beside it", async () => {
+  it("is not readable by other users of the machine, nor are the files beside it", async () => {
     const path = join(testFolder(), "corridor.sqlite");
     writeFileSync(path, "");
     chmodSync(path, 0o644);
@@ -71,7 +71,7 @@ describe("the database file", () => {
         writeSync(file, Buffer.alloc(4_096, 0xff), 0, 4_096, 3 * 4_096);
       },
     },
-  ])("is set aside whole when it $name, and a new one takes its place", async ({ damage }) => {
+  ])("is moved aside completely if it $name, and replaced by a new one", async ({ damage }) => {
     const path = join(testFolder(), "corridor.sqlite");
     const before = opened(path);
     await before.documents.add(document);
@@ -92,10 +92,10 @@ describe("the database file", () => {
   it.each([
     { what: "a command in the journal", begin: "[20,", journal: LONG },
     { what: "a command in its table", begin: "[1,", journal: 2 },
-    { what: "what a command asks for", begin: '{\\"action', journal: LONG },
+    { what: "the action of a command", begin: '{\\"action', journal: LONG },
     { what: "the pose at an ending", begin: '{\\"x', journal: LONG },
     { what: "a maze behind a short link", begin: '{"format', journal: LONG },
-  ])("is set aside when the text of $what is damaged", async ({ begin, journal }) => {
+  ])("is moved aside if the text of $what is corrupt", async ({ begin, journal }) => {
     const path = join(testFolder(), "corridor.sqlite");
     const before = new SqliteFile(path);
     const text = '{"format":"corridor/maze"}';
@@ -109,7 +109,7 @@ describe("the database file", () => {
     expect(opened(path).setAside).toHaveBeenCalledExactlyOnceWith(`${path}.damaged`);
   });
 
-  it("stays in its place when it is whole", async () => {
+  it("stays in place if it is intact", async () => {
     const path = join(testFolder(), "corridor.sqlite");
     const before = opened(path);
     await before.documents.add(document);
@@ -119,7 +119,7 @@ describe("the database file", () => {
     expect(await documents.read("BBBB", 1, 1)).toBe("{}");
   });
 
-  it("names its path and what to do when it cannot be opened", () => {
+  it("is named with its path and a remedy if it cannot be opened", () => {
     const folder = testFolder();
     writeFileSync(join(folder, "file"), "");
     mkdirSync(join(folder, "folder"));

@@ -4,7 +4,7 @@ import { describe, expect, it } from "vitest";
 import { LOST, NOTHING, withJournal } from "../../cases/slow-journal.ts";
 
 describe("steps that add entries", () => {
-  it("are answered once these are on disk; what is done meanwhile is written next, in order", async () => {
+  it("are answered once their entries are on disk; steps in the meantime are written next, in order", async () => {
     const { journal, step, settled } = withJournal();
     void step("a");
     void step("b");
@@ -24,7 +24,7 @@ describe("steps that add entries", () => {
     expect(await d).toEqual(["a", "b", "c", "d"]);
   });
 
-  it("are answered after those whose doings they have seen, also where they add none", async () => {
+  it("are answered after the steps whose changes they have read, even if they add no entries", async () => {
     const { journal, step, settled } = withJournal();
     void step("a");
     await turn();
@@ -37,7 +37,7 @@ describe("steps that add entries", () => {
     expect(journal.writing).toBeNull();
   });
 
-  it("let one wait that changes rows, and those after it wait with it", async () => {
+  it("delay a step that changes rows, and the steps after it", async () => {
     const { journal, step, rows, hasRow, settled } = withJournal();
     void step("a");
     await turn();
@@ -54,7 +54,7 @@ describe("steps that add entries", () => {
     expect(journal.writing).toBeNull();
   });
 
-  it("are done once more where what they have seen is lost", async () => {
+  it("are repeated if the changes that they have read are lost", async () => {
     const { journal, step, rows, settled, onDisk } = withJournal();
     void step("a").catch(() => undefined);
     await turn();
@@ -67,7 +67,7 @@ describe("steps that add entries", () => {
     expect(settled[0]).toBe("a lost");
   });
 
-  it("harm nobody where one throws that added nothing", async () => {
+  it("do not affect other steps if one fails that added nothing", async () => {
     const { journal, step } = withJournal();
     const a = step("a");
     const bad = step("bad", () => {
@@ -81,7 +81,7 @@ describe("steps that add entries", () => {
     expect([await a, await b]).toEqual([["a"], ["a", "b"]]);
   });
 
-  it("leave nothing of one that throws midway, in memory or on disk", async () => {
+  it("leave nothing of one that fails midway, in memory or on disk", async () => {
     const { journal, append, step, parts, compacted } = withJournal();
     parts.due = NOTHING;
     const a = step("a");
@@ -103,7 +103,7 @@ describe("steps that add entries", () => {
     expect(compacted).toEqual([null]);
   });
 
-  it("are all on disk before work that wants no transaction, and what comes after it is not", async () => {
+  it("are all on disk before work without a transaction, and later ones are not", async () => {
     const { db, journal, commits, step, onDisk } = withJournal();
     void step("a");
     await turn();
@@ -120,7 +120,7 @@ describe("steps that add entries", () => {
     expect(await c).toEqual(["a", "b", "c"]);
   });
 
-  it("are waited for when it is closed, and refused from then on", async () => {
+  it("complete before the close, and are rejected afterwards", async () => {
     const { journal, commits, step, rows } = withJournal();
     const a = step("a");
     await turn();
@@ -141,8 +141,8 @@ describe("many thousand steps", () => {
   const MANY = 150_000;
 
   it.each([
-    { fate: "are all answered once what they wait for is on disk", lost: null },
-    { fate: "are all done once more where that is lost", lost: LOST },
+    { fate: "are all answered once the data that they depend on is on disk", lost: null },
+    { fate: "are all repeated if that data is lost", lost: LOST },
   ])("$fate", { timeout: 30_000 }, async ({ lost }) => {
     const { journal, commits, step } = withJournal();
     step("a").catch(() => undefined);
@@ -157,7 +157,7 @@ describe("many thousand steps", () => {
 });
 
 describe("compaction", () => {
-  it("is written with the next entries, and reports the result", async () => {
+  it("is written with the next entries, and reports its result", async () => {
     const { journal, step, parts, compacted } = withJournal();
     parts.due = NOTHING;
     void step("a");
@@ -173,7 +173,7 @@ describe("compaction", () => {
     expect(compacted).toEqual([compactionError, LOST]);
   });
 
-  it("runs when there is nothing else to write, until all is compacted, and never after the end", async () => {
+  it("runs while nothing else is to be written, until everything is compacted, and never after the close", async () => {
     const { journal, commits, step, parts, compacted } = withJournal();
     parts.needsCompaction = true;
     void step("a");
@@ -191,7 +191,7 @@ describe("compaction", () => {
     expect(journal.writing).toBeNull();
   });
 
-  it("goes on without a pause as long as there is nothing else to write", async () => {
+  it("continues without a pause while nothing else is to be written", async () => {
     const { journal, step, parts } = withJournal();
     Object.assign(parts, { needsCompaction: true, due: NOTHING });
     void step("a");
@@ -211,7 +211,7 @@ describe("compaction", () => {
     expect(journal.writing?.entries).toHaveLength(1);
   });
 
-  it("is not tried for ever where it fails, but with what is written next", async () => {
+  it("is not retried endlessly if it fails, but with the next entries", async () => {
     const { journal, step, parts } = withJournal();
     Object.assign(parts, { needsCompaction: true, due: NOTHING });
     void step("a");
@@ -226,7 +226,7 @@ describe("compaction", () => {
     expect(journal.writing).toMatchObject({ compaction: NOTHING });
   });
 
-  it("comes to its turn also where every group changes rows", async () => {
+  it("also runs if every group changes rows", async () => {
     const { journal, rows, parts } = withJournal();
     await rows("a");
     expect(journal.writing).toBeNull();
@@ -237,7 +237,7 @@ describe("compaction", () => {
     journal.notify();
   });
 
-  it("lets a step that changes rows wait", async () => {
+  it("delays a step that changes rows", async () => {
     const { journal, step, rows, hasRow, parts } = withJournal();
     parts.needsCompaction = true;
     void step("a");

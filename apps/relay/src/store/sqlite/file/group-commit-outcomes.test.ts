@@ -23,7 +23,7 @@ const doings = fc.array(
   { minLength: 5, maxLength: 60 },
 );
 
-it("each is answered, by what those before it have left, whatever throws or is lost", async () => {
+it("each step is answered with the state that the previous ones left, whichever of them fail or are lost", async () => {
   const all = withJournal();
   const { db, append, hasRow, names, onDisk, parts } = all;
   await fc.assert(

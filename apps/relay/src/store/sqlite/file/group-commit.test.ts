@@ -24,7 +24,7 @@ function withTable(now: () => number = () => 0) {
 }
 
 describe("commits in groups", () => {
-  it("answers nobody before all of the group are on disk", async () => {
+  it("answers no step before the whole group is on disk", async () => {
     const { add, stored } = withTable();
     const storedAtAnswer: number[] = [];
     const steps = [1, 2, 3].map((n) => add(n).then(() => storedAtAnswer.push(stored())));
@@ -49,7 +49,7 @@ describe("commits in groups", () => {
     await Promise.all(steps);
   });
 
-  it("undoes a step that fails, and nothing else of its group", async () => {
+  it("rolls back a failed step, and no other of its group", async () => {
     const { db, commits, add, stored } = withTable();
     const failing = commits.run(() => {
       db.exec("INSERT INTO rows (n) VALUES (7)");
@@ -77,14 +77,14 @@ describe("commits in groups", () => {
     expect(stored()).toBe(1);
   });
 
-  it("commits what is open before work that wants no transaction", async () => {
+  it("commits open steps before work without a transaction", async () => {
     const { db, commits, add, stored } = withTable();
     const step = add(1);
     expect(await commits.alone(() => [db.isTransaction, stored()])).toEqual([false, 1]);
     await step;
   });
 
-  it("leaves what the steps one by one would leave, whichever of them throw midway", async () => {
+  it("has the same result as the steps one by one, whichever of them fail midway", async () => {
     /**
      * adds rows one by one; a duplicate row throws, and `throws` makes the step throw at its end
      */
@@ -129,7 +129,7 @@ describe("commits in groups", () => {
     );
   });
 
-  it("rejects all steps when those before one that throws cannot be repeated", async () => {
+  it("rejects all steps if those before a failed one cannot be repeated", async () => {
     const { db, commits, add, stored } = withTable();
     let isFirst = true;
     const once = commits.run(() => {

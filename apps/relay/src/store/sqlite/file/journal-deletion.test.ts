@@ -12,7 +12,7 @@ import { Statements } from "./statements.ts";
 import { NOW, ROBOTS, sent, withRobots } from "../../cases/robot-in-store.ts";
 
 describe("the journal", () => {
-  it("deletes as much over a restart: what ended late is there until the next command", async () => {
+  it("deletes as much across a restart: a command that ended late exists until the next command", async () => {
     const file = join(testFolder(), "corridor.sqlite");
     const [id = ""] = ROBOTS;
     for (const restarts of [false, true]) {
@@ -48,7 +48,7 @@ describe("the journal", () => {
     }
   });
 
-  it("lets a key be used again at once, though the tables still have the command that came with it", async () => {
+  it("lets a key be reused immediately, although the tables still contain its command", async () => {
     const file = join(testFolder(), "corridor.sqlite");
     const store = new SqliteRobotStore(file, 4);
     await withRobots(store);
@@ -73,7 +73,7 @@ describe("the journal", () => {
     await store.close();
   });
 
-  it("is read as an earlier version wrote it, whose entries did not name what is deleted", async () => {
+  it("is readable as an earlier version wrote it, whose entries did not list deleted commands", async () => {
     const file = join(testFolder(), "corridor.sqlite");
     const before = new SqliteRobotStore(file);
     await withRobots(before);
@@ -112,7 +112,7 @@ describe("the journal", () => {
     expect([...(live.open(id)?.commands.open ?? [])].map(({ seq }) => seq)).toEqual([1, 2, 3]);
   });
 
-  it("deletes all of a robot that has more entries than a statement can have parameters", async () => {
+  it("deletes a robot completely if it has more entries than a statement can have parameters", async () => {
     const file = join(testFolder(), "corridor.sqlite");
     const [id = ""] = ROBOTS;
     const before = new SqliteRobotStore(file);

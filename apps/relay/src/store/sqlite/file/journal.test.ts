@@ -46,7 +46,7 @@ describe("the journal", () => {
     { where: "", isThreaded: false, numRuns: 25 },
     { where: " on a thread of its own", isThreaded: true, numRuns: 8 },
   ])(
-    "loses and changes nothing$where, however short it is, over restarts and rolled-back steps",
+    "loses and changes nothing$where at any length, across restarts and rolled-back steps",
     async ({ isThreaded, numRuns }) => {
       const folder = testFolder();
       let runs = 0;
@@ -90,7 +90,7 @@ describe("the journal", () => {
     },
   );
 
-  it("is no end of other robots where one cannot be read, and goes with that one", async () => {
+  it("keeps serving other robots when one record is corrupt, and is deleted with that robot", async () => {
     const file = join(testFolder(), "corridor.sqlite");
     const before = new SqliteRobotStore(file);
     await withRobots(before);
@@ -110,7 +110,7 @@ describe("the journal", () => {
     expect((await store.openCommands(good)).length).toBe(2);
   });
 
-  it("retains what one robot has that cannot be read, however much of others is compacted", async () => {
+  it("retains unreadable entries of one robot, however many of other robots are compacted", async () => {
     const file = join(testFolder(), "corridor.sqlite");
     const before = new SqliteRobotStore(file);
     await withRobots(before);
@@ -140,7 +140,7 @@ describe("the journal", () => {
     expect(await after.add(bad, { ...sent, driver: "d" })).toMatchObject({ record: { seq: 6 } });
   });
 
-  it("has nothing left of a robot that is gone, however much that was, also where it ended on the way", async () => {
+  it("contains nothing of a deleted robot of any size, even if the deletion was interrupted", async () => {
     const folder = testFolder();
     const file = join(folder, "corridor.sqlite");
     const holds = (text: string): boolean =>
@@ -171,7 +171,7 @@ describe("the journal", () => {
     expect(await after.add(third, { ...sent, driver: "d" })).toMatchObject({ outcome: "stored" });
   });
 
-  it("is compacted in small parts: no step writes much, however long it is", async () => {
+  it("is compacted in small parts: no step writes much, at any length of the journal", async () => {
     const file = join(testFolder(), "corridor.sqlite");
     const store = new SqliteRobotStore(file, 3_000);
     onTestFinished(() => store.close());
@@ -194,7 +194,7 @@ describe("the journal", () => {
     expect(most).toBeLessThan(1_000_000);
   });
 
-  it("keeps no more than some hundred of a robot's ended commands out of the tables", async () => {
+  it("holds back at most a few hundred ended commands of a robot from the tables", async () => {
     const file = join(testFolder(), "corridor.sqlite");
     const store = new SqliteRobotStore(file);
     onTestFinished(() => store.close());
@@ -215,7 +215,7 @@ describe("the journal", () => {
     expect(all.map(({ seq }) => seq)).toEqual(Array.from({ length: 600 }, (_, n) => n + 1));
   });
 
-  it("stays below its maximum length, and deletes all of a robot", async () => {
+  it("stays below its maximum length, and deletes a robot completely", async () => {
     const file = join(testFolder(), "corridor.sqlite");
     const store = new SqliteRobotStore(file, 64);
     onTestFinished(() => store.close());

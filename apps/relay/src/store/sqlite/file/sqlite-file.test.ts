@@ -12,18 +12,18 @@ import { ID, NOW, pageState, sent } from "../../cases/robot-in-store.ts";
 
 const LONG_REASON = "x".repeat(200);
 
-describe("a database that a newer Corridor has to write anew", () => {
+describe("a database that a newer Corridor has to rewrite", () => {
   const full = (): never => {
     throw Object.assign(new Error("database or disk is full"), { errcode: 13 });
   };
 
-  it("gets the ballast's room for that", () => {
+  it("receives the space of the ballast file for that", () => {
     let isHeld = true;
     const ballast: Ballast = { hold: () => isHeld, giveUp: () => !(isHeld = false) };
     expect(withRoom(() => (isHeld ? full() : "open"), ballast)).toBe("open");
   });
 
-  it("says how much room to make where that does not do", () => {
+  it("reports how much space to free if that does not suffice", () => {
     const ballast: Ballast = { hold: () => true, giveUp: () => true };
     expect(() => withRoom(full, ballast)).toThrow(/twice the size/);
     expect(() => withRoom(() => JSON.parse("{"), ballast)).toThrow(SyntaxError);
@@ -93,7 +93,7 @@ async function onFullDisk() {
 }
 
 describe("a full disk", () => {
-  it("brings the page the first command that there is room for again, with those behind it in order", async () => {
+  it("delivers the first command that has space again, with the following ones in order", async () => {
     const path = join(testFolder(), "corridor.sqlite");
     const before = new SqliteRobotStore(path);
     await before.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: sent.driver }] });
@@ -113,7 +113,7 @@ describe("a full disk", () => {
     expect((await due)[0]).toMatchObject({ record: { seq: 1, state: "delivered" } });
   });
 
-  it("refuses what is new, and says so when it is asked", async () => {
+  it("rejects new data, and reports that it is full", async () => {
     const { store, add, fails } = await onFullDisk();
     expect(isDiskFull(fails)).toBe(true);
     await expect(add({ action: "left 90" })).rejects.toSatisfy(isDiskFull);
@@ -123,7 +123,7 @@ describe("a full disk", () => {
     expect(await store.check()).toBe("full");
   });
 
-  it("still lets robots start, end and be stopped, pages come, and people delete", async () => {
+  it("still lets robots start and end commands, accept stops, pages connect, and owners delete", async () => {
     const { store, add } = await onFullDisk();
     for (let seq = 1; seq <= 50; seq++) {
       expect(await store.start(ID, 1, seq)).toMatchObject({ seq, state: "started" });
@@ -137,9 +137,7 @@ describe("a full disk", () => {
     expect(await store.find(ID)).toBeNull();
   });
 
-  it("still lets people delete where much is in the log, and gives them the room", async ({
-    skip,
-  }) => {
+  it("still lets owners delete if the log is long, and frees the space", async ({ skip }) => {
     const disk = realSmallDisk(24);
     if (disk === null) return skip("only a superuser on Linux may have a disk of its own");
     const store = new SqliteRobotStore(join(disk.folder, "corridor.sqlite"));
@@ -158,7 +156,7 @@ describe("a full disk", () => {
     for (const id of ids) expect(await store.remove(id)).toBe(true);
   });
 
-  it("lets all steps through that it meets at once, a stop among them", async () => {
+  it("completes concurrent steps by releasing the ballast file, including a stop", async () => {
     const { store, add } = await onFillingDisk();
     const endings = Array.from({ length: 50 }, (_, index) =>
       store.end(ID, 1, { ...completed(index + 1), reason: LONG_REASON }),
@@ -169,7 +167,7 @@ describe("a full disk", () => {
     expect(await stop).toMatchObject({ outcome: "stored" });
   });
 
-  it("takes new commands by itself once there is as much room as it holds back", async () => {
+  it("accepts new commands again once as much space is free as it reserves", async () => {
     const { store, add, hasRoomAgain } = await onFullDisk();
     hasRoomAgain();
     expect(await store.check()).toBe("ok");

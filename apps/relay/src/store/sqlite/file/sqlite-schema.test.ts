@@ -40,7 +40,7 @@ function fileOfBefore(): string {
 }
 
 describe("a file of an earlier Corridor", () => {
-  it("keeps every command as it was, and each goes on", async () => {
+  it("retains every command unchanged, and each continues", async () => {
     const store = new SqliteRobotStore(fileOfBefore());
     onTestFinished(() => store.close());
     const all = await store.commandsAfter(ID, 0, 10);
@@ -80,7 +80,7 @@ describe("a file of an earlier Corridor", () => {
     expect(await store.add(ID, sent)).toMatchObject({ outcome: "stored", record: { seq: 6 } });
   });
 
-  it("deletes all of a robot, also what was written before", async () => {
+  it("deletes a robot completely, including earlier entries", async () => {
     const file = fileOfBefore();
     const store = new SqliteRobotStore(file);
     onTestFinished(() => store.close());
@@ -92,7 +92,7 @@ describe("a file of an earlier Corridor", () => {
     }
   });
 
-  it("is refused by an earlier one once it was opened", () => {
+  it("is rejected by an earlier version after it was opened", () => {
     const file = fileOfBefore();
     openDatabase(file).close();
     expect(() => openDatabase(file, BY_ROBOT)).toThrow(
@@ -100,7 +100,7 @@ describe("a file of an earlier Corridor", () => {
     );
   });
 
-  it("has every state for open but those that have ended", () => {
+  it("treats every state as open except the final ones", () => {
     const db = openDatabase(fileOfBefore());
     onTestFinished(() => db.close());
     const isOpen = db.prepare("SELECT is_open FROM commands WHERE robot = ? AND seq = 3");
@@ -111,7 +111,7 @@ describe("a file of an earlier Corridor", () => {
     expect(states).toEqual(commandRecordSchema.shape.state.options);
   });
 
-  it("says from which number on a robot may have commands that are open", () => {
+  it("stores the number from which a robot may have open commands", () => {
     const db = openDatabase(fileOfBefore());
     onTestFinished(() => db.close());
     expect(db.prepare("SELECT open_from FROM sessions").all()).toEqual([

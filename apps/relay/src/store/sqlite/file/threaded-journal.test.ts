@@ -47,7 +47,7 @@ const entry = (id: number): Entry => [id, "robot", `entry ${id}`];
 const DONE = { lost: null, compactionError: null };
 
 describe("the journal's thread", () => {
-  it("has entries on disk when it says so, in their order", async () => {
+  it("reports entries only after they are on disk, in order", async () => {
     const { write, onDisk } = withThread();
     expect(await write([entry(1), entry(2)])).toEqual(DONE);
     expect(onDisk().length).toBe(2);
@@ -55,7 +55,7 @@ describe("the journal's thread", () => {
     expect(onDisk()).toEqual([1, 2, 3].map((id) => ({ id, robot: "robot", entry: `entry ${id}` })));
   });
 
-  it("writes entries also where it cannot compact, and reports why", async () => {
+  it("writes entries even if it cannot compact, and reports why", async () => {
     const { write, onDisk } = withThread();
     const bringing = [
       { robot: "robot", entries: [99], gone: [], upTo: 99, lastSeq: 1, openFrom: 1, deletedTo: 0 },
@@ -68,7 +68,7 @@ describe("the journal's thread", () => {
     expect(onDisk()).toEqual([{ id: 2, robot: "robot", entry: "entry 2" }]);
   });
 
-  it("says what SQLite says, has nothing of it on disk then, and goes on", async () => {
+  it("reports errors of SQLite, leaves nothing of that write on disk, and continues", async () => {
     const { write, onDisk } = withThread();
     await write([entry(1)]);
     const { lost } = await write([entry(2), entry(1)]);
@@ -78,7 +78,7 @@ describe("the journal's thread", () => {
     expect(await write([entry(2)])).toEqual(DONE);
   });
 
-  it("is answered for where it dies in the middle, and another goes on", async () => {
+  it("is replaced if it dies during a write, which is rejected", async () => {
     const { db, write, onDisk, thread } = withThread();
     await write([entry(1)]);
     // The thread waits for the lock of this transaction.
@@ -96,7 +96,7 @@ describe("the journal's thread", () => {
     expect(onDisk().length).toBe(before + 1);
   });
 
-  it("is answered for where it died while there was nothing to write", async () => {
+  it("is replaced if it died while it was idle", async () => {
     const { write, thread, onDisk } = withThread();
     await write([entry(1)]);
     await thread().terminate();
@@ -104,7 +104,7 @@ describe("the journal's thread", () => {
     expect(onDisk().length).toBe(2);
   });
 
-  it("is answered for where it cannot even begin", async () => {
+  it("rejects writes if it cannot start", async () => {
     const journal = new ThreadedJournal(join(testFolder(), "missing", "corridor.sqlite"));
     for (let times = 0; times < 2; times++) {
       const lost = await new Promise((resolve) => journal.write([entry(1)], null, resolve));
@@ -113,7 +113,7 @@ describe("the journal's thread", () => {
     await journal.close();
   });
 
-  it("is answered for where the machine has no thread for it, later", async () => {
+  it("rejects writes while no new thread can start, and continues later", async () => {
     const { write, thread } = withThread();
     await write([entry(1)]);
     await thread().terminate();
@@ -125,7 +125,7 @@ describe("the journal's thread", () => {
     expect(await write([entry(3)])).toEqual(DONE);
   });
 
-  it("can be closed also where it failed, and the database with it", async () => {
+  it("can be closed after a failure, and the database with it", async () => {
     const path = join(testFolder(), "corridor.sqlite");
     const file = new SqliteFile(path, { isThreaded: true });
     rmSync(path);
@@ -136,7 +136,7 @@ describe("the journal's thread", () => {
     await expect(new SqliteFile(path, { waitMs: 0 }).close()).resolves.toBeUndefined();
   });
 
-  it("ends when it is closed", async () => {
+  it("exits when it is closed", async () => {
     const { path, db } = withThread();
     const post = vi.spyOn(Worker.prototype, "postMessage");
     const other = new ThreadedJournal(path);
@@ -148,7 +148,7 @@ describe("the journal's thread", () => {
     db.exec("DROP TABLE journal");
   });
 
-  it("says that a disk is full as SQLite does", async ({ skip }) => {
+  it("reports a full disk as SQLite does", async ({ skip }) => {
     const disk = realSmallDisk(8);
     if (disk === null) return skip("only a superuser on Linux may have a disk of its own");
     const { write, onDisk } = withThread(disk.folder);
@@ -182,7 +182,7 @@ describe("a store whose journal has a thread", () => {
     return { store, add, other, thread };
   }
 
-  it("has no more and no less than is on disk where the thread dies: nothing twice, no number twice", async () => {
+  it("has exactly the state on disk after the thread dies: no entry and no number twice", async () => {
     const { store, add, other, thread } = await withStore();
     // More entries than `AdaptiveJournal` writes synchronously, so the thread writes them.
     const several = (name: string) => [1, 2, 3, 4, 5].map((n) => add(`${name}-000${n}`));
@@ -208,7 +208,7 @@ describe("a store whose journal has a thread", () => {
     expect(new Set(listed.map(({ key }) => key)).size).toBe(12);
   });
 
-  it("answers all that was asked for before it is closed, and keeps it", async () => {
+  it("completes and stores all requests before it closes", async () => {
     const { store, add } = await withStore();
     const asked = [
       ...[1, 2, 3].map((n) => add(`key-000${n}`)),
