@@ -119,7 +119,7 @@ function recordReload(findings: Findings, robot: Robot, page: number): void {
   findings.reloads += 1;
   const { lastApplied } = robot.session;
   robot.history.left(page, (seq) => seq <= lastApplied);
-  const running = robot.history.begunBy(page).filter(({ what }) => !hasEnded(what));
+  const running = robot.history.startedBy(page).filter(({ what }) => !hasEnded(what));
   const seqs = running.map(({ seq }) => seq);
   findings.interrupted.set(robot, [...(findings.interrupted.get(robot) ?? []), ...seqs]);
 }

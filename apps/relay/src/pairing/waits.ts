@@ -29,7 +29,7 @@ export class Waits {
       const found = await poll();
       const leftMs = end - this.#clock.now();
       if (isDone(found) || leftMs <= 0 || signal.aborted || this.#isClosed) return found;
-      await this.#wait(topic, Math.min(leftMs, limits.pairingLookMs), signal);
+      await this.#wait(topic, Math.min(leftMs, limits.pairingPollMs), signal);
     }
   }
 

@@ -22,7 +22,7 @@ export interface StoredMaze {
 
 export interface MazeBoardParts {
   robot: string;
-  store: Pick<RobotStore, "keepMaze" | "maze">;
+  store: Pick<RobotStore, "storeMaze" | "maze">;
   clock: Clock;
   /** notifies the readers at this relay of a new maze */
   notify: (version: string) => void;
@@ -70,7 +70,7 @@ export class MazeBoard {
     const text = JSON.stringify(maze);
     const version = versionOf(text);
     if ((await this.read())?.version === version) return version;
-    if (!(await this.#parts.store.keepMaze(this.#parts.robot, text))) throw noRobot();
+    if (!(await this.#parts.store.storeMaze(this.#parts.robot, text))) throw noRobot();
     this.received(version);
     this.#parts.changed(version);
     return version;
@@ -83,7 +83,7 @@ export class MazeBoard {
   }
 
   /** Reads the maze again, because a message of another relay may have been missed. */
-  async lookAgain(): Promise<void> {
+  async reload(): Promise<void> {
     const before = this.#known;
     const stored = await this.read();
     if (stored !== null && stored.version !== before) this.received(stored.version);

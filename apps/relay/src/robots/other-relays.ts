@@ -50,7 +50,7 @@ export class OtherRelays {
     const { promise, resolve } = Promise.withResolvers<void>();
     this.#met = resolve;
     channel.announce(roster.report(), true);
-    const cancelTimer = clock.after(limits.relayMeetMs, resolve);
+    const cancelTimer = clock.after(limits.firstSnapshotWaitMs, resolve);
     await promise;
     cancelTimer();
   }
@@ -64,7 +64,7 @@ export class OtherRelays {
     life.missedSteps();
     keys.refresh();
     // If the store is unavailable, readers still receive the next change of the maze.
-    mazes.lookAgain().catch(() => undefined);
+    mazes.reload().catch(() => undefined);
   }
 
   received(message: BusMessage): void {
@@ -72,7 +72,7 @@ export class OtherRelays {
     const { page } = ownership;
     switch (message.kind) {
       case "page":
-        ownership.takeElsewhere(message.epoch, message.name)?.link.close(closeReasons.replaced);
+        ownership.acquireElsewhere(message.epoch, message.name)?.link.close(closeReasons.replaced);
         return channel.announce(roster.report());
       case "page-left":
         if (!ownership.leaveElsewhere(message.epoch, clock.now(), message.closedByPage)) return;

@@ -37,7 +37,7 @@ async function withRobots(count: number) {
   const leftAlone = async ({ robot, key }: Grant): Promise<void> => {
     const link: PageLink = { isOpen: true, send: () => undefined, close: () => undefined };
     const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
-    await robot.takePage(link, nothing);
+    await robot.acquirePage(link, nothing);
     const command = { key: null, ...termsOf({ action: "left 90" }) };
     await robot.submit(key, command, () => undefined);
     robot.leavePage(link, true);
@@ -53,7 +53,7 @@ it("checks every robot even if the store fails for another one", async () => {
     if (id === first?.robot.id) throw new Error("locked");
     return store.abandon(id, ...rest);
   };
-  await clock.pass(limits.pageAwayMs + 5_000);
+  await clock.pass(limits.pageDisconnectedMs + 5_000);
   expect(await second?.robot.commandsAfter(0)).toMatchObject([{ state: "cancelled" }]);
 });
 
@@ -63,7 +63,7 @@ it("checks robots while the store is slow to delete others", async () => {
   await clock.pass(61_000);
   const [only] = robots;
   if (only !== undefined) await leftAlone(only);
-  await clock.pass(limits.pageAwayMs + 5_000);
+  await clock.pass(limits.pageDisconnectedMs + 5_000);
   expect(await only?.robot.commandsAfter(0)).toMatchObject([{ state: "cancelled" }]);
 });
 

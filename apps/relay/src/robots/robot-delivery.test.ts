@@ -30,7 +30,7 @@ describe("a robot: delivery", () => {
       close: () => undefined,
     };
     const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
-    const taken = setup.robot.takePage(link, nothing);
+    const taken = setup.robot.acquirePage(link, nothing);
     isOpen = false;
     setup.robot.leavePage(link, true);
     await taken;
@@ -115,7 +115,7 @@ describe("a robot: delivery", () => {
     const host = await page(setup);
     await host.started(1);
     setup.robot.leavePage(host.link, true);
-    await setup.clock.pass(limits.pageAwayMs - 2_000);
+    await setup.clock.pass(limits.pageDisconnectedMs - 2_000);
     expect(await setup.states()).toEqual(["1 started"]);
     await setup.clock.pass(5_000);
     expect(await setup.states()).toEqual(["1 cancelled"]);

@@ -135,7 +135,7 @@ describe("a robot: a second page", () => {
       endings: [],
       page: SECOND,
     };
-    const coming = setup.robot.takePage(gone, resume);
+    const coming = setup.robot.acquirePage(gone, resume);
     await settled();
     await setup.clock.pass(2 * limits.yieldMs);
     await coming;

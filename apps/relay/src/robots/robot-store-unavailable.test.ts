@@ -22,7 +22,7 @@ describe("a robot: while its store is unavailable", () => {
     await host.started(1);
     setup.robot.leavePage(host.link, true);
     setup.cut.isCut = true;
-    await setup.clock.pass(limits.pageAwayMs + 5_000);
+    await setup.clock.pass(limits.pageDisconnectedMs + 5_000);
     setup.cut.isCut = false;
     await setup.clock.pass(2_000);
     expect(await setup.states()).toEqual(["1 cancelled"]);

@@ -13,7 +13,7 @@ function reported(seq: number, tick: number): CarriedSnapshot {
 
 it("reports a silent robot as paused or disconnected until it reports again", () => {
   const view = new RobotView();
-  view.pageCame(0, 0);
+  view.pageConnected(0, 0);
   view.report(reported(1, 60), 0);
   expect(view.newest).toMatchObject({ seq: 1, state: "running" });
   expect(view.checkAsleep(limits.asleepMs + 1)).toBe(true);
@@ -25,13 +25,13 @@ it("reports a silent robot as paused or disconnected until it reports again", ()
   view.pageLeft();
   expect(view.newest).toMatchObject({ seq: 3, state: "gone" });
   expect(view.newest?.value.state).toBe("gone");
-  view.pageCame(10_000, 0);
+  view.pageConnected(10_000, 0);
   expect(view.newest).toMatchObject({ seq: 3, state: "paused" });
 });
 
 it("needs no more memory for a disconnected robot than its snapshot", () => {
   const view = new RobotView();
-  view.pageCame(0, 0);
+  view.pageConnected(0, 0);
   view.report(reported(1, 60), 0);
   view.pageLeft();
   const { frame } = view.newest ?? { frame: Buffer.alloc(0) };

@@ -53,7 +53,7 @@ export class RobotView {
   }
 
   /** @param ageMs age of the robot if another page owned it before; 0 for its first page */
-  pageCame(now: number, ageMs: number): void {
+  pageConnected(now: number, ageMs: number): void {
     // The last seq at a relay that is gone is unknown, but it cannot exceed this.
     this.#least = Math.ceil((ageMs / 1000) * MOST_A_SECOND);
     this.#lastActiveAt = now;

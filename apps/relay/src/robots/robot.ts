@@ -97,7 +97,7 @@ export class Robot {
       changed: () => channel.rightsChanged(),
       found: (found) => {
         this.scriptAccess.apply(found);
-        this.roster.awayChanged();
+        this.roster.blockedChanged();
       },
       revoked: (key) => this.#revoked(key),
       doubted: () => subscribers.dismiss(({ kind }) => kind !== "own", "busy"),
@@ -112,7 +112,7 @@ export class Robot {
       pause: async (isPaused) => this.#life.recall.pause(isPaused),
       changed: () => {
         channel.rightsChanged();
-        this.roster.awayChanged();
+        this.roster.blockedChanged();
       },
       blocked: (script) => this.#blocked(script),
       paused: () => this.#askToEnd(),
@@ -217,11 +217,11 @@ export class Robot {
   // --- the page ---
 
   /** A page acquires the robot. The previous page is disconnected. */
-  async takePage(link: PageLink, resume: Resume): Promise<void> {
-    await this.#life.takePage(link, resume, () => {
+  async acquirePage(link: PageLink, resume: Resume): Promise<void> {
+    await this.#life.acquirePage(link, resume, () => {
       this.#use.used();
       const now = this.#clock.now();
-      this.#view.pageCame(now, this.#ownership.epoch > 1 ? now - this.createdAt : 0);
+      this.#view.pageConnected(now, this.#ownership.epoch > 1 ? now - this.createdAt : 0);
       // Before the endings in the same message, so that readers of an ending see no older snapshot.
       if (resume.snapshot !== undefined) this.#show(CarriedSnapshot.of(resume.snapshot));
       this.#notifyScripts();
@@ -355,7 +355,8 @@ export class Robot {
     this.#events.deleteOld();
     if (this.hasPage && this.#view.checkAsleep(now)) this.#publishSnapshot();
     if (this.#ownership.isElsewhere) this.#channel.repeatAnnouncement(this.roster.report());
-    if (this.#ownership.awayMs(now) >= limits.pageAwayMs) await this.#life.pageIsGone();
+    if (this.#ownership.disconnectedMs(now) >= limits.pageDisconnectedMs)
+      await this.#life.pageIsGone();
   }
 
   /** Whether a use of the robot or its keys is due to be stored. */
@@ -403,7 +404,7 @@ export class Robot {
   #notifyScripts(): void {
     const scripts = this.roster.report();
     if (this.#ownership.isElsewhere) return this.#channel.announce(scripts);
-    this.#life.display.sayWith({
+    this.#life.display.sendWith({
       type: "drivers",
       at: this.#clock.now(),
       ...this.#channel.withOthers(scripts),

@@ -68,7 +68,7 @@ async function withRelays() {
       close: ({ code }) => closed.push(code),
     };
     const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
-    await robot.takePage(link, { ...nothing, ...resume });
+    await robot.acquirePage(link, { ...nothing, ...resume });
     const welcome = sent.find((message) => message.type === "welcome");
     epoch = welcome?.epoch ?? 0;
     return { robot, link, sent, closed, epoch };
@@ -293,13 +293,13 @@ describe("page and script at different relays", () => {
     const { host, atScripts, page, submit, clock, read } = await withRelays();
     await submit(LEFT);
     host.robot.leavePage(host.link, true);
-    await clock.pass(limits.pageAwayMs - 5_000);
+    await clock.pass(limits.pageDisconnectedMs - 5_000);
     const second = await page(atScripts, { lastApplied: 1 });
     await clock.pass(20_000);
     expect(await atScripts.commandsAfter(0)).toMatchObject([{ state: "started" }]);
     const said = read();
     atScripts.leavePage(second.link, true);
-    await clock.pass(limits.pageAwayMs + 5_000);
+    await clock.pass(limits.pageDisconnectedMs + 5_000);
     expect(said.filter((text) => text.endsWith("cancelled"))).toEqual(["1 cancelled"]);
   });
 
@@ -309,7 +309,7 @@ describe("page and script at different relays", () => {
     notifyPages({ kind: "lapsed" });
     expect(host.closed).toEqual([closeReasons.restart.code]);
     const again = await page(host.robot, { lastApplied: 1 });
-    await clock.pass(limits.pageAwayMs + 5_000);
+    await clock.pass(limits.pageDisconnectedMs + 5_000);
     expect(again.epoch).toBe(host.epoch + 1);
     expect(await atScripts.commandsAfter(0)).toMatchObject([{ seq: 1, state: "started" }]);
   });
@@ -405,7 +405,7 @@ describe("page and script at different relays", () => {
     await settled();
     const ofMazes = () => said.filter((words) => words.startsWith("maze"));
     expect(ofMazes()).toEqual([`maze ${first}`]);
-    await cut.store.keepMaze(host.robot.id, "{}");
+    await cut.store.storeMaze(host.robot.id, "{}");
     atScripts.missedMessages();
     await settled();
     expect(ofMazes()).toHaveLength(2);

@@ -99,7 +99,7 @@ export interface RobotStore {
    * @param text the document as JSON
    * @returns false if there is no such robot
    */
-  keepMaze(id: string, text: string): Promise<boolean>;
+  storeMaze(id: string, text: string): Promise<boolean>;
   /** The maze that the robot is in; null if none is stored. */
   maze(id: string): Promise<string | null>;
   /** Times of the robot's keys, in no particular order. */

@@ -7,7 +7,7 @@ const COMMITS: ReadonlySet<string | symbol> = new Set([
   "changeKeys",
   "changeBlocked",
   "pause",
-  "keepMaze",
+  "storeMaze",
   "touch",
   "remove",
   "removeExpired",

@@ -37,7 +37,7 @@ export function ownerOf(relay: Requests, robot: Registration) {
       createdPairingSchema.parse(await (await ask("POST")).json()).code,
     show: async (wait = 0): Promise<Pairing> =>
       pairingSchema.parse(await (await ask("GET", `?wait=${wait}`)).json()),
-    takeBack: async (): Promise<number> => (await ask("DELETE")).status,
+    withdraw: async (): Promise<number> => (await ask("DELETE")).status,
     /** Waits for the question and answers it. @returns the kind of problem, or nothing */
     say: async (accept: boolean): Promise<string> => {
       const shown = pairingSchema.parse(await (await ask("GET", "?wait=5")).json());

@@ -49,7 +49,7 @@ export class PageConversation implements Conversation {
       const resume = decodeFrame(resumeSchema, bytes.toString());
       if (!resume.ok) return this.#refuse(resume.problems);
       this.#hasResumed = true;
-      return robot.takePage(this.#link, resume.value);
+      return robot.acquirePage(this.#link, resume.value);
     }
     const report = readSnapshotMessage(bytes);
     if (report !== null) {

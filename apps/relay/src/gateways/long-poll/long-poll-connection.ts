@@ -184,6 +184,6 @@ export class LongPollConnection implements ReaderConnection {
   #awaitRequest(): void {
     this.#cancelTimer();
     if (this.#requests > 0) return;
-    this.#cancelTimer = this.#clock.after(limits.lineSilenceMs, () => this.drop());
+    this.#cancelTimer = this.#clock.after(limits.longPollSilenceMs, () => this.drop());
   }
 }

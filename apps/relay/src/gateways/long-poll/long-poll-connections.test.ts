@@ -165,7 +165,7 @@ describe("a long-poll connection", () => {
     await page.send(RESUME);
     const { epoch } = await page.next("welcome");
     await page.send({ type: "snapshot", epoch, snapshot: snapshotOf() });
-    await clock.pass(limits.lineSilenceMs);
+    await clock.pass(limits.longPollSilenceMs);
     expect(await page.status()).toBe(404);
     const sensors = await relay.ask(robot, "/sensors");
     expect(await sensors.json()).toMatchObject({ state: "gone" });

@@ -7,7 +7,7 @@ import { readIntroduction, readScriptTime } from "./reading.ts";
 
 export interface AuthorisedRequest extends Grant {
   /** arrival time of the request in ms, by the relay's clock */
-  cameAt: number;
+  arrivedAt: number;
   /** ms that the request took longer than the fastest one of its script; 0 without a timestamp */
   transitMs: number;
   /** ends the activity of the script before the response ends */
@@ -21,7 +21,7 @@ export async function authoriseScript(
   response: Response,
   verb: Verb,
 ): Promise<AuthorisedRequest> {
-  const cameAt = registry.clock.now();
+  const arrivedAt = registry.clock.now();
   const grant = await registry.authorise(
     request.params.id,
     readBearer(request),
@@ -29,10 +29,10 @@ export async function authoriseScript(
     readIntroduction(request),
   );
   const { robot, key } = grant;
-  const transitMs = robot.scriptClocks.came(key.hash, readScriptTime(request), cameAt);
+  const transitMs = robot.scriptClocks.came(key.hash, readScriptTime(request), arrivedAt);
   const markAnswered = robot.received(key);
   response.once("close", markAnswered);
   // The client may have disconnected during authorisation.
   if (response.closed) markAnswered();
-  return { ...grant, cameAt, transitMs, markAnswered };
+  return { ...grant, arrivedAt, transitMs, markAnswered };
 }

@@ -157,7 +157,7 @@ describe("permissions", () => {
   ] as const)("a hello as $role", async ({ role, verb }) => {
     const { relay, robot, keys } = await withRobot();
     const bySocket: Partial<Record<Holder, unknown>> = {};
-    const byLine: Partial<Record<Holder, unknown>> = {};
+    const byLongPoll: Partial<Record<Holder, unknown>> = {};
     for (const holder of holders) {
       const hello = { type: "hello", version: 1, role, key: keys[holder] };
       const socket = await TestSocket.open(relay, robot.id);
@@ -171,7 +171,7 @@ describe("permissions", () => {
       socket.close();
       await socket.closed;
       const opened = await relay.ask(robot, "/long-poll", { method: "POST", body: hello });
-      byLine[holder] = opened.ok ? "yes" : opened.status;
+      byLongPoll[holder] = opened.ok ? "yes" : opened.status;
       if (!opened.ok) continue;
       const { key } = (await opened.json()) as { key: string };
       await relay.ask(robot, "/long-poll", { method: "DELETE", key });
@@ -179,6 +179,6 @@ describe("permissions", () => {
     expect(bySocket).toEqual(expectedFor(verb, { yes: "yes", forbidden: 4403, stranger: 4401 }));
     // A hello without a key is invalid.
     const expected = expectedFor(verb, { yes: "yes", forbidden: 403, stranger: 401 });
-    expect(byLine).toEqual({ ...expected, none: 400 });
+    expect(byLongPoll).toEqual({ ...expected, none: 400 });
   });
 });

@@ -12,14 +12,14 @@ import { readBearer, readClient } from "./reading.ts";
 export function requestLog(log: Logger, clock: Clock): RequestHandler {
   return (request, response, next) => {
     if (!log.isLevelEnabled("info")) return next();
-    const cameAt = clock.now();
+    const arrivedAt = clock.now();
     response.once("close", () => {
       const route = request.route as { path?: unknown } | undefined;
       const line = {
         method: request.method,
         route: typeof route?.path === "string" ? route.path : null,
         status: response.statusCode,
-        ms: clock.now() - cameAt,
+        ms: clock.now() - arrivedAt,
         client: readClient(request),
         key: markOf(readBearer(request)),
       };

@@ -35,7 +35,7 @@ export const limits = {
   codeChecks: { perSecond: 5, waiting: 50 },
   codeChecksForAll: { perSecond: 100, waiting: 50 },
   /** interval at which a waiting pairing request reads the changes of other relays */
-  pairingLookMs: 500,
+  pairingPollMs: 500,
   /** waiting requests for one pairing, and for all pairings at this relay */
   waitsPerPairing: 4,
   pairingWaits: 400,
@@ -69,7 +69,7 @@ export const limits = {
   relayHereMs: 2_000,
   relaySilenceMs: 6_000,
   /** how long a relay that loads a robot waits for the newest snapshot from the page's relay */
-  relayMeetMs: 500,
+  firstSnapshotWaitMs: 500,
   /** delay before the relay retries a failed store step that no request repeats */
   storeRetryMs: 250,
   /**
@@ -97,7 +97,7 @@ export const limits = {
   /** interval of silence checks, and the maximum delay before a silent socket is closed */
   silenceCheckMs: 5_000,
   /** a long-poll connection without a request for this long is closed */
-  lineSilenceMs: 15_000,
+  longPollSilenceMs: 15_000,
   /**
    * a connected page without a tick for this long is asleep; checked once a second, reported within
    * 5 s
@@ -106,7 +106,7 @@ export const limits = {
   /** time for a page to release the robot; it has little to report */
   yieldMs: 1_000,
   /** after this long, the commands of a disconnected page end */
-  pageAwayMs: 120_000,
+  pageDisconnectedMs: 120_000,
   /** minimum interval between displays of commands that the page does not have */
   shownIntervalMs: 1_000,
   /** minimum interval between routine reports of scripts to the page */

@@ -131,21 +131,21 @@ export class CommandLife {
   /**
    * Connects a page to the robot once the previous page has released it. The previous page is
    * disconnected.
-   * @param seated called when the page owns the robot, before commands are delivered to it
+   * @param acquired called when the page owns the robot, before commands are delivered to it
    */
-  async takePage(link: PageLink, resume: Resume, seated: () => void): Promise<void> {
+  async acquirePage(link: PageLink, resume: Resume, acquired: () => void): Promise<void> {
     await this.#arrivals.run(async () => {
       const settled = await this.handover.settle(resume);
       // The page disconnected while the previous page released the robot. That one may reconnect.
       if (!link.isOpen) return;
-      await this.#admitPage(link, resume, { ...settled, seated });
+      await this.#admitPage(link, resume, { ...settled, acquired });
     });
   }
 
   async #admitPage(
     link: PageLink,
     resume: Resume,
-    { epoch: settled, left, seated }: Settled & { seated: () => void },
+    { epoch: settled, left, acquired }: Settled & { acquired: () => void },
   ): Promise<void> {
     const { lastApplied, fresh, endings, snapshot, page: name = "" } = resume;
     await this.#work.run(async () => {
@@ -166,14 +166,14 @@ export class CommandLife {
         return link.close(closeReasons.replaced);
       this.#ownership.page?.link.close(closeReasons.replaced);
       this.#ownership.take({ link, epoch: taken.epoch, name });
-      this.#channel.pageCame(taken.epoch, name);
+      this.#channel.pageConnected(taken.epoch, name);
       const at = this.#clock.now();
       link.send({ type: "welcome", version: PROTOCOL_VERSION, epoch: taken.epoch, at });
       const refused = new Map(taken.refused.map((record) => [record.seq, record]));
       for (const { seq } of endings) this.#answerEnding(link, seq, refused.get(seq) ?? null);
-      seated();
+      acquired();
       this.#publishStates(taken.changed);
-      await this.recall.askAgainInTurn();
+      await this.recall.repeatRequests();
       await this.#expireNow();
       await this.#delivery.run();
     });
@@ -229,7 +229,7 @@ export class CommandLife {
       );
       // Another relay has the page after all, and its message arrives soon.
       if (ended === null) return;
-      this.#ownership.settleAway();
+      this.#ownership.settleDisconnected();
       this.#publishStates(ended);
     });
   }
@@ -332,7 +332,7 @@ export class CommandLife {
     const made = this.#work.run(async () => {
       this.#subscribers.publishMissed();
       this.#deadlines.wake(this.#clock.now());
-      if (this.#ownership.page !== null) await this.recall.askAgainInTurn();
+      if (this.#ownership.page !== null) await this.recall.repeatRequests();
       await this.#delivery.run();
     });
     made.catch(() => undefined);
@@ -353,9 +353,9 @@ export class CommandLife {
     request: { key: string | null } & CommandTerms,
     acknowledge: (record: CommandRecord) => void,
   ): Promise<void> {
-    const cameAt = this.#clock.now();
+    const arrivedAt = this.#clock.now();
     const isStop = request.command.action === "stop";
-    const tooFast = this.#rateLimiter.take(grant.hash, isStop, cameAt);
+    const tooFast = this.#rateLimiter.take(grant.hash, isStop, arrivedAt);
     if (tooFast !== null && !isStop) throw tooFast;
     await this.#work.run(async () => {
       if (this.#end !== null) throw this.#end === "restart" ? restarting() : noRobot();
@@ -375,8 +375,8 @@ export class CommandLife {
         lease,
         driver: grant.hash,
         script: grant.script?.id ?? null,
-        acceptedAt: cameAt,
-        deadline: cameAt + ttl - age,
+        acceptedAt: arrivedAt,
+        deadline: arrivedAt + ttl - age,
         maxWaiting: limits.waitingCommands,
         keep: limits.storedCommands,
       });
@@ -389,7 +389,7 @@ export class CommandLife {
       if (result.outcome === "duplicate") {
         acknowledge({ ...result.record, duplicate: true });
         // The first attempt may have failed before it did anything else.
-        if (result.record.state === "accepted") this.#deadlines.wake(cameAt);
+        if (result.record.state === "accepted") this.#deadlines.wake(arrivedAt);
         return this.#delivery.send(await due);
       }
       if (result.outcome !== "stored") {
@@ -398,13 +398,13 @@ export class CommandLife {
       }
       const { record, ended } = result;
       this.#newestStop = isStop ? record.seq : null;
-      this.#observer.stored(this.#secondsSince(cameAt));
+      this.#observer.stored(this.#secondsSince(arrivedAt));
       acknowledge(record);
       const terms = {
         driver: grant.hash,
         script: grant.script?.id ?? null,
         ttl,
-        deadline: cameAt + ttl - age,
+        deadline: arrivedAt + ttl - age,
         replace,
         lease,
       };

@@ -110,11 +110,11 @@ export class CommandRecall {
 
   /** Asks the page to end all recalled commands, because earlier requests may have been lost. */
   async askAgain(): Promise<void> {
-    await this.#parts.work.run(async () => this.askAgainInTurn());
+    await this.#parts.work.run(async () => this.repeatRequests());
   }
 
   /** Same as `askAgain`, for callers that already run in the serial queue. */
-  async askAgainInTurn(): Promise<void> {
+  async repeatRequests(): Promise<void> {
     const { robot, store } = this.#parts;
     for (const { seq, reason } of await store.recalled(robot)) {
       this.#parts.ask(seq, causeOf(reason));

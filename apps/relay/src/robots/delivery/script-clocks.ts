@@ -22,7 +22,7 @@ export class ScriptClocks {
    * @param driver hash of its key
    * @returns ms of transit beyond the fastest request with the same clock; 0 without a time
    */
-  came(driver: string, time: ScriptTime | null, cameAt: number): number {
+  came(driver: string, time: ScriptTime | null, arrivedAt: number): number {
     if (time === null) return 0;
     const ofKey = this.#clocks.get(driver) ?? new Map<string, TransitEstimate>();
     this.#clocks.set(driver, ofKey);
@@ -33,7 +33,7 @@ export class ScriptClocks {
       if (ofKey.size <= limits.clocksPerKey) break;
       ofKey.delete(oldest);
     }
-    return estimate.came(time.sentAt, cameAt);
+    return estimate.came(time.sentAt, arrivedAt);
   }
 
   /** Deletes the clocks of a revoked key. */

@@ -20,12 +20,12 @@ export class TransitEstimate {
   /**
    * Records a message.
    * @param sentAt ms of the sender's monotonic clock; only differences count
-   * @param cameAt ms of the relay's clock
+   * @param arrivedAt ms of the relay's clock
    * @returns ms of transit beyond the fastest message so far; 0 for the first, never negative
    */
-  came(sentAt: number, cameAt: number): number {
+  came(sentAt: number, arrivedAt: number): number {
     // Counts the relay's time slightly slow, so that drift only lowers the offset.
-    const offset = cameAt * (1 - LARGEST_DRIFT) - sentAt;
+    const offset = arrivedAt * (1 - LARGEST_DRIFT) - sentAt;
     this.#offset = Math.min(this.#offset, offset);
     return Math.round(offset - this.#offset);
   }

@@ -108,9 +108,9 @@ describe("the page's display of waiting commands", () => {
   it("precedes the messages that it accompanies", () => {
     const { display, newPage } = withOwnership();
     const writes = newPage();
-    display.sayWith({ type: "heartbeat" });
+    display.sendWith({ type: "heartbeat" });
     for (const seq of [1, 2, 3]) display.show([command(seq)]);
-    display.sayWith({ type: "heartbeat" });
+    display.sendWith({ type: "heartbeat" });
     expect(writes).toEqual([
       ["heartbeat"],
       ["1 accepted"],
@@ -134,7 +134,7 @@ describe("the page's display of waiting commands", () => {
     { how: "before a command is delivered", flush: (display: PageDisplay) => display.flush() },
     {
       how: "with another message",
-      flush: (display: PageDisplay) => display.sayWith({ type: "heartbeat" }),
+      flush: (display: PageDisplay) => display.sendWith({ type: "heartbeat" }),
     },
   ])("is discarded if the page is disconnected: $how", async ({ flush }) => {
     const { clock, ownership, display, newPage } = withOwnership();
@@ -208,7 +208,7 @@ describe("a page whose robot has more commands than the window", () => {
     const setup = await withRobot();
     const host = await page(setup);
     for (let n = 0; n < 10; n++) await setup.submit(LEFT);
-    setup.robot.roster.awayChanged();
+    setup.robot.roster.blockedChanged();
     expect(host.sent.map(inWords).slice(-2)).toEqual(["10 accepted", "drivers"]);
   });
 });

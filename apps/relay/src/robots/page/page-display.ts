@@ -43,7 +43,7 @@ export class PageDisplay implements Waiter {
   }
 
   /** Sends a message to the page, after the held commands. */
-  sayWith(message: RelayToPage): void {
+  sendWith(message: RelayToPage): void {
     const page = this.#page();
     if (page !== null) this.#send(page.link, message);
   }

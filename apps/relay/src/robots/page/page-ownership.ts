@@ -25,14 +25,14 @@ export class PageOwnership {
    * time since which no page owns the robot; also null once the last page's commands have been
    * ended
    */
-  #awaySince: number | null;
+  #disconnectedAt: number | null;
 
   /**
    * @param now a robot without a page counts as disconnected from this time on
    * @param last the page that owned the robot last; epoch 0: none
    */
   constructor(now: number, last: { epoch: number; page: string }) {
-    this.#awaySince = now;
+    this.#disconnectedAt = now;
     this.#epoch = last.epoch;
     this.#name = last.page;
     this.#isInDoubt = last.epoch > 0;
@@ -63,7 +63,7 @@ export class PageOwnership {
 
   /** Whether work is due once the page has been disconnected for long enough. */
   get isAwayOpen(): boolean {
-    return this.#awaySince !== null;
+    return this.#disconnectedAt !== null;
   }
 
   /** Whether no page owns the robot, and the last one may have started more than it reported. */
@@ -75,8 +75,8 @@ export class PageOwnership {
     return this.#page?.link === link;
   }
 
-  awayMs(now: number): number {
-    return this.#awaySince === null ? 0 : now - this.#awaySince;
+  disconnectedMs(now: number): number {
+    return this.#disconnectedAt === null ? 0 : now - this.#disconnectedAt;
   }
 
   take(page: OwningPage): void {
@@ -85,14 +85,14 @@ export class PageOwnership {
     this.#name = page.name;
     this.#elsewhere = null;
     this.#isInDoubt = false;
-    this.#awaySince = null;
+    this.#disconnectedAt = null;
   }
 
   /**
    * A page has acquired the robot at another relay.
    * @returns the page that owned the robot at this relay until then, if any
    */
-  takeElsewhere(epoch: number, name: string): OwningPage | null {
+  acquireElsewhere(epoch: number, name: string): OwningPage | null {
     if (epoch < this.#epoch) return null;
     const before = this.#page;
     this.#page = null;
@@ -100,7 +100,7 @@ export class PageOwnership {
     this.#name = name;
     this.#elsewhere = epoch;
     this.#isInDoubt = false;
-    this.#awaySince = null;
+    this.#disconnectedAt = null;
     return before;
   }
 
@@ -109,24 +109,24 @@ export class PageOwnership {
     if (this.#elsewhere !== epoch) return false;
     this.#isInDoubt = !closedByPage;
     this.#elsewhere = null;
-    this.#awaySince = now;
+    this.#disconnectedAt = now;
     return true;
   }
 
   leave(now: number, closedByPage: boolean): void {
     this.#isInDoubt = !closedByPage;
     this.#page = null;
-    this.#awaySince = now;
+    this.#disconnectedAt = now;
   }
 
   /** The commands of the disconnected page have been ended. */
-  settleAway(): void {
-    this.#awaySince = null;
+  settleDisconnected(): void {
+    this.#disconnectedAt = null;
   }
 
   /** Removes the page. No work is due any more. */
   clear(): void {
     this.#page = null;
-    this.#awaySince = null;
+    this.#disconnectedAt = null;
   }
 }

@@ -100,7 +100,7 @@ export class DriverRoster {
   }
 
   /** Reports changed permissions immediately, because the owner has just pressed a button. */
-  awayChanged(): void {
+  blockedChanged(): void {
     this.#flush();
   }
 

@@ -43,7 +43,7 @@ export class RobotChannel implements Waiter {
   }
 
   /** @param name identifies the page across its connections */
-  pageCame(epoch: number, name: string): void {
+  pageConnected(epoch: number, name: string): void {
     this.#channel?.notify({ kind: "page", epoch, name });
   }
 

@@ -106,7 +106,7 @@ export async function page({ robot }: Setup, resume: Partial<Resume> = {}, isSil
     },
   };
   const yielded = async () => robot.receiveFromPage(link, { type: "yielded", epoch });
-  await robot.takePage(link, {
+  await robot.acquirePage(link, {
     type: "resume",
     lastApplied: 0,
     fresh: false,

@@ -9,14 +9,14 @@ export function mazeCases(name: string, open: () => Promise<OpenStore>): void {
     it("is the last one stored, also after a restart", async () => {
       const { store, reopen } = await withRobot();
       expect(await store.maze(ID)).toBeNull();
-      expect(await store.keepMaze(ID, '{"name":"first"}')).toBe(true);
-      expect(await store.keepMaze(ID, '{"name":"\u8ff7\u8def \u{1f9ed}"}')).toBe(true);
+      expect(await store.storeMaze(ID, '{"name":"first"}')).toBe(true);
+      expect(await store.storeMaze(ID, '{"name":"\u8ff7\u8def \u{1f9ed}"}')).toBe(true);
       expect(await (await reopen()).maze(ID)).toBe('{"name":"\u8ff7\u8def \u{1f9ed}"}');
     });
 
     it("is stored for known robots only", async () => {
       const { store } = await withRobot();
-      expect(await store.keepMaze("B".repeat(22), "{}")).toBe(false);
+      expect(await store.storeMaze("B".repeat(22), "{}")).toBe(false);
       expect(await store.maze("B".repeat(22))).toBeNull();
       expect(await store.find("B".repeat(22))).toBeNull();
     });
@@ -24,8 +24,8 @@ export function mazeCases(name: string, open: () => Promise<OpenStore>): void {
     it("is deleted from the disk with the robot", async () => {
       const { store, holds } = await withRobot();
       const text = "a-maze-to-be-deleted ".repeat(2_000);
-      await store.keepMaze(ID, text);
-      await store.keepMaze(ID, `other-${text}`);
+      await store.storeMaze(ID, text);
+      await store.storeMaze(ID, `other-${text}`);
       expect(await holds("a-maze-to-be-deleted")).toBe(true);
       await store.remove(ID);
       expect(await store.maze(ID)).toBeNull();
@@ -34,7 +34,7 @@ export function mazeCases(name: string, open: () => Promise<OpenStore>): void {
 
     it("is deleted with an expired robot", async () => {
       const { store, holds } = await withRobot();
-      await store.keepMaze(ID, "a-maze-to-be-deleted");
+      await store.storeMaze(ID, "a-maze-to-be-deleted");
       await store.removeExpired({ lastUsedAt: 9_000, createdAt: 9_000 });
       expect(await holds("a-maze-to-be-deleted")).toBe(false);
     });

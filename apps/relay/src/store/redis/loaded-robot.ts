@@ -9,7 +9,7 @@ import { accessStateOf, type Permissions } from "../../commands/permissions.ts";
 import { RobotCommands } from "../../commands/robot-commands.ts";
 import { endedOf, keysOf, channelOf, openOf, robotKeyOf } from "./redis-keys.ts";
 import { rowIn, textOf } from "./rows.ts";
-import { awayText, keysText } from "./permission-texts.ts";
+import { blockedText, keysText } from "./permission-texts.ts";
 import type { Words } from "./words.ts";
 
 /** The answer of commit.lua with the current robot. */
@@ -20,7 +20,7 @@ export const robotAnswer = z.tuple([
     z.coerce.number(),
     z.coerce.number(),
     keysText,
-    awayText.nullable(),
+    blockedText.nullable(),
     z.string().nullable(),
   ]),
   z.array(z.string()),

@@ -6,7 +6,7 @@ export const keysText = z
   .string()
   .transform((text): unknown => JSON.parse(text))
   .pipe(z.array(z.object({ kind: z.enum(keyKinds), hash: z.string() })));
-export const awayText = z
+export const blockedText = z
   .string()
   .transform((text): unknown => JSON.parse(text))
   .pipe(

@@ -6,9 +6,9 @@ import { RedisClock } from "./redis-clock.ts";
 /** A relay's clock, and a Redis whose clock is ahead by `aheadMs`. */
 async function withRedis(aheadMs: number, answerMs = 0) {
   const machine = new FakeClock();
-  const redis = { aheadMs, isAway: false };
+  const redis = { aheadMs, isDown: false };
   const ask = async (): Promise<number> => {
-    if (redis.isAway) throw new Error("nobody answers");
+    if (redis.isDown) throw new Error("nobody answers");
     const there = machine.now() + redis.aheadMs;
     if (answerMs > 0) await machine.pass(answerMs);
     return there;
@@ -33,7 +33,7 @@ it("jumps ahead immediately, and continues while Redis is unavailable", async ()
   redis.aheadMs = 30_000;
   await machine.pass(5_000);
   expect(ahead()).toBe(30_000);
-  redis.isAway = true;
+  redis.isDown = true;
   await machine.pass(60_000);
   expect(ahead()).toBe(30_000);
 });

@@ -38,7 +38,7 @@ export class RedisClock implements Clock {
   static async open(options: RedisClockOptions): Promise<RedisClock> {
     const clock = new RedisClock(options);
     await clock.#look();
-    clock.#lookAgain();
+    clock.#reload();
     return clock;
   }
 
@@ -57,13 +57,13 @@ export class RedisClock implements Clock {
     this.#cancelTimer();
   }
 
-  #lookAgain(): void {
+  #reload(): void {
     if (this.#isClosed) return;
     this.#cancelTimer = this.#options.clock.after(LOOK_MS, () => {
       // The previous offset is accurate enough if Redis does not respond.
       void this.#look()
         .catch(() => undefined)
-        .finally(() => this.#lookAgain());
+        .finally(() => this.#reload());
     });
   }
 

@@ -133,7 +133,7 @@ export class RedisRobotStore implements RobotStore {
     });
   }
 
-  keepMaze(id: string, text: string): Promise<boolean> {
+  storeMaze(id: string, text: string): Promise<boolean> {
     return this.#robots.run(id, {
       none: false,
       work: (robot) => {

@@ -230,7 +230,7 @@ describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
     await b.store.remove(ID);
     expect(await a.store.add(ID, sent)).toEqual({ outcome: "no-robot" });
     await a.store.touch(ID, 9_000, [{ hash: sent.driver, at: 9_000 }]);
-    expect(await a.store.keepMaze(ID, "{}")).toBe(false);
+    expect(await a.store.storeMaze(ID, "{}")).toBe(false);
     expect(await a.redis.keys("corridor:*")).toEqual([]);
   });
 });

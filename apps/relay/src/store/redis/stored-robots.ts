@@ -4,7 +4,7 @@ import { asked, timeOf, type Redis } from "./connection.ts";
 import type { KeyTimes, StoredRobot } from "../port.ts";
 import { RELAYS, robotKeyOf, USES } from "./redis-keys.ts";
 import type { Script } from "./script.ts";
-import { awayText, keysText } from "./permission-texts.ts";
+import { blockedText, keysText } from "./permission-texts.ts";
 import { counted } from "./words.ts";
 
 const text = z.string().nullable();
@@ -15,7 +15,7 @@ const robotReply = z.tuple([
     z.coerce.number(),
     z.coerce.number(),
     keysText,
-    awayText.nullable(),
+    blockedText.nullable(),
     text,
     text,
   ]),

@@ -40,12 +40,12 @@ export class EntryOwners {
 
   deleteUpTo(entry: number): void {
     while ((this.#entries[this.#gone] ?? Infinity) <= entry) this.#gone += 1;
-    if (this.#gone >= MOST_GONE) this.#giveBack();
+    if (this.#gone >= MOST_GONE) this.#compact();
   }
 
   /** Deletes all entries of these owners. @returns the numbers of the entries */
   deleteOf(owners: ReadonlySet<string>): number[] {
-    this.#giveBack();
+    this.#compact();
     const isGone = this.#owners.map((owner) => owners.has(owner));
     const deleted = this.#entries.filter((_, at) => isGone[at]);
     this.#entries = this.#entries.filter((_, at) => !isGone[at]);
@@ -59,7 +59,7 @@ export class EntryOwners {
     this.#gone = 0;
   }
 
-  #giveBack(): void {
+  #compact(): void {
     this.#entries.splice(0, this.#gone);
     this.#owners.splice(0, this.#gone);
     this.#gone = 0;

@@ -134,7 +134,7 @@ export class SqliteRobotStore implements RobotStore {
     );
   }
 
-  async keepMaze(id: string, text: string): Promise<boolean> {
+  async storeMaze(id: string, text: string): Promise<boolean> {
     const sql = "INSERT INTO mazes (robot, text) VALUES (?, ?) ON CONFLICT DO UPDATE SET text = ?2";
     return this.#file.growingStep(() => {
       if (robotIn(this.#writing, id) === null) return false;

@@ -14,7 +14,7 @@ import { SqliteFile } from "../../store/sqlite/file/sqlite-file.ts";
 import { SqliteRobotStore } from "../../store/sqlite/sqlite-robot-store.ts";
 import type { VirtualTime } from "./virtual-time.ts";
 
-const noBallast = { hold: () => true, giveUp: () => false };
+const noBallast = { hold: () => true, release: () => false };
 
 /** What survives a relay: its database, and the message bus to other relays. */
 export class Backend {

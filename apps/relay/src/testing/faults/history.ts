@@ -119,7 +119,7 @@ export class History {
   }
 
   /** Current state of the commands that a page has started. */
-  begunBy(page: number): { seq: number; what: CommandState }[] {
+  startedBy(page: number): { seq: number; what: CommandState }[] {
     const now = new Map<number, CommandState>();
     for (const { seq, what, page: by } of this.#actions) {
       if (by === page && (what === "started" || now.has(seq))) now.set(seq, what);

@@ -33,8 +33,8 @@ export function commandRoutes(registry: RobotRegistry): Router {
         const received = await authoriseScript(registry, request, response, "command");
         const { robot, key } = received;
         const command = readCommandRequest(request);
-        const { cameAt, transitMs } = arrivals.get(request) ?? received;
-        const age = command.age + transitMs + registry.clock.now() - cameAt;
+        const { arrivedAt, transitMs } = arrivals.get(request) ?? received;
+        const age = command.age + transitMs + registry.clock.now() - arrivedAt;
         const order = { ...command, age };
         await robot.submit(key, order, (record) => accepted(response, robot.id, record));
       },

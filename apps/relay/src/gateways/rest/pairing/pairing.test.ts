@@ -87,7 +87,7 @@ describe("pairing with a code", () => {
     const asked = await Promise.all([1, 2, 3].map(() => script.ask({ code: second })));
     expect(asked.filter(({ status }) => status === 202)).toHaveLength(1);
     expect(asked.filter(({ kind }) => kind === "code-used")).toHaveLength(2);
-    expect(await owner.takeBack()).toBe(204);
+    expect(await owner.withdraw()).toBe(204);
     const key = asked.find(({ body }) => body !== null)?.body?.key ?? "";
     expect(await script.receive(key, 25)).toMatchObject({ status: 404, kind: "no-pairing" });
     expect(await owner.show()).toMatchObject({ state: "none" });

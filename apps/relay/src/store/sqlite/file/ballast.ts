@@ -9,7 +9,7 @@ const BYTES = 4 * 1024 * 1024;
 
 export interface Ballast {
   /** @returns false if it was released before */
-  giveUp(): boolean;
+  release(): boolean;
   /** Reserves the space if the disk has enough. @returns whether the space is reserved now */
   hold(): boolean;
 }
@@ -23,7 +23,7 @@ export class BallastFile implements Ballast {
     this.#path = path;
   }
 
-  giveUp(): boolean {
+  release(): boolean {
     const wasHeld = this.#isHeld;
     this.#isHeld = false;
     rmSync(this.#path, { force: true });
@@ -36,7 +36,7 @@ export class BallastFile implements Ballast {
       if (!this.#isWhole()) this.#write();
       this.#isHeld = true;
     } catch {
-      this.giveUp();
+      this.release();
     }
     return this.#isHeld;
   }

@@ -42,7 +42,7 @@ interface Step {
 }
 
 interface Group {
-  begunAt: number;
+  startedAt: number;
   steps: Step[];
   entries: Entry[];
   /** whether it has changed rows, or may have */
@@ -189,7 +189,7 @@ export class GroupCommit {
     group.steps.push(step);
     if (
       group.steps.length >= (group.isTransaction ? MOST_STEPS : ENOUGH_STEPS) ||
-      this.#now() - group.begunAt >= LONGEST_MS
+      this.#now() - group.startedAt >= LONGEST_MS
     )
       this.#flush();
   }
@@ -215,7 +215,7 @@ export class GroupCommit {
   }
 
   #newGroup(): Group {
-    return { begunAt: this.#now(), steps: [], entries: [], isTransaction: false };
+    return { startedAt: this.#now(), steps: [], entries: [], isTransaction: false };
   }
 
   #openTransaction(group: Group): void {

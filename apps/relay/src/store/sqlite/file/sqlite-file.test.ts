@@ -19,12 +19,12 @@ describe("a database that a newer Corridor has to rewrite", () => {
 
   it("receives the space of the ballast file for that", () => {
     let isHeld = true;
-    const ballast: Ballast = { hold: () => isHeld, giveUp: () => !(isHeld = false) };
+    const ballast: Ballast = { hold: () => isHeld, release: () => !(isHeld = false) };
     expect(withRoom(() => (isHeld ? full() : "open"), ballast)).toBe("open");
   });
 
   it("reports how much space to free if that does not suffice", () => {
-    const ballast: Ballast = { hold: () => true, giveUp: () => true };
+    const ballast: Ballast = { hold: () => true, release: () => true };
     expect(() => withRoom(full, ballast)).toThrow(/twice the size/);
     expect(() => withRoom(() => JSON.parse("{"), ballast)).toThrow(SyntaxError);
   });
@@ -32,9 +32,9 @@ describe("a database that a newer Corridor has to rewrite", () => {
 
 /** A robot with accepted and started commands, on a disk that is full except for the ballast. */
 async function onFillingDisk() {
-  const ballast = { isHeld: true, hasRoom: false, giveUp: () => false };
+  const ballast = { isHeld: true, hasRoom: false, release: () => false };
   const holder: Ballast = {
-    giveUp: () => ballast.giveUp(),
+    release: () => ballast.release(),
     hold: () => ballast.isHeld || ballast.hasRoom,
   };
   const path = join(testFolder(), "corridor.sqlite");
@@ -61,23 +61,23 @@ async function onFillingDisk() {
   await store.takeOver(ID, pageState({ settled: 1 }));
   for (let n = 0; n < 50; n++) await add({ action: "left 90" });
   await store.deliver(ID, 1, 50, 1);
-  ballast.giveUp = () => {
+  ballast.release = () => {
     const wasHeld = ballast.isHeld;
     ballast.isHeld = false;
     if (wasHeld) fill(40);
     return wasHeld;
   };
   fill();
-  const hasRoomAgain = (): void => {
+  const freeSpace = (): void => {
     makeRoom();
     ballast.hasRoom = true;
   };
-  return { store, add, hasRoomAgain };
+  return { store, add, freeSpace };
 }
 
 /** The same, after the first rejected command. */
 async function onFullDisk() {
-  const { store, add, hasRoomAgain } = await onFillingDisk();
+  const { store, add, freeSpace } = await onFillingDisk();
   let stored = 0;
   const fails = await (async () => {
     for (;;) {
@@ -89,7 +89,7 @@ async function onFullDisk() {
       }
     }
   })();
-  return { store, add, fails, hasRoomAgain };
+  return { store, add, fails, freeSpace };
 }
 
 describe("a full disk", () => {
@@ -100,7 +100,7 @@ describe("a full disk", () => {
     await before.takeOver(ID, pageState());
     await before.close();
     let hasRoom = false;
-    const ballast: Ballast = { hold: () => hasRoom, giveUp: () => false };
+    const ballast: Ballast = { hold: () => hasRoom, release: () => false };
     const store = new SqliteRobotStore(new SqliteFile(path, { ballast }));
     onTestFinished(() => store.close());
     hasRoom = true;
@@ -168,8 +168,8 @@ describe("a full disk", () => {
   });
 
   it("accepts new commands again once as much space is free as it reserves", async () => {
-    const { store, add, hasRoomAgain } = await onFullDisk();
-    hasRoomAgain();
+    const { store, add, freeSpace } = await onFullDisk();
+    freeSpace();
     expect(await store.check()).toBe("ok");
     expect(await add({ action: "left 90" })).toMatchObject({ outcome: "stored" });
   });

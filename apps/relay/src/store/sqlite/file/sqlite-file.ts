@@ -31,7 +31,7 @@ export function withRoom<T>(open: () => T, ballast: Ballast): T {
     return open();
   } catch (error) {
     if (!isDiskFull(error)) throw error;
-    ballast.giveUp();
+    ballast.release();
   }
   try {
     return open();
@@ -69,7 +69,7 @@ export class SqliteFile {
   #memory: Memory | null = null;
   #isFull: boolean;
   /** pending check for free space; later steps run after the step that started it */
-  #finding: Promise<boolean> | null = null;
+  #spaceCheck: Promise<boolean> | null = null;
   #lookedAt = -Infinity;
   #closed: Promise<void> | null = null;
 
@@ -128,7 +128,7 @@ export class SqliteFile {
 
   /** Whether the current memory is what the next memory step would see. */
   get isPrompt(): boolean {
-    return this.#finding === null && this.#commits.isPrompt;
+    return this.#spaceCheck === null && this.#commits.isPrompt;
   }
 
   /** Adds an entry to the journal. Must be called within a step. */
@@ -141,7 +141,7 @@ export class SqliteFile {
    * @param kind memory: it changes no rows
    */
   step<T>(work: () => T, kind: "rows" | "memory" = "rows"): Promise<T> {
-    if (this.#finding !== null) return this.#stepAfter(this.#finding, work, kind);
+    if (this.#spaceCheck !== null) return this.#stepAfter(this.#spaceCheck, work, kind);
     return this.#commits.run(work, kind).catch((error: unknown) => {
       if (!isDiskFull(error)) throw error;
       // One retry is enough: the ballast is released for every step of the group.
@@ -162,7 +162,7 @@ export class SqliteFile {
         throw error;
       });
     if (!this.#isFull) return grow();
-    return this.#findRoomFirst().then((hasRoom) => {
+    return this.#sharedSpaceCheck().then((hasRoom) => {
       if (hasRoom) return grow();
       throw new StoreFull();
     });
@@ -182,25 +182,25 @@ export class SqliteFile {
   }
 
   /** Checks for free space. Concurrent callers share one check. */
-  #findRoomFirst(): Promise<boolean> {
-    if (this.#finding !== null) return this.#finding;
-    const finding = this.#findRoom();
-    this.#finding = finding;
-    void this.#letGo(finding);
+  #sharedSpaceCheck(): Promise<boolean> {
+    if (this.#spaceCheck !== null) return this.#spaceCheck;
+    const finding = this.#checkSpace();
+    this.#spaceCheck = finding;
+    void this.#releaseAfter(finding);
     return finding;
   }
 
   /**
-   * Called before any other caller waits for the check, so that `#finding` is null when those
+   * Called before any other caller waits for the check, so that `#spaceCheck` is null when those
    * continue.
    */
-  async #letGo(finding: Promise<boolean>): Promise<void> {
+  async #releaseAfter(finding: Promise<boolean>): Promise<void> {
     try {
       await finding;
     } catch {
       // The caller that started the check receives the error.
     }
-    this.#finding = null;
+    this.#spaceCheck = null;
   }
 
   /**
@@ -233,7 +233,7 @@ export class SqliteFile {
    */
   async check(): Promise<"ok" | "full"> {
     try {
-      if (this.#isFull) return (await this.#findRoom(0)) ? "ok" : "full";
+      if (this.#isFull) return (await this.#checkSpace(0)) ? "ok" : "full";
       await this.#commits.alone(() => reserveSpace(this.#db));
       return "ok";
     } catch (error) {
@@ -262,10 +262,10 @@ export class SqliteFile {
   #noteFull(error: unknown): void {
     if (!isDiskFull(error)) return;
     this.#isFull = true;
-    this.#ballast.giveUp();
+    this.#ballast.release();
   }
 
-  async #findRoom(everyMs = LOOK_MS): Promise<boolean> {
+  async #checkSpace(everyMs = LOOK_MS): Promise<boolean> {
     const now = performance.now();
     if (now - this.#lookedAt < everyMs) return false;
     this.#lookedAt = now;
@@ -274,7 +274,7 @@ export class SqliteFile {
       await this.#commits.alone(() => reserveSpace(this.#db));
     } catch (error) {
       if (!isDiskFull(error)) throw error;
-      this.#ballast.giveUp();
+      this.#ballast.release();
       return false;
     }
     this.#isFull = false;
