@@ -83,7 +83,7 @@ export function pairingStoreCases(name: string, open: () => Promise<OpenPairingS
 
     it.each([
       {
-        when: "they are taken back",
+        when: "they are withdrawn",
         remove: async ({ store }: OpenPairingStore) => expect(await store.remove(ROBOT)).toBe(true),
       },
       {
