@@ -16,7 +16,7 @@ import { measureLayer } from "./lazy-measure.ts";
 import { raceGhostsLayer } from "./lazy-race-ghosts.ts";
 import { drawCelebration, isOnReachedGoal } from "./celebration.ts";
 import { drawOutline, drawPath } from "./path.ts";
-import { drawRadius, drawRadiusLabel } from "./radius.ts";
+import { drawRadius, drawRadiusLabel, placeRadiusLabel } from "./radius.ts";
 import { drawRobot, faceOf } from "./robot.ts";
 import { drawRulerMarks } from "./rulers.ts";
 import { drawTags } from "./tags.ts";
@@ -115,14 +115,17 @@ function drawNumbers(
   const hasReadings = showBeams && !isCelebrating(model, displayed);
   // A red reading already shows the distance.
   const needsLabel = measure !== null && !(hasReadings && bumped !== null);
-  const label = needsLabel ? drawRadiusLabel(context, viewport, palette, measure, dirty) : null;
-  if (!hasReadings) return;
-  drawTags(context, viewport, palette, snapshot, dirty, {
-    lit: litSensors(program, numbers),
-    limits: limitsOf(program, numbers),
-    bumped,
-    sensors: numbers.sensors,
-    goals: maze.goals,
-    occupied: label === null ? [] : [label],
-  });
+  const label = needsLabel ? placeRadiusLabel(viewport, measure) : null;
+  if (hasReadings) {
+    drawTags(context, viewport, palette, snapshot, dirty, {
+      lit: litSensors(program, numbers),
+      limits: limitsOf(program, numbers),
+      bumped,
+      sensors: numbers.sensors,
+      goals: maze.goals,
+      occupied: label === null ? [] : [label],
+    });
+  }
+  // After the marks: a line's bar across the beam would strike the number through.
+  if (label !== null) drawRadiusLabel(context, palette, label, dirty);
 }

@@ -7,7 +7,7 @@ import type { DrawingContext } from "../drawing/drawing-context.ts";
 import { DirtyRects } from "../drawing/dirty-rects.ts";
 import { readPalette } from "../drawing/palette.ts";
 import { followScroll, viewportAt, viewX, viewY } from "../drawing/viewport.ts";
-import { drawRadius, drawRadiusLabel } from "./radius.ts";
+import { drawRadius, placeRadiusLabel } from "./radius.ts";
 import { robotBox } from "./robot.ts";
 
 const SIDE = 7;
@@ -53,7 +53,7 @@ describe("the label of the radius", () => {
         const dirty = new DirtyRects();
         const measure = drawRadius(context, viewport, palette, maze, pose, dirty);
         if (measure === null) throw new Error("The robot touches a wall.");
-        const label = drawRadiusLabel(context, viewport, palette, measure, dirty);
+        const label = placeRadiusLabel(viewport, measure);
         if (label === null) throw new Error("The label has no place.");
         expect(label.x).toBeGreaterThanOrEqual(0);
         expect(label.y).toBeGreaterThanOrEqual(0);

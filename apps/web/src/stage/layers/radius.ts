@@ -72,35 +72,36 @@ export function drawRadius(
 }
 
 /**
- * Draws the label of the measure beyond the contact point, on the block or outside of the maze.
+ * Places the label of the measure beyond the contact point, on the block or outside of the maze.
  * @returns its box, which no reading may cover; null if the view has no room for it
  */
-export function drawRadiusLabel(
-  context: DrawingContext,
-  viewport: Viewport,
-  palette: Palette,
-  measure: Beam,
-  dirty: DirtyRects,
-): Box | null {
-  const { width, height, font } = LABEL;
+export function placeRadiusLabel(viewport: Viewport, measure: Beam): Box | null {
+  const { width, height } = LABEL;
   const robot = robotBox(viewport, measure.origin);
   const length = ROBOT_RADIUS * viewport.scale;
   const centres = readingCentres(measure, length, robot.width / 2, width, height);
   const request = { name: "radius", sizes: [{ width, height, centres }] };
-  const [box] = placeTags([request], [robot], viewport.view);
-  if (box === undefined) return null;
-  dirty.add(box.x, box.y, width, height);
+  return placeTags([request], [robot], viewport.view)[0] ?? null;
+}
+
+/** @param box its place */
+export function drawRadiusLabel(
+  context: DrawingContext,
+  palette: Palette,
+  { x, y, width, height }: Box,
+  dirty: DirtyRects,
+): void {
+  dirty.add(x, y, width, height);
   context.beginPath();
-  context.roundRect(box.x + 0.5, box.y + 0.5, width - 1, height - 1, 4);
+  context.roundRect(x + 0.5, y + 0.5, width - 1, height - 1, 4);
   context.fillStyle = palette.surface;
   context.fill();
   context.strokeStyle = palette.bad;
   context.lineWidth = 1;
   context.stroke();
-  context.font = `600 ${font}px ${palette.font}`;
+  context.font = `600 ${LABEL.font}px ${palette.font}`;
   context.textAlign = "center";
   context.textBaseline = "middle";
   context.fillStyle = palette.ink;
-  context.fillText(String(ROBOT_RADIUS), box.x + width / 2, box.y + height / 2 + 0.5);
-  return box;
+  context.fillText(String(ROBOT_RADIUS), x + width / 2, y + height / 2 + 0.5);
 }
