@@ -150,6 +150,28 @@ test("does not cover the flag of mission 3 with the reading of the beam that end
   expect(await stage.differingPixels({ ...nearBeam, y: 30 }, onTop), "a block").toBeGreaterThan(0);
 });
 
+test("shows the verdict on a failed mission once, and with the task after its card is closed", async ({
+  openWindow,
+}) => {
+  const corridor = await openWindow(phone);
+  await corridor.open();
+  const { page } = corridor;
+  const lessons = new LessonsPanel(page);
+  await lessons.openMissionOnPhone(6);
+  await corridor.speed.selectOption("max");
+  await corridor.run.tap();
+  const card = page.getByRole("region", { name: "Bump", exact: true });
+  await expect(card).toContainText("A line for this place is missing.");
+  // The sentence below the task is there only for screen readers.
+  await expect(lessons.outcome).toContainText("A line for this place is missing.");
+  const height = async () => (await boxOf(lessons.outcome)).height;
+  expect(await height()).toBeLessThan(2);
+  await expect(corridor.program.otherwise).toBeInViewport();
+  await card.getByRole("button", { name: "Close" }).tap();
+  await expect(card).toBeHidden();
+  expect(await height()).toBeGreaterThan(16);
+});
+
 test("keeps dialogs and tabs open when a phone is rotated", async ({ openWindow }) => {
   const corridor = await openWindow({ ...phone, viewport: { width: 844, height: 390 } });
   await corridor.open();

@@ -78,10 +78,13 @@ export function FloatingCard(props: FloatingCardProps) {
   useLayoutEffect(() => {
     if (!isDocked) return undefined;
     const room = dock.parentElement?.clientHeight ?? 0;
-    cardDock.setState({ need: dock.offsetHeight > room ? "more" : "half" });
+    cardDock.setState({
+      need: dock.offsetHeight > room ? "more" : "half",
+      hasBump: tone === "bad",
+    });
     showFromTop(dock);
-    return () => cardDock.setState({ need: null });
-  }, [cardDock, isDocked, dock]);
+    return () => cardDock.setState({ need: null, hasBump: false });
+  }, [cardDock, isDocked, dock, tone]);
 
   useLayoutEffect(() => {
     const element = card.current;

@@ -24,7 +24,7 @@ import styles from "./lessons.module.css";
 export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) {
   const { t, i18n } = useTranslation(["missions", "words", "diagnosis"], { useSuspense: false });
   const words: MissionWords = { t: t as unknown as MissionWords["t"], i18n };
-  const { challenge: store, run, timeline, speech, workspace } = useServices();
+  const { challenge: store, run, timeline, speech, workspace, cards, cardDock } = useServices();
   // The run of a check contains no waiting ticks.
   const ofRun: MissionWords = { ...words, waited: (tick) => timeline.waitedUpTo(tick) };
   const result = useStore(store, (state) => state.result);
@@ -41,6 +41,8 @@ export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) 
     () => stationary && handAdvice(challenge.goal, maze, stationary),
     [challenge, maze, stationary],
   );
+  const hasBumpAbove = useStore(cardDock, (state) => state.hasBump);
+  const bump = useStore(cards, (state) => state.bump);
   const isMet = result.state === "met";
   const failure = verdict === null ? null : failureOf(verdict, shown);
   // In a drive by hand the student may continue, so nothing has failed while the result is open.
@@ -63,10 +65,13 @@ export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) 
     },
     [store, speech, challenge],
   );
+  // The card of the same bump, directly above, shows the same sentence.
+  const isRepeated = hasBumpAbove && failedRun !== null && bump?.diagnosis === failedRun;
+  const isShown = isMet || failure !== null || !isRepeated;
   return (
     <p
       role="note"
-      className={styles["outcome"]}
+      className={isShown ? styles["outcome"] : "visually-hidden"}
       data-state={isMet ? "met" : isOpen ? "open" : "failed"}
     >
       {text}

@@ -33,10 +33,12 @@ export interface CardDockState {
   element: HTMLElement | null;
   /** how far a sheet has to be open for the docked card; null without one */
   need: "half" | "more" | null;
+  /** whether it holds the card of a bump, which explains the failed run */
+  hasBump: boolean;
 }
 
 export function createCardDock() {
-  return createStore<CardDockState>()(() => ({ element: null, need: null }));
+  return createStore<CardDockState>()(() => ({ element: null, need: null, hasBump: false }));
 }
 
 /**
