@@ -2,6 +2,7 @@
 /**
  * Driving on a phone with a thumb: the stage follows the robot, and manual missions can be solved.
  */
+import { encodeLink } from "@corridor/link";
 import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
@@ -9,6 +10,7 @@ import { waitForAnimations } from "./support/wait-for-animations.ts";
 import { TouchInput, centreOf } from "./support/touch-input.ts";
 import { unreadableTexts } from "./support/layout.ts";
 import { boxOf, phone, tab } from "./support/phone.ts";
+import { Texts } from "./support/texts.ts";
 
 /** pixels per cm while the stage follows the robot */
 const SCALE = 0.6;
@@ -155,6 +157,46 @@ test("switches to the whole maze, and to following the robot", async ({ openWind
   await expect(minimap(page)).toBeVisible();
   expect((await boxOf(corridor.maze.grid)).width).toBeCloseTo(1100 * SCALE, 0);
 });
+
+for (const [lang, start, goal] of [
+  ["en", { column: 5, row: 4 }, { column: 6, row: 2 }],
+  ["ar", { column: 5, row: 4 }, { column: 4, row: 2 }],
+] as const) {
+  test(`covers neither robot nor goal with the button for the whole maze, in ${lang}`, async ({
+    openWindow,
+  }) => {
+    const corridor = await openWindow(phone);
+    const link = encodeLink({
+      maze: {
+        format: "corridor/maze",
+        version: 1,
+        name: "Square",
+        blocks: Array.from({ length: 11 }, () => ".".repeat(11)),
+        start: { ...start, heading: "north" },
+        goals: [goal],
+      },
+    });
+    const { page } = corridor;
+    await page.goto(`/?lang=${lang}#${link.ok ? link.text : ""}`);
+    const texts = Texts.load(lang);
+    await page.getByRole("tab", { name: texts.t("shell.tabs.drive") }).tap();
+    await expect(minimap(page)).toBeVisible();
+    await waitForAnimations(page);
+    const button = await boxOf(page.getByRole("button", { name: texts.t("phone.wholeMaze") }));
+    const grid = page.getByRole("grid");
+    const { x, y } = await boxOf(grid);
+    const side = 100 * SCALE;
+    for (const { column, row } of [start, goal]) {
+      const [left, top] = [x + column * side, y + row * side];
+      expect(top + side, "the square is in sight").toBeGreaterThan(button.y);
+      const isApart =
+        left >= button.x + button.width ||
+        left + side <= button.x ||
+        top >= button.y + button.height;
+      expect(isApart).toBe(true);
+    }
+  });
+}
 
 test("switches to the program and back without leaving the keys", async ({ openWindow }) => {
   const corridor = await openWindow(phone);
