@@ -113,7 +113,9 @@ it("does not strike through the robot's radius with the mark of a line", () => {
     pose,
     sensors: { front: 125, right: 150, back: 175, left: 150 },
   });
-  const rules = [{ when: { sensor: "front", is: ">", than: 60 }, do: "forward" }] as const;
+  const rules: ProgramDocument["rules"] = [
+    { when: { sensor: "front", is: ">", than: 60 }, do: "forward" },
+  ];
   const barX = viewX(viewport, pose.x + 60);
   const done = drawnIn(snapshot, rules, { pose, wanted: null }, (x) =>
     Math.abs(x - barX) < 0.5 ? "bar" : null,
