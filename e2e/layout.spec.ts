@@ -126,9 +126,15 @@ for (const [width, height] of [
   });
 }
 
-for (const lang of ["en", "ar"]) {
-  test(`shows a comparison in one row at 1024 x 768, in ${lang}`, async ({ openWindow }) => {
-    const { page } = await openWindow({ viewport: { width: 1024, height: 768 } });
+for (const [width, height, lang] of [
+  [1440, 900, "de"],
+  [1024, 768, "en"],
+  [1024, 768, "ar"],
+] as const) {
+  test(`shows a comparison in one row at ${width} x ${height}, in ${lang}`, async ({
+    openWindow,
+  }) => {
+    const { page } = await openWindow({ viewport: { width, height } });
     await page.goto(`/?lang=${lang}`);
     for (const line of [0, 1]) {
       const sides = page.getByRole("list").getByRole("listitem").nth(line).locator("[data-is]");
