@@ -97,6 +97,22 @@ test("shows the whole advice below an edited line in a scrolled list", async ({ 
   await expect(program.action(2)).toBeFocused();
 });
 
+test("shows the bump on a line whose hidden advice leaves room below it", async ({
+  openWindow,
+}) => {
+  const corridor = await openWindow({ viewport: { width: 1024, height: 768 } });
+  await corridor.open();
+  const { program } = corridor;
+  await program.action(2).selectOption("delayed left 90");
+  await expect(program.button("Change to left 90")).toBeVisible();
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(corridor.bumpCard(2)).toBeVisible();
+  await expect(program.line(2).getByText(/^bumped after \d+ of 50 cm$/)).toBeInViewport({
+    ratio: 1,
+  });
+});
+
 for (const [width, height] of [
   [1440, 900],
   [1024, 768],

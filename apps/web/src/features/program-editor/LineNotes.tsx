@@ -5,6 +5,7 @@ import { useTranslation } from "react-i18next";
 import { useServices } from "../../model/use-services.ts";
 import type { RunState } from "../../model/run/run-store.ts";
 import { Throttle } from "../../ui/throttle.ts";
+import { classNames } from "../../ui/class-names.ts";
 import { memoize } from "../../ui/memoize.ts";
 import { BurstIcon } from "../../ui/BurstIcon.tsx";
 import { shownProgress, type ShownBump, type ShownProgress } from "../../model/run/line-state.ts";
@@ -14,14 +15,16 @@ interface LineNoteProps {
   line: LineRef;
   /** null while the robot touches nothing */
   bump: ShownBump | null;
+  /** whether the bump stands in the room of the advice, which is hidden at a bump */
+  isInside?: boolean;
 }
 
 /** Takes no space of its own, so that no line moves when another one drives. */
-export function LineNote({ line, bump }: LineNoteProps) {
+export function LineNote({ line, bump, isInside = false }: LineNoteProps) {
   return bump === null ? (
     <LineProgress line={line} />
   ) : (
-    <div className={styles["note"]}>
+    <div className={classNames(styles["note"], isInside && styles["inside"])}>
       <LineBump bump={bump} />
     </div>
   );

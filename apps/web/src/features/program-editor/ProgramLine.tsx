@@ -169,7 +169,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
           onDelete={remove}
         />
       </div>
-      <LineNote line={index} bump={bump} />
+      <LineNote line={index} bump={bump} isInside={adviceText !== null} />
       {adviceText !== null && (
         <div className={styles["advice"]} data-over={isBumped ? "" : undefined}>
           <LazyAdviceNote
