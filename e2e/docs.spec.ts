@@ -28,6 +28,20 @@ test("links from the top of a long page to its sections", async ({ page }) => {
   await expect(contents).not.toBeInViewport();
 });
 
+test("reaches the last page from the row of links on a phone, with the links wide enough to tap", async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.goto("/docs");
+  const pages = page.getByRole("navigation", { name: "Documentation" }).getByRole("link");
+  for (const link of await pages.all()) {
+    expect((await link.boundingBox())?.width).toBeGreaterThanOrEqual(44);
+  }
+  await pages.last().click();
+  await expect(page).toHaveURL(/maze-format$/);
+  await expect(page.getByRole("link", { name: "File formats" })).toBeInViewport({ ratio: 1 });
+});
+
 test("copies a complete script", async ({ page }) => {
   await page.goto("/docs");
   const panel = page.getByRole("group", { name: "Python" });
