@@ -11,13 +11,17 @@ const BUTTON = { width: 184, height: 56 };
 
 /**
  * Left and right as in the maze, in every language.
- * @param kept boxes that should stay visible
+ * @param avoided boxes that should stay visible
  * @param preferred the side where the button stands unless it covers less on the other
  */
-export function buttonSide(kept: readonly Box[], view: { width: number }, preferred: Side): Side {
+export function buttonSide(
+  avoided: readonly Box[],
+  view: { width: number },
+  preferred: Side,
+): Side {
   const coveredOn = (side: Side): number => {
     const from = side === "left" ? 0 : view.width - BUTTON.width;
-    return kept.reduce((sum, box) => {
+    return avoided.reduce((sum, box) => {
       const width = Math.min(from + BUTTON.width, box.x + box.width) - Math.max(from, box.x);
       const height = Math.min(BUTTON.height, box.y + box.height) - Math.max(0, box.y);
       return sum + Math.max(0, width) * Math.max(0, height);
