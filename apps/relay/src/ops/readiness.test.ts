@@ -1,9 +1,11 @@
+import { join } from "node:path";
+import { DatabaseSync } from "node:sqlite";
 import { problemSchema } from "@corridor/protocol";
 import { pino } from "pino";
-import { describe, expect, it, onTestFinished, vi } from "vitest";
+import { describe, expect, it, onTestFinished } from "vitest";
 import { Readiness } from "./readiness.ts";
 import { FakeClock } from "../platform/testing/fake-clock.ts";
-import { startTestRelay } from "../testing/test-relay.ts";
+import { startTestRelay, testFolder, type TestRelay } from "../testing/test-relay.ts";
 
 const log = pino({ level: "silent" });
 
@@ -59,17 +61,35 @@ describe("/readyz", () => {
     }
   });
 
-  it.each([
-    { name: "drains", status: "draining", type: "/problems/restarting" },
-    { name: "cannot reach its store", status: "unavailable", type: "/problems/no-store" },
-  ] as const)("makes a load balancer avoid a relay that $name", async ({ status, type }) => {
-    const statusSpy = vi.spyOn(Readiness.prototype, "status").mockResolvedValue(status);
-    onTestFinished(() => statusSpy.mockRestore());
-    const relay = await startTestRelay();
-    const answer = await fetch(`${relay.origin}/readyz`);
+  /** A load balancer avoids the relay, and a process manager lets it run. */
+  async function expectAvoided({ origin }: TestRelay, type: string): Promise<void> {
+    const answer = await fetch(`${origin}/readyz`);
     expect(answer.status).toBe(503);
     expect(Number(answer.headers.get("retry-after"))).toBeGreaterThan(0);
     expect(problemSchema.parse(await answer.json())).toMatchObject({ status: 503, type });
-    expect((await fetch(`${relay.origin}/healthz`)).status).toBe(200);
+    expect((await fetch(`${origin}/healthz`)).status).toBe(200);
+  }
+
+  it("makes a load balancer avoid a relay that shuts down, before it closes", async () => {
+    const clock = new FakeClock();
+    const relay = await startTestRelay({ clock });
+    const closed = relay.close(5_000);
+    await expectAvoided(relay, "/problems/restarting");
+    await clock.pass(5_000);
+    await closed;
+    await expect(fetch(`${relay.origin}/healthz`)).rejects.toThrow(/fetch failed/);
+  });
+
+  it("makes a load balancer avoid a relay that cannot write, until it can again", async () => {
+    const clock = new FakeClock();
+    const dataDir = testFolder();
+    const relay = await startTestRelay({ clock, dataDir });
+    const other = new DatabaseSync(join(dataDir, "corridor.sqlite"));
+    onTestFinished(() => other.close());
+    other.exec("BEGIN IMMEDIATE");
+    await expectAvoided(relay, "/problems/no-store");
+    other.exec("ROLLBACK");
+    await clock.pass(5_000);
+    expect((await fetch(`${relay.origin}/readyz`)).status).toBe(200);
   });
 });

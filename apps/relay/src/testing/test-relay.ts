@@ -19,7 +19,8 @@ export interface Requests {
 export interface TestRelay extends Requests {
   /** the port of /metrics, or null */
   metricsPort: number | null;
-  close(): Promise<void>;
+  /** @param noticeMs time in which it continues, so that a load balancer notices */
+  close(noticeMs?: number): Promise<void>;
 }
 
 export interface AskOptions {
@@ -64,12 +65,12 @@ export async function startTestRelay(
     isDevelopment: options.isDevelopment ?? false,
   });
   let isClosed = false;
-  const close = async (): Promise<void> => {
+  const close = async (noticeMs = 0): Promise<void> => {
     if (isClosed) return;
     isClosed = true;
-    await relay.close();
+    await relay.close(noticeMs);
   };
-  onTestFinished(close);
+  onTestFinished(() => close());
   const origin = `http://127.0.0.1:${relay.port}`;
   return { ...requestsTo(origin), metricsPort: relay.metricsPort, close };
 }
