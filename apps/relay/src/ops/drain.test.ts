@@ -53,12 +53,18 @@ describe("a relay that receives a signal to shut down", () => {
     const { process, relay } = await startProcess({ DRAIN_SECONDS: "60" });
     process.child.kill("SIGTERM");
     await unready(relay);
-    // One press of Ctrl+C may send two signals. Two presses are further apart.
-    process.child.kill("SIGTERM");
+    // Signals within half a second belong to the same press of a key.
     await new Promise((resolve) => setTimeout(resolve, 600));
     expect((await fetch(`${relay.origin}/healthz`)).status).toBe(200);
     process.child.kill("SIGTERM");
     expect(await process.ended()).toBe(1);
+  });
+
+  it("shuts down cleanly on one press of Ctrl+C that sends two signals, as under npm", async () => {
+    const { process } = await startProcess({ DRAIN_SECONDS: "60" });
+    process.child.kill("SIGINT");
+    process.child.kill("SIGTERM");
+    expect(await process.ended()).toBe(0);
   });
 
   it("does not wait for load balancers on Ctrl+C", async () => {
