@@ -68,7 +68,8 @@ it("finds the commands of a robot by index, for any number of ended ones", async
 
   const statements = prepare.mock.calls.map(([sql]) => sql);
   const ofCommands = new Set(statements.filter((sql) => /\scommands\s/.test(sql)));
-  expect(ofCommands.size).toBe(9);
+  const kinds = new Set([...ofCommands].map((sql) => /\w+/.exec(sql)?.[0]));
+  expect(kinds).toEqual(new Set(["SELECT", "INSERT", "DELETE"]));
   const db = new DatabaseSync(file);
   onTestFinished(() => db.close());
   const slow = [...ofCommands].filter((sql) => {
