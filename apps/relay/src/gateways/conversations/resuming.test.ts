@@ -196,7 +196,9 @@ describe("a script that does not read its socket for a while", () => {
       );
       raw.resume();
       while (!text.includes('"seq":2,')) await once(raw, "data");
-      await new Promise((resolve) => setTimeout(resolve, 200));
+      // All that was buffered arrives before this.
+      await relay.ask(robot, "/commands", { method: "POST", body: { action: "left 90" } });
+      while (!text.includes("left 90")) await once(raw, "data");
       expect(bytes).toBeLessThan(64 * 1024);
       expect(text.split('"type":"snapshot"').length - 1).toBeLessThan(10);
     },
