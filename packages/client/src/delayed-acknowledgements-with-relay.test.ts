@@ -7,9 +7,13 @@ import { GridRobot } from "./testing/grid-robot.ts";
 import { slowNetwork, type SlowNetwork } from "./testing/slow-network.ts";
 import { startRelayProcess } from "./testing/relay-process.ts";
 
-const SECONDS = 3;
-
-const sleep = (ms: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, ms));
+/** Waits until the network has received this many more snapshots. */
+async function receive(network: SlowNetwork, snapshots: number): Promise<void> {
+  const until = counts(network).snapshots + snapshots;
+  await expect
+    .poll(() => counts(network).snapshots, { timeout: 30_000, interval: 20 })
+    .toBeGreaterThanOrEqual(until);
+}
 
 /** The address of a robot whose page reports more often than the relay sends snapshots. */
 async function reportingRobot(): Promise<string> {
@@ -51,14 +55,14 @@ async function twoReaders(delayMs: number): Promise<readonly [SlowNetwork, SlowN
   readAcknowledgingEach(address, networks[0]);
   await readAsClient(address, networks[1]);
   // The client adapts after the first late snapshots.
-  await sleep(1_000);
+  await receive(networks[0], 20);
   return networks;
 }
 
-/** What both receive in the same period. */
+/** What both receive while the first one receives 60 snapshots. */
 async function compare(networks: readonly [SlowNetwork, SlowNetwork]) {
   const before = [counts(networks[0]), counts(networks[1])] as const;
-  await sleep(SECONDS * 1_000);
+  await receive(networks[0], 60);
   return {
     each: since(before[0], counts(networks[0])),
     client: since(before[1], counts(networks[1])),
