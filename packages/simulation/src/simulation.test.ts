@@ -1,10 +1,10 @@
-import { CELL, type MazeDocument } from "@corridor/maze";
+import type { MazeDocument } from "@corridor/maze";
 import type { Command } from "@corridor/protocol";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { ROBOT_RADIUS } from "./settings.ts";
 import { Simulation } from "./simulation.ts";
-import { anyCommand, anyMaze, mazeOf } from "./testing/mazes.ts";
+import { anyCommand, anyMaze, mazeOf, overlap } from "./testing/mazes.ts";
 
 const hall = mazeOf(["#########", "#.......#", "#.......#", "#.......#", "#########"], {
   column: 4,
@@ -18,22 +18,6 @@ function drive(simulation: Simulation, command: Command, ticks = 0): number {
   if (ticks > 0) for (let i = 0; i < ticks; i++) simulation.step();
   else while (simulation.isManoeuvring) simulation.step();
   return simulation.tick - from;
-}
-
-/**
- * Overlap of the robot's disc with the nearest block, in units. Negative if they do not overlap.
- */
-function overlap(maze: MazeDocument, x: number, y: number): number {
-  let deepest = Number.NEGATIVE_INFINITY;
-  for (let row = -1; row <= maze.blocks.length; row++) {
-    for (let column = -1; column <= (maze.blocks[0]?.length ?? 0); column++) {
-      if ((maze.blocks[row]?.[column] ?? "#") !== "#") continue;
-      const dx = Math.max(column * CELL - x, 0, x - (column + 1) * CELL);
-      const dy = Math.max(row * CELL - y, 0, y - (row + 1) * CELL);
-      deepest = Math.max(deepest, ROBOT_RADIUS - Math.hypot(dx, dy));
-    }
-  }
-  return deepest;
 }
 
 describe("an action on open floor", () => {

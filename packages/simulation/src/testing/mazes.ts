@@ -1,7 +1,8 @@
 /** Mazes and commands for tests: hand-written ones, and generators for property tests. */
-import type { MazeDocument, Start } from "@corridor/maze";
+import { CELL, type MazeDocument, type Start } from "@corridor/maze";
 import type { Command } from "@corridor/protocol";
 import fc from "fast-check";
+import { ROBOT_RADIUS } from "../settings.ts";
 
 /** Creates a maze from its rows. The default start is cell (1, 1), heading east. */
 export function mazeOf(
@@ -17,6 +18,22 @@ export function mazeOf(
     start: { column: 1, row: 1, heading: "east", ...start },
     goals,
   };
+}
+
+/**
+ * Overlap of the robot's disc with the nearest block, in units. Negative if they do not overlap.
+ */
+export function overlap(maze: MazeDocument, x: number, y: number): number {
+  let deepest = Number.NEGATIVE_INFINITY;
+  for (let row = -1; row <= maze.blocks.length; row++) {
+    for (let column = -1; column <= (maze.blocks[0]?.length ?? 0); column++) {
+      if ((maze.blocks[row]?.[column] ?? "#") !== "#") continue;
+      const dx = Math.max(column * CELL - x, 0, x - (column + 1) * CELL);
+      const dy = Math.max(row * CELL - y, 0, y - (row + 1) * CELL);
+      deepest = Math.max(deepest, ROBOT_RADIUS - Math.hypot(dx, dy));
+    }
+  }
+  return deepest;
 }
 
 /** Generates mazes of up to 7 x 7 cells, about a third of them blocks. */
