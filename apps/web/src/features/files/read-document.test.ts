@@ -1,7 +1,7 @@
 import { mazePresets, writeTextMaze } from "@corridor/maze";
 import { programPresets } from "@corridor/program";
 import fc from "fast-check";
-import { describe, expect, it, vi } from "vitest";
+import { describe, expect, it } from "vitest";
 import { readDocument, titleOf } from "./read-document.ts";
 
 // cspell:ignore rechts dann Aufgabe
@@ -61,14 +61,6 @@ describe("a document that is opened", () => {
   ])("in %s is called %s", (file, title) => {
     expect(titleOf(file)).toBe(title);
   });
-});
-
-it("parses a long document once", () => {
-  const [preset] = mazePresets;
-  const parse = vi.spyOn(JSON, "parse");
-  readDocument(json(preset?.maze), "");
-  expect(parse).toHaveBeenCalledTimes(1);
-  parse.mockRestore();
 });
 
 it("reads a document whose type is not its first member", () => {
