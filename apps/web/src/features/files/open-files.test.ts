@@ -1,8 +1,12 @@
 import { mazePresets } from "@corridor/maze";
 import { emptyProgram, programPresets } from "@corridor/program";
 import { describe, expect, it, vi } from "vitest";
-import type { ProjectService } from "../../model/projects/project-service.ts";
+import { CurrentProject } from "../../model/projects/current-project.ts";
+import { ProjectService } from "../../model/projects/project-service.ts";
+import { ProjectStorage } from "../../model/projects/project-storage.ts";
+import { readProject } from "../../model/projects/read-project.ts";
 import { createScreenStore } from "../../model/screen/screen-store.ts";
+import { MemoryStorage } from "../../model/storage/testing/memory-storage.ts";
 import { createWorkspaceStore } from "../../model/workspace/workspace-store.ts";
 import { en } from "../../text/en/index.ts";
 import { createI18n } from "../../text/i18n.ts";
@@ -25,14 +29,28 @@ function file(name: string, content: unknown): TextFile {
   return { name, size: text.length, text: () => Promise.resolve(text) };
 }
 
+/** A page with one project that opens files. */
 function open(...files: TextFile[]) {
-  const screen = createScreenStore();
+  let count = 0;
+  const newId = () => `id-${(count += 1)}`;
+  const device = new MemoryStorage();
+  const store = new ProjectStorage(device, () => readProject);
+  const current = new CurrentProject(
+    { store, tab: new MemoryStorage(), now: () => count, newId },
+    before.maze,
+    before.program,
+  );
   const workspace = createWorkspaceStore(before.maze, before.program);
-  const begin = vi.fn<ProjectService["begin"]>(() => () => undefined);
-  const send = vi.fn<(message: unknown) => void>();
-  const services = { screen, workspace, projects: { begin }, simulator: { send } };
+  const screen = createScreenStore();
+  const ports = { workspace, screen, simulator: { send: () => undefined }, words };
+  const projects = new ProjectService({ ...ports, store, current, later: () => undefined });
+  const services = { screen, workspace, projects, simulator: ports.simulator };
   const reports = openFiles(services as unknown as Parameters<typeof openFiles>[0], words, files);
-  return { reports, begin, screen };
+  const shown = () => {
+    const { maze, program } = workspace.getState();
+    return { maze, program };
+  };
+  return { reports, shown, screen, projects };
 }
 
 const words = createI18n(en);
@@ -40,18 +58,32 @@ const words = createI18n(en);
 describe("opening files", () => {
   it.each([
     // The previous program is a preset, so no program of a student is lost.
-    { are: "a maze", files: [file("a.json", mazeOne)], begun: [mazeOne, emptyProgram()] },
-    { are: "a program", files: [file("b.json", programOne)], begun: [mazeTwo, programOne] },
+    {
+      are: "a maze",
+      files: [file("a.json", mazeOne)],
+      opened: { maze: mazeOne, program: emptyProgram() },
+    },
+    {
+      are: "a program",
+      files: [file("b.json", programOne)],
+      opened: { maze: mazeTwo, program: programOne },
+    },
     {
       are: "a maze and a program",
       files: [file("b.json", programOne), file("a.json", mazeOne)],
-      begun: [mazeOne, programOne],
+      opened: { maze: mazeOne, program: programOne },
     },
-  ])("makes a project of $are, and leads back", async ({ files, begun }) => {
-    const { reports, begin, screen } = open(...files);
+  ])("makes a project of $are, and leads back", async ({ files, opened }) => {
+    const { reports, shown, screen, projects } = open(...files);
+    const own = projects.currentId();
     expect(await reports).toEqual([]);
-    expect(begin.mock.calls).toEqual([begun]);
-    expect(screen.getState().messages).toHaveLength(1);
+    expect(shown()).toEqual(opened);
+    expect(projects.currentId()).not.toBe(own);
+    const [message] = screen.getState().messages;
+    message?.action?.run();
+    expect(shown()).toEqual(before);
+    expect(projects.currentId()).toBe(own);
+    expect(screen.getState().messages).toEqual([]);
   });
 
   it.each([
@@ -72,9 +104,10 @@ describe("opening files", () => {
       bad: ["folder"],
     },
   ])("opens nothing of files that are $are", async ({ files, bad }) => {
-    const { reports, begin } = open(...files);
+    const { reports, shown, projects } = open(...files);
     expect((await reports).map((each) => each.file)).toEqual(bad);
-    expect(begin).not.toHaveBeenCalled();
+    expect(shown()).toEqual(before);
+    expect(projects.list()).toEqual([]);
   });
 
   it("does not read what is too big, nor more files than belong together", async () => {
@@ -91,10 +124,10 @@ describe("opening files", () => {
     { are: "a photo", name: "maze.JPG", type: "" },
     { are: "a drawing", name: "maze.svg", type: "image/svg+xml" },
   ])("refuses $are as a picture", async ({ name, type }) => {
-    const { reports, begin } = open({ ...file(name, "\uFFFDPNG"), type });
+    const { reports, shown } = open({ ...file(name, "\uFFFDPNG"), type });
     const [report] = await reports;
     expect(report?.file).toBe(name);
     expect(report).toMatchObject({ problems: [{ found: "a picture" }], isTextWrong: false });
-    expect(begin).not.toHaveBeenCalled();
+    expect(shown()).toEqual(before);
   });
 });
