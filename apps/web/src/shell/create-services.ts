@@ -22,7 +22,7 @@ import { createEventThrottle } from "../model/run/event-throttle.ts";
 import { DeferredRun } from "../model/run/deferred-run.ts";
 import { createRaceStore } from "../model/run/race-store.ts";
 import { createRemoteStore } from "../model/remote/remote-store.ts";
-import { createRunStore } from "../model/run/run-store.ts";
+import { createRunStore, truncateRun } from "../model/run/run-store.ts";
 import { showMessage, type ScreenStore } from "../model/screen/screen-store.ts";
 import { TimelineStore } from "../model/run/timeline-store.ts";
 import { RunTrace } from "../model/run/run-trace.ts";
@@ -92,7 +92,8 @@ export function createServices(browser: Browser): Services {
       case "frame": {
         const { snapshot, hasEnded, progress, view, nowTick, waited, nowDriver } = message.frame;
         runTrace.add(message.frame);
-        run.setState({ snapshot, hasEnded, progress, view, nowTick, waited, nowDriver });
+        const displayed = { snapshot, hasEnded, progress, view, nowTick, waited, nowDriver };
+        run.setState({ ...displayed, isCut: false });
         simulator.send({ type: "stage-numbers", snapshot });
         const delta = message.timeline;
         if (delta !== null) deferredRun.with(() => timeline.add(delta));
@@ -101,6 +102,7 @@ export function createServices(browser: Browser): Services {
       case "truncated":
         events.truncate(message.after);
         truncateCards(cards, message.after);
+        truncateRun(run, message.after);
         return;
       case "event":
         events.push(message.event);

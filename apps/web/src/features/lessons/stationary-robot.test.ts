@@ -1,5 +1,6 @@
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
+import { createRunStore, truncateRun } from "../../model/run/run-store.ts";
 import { missions } from "../../model/lessons/missions/missions.ts";
 import { stationaryRobot } from "./stationary-robot.ts";
 
@@ -23,8 +24,22 @@ it.each([
   { front: 170, reading: null },
   { front: 171, reading: 171 },
 ])("calls a stop at $front cm wrong only outside of 130 to 170 cm", ({ front, reading }) => {
-  const robot = stationaryRobot(stopMission, { snapshot: stationary(front), view: "now" });
+  const robot = stationaryRobot(stopMission, {
+    snapshot: stationary(front),
+    isCut: false,
+    view: "now",
+  });
   expect(robot?.reading ?? null).toBe(reading);
+});
+
+it("gives no advice after a reset for the place where the robot stood before", () => {
+  const run = createRunStore();
+  run.setState({ snapshot: stationary(25) });
+  expect(stationaryRobot(stopMission, run.getState())?.reading).toBe(25);
+  truncateRun(run, 60);
+  expect(stationaryRobot(stopMission, run.getState())?.reading).toBe(25);
+  truncateRun(run, -1);
+  expect(stationaryRobot(stopMission, run.getState())).toBeNull();
 });
 
 describe("a robot on its way to a place", () => {
@@ -33,6 +48,7 @@ describe("a robot on its way to a place", () => {
       { ...reachMission, goal },
       {
         snapshot: snapshotOf({ ...stationary(300), ...changes }),
+        isCut: false,
         view: "now",
       },
     );

@@ -12,14 +12,16 @@ export interface StationaryRobot {
 
 /**
  * The robot that was stopped by hand, for missions that are driven by hand.
- * @returns null while the robot drives, before its first tick, when the goal check reports success,
+ * @returns null while the robot drives, before its first tick, from a reset until the robot is
+ *   displayed at its start, when the goal check reports success,
  *   and for a goal that is not met at a place
  */
 export function stationaryRobot(
   { goal, allowed }: Pick<ChallengeDocument, "goal" | "allowed">,
-  { snapshot, view }: Pick<RunState, "snapshot" | "view">,
+  { snapshot, isCut, view }: Pick<RunState, "snapshot" | "isCut" | "view">,
 ): StationaryRobot | null {
-  if (snapshot === null || view === "playing" || allowed.drivers[0] !== "me") return null;
+  if (snapshot === null || isCut || view === "playing") return null;
+  if (allowed.drivers[0] !== "me") return null;
   const { driver, tick, motion, goalReached, sensors, pose } = snapshot;
   if (driver !== "me" || tick === 0 || motion !== "stop" || goalReached) return null;
   if (goal.kind === "reach") return { ...pose, reading: null };

@@ -12,6 +12,8 @@ import type { RunView } from "../../stage/drawing/frame.ts";
 export interface RunState {
   /** at the displayed tick; null before the worker's first frame */
   snapshot: Snapshot | null;
+  /** whether the displayed tick was cut from the run; the next frame shows the run as it is now */
+  isCut: boolean;
   /** whether the run ended at the displayed tick, so that no line decides on the readings there */
   hasEnded: boolean;
   /** progress of the running manoeuvre at the displayed tick; null if none runs */
@@ -39,6 +41,7 @@ export interface RunState {
 export function createRunStore() {
   return createStore<RunState>()(() => ({
     snapshot: null,
+    isCut: false,
     hasEnded: false,
     progress: null,
     view: "now",
@@ -52,3 +55,9 @@ export function createRunStore() {
   }));
 }
 export type RunStore = ReturnType<typeof createRunStore>;
+
+/** The ticks after this one (-1: all) are no longer part of the run. */
+export function truncateRun(run: RunStore, after: number): void {
+  const { snapshot } = run.getState();
+  if (snapshot !== null && snapshot.tick > after) run.setState({ isCut: true });
+}
