@@ -84,9 +84,9 @@ export function announceRun(
   }
 
   function decision(): string {
-    const { snapshot } = run.getState();
-    if (snapshot === null || snapshot.line === null) return "";
-    return decisionText(words(), workspace.getState().program, snapshot.line, snapshot);
+    const state = run.getState();
+    const line = state.snapshot?.line ?? null;
+    return line === null ? "" : decisionText(words(), workspace.getState().program, line, state);
   }
 
   /**

@@ -95,9 +95,12 @@ export interface ShownProgress {
   of: number;
 }
 
-/** @returns null if no manoeuvre of this line runs at the displayed tick */
+/**
+ * @param line null: a line of an earlier program
+ * @returns null if no manoeuvre of this line runs at the displayed tick
+ */
 export function shownProgress(
-  line: LineRef,
+  line: LineRef | null,
   { snapshot, progress }: Pick<RunState, "snapshot" | "progress">,
 ): ShownProgress | null {
   if (progress === null || progress.kind === "wheels" || decidingLine(snapshot) !== line) {
@@ -111,6 +114,15 @@ export function shownProgress(
 
 /** Allows for rounding errors in a distance. */
 const EPSILON = 1e-6;
+
+/**
+ * Whether the deciding line decided on the displayed readings. A manoeuvre that has begun was decided
+ * on earlier readings, and so was the motion that ended the run.
+ */
+export function isDecidedHere({ progress, hasEnded }: Pick<RunState, "progress" | "hasEnded">) {
+  if (hasEnded) return false;
+  return progress === null || (progress.part === 0 && progress.left > progress.of - EPSILON);
+}
 
 /**
  * A bump as its line displays it: the distance driven, and the distance needed, in whole cm. Both

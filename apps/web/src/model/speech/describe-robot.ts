@@ -27,12 +27,11 @@ export async function describeRobot(
       import("./run-words.ts"),
       words.loadNamespaces("runDetails"),
     ]);
-    const { snapshot } = run.getState();
-    if (snapshot === null) return;
+    if (run.getState().snapshot === null) return;
     text = describeText(
       { t: words.t, language: words.language },
       workspace.getState().program,
-      snapshot,
+      run.getState(),
     );
   } catch {
     showMessage(screen, { tone: "bad", text: words.t("offline.partFailed") });
