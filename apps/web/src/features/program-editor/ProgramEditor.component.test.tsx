@@ -45,6 +45,7 @@ const readings = (changes: Partial<SensorReadings>): SensorReadings => ({
 /** Line 1 began a delayed turn too late, and hit the wall after 24 of 50 cm. */
 const lateTurn: RunEvent = {
   ...runEventAt("bump", 40),
+  program,
   cause: {
     decidedAt: 20,
     startedAt: 20,
