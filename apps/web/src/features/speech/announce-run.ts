@@ -9,7 +9,8 @@ import {
   diagnosisTitle,
   diagnosisWords,
 } from "../../model/diagnosis/diagnosis-text.ts";
-import { describeTick, tickText, timeText } from "../../model/run/tick-description.ts";
+import { describeTick, tickText } from "../../model/run/tick-description.ts";
+import { timeText } from "../../model/run/time-text.ts";
 import { timelineOf } from "../../model/run/timeline-of.ts";
 import { storyOf, storyText } from "../../model/run/story.ts";
 import { RunListener, type RunAnnouncement } from "./run-listener.ts";

@@ -3,7 +3,7 @@ import { CELL } from "@corridor/maze";
 import type { DriverName } from "@corridor/protocol";
 import type { TFunction } from "i18next";
 import type { RunEvent } from "../../simulator/protocol/worker-messages.ts";
-import { timeText } from "./tick-description.ts";
+import { timeText } from "./time-text.ts";
 
 /** The driver or line in charge, which the sentence names. */
 export type Teller = "line" | "otherwise" | DriverName;

@@ -10,13 +10,12 @@ import type { Snapshot } from "@corridor/protocol";
 import type { TFunction } from "i18next";
 import { commandText } from "../../text/command-text.ts";
 import { joinList } from "../../text/joined.ts";
-import { formatSeconds } from "../../text/numbers.ts";
 import { decidingLine } from "./line-state.ts";
+import { timeText } from "./time-text.ts";
 
 /** Ticks before and after an event during which it is displayed. */
 const BEFORE = 1;
 const AFTER = 5;
-const TICKS_PER_MINUTE = 3600;
 
 export interface TickDescription {
   tick: number;
@@ -95,15 +94,6 @@ export function tickText(
   else if (who !== null) parts.push(driverText(t, who));
   if (event !== null) parts.push(eventText(t, event));
   return joinList(t, parts);
-}
-
-/** A time of the run, as every part of the page says it: "12.4 s"; from one minute "208 min 16.0 s" */
-export function timeText(t: TFunction, tick: number, language: string): string {
-  const minutes = Math.floor(tick / TICKS_PER_MINUTE);
-  const seconds = formatSeconds(tick % TICKS_PER_MINUTE, language);
-  return minutes === 0
-    ? t("timeline.at", { seconds })
-    : t("timeline.atMinutes", { minutes, seconds });
 }
 
 /** "command 7: move 50, completed" */

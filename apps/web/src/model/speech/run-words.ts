@@ -12,7 +12,7 @@ import {
   shownTruth,
 } from "../run/line-state.ts";
 import type { RunState } from "../run/run-store.ts";
-import { timeText } from "../run/tick-description.ts";
+import { timeText } from "../run/time-text.ts";
 import { lineName } from "../run/line-name.ts";
 import { cellOf, facingOf } from "../../stage/page/robot-place.ts";
 
