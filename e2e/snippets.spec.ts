@@ -126,7 +126,7 @@ const states = [
   {
     state: "closed",
     prepare: (page: Page) => page.close(),
-    last: /check that the robot's page is open, connected under Remote and not paused|Open the page again/,
+    last: /open it again and choose Remote|Open the page again/,
   },
 ];
 
