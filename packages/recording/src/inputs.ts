@@ -1,6 +1,6 @@
 /** The inputs of a run, in tick order. */
 import type { MazeDocument } from "@corridor/maze";
-import type { ProgramDocument, Rule } from "@corridor/program";
+import { isSameRule, type ProgramDocument } from "@corridor/program";
 import type { RunInput, TimedInput } from "./run-input.ts";
 
 /** The current maze and program of a run. */
@@ -136,8 +136,4 @@ function ownBytes<Part>(
   let bytes = parts.length * REFERENCE_BYTES;
   for (const [index, part] of parts.entries()) if (part !== before[index]) bytes += bytesOf(part);
   return bytes;
-}
-
-function isSameRule(one: Rule, other: Rule): boolean {
-  return JSON.stringify(one) === JSON.stringify(other);
 }
