@@ -101,7 +101,7 @@ export default defineConfig({
           groups: [
             {
               name: "react",
-              test: /node_modules\/(?:react|react-dom|scheduler|i18next|react-i18next|zustand|zundo|use-sync-external-store)|ui\/(?:Button|button\.module|class-names|field\.module)|icons\/x\.|maze-limits|program\/src\/(?:vocabulary|condition-parts|same-program)|rolldown\/runtime|vite\/preload-helper|src\/text\/numbers/,
+              test: /node_modules\/(?:react|react-dom|scheduler|i18next|react-i18next|zustand|zundo|use-sync-external-store)|ui\/(?:Button|Icon|button\.module|class-names|field\.module)|icons\/x\.|maze-limits|maze-cells|languages\.ts|program\/src\/(?:vocabulary|condition-parts|same-program)|rolldown\/runtime|vite\/preload-helper|src\/text\/numbers/,
             },
           ],
         },
