@@ -4,6 +4,7 @@
  */
 import {
   MAX_RULES,
+  evaluateCondition,
   kindOf,
   numberOf,
   numberRange,
@@ -13,13 +14,16 @@ import {
 } from "@corridor/program";
 import { sensorNames, type LineRef, type PlainAction } from "@corridor/protocol";
 import type { Fix } from "../advice.ts";
-import type { BumpEvent, FailureEvent } from "./diagnosis.ts";
+import type { BumpEvent, Decision, FailureEvent } from "./diagnosis.ts";
 import type { RunTrace } from "./run-trace.ts";
 
 /** A robot that turned too early may turn again at once, because its side is still open. */
 const RECENT_TURNS = 3;
-/** The paper's numbers, in addition to multiples of half a cell, in units. */
-const USUAL_NUMBERS = [60, 75];
+/**
+ * The paper's numbers for an opening at a side, in addition to multiples of half a cell, in units. At
+ * other distances to a wall ahead, the robot is not in the middle of a square.
+ */
+const SIDE_NUMBERS = [60, 75];
 const NUMBER_STEP = 50;
 const MAX_NUMBERS = 40;
 /** Numbers for comparisons of left and right, in units. */
@@ -148,11 +152,26 @@ export function actionOf({ rules, default: otherwise }: ProgramDocument, line: L
  * opening, it is the missing delay.
  */
 function* sooner(trace: RunTrace, line: LineRef): Generator<Fix> {
-  const { program } = trace;
-  const when = typeof line === "number" ? program.rules[line]?.when : null;
-  const delay = swapped(program, line, delayedTurn);
-  if (when?.sensor === "front" && delay.length > 0) yield* numbers(trace, line);
+  const delay = swapped(trace.program, line, delayedTurn);
+  if (delay.length === 0) return;
+  const turn = trace.decisions.findLast((each) => each.line === line);
+  const front = turn === undefined ? null : lineOfWallAhead(trace, turn);
+  if (front !== null) yield* numbers(trace, front);
   yield* delay;
+}
+
+/**
+ * The line whose condition on the front sensor started the turn: its own one, or the one of the line
+ * that drove the robot until then and is now false. null if the turn was not because of a wall ahead.
+ */
+export function lineOfWallAhead(
+  trace: RunTrace,
+  { tick, line, when, readings }: Decision,
+): LineRef | null {
+  if (when?.sensor === "front") return line;
+  const before = trace.decisionBefore(tick);
+  if (before?.when?.sensor !== "front") return null;
+  return evaluateCondition(before.when, readings)?.isTrue === true ? null : before.line;
 }
 
 /** The same turn, delayed or on the spot. */
@@ -188,7 +207,9 @@ function* numbers({ program, maze }: RunTrace, line: LineRef): Generator<Fix> {
   const own = numberOf(when);
   const longest = Math.max(maze.blocks.length, maze.blocks[0]?.length ?? 0) * 100;
   const steps = Array.from({ length: longest / NUMBER_STEP }, (_, at) => (at + 1) * NUMBER_STEP);
-  const menu = when.than === "right" ? DIFFERENCES : [...USUAL_NUMBERS, ...steps];
+  const isSide = when.sensor === "left" || when.sensor === "right";
+  const distances = isSide ? [...SIDE_NUMBERS, ...steps] : steps;
+  const menu = when.than === "right" ? DIFFERENCES : distances;
   const { min, max } = numberRange(kindOf(when));
   const sorted = menu
     .filter((number) => number !== own && number >= min && number <= max)

@@ -57,7 +57,8 @@ export function causeOf(trace: RunTrace, fix: Fix, from: number): Cause | null {
       if (when === null) return null;
       const { sensor } = when;
       const isSide = sensor === "left" || sensor === "right";
-      return { kind: "missing", moment, sensor, hasTurn: isSide && turnsTo(program, sensor) };
+      const hasTurn = isSide && turnsTo(program, sensor);
+      return { kind: "missing", moment, sensor, isWall: when.is === "<", hasTurn };
     }
     case "delete":
       return { kind: "extra", line: fix.line, moment };
@@ -94,7 +95,8 @@ function isAtEdgeOfOpening(trace: RunTrace, { tick, readings }: Decision, side: 
   return false;
 }
 
-function detailOf(trace: RunTrace, moment: Decision): WrongAction["detail"] {
+/** What the readings of a decision show about its action. */
+export function detailOf(trace: RunTrace, moment: Decision): WrongAction["detail"] {
   const { line, action, readings } = moment;
   const side = sideOf(action);
   if (action in turnOnTheSpot && readings.front < DELAY_NEEDS) {

@@ -186,6 +186,23 @@ describe("a change in free play", () => {
   });
 });
 
+describe("in free play, what the run shows", () => {
+  it("comes before a number that no reading exceeds", () => {
+    const what = program("right 90", rule(front("<", 75), "delayed left 90"));
+    const found = diagnosed(side, what, 1800);
+    expect(found?.cause).toMatchObject({
+      kind: "action",
+      moment: { line: "default" },
+      detail: { kind: "into-wall", side: "right", open: "front" },
+    });
+  });
+
+  it("is a turn too far from the wall ahead, rather than a missing delay", () => {
+    const found = diagnosed(winding, program("right 90", rule(front(">", 100), "forward")), 1800);
+    expect(found?.cause).toMatchObject({ kind: "too-short", line: 0, better: 50 });
+  });
+});
+
 describe("in free play, after another program left the robot beside the middle of a square", () => {
   const wallFollower = (near: number) =>
     program("forward", rule(right(">", 60), "delayed right 90"), rule(front("<", near), "left 90"));

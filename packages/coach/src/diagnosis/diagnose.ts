@@ -25,7 +25,7 @@ import type {
   FailureEvent,
   StuckEvent,
 } from "./diagnosis.ts";
-import { isMissingDelay, ranked, type Found } from "./rank.ts";
+import { isLeftOut, isMissingDelay, isShownByRun, ranked, type Found } from "./rank.ts";
 import { RunTrace, type SolvedCheck, type TraceStart } from "./run-trace.ts";
 import { tryProgram, type TrialResult, type TrialTask } from "./trial.ts";
 
@@ -34,7 +34,7 @@ import { tryProgram, type TrialResult, type TrialTask } from "./trial.ts";
  * that is deterministic.
  */
 const MAX_TRIAL_TICKS = 60_000;
-/** Changes that solve this maze and are tried in the other mazes. */
+/** In a task, the diagnosis stops after this many changes that solve the maze. */
 const MAX_WHOLE_TRIALS = 4;
 const MAX_FIXES = 2;
 /** Decisions of a line that are tried as the first changed one. */
@@ -210,30 +210,20 @@ function explain(
   const tried = new Set<string>();
   const found: Found[] = [];
   let cost = 0;
-  for (let fix of candidates(trace, event)) {
+  for (const fix of candidates(trace, event)) {
     if (cost > MAX_TRIAL_TICKS || isEnough(found, task)) break;
-    let program = applyFix(trace.program, fix);
+    const program = applyFix(trace.program, fix);
     const text = JSON.stringify([program.default, program.rules]);
     if (tried.has(text) || !task.allows(program)) continue;
     tried.add(text);
     const renumbered = fix.kind === "number" ? fix.line : null;
     const trial = tryProgram(trace, program, trialTask, isBump, trace.from, renumbered);
     cost += trial.cost;
-    if (trial.from === null || trial.outcome === "fails") continue;
-    if (trial.outcome === "further" && !isMissingDelay(trace, fix, trial.from)) continue;
-    const { outcome, offCentre } = trial;
-    if (fix.kind === "number" && isIdle(trace, program, fix.line, trial)) {
-      // It may be the right change for another maze of the task.
-      if (task.solvesAll?.(program) !== true) continue;
-      const removal: Fix = { kind: "delete", line: fix.line };
-      const without = applyFix(trace.program, removal);
-      // A line that is not needed in any maze is one too many, whatever its number.
-      if (task.allows(without) && task.solvesAll(without)) [fix, program] = [removal, without];
-    }
-    found.push({ fix, from: trial.from, program, outcome, offCentre });
+    const each = foundBy(trace, event, task, fix, program, trial);
+    if (each !== null) found.push(each);
   }
   const momentOf = (each: Found) => momentToName(trace, each, trialTask, isBump);
-  const best = ranked(trace, found, task.solvesAll, event, momentOf);
+  const best = ranked(trace, found, event, momentOf);
   const named = best.flatMap((each): { cause: Cause; fix: Fix }[] => {
     const cause = causeOf(trace, each.fix, momentOf(each));
     return cause === null ? [] : [{ cause, fix: each.fix }];
@@ -241,6 +231,31 @@ function explain(
   const [first] = named;
   if (first === undefined) return { cause: null, fixes: [] };
   return { cause: first.cause, fixes: named.slice(0, MAX_FIXES).map(({ fix }) => fix) };
+}
+
+/** The change, if it removes the failure and says something about its cause. */
+function foundBy(
+  trace: RunTrace,
+  event: FailureEvent,
+  { allows, solvesAll }: DiagnosisTask,
+  fix: Fix,
+  program: ProgramDocument,
+  trial: TrialResult,
+): Found | null {
+  const { from, outcome, offCentre } = trial;
+  if (from === null || outcome === "fails") return null;
+  if (outcome === "further" && !isMissingDelay(trace, fix, from)) return null;
+  const isWhole = solvesAll === null ? null : outcome === "solved" && solvesAll(program);
+  const isShown = isShownByRun(trace, event, fix, trial);
+  const found: Found = { fix, from, program, outcome, offCentre, isWhole, isShown };
+  if (fix.kind !== "number" || !isIdle(trace, program, fix.line, trial)) return found;
+  // It may be the right change for another maze of the task.
+  if (isWhole !== true) return null;
+  const removal: Fix = { kind: "delete", line: fix.line };
+  const without = applyFix(trace.program, removal);
+  // A line that is not needed in any maze is one too many, whatever its number.
+  const isNeeded = !allows(without) || solvesAll?.(without) === false;
+  return isNeeded ? found : { ...found, fix: removal, program: without };
 }
 
 /**
@@ -263,7 +278,7 @@ function isIdle(
 /** Whether there are enough candidates; numbers of the same line count once. */
 function isEnough(found: readonly Found[], { solvesAll, newSolvedCheck }: DiagnosisTask): boolean {
   const best = newSolvedCheck === null ? "lasts" : "solved";
-  const solving = found.filter(({ outcome }) => outcome === best);
+  const solving = found.filter((each) => each.outcome === best && !isLeftOut(each));
   if (solvesAll === null) return solving.length >= MAX_FIXES;
   const numbers = solving.flatMap(({ fix }) => (fix.kind === "number" ? [fix.line] : []));
   return solving.length - numbers.length + new Set(numbers).size >= MAX_WHOLE_TRIALS;

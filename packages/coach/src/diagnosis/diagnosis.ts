@@ -149,9 +149,11 @@ export interface MissingLine {
   kind: "missing";
   /** the first decision that the new line changes */
   moment: Decision;
-  /** the sensor of the new line: a wall ahead or behind, or room at a side */
+  /** the sensor of the new line */
   sensor: SensorName;
-  /** whether the program has a line that turns to that side; false for a wall */
+  /** whether the new line is for a wall ahead or behind; otherwise for room ahead or at a side */
+  isWall: boolean;
+  /** whether the program has a line that turns to that side; false for front and back */
   hasTurn: boolean;
 }
 

@@ -1,10 +1,11 @@
 /** Orders the changes that remove a failure by how likely each is the student's mistake. */
 import type { ProgramDocument } from "@corridor/program";
 import type { Fix } from "../advice.ts";
-import { causeOf } from "./cause-of.ts";
-import type { BumpEvent, Cause, FailureEvent } from "./diagnosis.ts";
+import { delayedTurn, lineOfWallAhead } from "./candidates.ts";
+import { causeOf, detailOf } from "./cause-of.ts";
+import type { BumpEvent, Cause, FailureEvent, WrongComparison, WrongOrder } from "./diagnosis.ts";
 import type { RunTrace } from "./run-trace.ts";
-import { distanceFromLane, type TrialResult } from "./trial.ts";
+import { distanceFromLane, distanceFromMiddle, type TrialResult } from "./trial.ts";
 
 /** At most this many units from the middle of a square, a turn leaves room on both sides. */
 const CENTRED = 5;
@@ -16,73 +17,106 @@ export interface Found {
   program: ProgramDocument;
   outcome: TrialResult["outcome"];
   offCentre: number;
+  /** whether it solves every maze of the task; null in free play */
+  isWhole: boolean | null;
+  /** whether the run itself shows the mistake */
+  isShown: boolean;
 }
 
+/** The kinds of changes, the most plausible first. */
+const kinds = [
+  /** another order of the lines that solves every maze of the task */
+  "order",
+  /** any other change that solves every maze, after which the robot turns in the middle of squares */
+  "solution",
+  /**
+   * A missing delay at the edge of an opening, and a delayed turn that drove into the wall with too
+   * little room ahead. Two mistakes need two changes, so these come before another action with which
+   * the run shows nothing wrong, and before the number of another line.
+   */
+  "delay",
+  /** a change that solves every maze, although the run shows nothing wrong about it */
+  "doubtful",
+  /** a change that solves every maze, after which the robot turns beside the middle of squares */
+  "beside",
+  /**
+   * What the run itself shows: the line drove straight into the wall, or its readings contradict its
+   * action. After the second kind, another failure occurs.
+   */
+  "shown",
+  "shown-past",
+  /** an action that only avoids the place of the failure, where the run shows another mistake */
+  "evasion",
+  /** a missing or extra line, or another order; in free play also a condition or a number */
+  "other",
+  /**
+   * Another action that solves this maze but not every maze: with two wrong lines, each maze may show
+   * one of them. In free play, one with which the run shows nothing wrong.
+   */
+  "action",
+  /** in free play, a change after which another failure occurs */
+  "past",
+  /** a missing delay with which the robot only gets further */
+  "further",
+] as const;
+type Kind = (typeof kinds)[number];
+
 /**
- * Sorts the changes, the most plausible first, and leaves out those that only happen to help.
- *
- * - 0: another order of the lines that solves every maze of the task, unless a missing delay does
- * - 1: any other change that solves every maze, after which the robot turns in the middle of
- *   squares
- * - 2: a missing delay at the edge of an opening, and a delayed turn that drove into the wall with
- *   too little room ahead. Two mistakes need two changes, so these come before another action with
- *   which the run shows nothing wrong, and before the number of another line
- * - 3: other changes that solve every maze; last those after or before which the robot is beside the
- *   middle
- * - 4, 5: what the run itself shows: the line drove straight into the wall, or its readings
- *   contradict its action
- * - 6: an action that solves every maze although the run shows nothing wrong about it, where the run
- *   shows another mistake: it only avoids the place of the failure
- * - 7: a missing or extra line, or another order; in free play, every change that lasts
- * - 8: another action that solves this maze but not every maze: with two wrong lines, each maze may
- *   show one of them; in free play, a change after which another failure occurs
- * - 9: a missing delay with which the robot only gets further
- *
- * In a task, a sign, a sensor or a number that does not solve every maze is left out.
+ * Sorts the changes, the most plausible first, and leaves out those that only happen to help: in a
+ * task, a sign, a sensor or a number that does not solve every maze, and one that only compensates
+ * for an earlier turn.
  */
 export function ranked(
   trace: RunTrace,
   found: readonly Found[],
-  solvesAll: ((program: ProgramDocument) => boolean) | null,
   event: FailureEvent,
   momentOf: (found: Found) => number,
 ): Found[] {
   const lacksDelay = found.some(({ fix, from }) => isMissingDelay(trace, fix, from));
   const isDelayEnough = found.some(
-    ({ fix, from, outcome, program }) =>
-      outcome === "solved" && solvesAll?.(program) === true && isMissingDelay(trace, fix, from),
+    ({ fix, from, isWhole }) => isWhole === true && isMissingDelay(trace, fix, from),
   );
   const turnsIntoWall = found.some(({ fix, from }) => isIntoWall(causeOf(trace, fix, from)));
   const withoutRoom = found.find((each) => isDelayWithoutRoom(trace, event, each));
-  const rank = (each: Found): number | null => {
-    const { fix, from, outcome, program } = each;
-    if (outcome === "further") return 9;
-    const isSolution = outcome === "solved" && solvesAll?.(program) !== false;
-    const isCentred = isSolution && !isBeside(trace, each);
-    if (isMissingDelay(trace, fix, from)) return isCentred ? 1 : 2;
-    if (each === withoutRoom) return isSolution ? 1 : 2;
-    const droveIntoWall = isStraight(event) && "line" in fix && fix.line === event.line;
-    const isShown = (droveIntoWall && fix.kind === "action") || isShownByRun(trace, fix, from);
-    if (isSolution && fix.kind === "move" && solvesAll !== null) return isDelayEnough ? 1 : 0;
-    const isActionWithoutEvidence = fix.kind === "action" && !isShown;
-    if (isSolution && isActionWithoutEvidence && (isStraight(event) || turnsIntoWall)) return 6;
+  const solutionKind = (each: Found): Kind => {
+    const { fix, isWhole } = each;
+    const isBeside = turnsBeside(each);
+    if (each === withoutRoom) return "solution";
+    if (isMissingDelay(trace, fix, each.from)) return isBeside ? "delay" : "solution";
+    if (fix.kind === "move" && isWhole === true) return isDelayEnough ? "solution" : "order";
+    const isUnfounded = fix.kind === "action" && !each.isShown;
+    if (isUnfounded && (isStraight(event) || turnsIntoWall)) return "evasion";
+    if (isBeside) return "beside";
     const isOtherNumber = fix.kind === "number" && event.kind === "bump" && fix.line !== event.line;
-    const isDoubtful =
-      (isActionWithoutEvidence && lacksDelay) || (isOtherNumber && withoutRoom !== undefined);
-    if (isSolution) return isCentred && !isDoubtful ? 1 : 3;
-    if (solvesAll === null) return outcome === "past" ? 8 : 7;
-    if (isShown || isShownByRun(trace, fix, momentOf(each))) return outcome === "past" ? 5 : 4;
-    if (fix.kind === "insert" || fix.kind === "delete" || fix.kind === "move") return 7;
-    return fix.kind === "action" && outcome === "solved" ? 8 : null;
+    const isDoubtful = (isUnfounded && lacksDelay) || (isOtherNumber && withoutRoom !== undefined);
+    return isDoubtful ? "doubtful" : "solution";
+  };
+  const kindOf = (each: Found): Kind | null => {
+    const { fix, from, outcome, isWhole } = each;
+    if (outcome === "further") return "further";
+    if (outcome === "solved" && isWhole !== false) return solutionKind(each);
+    if (isMissingDelay(trace, fix, from) || each === withoutRoom) return "delay";
+    if (each.isShown || isShownByReadings(trace, fix, momentOf(each))) {
+      return outcome === "past" ? "shown-past" : "shown";
+    }
+    if (isWhole === null && outcome === "past") return "past";
+    if (fix.kind !== "action") return "other";
+    return isWhole === null || outcome === "solved" ? "action" : null;
   };
   return found
+    .filter((each) => !isLeftOut(each) && !isCompensation(trace, each))
     .flatMap((each) => {
-      const at = rank(each);
-      const isLast = at === 3 && isBeside(trace, each);
-      return at === null ? [] : [{ each, rank: at, isLast }];
+      const kind = kindOf(each);
+      return kind === null ? [] : [{ each, rank: kinds.indexOf(kind) }];
     })
-    .toSorted((a, b) => a.rank - b.rank || Number(a.isLast) - Number(b.isLast))
+    .toSorted((a, b) => a.rank - b.rank)
     .map(({ each }) => each);
+}
+
+/** Whether the change says nothing about the task, because it only happens to help in this maze. */
+export function isLeftOut({ fix, isWhole, isShown }: Found): boolean {
+  if (isWhole !== false) return false;
+  return fix.kind === "condition" || (fix.kind === "number" && !isShown);
 }
 
 /** Whether the change is a turn on the spot where the delayed turn had too little room. */
@@ -101,34 +135,75 @@ function isStraight(event: FailureEvent): event is BumpEvent {
   return typeof event.line === "number" || event.action === "reverse";
 }
 
+/** Whether the robot turns beside the middle of squares after the change. */
+function turnsBeside({ offCentre }: Found): boolean {
+  return offCentre > CENTRED;
+}
+
 /**
- * Whether the robot turns beside the middle of squares after the change, or was there before
- * another number mattered, which then only compensates for an earlier turn.
+ * Whether the robot was beside the middle of squares before the change mattered: then the change only
+ * compensates for an earlier turn.
  */
-function isBeside(trace: RunTrace, { fix, from, offCentre }: Found): boolean {
-  if (offCentre > CENTRED) return true;
-  return fix.kind === "number" && distanceFromLane(trace.at(from).pose) > CENTRED;
+function isCompensation(trace: RunTrace, { from, isWhole }: Found): boolean {
+  if (isWhole === null) return false;
+  return distanceFromLane(trace.at(from).pose) > CENTRED;
 }
 
 function isIntoWall(cause: Cause | null): boolean {
   return cause?.kind === "action" && cause.detail?.kind === "into-wall";
 }
 
-/** Whether the readings of the run show the mistake, whatever another change would do. */
-function isShownByRun(trace: RunTrace, fix: Fix, from: number): boolean {
+/** Whether the run shows the mistake, whatever another change would do. */
+export function isShownByRun(
+  trace: RunTrace,
+  event: FailureEvent,
+  fix: Fix,
+  { from, offCentre }: Pick<TrialResult, "from" | "offCentre">,
+): boolean {
+  if (from === null) return false;
+  if (fix.kind === "action" && isStraight(event) && fix.line === event.line) return true;
+  if (fix.kind === "number" && offCentre <= CENTRED && turnsBesideMiddle(trace, fix.line, from))
+    return true;
+  return isShownByReadings(trace, fix, from);
+}
+
+/** Whether the number of a wall ahead started a turn on the spot beside the middle of a square. */
+function turnsBesideMiddle(trace: RunTrace, line: number, from: number): boolean {
+  const moment = trace.decisionAt(from);
+  if (moment === null || !(moment.action in delayedTurn)) return false;
+  if (lineOfWallAhead(trace, moment) !== line) return false;
+  return distanceFromMiddle(trace.at(from).pose) > CENTRED;
+}
+
+function isShownByReadings(trace: RunTrace, fix: Fix, from: number): boolean {
   const cause = causeOf(trace, fix, from);
   if (cause === null) return false;
   if (cause.kind === "action") return cause.detail !== null;
   if (cause.kind === "delayed") return cause.moment.readings.front < cause.needs;
-  if (cause.kind === "not-delayed") return cause.isAtEdge;
+  if (cause.kind === "not-delayed") return isMissingDelay(trace, fix, from);
+  if (cause.kind === "order") return isOrderOfWall(trace, cause);
+  if (cause.kind === "comparison") return isIntoWallAhead(trace, cause);
   return "extreme" in cause && cause.extreme === "always";
+}
+
+/** Whether the upper line turned to a wall where the lower one drives forward. */
+function isOrderOfWall(trace: RunTrace, { line, moment }: WrongOrder): boolean {
+  if (trace.program.rules[line]?.do !== "forward") return false;
+  return detailOf(trace, moment)?.kind === "into-wall";
+}
+
+/** Whether the line turned to a wall because there was room ahead. */
+function isIntoWallAhead(trace: RunTrace, { line, when, moment }: WrongComparison): boolean {
+  if (moment.line !== line || when.sensor !== "front") return false;
+  return detailOf(trace, moment)?.kind === "into-wall";
 }
 
 /**
  * A turn at the edge of an opening is wrong independent of other mistakes. It is named if the robot
- * gets further with the delay.
+ * gets further with the delay. If a wall ahead was the reason for the turn, its distance is wrong.
  */
 export function isMissingDelay(trace: RunTrace, fix: Fix, from: number): boolean {
   const cause = causeOf(trace, fix, from);
-  return cause?.kind === "not-delayed" && cause.isAtEdge;
+  if (cause?.kind !== "not-delayed" || !cause.isAtEdge) return false;
+  return lineOfWallAhead(trace, cause.moment) === null;
 }

@@ -120,7 +120,7 @@ export function tryProgram(
 }
 
 /** Distance along the axis on which the robot is further from the middle of its square. */
-function distanceFromMiddle({ x, y }: Pose): number {
+export function distanceFromMiddle({ x, y }: Pose): number {
   return Math.max(offMiddle(x), offMiddle(y));
 }
 

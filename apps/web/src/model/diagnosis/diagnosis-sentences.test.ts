@@ -13,9 +13,9 @@ import { createI18n } from "../../text/i18n.ts";
 import { checkProgram } from "../../simulator/check-worker/check-program.ts";
 import { failureText } from "../lessons/failure-text.ts";
 import type { MissionWords } from "../lessons/mission-words.ts";
-import { challengeOf, lines } from "../lessons/missions/mission.ts";
+import { lines } from "../lessons/missions/mission.ts";
 import { missions } from "../lessons/missions/missions.ts";
-import { answers } from "../lessons/missions/testing/answers.ts";
+import { solved } from "../lessons/missions/testing/causes.ts";
 import {
   oneStepAnswers,
   twoStepAnswers,
@@ -32,12 +32,6 @@ const words: MissionWords = {
   i18n: { language: "en" },
 };
 const plain = (text: string): string => text.replaceAll(/[\u2068\u2069]/gu, "");
-
-const solved = missions.flatMap((mission) => {
-  const { solution } = answers[mission.id];
-  const challenge = challengeOf(mission, mission.id, { task: "", short: "", hints: [] });
-  return "rules" in solution ? [{ id: mission.id, challenge, solution }] : [];
-});
 
 /** Returns the false sentences of the mission's card, for each maze that fails. */
 function falseIn({ challenge, program, name }: WrongAnswer): string[] {

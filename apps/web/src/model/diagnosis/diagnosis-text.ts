@@ -186,7 +186,12 @@ function causeText(words: DiagnosisWords, event: FailureEvent, cause: Cause): st
     }
     case "missing": {
       const about = { ...known, ...sensor(cause.sensor), inner: inner(words, line) };
-      if (cause.sensor === "front") return t("diagnosis:cause.missingFront", about);
+      if (cause.sensor === "front") {
+        return t(
+          cause.isWall ? "diagnosis:cause.missingFront" : "diagnosis:cause.noForward",
+          about,
+        );
+      }
       if (cause.sensor === "back") return t("diagnosis:cause.missingBack", about);
       if (cause.hasTurn) return t("diagnosis:cause.missingSide", about);
       return t(

@@ -136,6 +136,8 @@ function falseReason(
         return moment.action === "reverse" && actionIn(program, detail.other) === "forward";
       }
       case "missing":
+        if (cause.isWall) return readings[cause.sensor] < 50;
+        if (cause.sensor === "front") return readings.front > 50 && noneDrivesOn(program, cause);
         return (
           cause.hasTurn ||
           (cause.sensor !== "left" && cause.sensor !== "right") ||
@@ -146,6 +148,15 @@ function falseReason(
     }
   })();
   return holds ? [] : [cause.kind];
+}
+
+/** Whether no line above the one that decided drives forward at the moment. */
+function noneDrivesOn({ rules }: ProgramDocument, { moment }: Cause): boolean {
+  const above = moment.line === "default" ? rules : rules.slice(0, moment.line);
+  return above.every(
+    ({ when, do: action }) =>
+      action !== "forward" || evaluateCondition(when, moment.readings)?.isTrue !== true,
+  );
 }
 
 /** Whether the line drove the robot up to the moment. */

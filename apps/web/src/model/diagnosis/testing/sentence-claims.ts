@@ -222,6 +222,7 @@ const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
   [
     `At (?<at>[\\d.]+) s, the wall was (?<wall>${number}) cm (?<way>ahead|behind), and ${inner} chose ${action}\\. A line for this place is missing\\.`,
     (evidence, { wall, way, inner: line, ...found }) =>
+      Number(wall) <= 50 &&
       momentsOf(evidence, {
         ...found,
         who: line ?? "",
@@ -243,6 +244,20 @@ const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
     `At (?<at>[\\d.]+) s, ${sensor} was ${reading}, and ${inner} chose ${action}\\. A line for this place is missing\\.`,
     (evidence, { inner: line, ...found }) =>
       momentsOf(evidence, { ...found, who: line ?? "" }).length > 0,
+  ],
+  [
+    `At (?<at>[\\d.]+) s, ${sensor} was ${reading}, and ${inner} chose ${action}\\. No line above it drives forward there\\.`,
+    (evidence, { inner: line, ...found }) => {
+      if (found["sensor"] !== "front" || Number(found["reading"]) < 50) return false;
+      const at = lineOf(line);
+      const rules = at === "default" ? evidence.program.rules : evidence.program.rules.slice(0, at);
+      return momentsOf(evidence, { ...found, who: line ?? "" }).some((tick) =>
+        rules.every(
+          ({ do: action }, above) =>
+            action !== "forward" || !isTrueAt(evidence.program, above, evidence.moments[tick]),
+        ),
+      );
+    },
   ],
   [
     `${who} chose ${action} ${at}\\. Without this line, the robot gets past this place\\.`,

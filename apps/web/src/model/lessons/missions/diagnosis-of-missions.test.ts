@@ -3,14 +3,13 @@
  * can help.
  */
 import { findViolation, checkChallenge, type ChallengeDocument } from "@corridor/challenge";
-import { causeLine, type Cause, type Diagnosis } from "@corridor/coach";
-import type { ProgramDocument, Rule } from "@corridor/program";
-import type { LineRef, PlainAction } from "@corridor/protocol";
+import { causeLine, type Diagnosis } from "@corridor/coach";
+import type { ProgramDocument } from "@corridor/program";
+import type { LineRef } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { checkProgram } from "../../../simulator/check-worker/check-program.ts";
-import { challengeOf, lines } from "./mission.ts";
-import { missions } from "./missions.ts";
-import { answers } from "./testing/answers.ts";
+import { lines } from "./mission.ts";
+import { causes, solved } from "./testing/causes.ts";
 import {
   oneStepAnswers,
   oneStepFrom,
@@ -18,12 +17,6 @@ import {
   type WrongAnswer,
 } from "./testing/wrong-answers.ts";
 
-const noWords = { task: "", short: "", hints: [] };
-const solved = missions.flatMap((mission) => {
-  const { solution } = answers[mission.id];
-  const challenge = challengeOf(mission, mission.id, noWords);
-  return "rules" in solution ? [{ id: mission.id, challenge, solution }] : [];
-});
 const oneStep = solved.map(({ id, challenge, solution }) => ({
   id,
   wrong: [...oneStepAnswers(challenge, solution)],
@@ -46,14 +39,6 @@ function diagnosed({ challenge, program }: WrongAnswer): { maze: number; diagnos
   const diagnosis = diagnoses[maze];
   if (diagnosis === null || diagnosis === undefined) throw new Error("no diagnosis");
   return { maze, diagnosis };
-}
-
-/** The cause in each maze of a mission; null without one. */
-function causes(id: string, program: ProgramDocument): (Cause | null)[] {
-  const mission = solved.find((each) => each.id === id);
-  if (mission === undefined) throw new Error("no such mission");
-  const { diagnoses } = checkProgram({ challenge: mission.challenge, program });
-  return diagnoses.map((each) => each?.cause ?? null);
 }
 
 /**
@@ -188,129 +173,6 @@ describe("in a mission with several mazes", () => {
       moment: { line: 0, tick: 396 },
       detail: { kind: "into-wall", side: "left", open: "right" },
     });
-  });
-});
-
-describe("of several lines whose change passes", () => {
-  const front = (is: "<" | ">", than: number, action: PlainAction): Rule => ({
-    when: { sensor: "front", is, than },
-    do: action,
-  });
-  const rightOpen: Rule = { when: { sensor: "right", is: ">", than: 60 }, do: "delayed right 90" };
-  const leftLonger = (plus: number, action: PlainAction): Rule => ({
-    when: { sensor: "left", is: ">", than: "right", plus },
-    do: action,
-  });
-
-  it.each([65, 75])("the one that turned beside the middle of a square is named (%i)", (than) => {
-    const program = lines("forward", rightOpen, front("<", than, "left 90"));
-    expect(causes("right-wall", program)).toMatchObject([{ kind: "too-early", line: 1 }]);
-  });
-
-  it("the one after which the robot turns in the middle of squares is named", () => {
-    const program = lines("right 90", front(">", 50, "forward"), leftLonger(200, "left 90"));
-    expect(causes("farthest-distance", program)).toMatchObject([null, { line: 1, better: 100 }]);
-  });
-
-  it.each([80, 90, 100, 150])("the number of a wall ahead comes before a delay (%i)", (than) => {
-    const program = lines("right 90", front(">", than, "forward"), leftLonger(1, "left 90"));
-    const early = { kind: "too-short", line: 0 };
-    expect(causes("farthest-distance", program)).toMatchObject([early, early]);
-    const own = lines("forward", front("<", Math.min(than, 100), "right 90"));
-    expect(causes("own-line", own)).toMatchObject([{ kind: "too-early", line: 0, better: 50 }]);
-  });
-
-  it.each([70, 75])(
-    "a number that only compensates for an earlier turn comes last (%i)",
-    (than) => {
-      const early = front("<", than, "left 90");
-      const ofFront = { kind: "too-early", better: 50 };
-      for (const [program, line] of [
-        [lines("forward", rightOpen, early), 1],
-        [lines("forward", early, rightOpen), 0],
-      ] as const) {
-        const found = causes("every-maze", program).filter((cause) => cause !== null);
-        expect(found).toMatchObject([
-          { ...ofFront, line },
-          { ...ofFront, line },
-        ]);
-      }
-    },
-  );
-
-  it.each(["right-wall", "every-maze"])("a missing delay comes before an order (%s)", (id) => {
-    const early: Rule = { ...rightOpen, do: "right 90" };
-    const program = lines("left 90", early, front(">", 50, "forward"));
-    const found = causes(id, program).filter((cause) => cause !== null);
-    expect(found.length).toBeGreaterThan(0);
-    for (const cause of found)
-      expect(cause).toMatchObject({ kind: "not-delayed", moment: { line: 0 } });
-  });
-
-  it("a delayed turn without room comes before the number of another line", () => {
-    const program = lines(
-      "delayed right 90",
-      front(">", 50, "forward"),
-      leftLonger(1, "delayed left 90"),
-    );
-    expect(causes("farthest-distance", program)).toMatchObject([
-      { kind: "delayed", moment: { line: 1 } },
-      { kind: "delayed", moment: { line: "default" } },
-    ]);
-  });
-
-  it("a line is not called missing where the program has one for that place", () => {
-    for (const cause of causes("every-maze", lines("forward", front("<", 50, "turn 180")))) {
-      expect(cause).not.toMatchObject({ kind: "missing", sensor: "front" });
-    }
-  });
-
-  it("a turn to a wall is named as such, and before an action that only happens to help", () => {
-    const toWall = { kind: "action", moment: { line: 0 }, detail: { kind: "into-wall" } };
-    const leftOpen: Rule = { when: { sensor: "left", is: ">", than: 60 }, do: "delayed left 90" };
-    const atRight = (action: PlainAction): Rule => ({ ...rightOpen, do: action });
-    const atWall = front("<", 50, "delayed left 90");
-    const turned = lines("forward", atRight("left 90"), leftOpen, atWall);
-    expect(causes("faulty-line", turned)).toMatchObject([toWall]);
-    const back = front("<", 50, "turn 180");
-    const delayed = lines(
-      "forward",
-      atRight("delayed left 90"),
-      { ...leftOpen, do: "forward" },
-      back,
-    );
-    expect(causes("faulty-line", delayed)).toMatchObject([toWall]);
-  });
-
-  it("a delayed turn into an opening is not called a turn to a wall", () => {
-    const program = lines("forward", front("<", 130, "delayed left 90"));
-    const [first] = causes("every-maze", program);
-    expect(first).not.toMatchObject({ detail: { kind: "into-wall" } });
-  });
-});
-
-describe("a line too many", () => {
-  const when = (sensor: "front" | "right" | "back" | "left", is: "<" | ">", than: number) => ({
-    sensor,
-    is,
-    than,
-  });
-  const follow: Rule[] = [
-    { when: when("right", ">", 60), do: "delayed right 90" },
-    { when: when("front", "<", 50), do: "left 90" },
-  ];
-
-  it.each<{ id: string; at: number; extra: Rule }>([
-    { id: "right-wall", at: 2, extra: { when: when("front", ">", 50), do: "reverse" } },
-    { id: "right-wall", at: 2, extra: { when: when("back", ">", 200), do: "right 90" } },
-    { id: "right-wall", at: 1, extra: { when: when("front", "<", 80), do: "right 90" } },
-    { id: "every-maze", at: 1, extra: { when: when("left", ">", 60), do: "right 90" } },
-    { id: "every-maze", at: 0, extra: { when: when("front", ">", 55), do: "right 90" } },
-  ])("has no better number: $id, line $at", ({ id, at, extra }) => {
-    const program = lines("forward", ...follow.toSpliced(at, 0, extra));
-    const found = causes(id, program).filter((cause) => cause !== null);
-    expect(found.length).toBeGreaterThan(0);
-    for (const cause of found) expect(cause).toMatchObject({ kind: "extra", line: at });
   });
 });
 
