@@ -1,7 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { z } from "zod";
-import { describeProblem, readJson, readValue } from "./document-reader.ts";
+import { describeProblem, parseJson, readJson, readValue } from "./document-reader.ts";
 
 const schema = z.strictObject(
   {
@@ -65,4 +65,11 @@ it("any text results in a value or problems, and never in an exception", () => {
 it("a valid JSON text is returned unchanged", () => {
   const value = { name: "a", list: [{ size: 1 }] };
   expect(readJson(schema, JSON.stringify(value), 200)).toEqual({ ok: true, value });
+});
+
+it("reports whether a text is JSON apart from whether it may be read", () => {
+  expect(parseJson('{"a":[1]}', 20)).toEqual({ ok: true, value: { a: [1] } });
+  expect(parseJson("left 90", 20)).toMatchObject({ ok: false, isJson: false });
+  expect(parseJson('{"a":1,"a":2}', 20)).toMatchObject({ ok: false, isJson: true });
+  expect(parseJson("[1, 2, 3]", 5)).toMatchObject({ ok: false, isJson: true });
 });

@@ -38,25 +38,43 @@ export function readValue<T>(schema: z.ZodType<T>, input: unknown): ReadResult<T
   return { ok: false, problems: problems.slice(0, MAX_PROBLEMS) };
 }
 
+/** JSON text as a value, or why it is none. */
+export type ParsedJson =
+  | { ok: true; value: unknown }
+  | {
+      ok: false;
+      /** false: the text is not JSON; true: it is too long or repeats a field */
+      isJson: boolean;
+      problems: FieldProblem[];
+    };
+
 /**
  * Parses and validates JSON text. Rejects text that is too long before parsing it.
  * @param maxLength in UTF-16 code units
  */
 export function readJson<T>(schema: z.ZodType<T>, text: string, maxLength: number): ReadResult<T> {
+  const parsed = parseJson(text, maxLength);
+  return parsed.ok ? readValue(schema, parsed.value) : { ok: false, problems: parsed.problems };
+}
+
+/** Parses JSON text, for callers that validate the value themselves. @param maxLength as above */
+export function parseJson(text: string, maxLength: number): ParsedJson {
   if (text.length > maxLength) {
-    return problem("", `${text.length} characters`, `at most ${maxLength} characters`);
+    const found = `${text.length} characters`;
+    return { ...problem("", found, `at most ${maxLength} characters`), isJson: true };
   }
-  let input: unknown;
+  let value: unknown;
   try {
-    input = JSON.parse(text);
+    value = JSON.parse(text);
   } catch (error) {
     const reason = error instanceof Error ? error.message : "unreadable text";
-    return problem("", shorten(reason), "a JSON document");
+    return { ...problem("", shorten(reason), "a JSON document"), isJson: false };
   }
-  if (countKeys(text) !== countFields(input)) {
-    return problem("", "a duplicate field in an object", "each field once");
+  if (countKeys(text) !== countFields(value)) {
+    const expected = "each field once";
+    return { ...problem("", "a duplicate field in an object", expected), isJson: true };
   }
-  return readValue(schema, input);
+  return { ok: true, value };
 }
 
 const QUOTE = '"'.charCodeAt(0);

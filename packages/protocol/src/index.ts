@@ -20,6 +20,7 @@ export { BLOCKED_REASON, PAUSED_REASON, REVOKED_REASON } from "./owner-reasons.t
 export {
   MAX_PROBLEMS,
   describeProblem,
+  parseJson,
   problem,
   readJson,
   readValue,

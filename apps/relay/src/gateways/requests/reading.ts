@@ -1,7 +1,6 @@
 /** Reads the parts of a request that scripts and viewers of a robot send: queries and headers. */
 import {
   idempotencyKeySchema,
-  MAX_FRAME_BYTES,
   orderSchema,
   scriptName,
   sinceSchema,
@@ -11,8 +10,8 @@ import {
 import type { Request, Response } from "express";
 import { z } from "zod";
 import {
+  bodyReader,
   read,
-  readBody,
   readClient,
   waitError,
   waitLimitOf,
@@ -147,12 +146,17 @@ function percentDecode(text: string): string {
   }
 }
 
+const readOrder = bodyReader(orderSchema, "Invalid command.", {
+  example: '{"action":"left 90"}',
+  clearer: withCommandHint,
+});
+
 /** Command in the body with its terms, and the idempotency key in the header. */
-export function readCommandRequest(request: Request): { key: string | null } & CommandTerms {
-  const order = readBody(request, orderSchema, MAX_FRAME_BYTES, "Invalid command.", {
-    example: '{"action":"left 90"}',
-    clearer: withCommandHint,
-  });
+export async function readCommandRequest(
+  request: Request,
+  response: Response,
+): Promise<{ key: string | null } & CommandTerms> {
+  const order = await readOrder(request, response);
   return { key: readIdempotencyKey(request), ...termsOf(order) };
 }
 

@@ -1,14 +1,8 @@
 /**
  * Reads and validates the parts of any request: bearer key, JSON body and the timeout of a long poll.
  */
-import {
-  MAX_FRAME_BYTES,
-  problem,
-  readJson,
-  readValue,
-  type FieldProblem,
-} from "@corridor/protocol";
-import express, { type Request, type RequestHandler, type Response } from "express";
+import { MAX_FRAME_BYTES, parseJson, readValue, type FieldProblem } from "@corridor/protocol";
+import express, { type Request, type Response } from "express";
 import { z } from "zod";
 import { badRequest, notJson, Refusal } from "../errors/problems.ts";
 import { limits } from "../limits/limits.ts";
@@ -62,24 +56,59 @@ export function readClient(request: Request): string {
 // A lenient decoder would read a text other than the intended one.
 const utf8 = new TextDecoder("utf-8", { fatal: true });
 
+/** How a body is read, and how its errors are explained. */
+export interface BodyOptions {
+  /** maximum length in bytes */
+  limit?: number;
+  /** a valid body, for a text that is not JSON */
+  example?: string;
+  /** replaces the problems by clearer ones. @param body parsed */
+  clearer?: (body: unknown, problems: readonly FieldProblem[]) => FieldProblem[];
+}
+
 /**
- * Reads the body as text. Errors go to the error handler: not JSON, not UTF-8 or too large.
- * @param limit in bytes
+ * Creates a function that reads, parses and validates the body of a request. Routes authorise a
+ * request before they call it, so that the relay does not read the body of a stranger.
+ * @param what sentence for the error, such as "Invalid command."
+ * @returns the function; it throws a Refusal, or an error of Express if the body is too large
  */
-export function jsonText(limit: number = MAX_FRAME_BYTES): RequestHandler {
-  const bytes = express.raw({ type: () => true, limit, inflate: false });
-  return (request, response, next) => {
-    if (!isJson(request.headers["content-type"] ?? "")) {
-      throw new Refusal(
-        "not-json",
-        'Send the body as JSON in UTF-8, with the header "Content-Type: application/json".',
+export function bodyReader<T>(
+  schema: z.ZodType<T>,
+  what: string,
+  { limit = MAX_FRAME_BYTES, example, clearer }: BodyOptions = {},
+): (request: Request, response: Response) => Promise<T> {
+  const receive = express.raw({ type: () => true, limit, inflate: false });
+  return async (request, response) => {
+    requireJson(request);
+    await new Promise<void>((resolve, reject) => {
+      receive(request, response, (error?: unknown) =>
+        error === undefined ? resolve() : reject(error),
       );
-    }
-    bytes(request, response, (error?: unknown) => {
-      if (error === undefined && Buffer.isBuffer(request.body)) request.body = textOf(request.body);
-      next(error);
     });
+    const bytes: unknown = request.body;
+    const text = Buffer.isBuffer(bytes) ? textOf(bytes) : "";
+    if (text === null) {
+      const expected = "a JSON document in UTF-8";
+      throw badRequest(what, [{ path: "", found: "bytes that are not UTF-8", expected }]);
+    }
+    const parsed = parseJson(text, limit);
+    if (!parsed.ok) {
+      throw parsed.isJson ? badRequest(what, parsed.problems) : notJson(what, example);
+    }
+    const { value } = parsed;
+    const result = readValue(schema, value);
+    if (result.ok) return result.value;
+    throw badRequest(what, clearer?.(value, result.problems) ?? result.problems);
   };
+}
+
+/** @throws Refusal if the content type is not JSON in UTF-8 */
+function requireJson(request: Request): void {
+  if (isJson(request.headers["content-type"] ?? "")) return;
+  throw new Refusal(
+    "not-json",
+    'Send the body as JSON in UTF-8, with the header "Content-Type: application/json".',
+  );
 }
 
 /** @returns null if the bytes are not UTF-8 */
@@ -97,46 +126,6 @@ function isJson(type: string): boolean {
   const charset = parameters.map((text) => text.trim()).find((text) => text.startsWith("charset="));
   const isUtf8 = charset === undefined || /^charset="?utf-?8"?$/.test(charset);
   return name.trim() === "application/json" && isUtf8;
-}
-
-/** How errors in a body are explained. */
-export interface BodyHelp {
-  /** a valid body, for a text that is not JSON */
-  example?: string;
-  /** replaces the problems by clearer ones. @param body parsed */
-  clearer?: (body: unknown, problems: readonly FieldProblem[]) => FieldProblem[];
-}
-
-/**
- * Parses and validates the body.
- * @param what sentence for the error, such as "Invalid command."
- */
-export function readBody<T>(
-  request: Request,
-  schema: z.ZodType<T>,
-  maxLength: number,
-  what: string,
-  { example, clearer }: BodyHelp = {},
-): T {
-  const body: unknown = request.body;
-  const result =
-    body === null
-      ? problem("", "bytes that are not UTF-8", "a JSON document in UTF-8")
-      : readJson(schema, typeof body === "string" ? body : "", maxLength);
-  if (result.ok) return result.value;
-  if (typeof body !== "string" || body.length > maxLength) throw badRequest(what, result.problems);
-  const parsed = parse(body);
-  if (parsed === null) throw notJson(what, example);
-  throw badRequest(what, clearer?.(parsed.value, result.problems) ?? result.problems);
-}
-
-/** @returns null if the text is not JSON */
-function parse(text: string): { value: unknown } | null {
-  try {
-    return { value: JSON.parse(text) };
-  } catch {
-    return null;
-  }
 }
 
 /** Limits of a wait: the timeout, and a signal for when the client disconnects. */

@@ -31,7 +31,7 @@ async function slowCommand(age: number) {
     answer.resume();
     return answer.statusCode;
   };
-  return { clock, page, finish };
+  return { relay, robot, clock, page, finish };
 }
 
 it("counts the time to read a request towards the age of its command", async () => {
@@ -46,6 +46,16 @@ it("rejects a command as too late if its request took longer than its ttl", asyn
   const { clock, finish } = await slowCommand(0);
   await clock.pass(TTL);
   expect(await finish()).toBe(422);
+});
+
+it("rejects a command whose key the owner revokes while its request arrives", async () => {
+  const { relay, robot, finish } = await slowCommand(0);
+  const body = { kind: "drive", replace: true };
+  const revoked = await relay.ask(robot, "/keys", { method: "POST", key: robot.ownerKey, body });
+  expect(revoked.status).toBe(201);
+  expect(await finish()).toBe(401);
+  const log = await relay.ask(robot, "/commands", { key: robot.ownerKey });
+  expect(await log.json()).toEqual({ commands: [] });
 });
 
 it("accepts fractional milliseconds", async () => {

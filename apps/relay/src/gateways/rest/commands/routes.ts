@@ -1,11 +1,10 @@
 /** Commands of scripts: send a command, read its record, read the log, stop everything. */
 import { termsOf, type CommandRecord } from "@corridor/protocol";
-import { Router, type Request, type Response } from "express";
+import { Router, type Response } from "express";
 import type { RobotRegistry } from "../../../robots/registry.ts";
 import type { CommandLog } from "./openapi.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
-import { authoriseScript, type AuthorisedRequest } from "../../requests/authorise-script.ts";
-import { jsonText } from "../../../platform/http/reading.ts";
+import { authoriseScript } from "../../requests/authorise-script.ts";
 import {
   callerWaitOf,
   readAfter,
@@ -17,28 +16,22 @@ import {
 
 export function commandRoutes(registry: RobotRegistry): Router {
   const router = Router();
-  /** arrival times, taken before the robot lookup and the read of the body */
-  const arrivals = new WeakMap<Request, AuthorisedRequest>();
 
   router
     .route("/robots/:id/commands")
-    .post(
-      // Rejects unauthorised requests before it reads the body.
-      async (request, response, next) => {
-        arrivals.set(request, await authoriseScript(registry, request, response, "command"));
-        next();
-      },
-      jsonText(),
-      async (request, response) => {
-        const received = await authoriseScript(registry, request, response, "command");
-        const { robot, key } = received;
-        const command = readCommandRequest(request);
-        const { arrivedAt, transitMs } = arrivals.get(request) ?? received;
-        const age = command.age + transitMs + registry.clock.now() - arrivedAt;
-        const order = { ...command, age };
-        await robot.submit(key, order, (record) => accepted(response, robot.id, record));
-      },
-    )
+    .post(async (request, response) => {
+      const { robot, key, arrivedAt, transitMs } = await authoriseScript(
+        registry,
+        request,
+        response,
+        "command",
+      );
+      // The store checks again whether the key may send commands when it stores this one.
+      const command = await readCommandRequest(request, response);
+      const age = command.age + transitMs + registry.clock.now() - arrivedAt;
+      const order = { ...command, age };
+      await robot.submit(key, order, (record) => accepted(response, robot.id, record));
+    })
     .get(async (request, response) => {
       const { robot } = await authoriseScript(registry, request, response, "log");
       const { after } = readAfter(request);

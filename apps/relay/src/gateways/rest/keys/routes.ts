@@ -1,51 +1,33 @@
 /** Keys that a robot's owner creates for others and revokes. */
-import {
-  keyIdSchema,
-  keyRequestSchema,
-  MAX_FRAME_BYTES,
-  type KeyList,
-  type CreatedKey,
-} from "@corridor/protocol";
+import { keyIdSchema, keyRequestSchema, type KeyList, type CreatedKey } from "@corridor/protocol";
 import { Router } from "express";
 import { z } from "zod";
 import type { RequestGuard } from "../../../platform/http/request-guard.ts";
 import type { RobotRegistry } from "../../../robots/registry.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
-import { jsonText, read, readBearer, readBody } from "../../../platform/http/reading.ts";
+import { bodyReader, read, readBearer } from "../../../platform/http/reading.ts";
 
 /** The id of a key, as the last segment of a path. */
 export const keyPath = z.object({ keyId: keyIdSchema.describe("id of the key") });
+
+const readKeyRequest = bodyReader(keyRequestSchema, "Invalid key request.");
 
 export function keyRoutes(registry: RobotRegistry, guard: RequestGuard): Router {
   const router = Router();
 
   router
     .route("/robots/:id/keys")
-    .post(
-      // Rejects unauthorised requests before it reads the body.
-      async (request, _response, next) => {
-        await registry.authorise(request.params.id, readBearer(request), "grant");
-        next();
-      },
-      jsonText(),
-      async (request, response) => {
-        const { robot } = await registry.authorise(request.params.id, readBearer(request), "grant");
-        const options = readBody(
-          request,
-          keyRequestSchema,
-          MAX_FRAME_BYTES,
-          "Invalid key request.",
-        );
-        const made = await robot.keys.make(options);
-        const address = `${guard.originOf(request)}/r/${robot.id}#${made.key}`;
-        const created: CreatedKey = { ...made, address };
-        response
-          .status(201)
-          .location(`/api/v1/robots/${robot.id}/keys/${made.id}`)
-          .set("Cache-Control", "no-store")
-          .json(created);
-      },
-    )
+    .post(async (request, response) => {
+      const { robot } = await registry.authorise(request.params.id, readBearer(request), "grant");
+      const made = await robot.keys.make(await readKeyRequest(request, response));
+      const address = `${guard.originOf(request)}/r/${robot.id}#${made.key}`;
+      const created: CreatedKey = { ...made, address };
+      response
+        .status(201)
+        .location(`/api/v1/robots/${robot.id}/keys/${made.id}`)
+        .set("Cache-Control", "no-store")
+        .json(created);
+    })
     .get(async (request, response) => {
       const { robot } = await registry.authorise(request.params.id, readBearer(request), "grant");
       const list: KeyList = { keys: await robot.keys.list() };

@@ -7,12 +7,14 @@ import { Refusal } from "../../../platform/errors/problems.ts";
 import type { RobotRegistry } from "../../../robots/registry.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
 import { authoriseScript } from "../../requests/authorise-script.ts";
-import { jsonText, readBearer, readBody } from "../../../platform/http/reading.ts";
+import { bodyReader, readBearer } from "../../../platform/http/reading.ts";
 
 /** Header of a conditional request. */
 export const ifNoneMatchHeader = z.object({
   "If-None-Match": z.string().optional().describe("the `ETag` of the cached maze"),
 });
+
+const readMaze = bodyReader(mazeSchema, "Invalid maze.", { limit: MAX_DOCUMENT_BYTES });
 
 export function mazeRoutes(registry: RobotRegistry): Router {
   const router = Router();
@@ -32,20 +34,11 @@ export function mazeRoutes(registry: RobotRegistry): Router {
       if (matches(request.get("If-None-Match"), tag)) return void response.status(304).end();
       response.type("json").send(stored.text);
     })
-    .put(
-      // Rejects unauthorised requests before it reads the body.
-      async (request, _response, next) => {
-        await registry.authorise(request.params.id, readBearer(request), "host");
-        next();
-      },
-      jsonText(MAX_DOCUMENT_BYTES),
-      async (request, response) => {
-        const { robot } = await registry.authorise(request.params.id, readBearer(request), "host");
-        const maze = readBody(request, mazeSchema, MAX_DOCUMENT_BYTES, "Invalid maze.");
-        const version = await robot.mazes.keep(maze);
-        response.status(204).set("ETag", entityTag(version)).end();
-      },
-    )
+    .put(async (request, response) => {
+      const { robot } = await registry.authorise(request.params.id, readBearer(request), "host");
+      const version = await robot.mazes.keep(await readMaze(request, response));
+      response.status(204).set("ETag", entityTag(version)).end();
+    })
     .all(methodNotAllowed("GET, PUT"));
   return router;
 }

@@ -1,10 +1,5 @@
 /** Pairing: the owner's code and answer, and the script's request. */
-import {
-  MAX_FRAME_BYTES,
-  pairingReplySchema,
-  pairingRequestSchema,
-  scriptName,
-} from "@corridor/protocol";
+import { pairingReplySchema, pairingRequestSchema, scriptName } from "@corridor/protocol";
 import { Router } from "express";
 import type { RequestGuard } from "../../../platform/http/request-guard.ts";
 import { canBeKey } from "../../../platform/keys.ts";
@@ -12,14 +7,11 @@ import type { PairingService } from "../../../pairing/pairing-service.ts";
 import { notAuthorised } from "../../../platform/errors/problems.ts";
 import type { RobotRegistry } from "../../../robots/registry.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
-import {
-  jsonText,
-  readBearer,
-  readBody,
-  readClient,
-  waitLimitOf,
-} from "../../../platform/http/reading.ts";
+import { bodyReader, readBearer, readClient, waitLimitOf } from "../../../platform/http/reading.ts";
 import { readIntroduction, readWait } from "../../requests/reading.ts";
+
+const readReply = bodyReader(pairingReplySchema, "Invalid answer.");
+const readPairingRequest = bodyReader(pairingRequestSchema, "Invalid pairing code.");
 
 export function pairingRoutes(
   registry: RobotRegistry,
@@ -40,20 +32,12 @@ export function pairingRoutes(
       const { robot } = await registry.authorise(request.params.id, readBearer(request), "grant");
       response.json(await service.show(robot.id, waitLimitOf(response, wait)));
     })
-    .put(
-      // Rejects unauthorised requests before it reads the body.
-      async (request, _response, next) => {
-        await registry.authorise(request.params.id, readBearer(request), "grant");
-        next();
-      },
-      jsonText(),
-      async (request, response) => {
-        const { robot } = await registry.authorise(request.params.id, readBearer(request), "grant");
-        const reply = readBody(request, pairingReplySchema, MAX_FRAME_BYTES, "Invalid answer.");
-        await service.reply(robot, reply.id, reply.accept);
-        response.status(204).end();
-      },
-    )
+    .put(async (request, response) => {
+      const { robot } = await registry.authorise(request.params.id, readBearer(request), "grant");
+      const { id, accept } = await readReply(request, response);
+      await service.reply(robot, id, accept);
+      response.status(204).end();
+    })
     .delete(async (request, response) => {
       const { robot } = await registry.authorise(request.params.id, readBearer(request), "grant");
       await service.remove(robot.id);
@@ -63,13 +47,8 @@ export function pairingRoutes(
 
   router
     .route("/pairing")
-    .post(jsonText(), async (request, response) => {
-      const { code, name } = readBody(
-        request,
-        pairingRequestSchema,
-        MAX_FRAME_BYTES,
-        "Invalid pairing code.",
-      );
+    .post(async (request, response) => {
+      const { code, name } = await readPairingRequest(request, response);
       const asked = await service.ask({
         code,
         name: typeof name === "string" ? scriptName(name) : readIntroduction(request).name,

@@ -1,6 +1,5 @@
 /** Scripts of a robot, for its owner: list, block, unblock, pause all. */
 import {
-  MAX_FRAME_BYTES,
   scriptIdSchema,
   scriptRefSchema,
   type ScriptList,
@@ -11,10 +10,12 @@ import { z } from "zod";
 import { keyId } from "../../../platform/keys.ts";
 import type { RobotRegistry } from "../../../robots/registry.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
-import { jsonText, read, readBearer, readBody } from "../../../platform/http/reading.ts";
+import { bodyReader, read, readBearer } from "../../../platform/http/reading.ts";
 
 /** The id of a script, as the last segment of a path. */
 export const scriptPath = z.object({ scriptId: scriptIdSchema.describe("id of the script") });
+
+const readScript = bodyReader(scriptRefSchema, "Invalid script.");
 
 export function scriptRoutes(registry: RobotRegistry): Router {
   const router = Router();
@@ -56,28 +57,19 @@ export function scriptRoutes(registry: RobotRegistry): Router {
 
   router
     .route("/robots/:id/blocked")
-    .post(
-      // Rejects unauthorised requests before it reads the body.
-      async (request, _response, next) => {
-        await registry.authorise(request.params.id, readBearer(request), "moderate");
-        next();
-      },
-      jsonText(),
-      async (request, response) => {
-        const { robot } = await registry.authorise(
-          request.params.id,
-          readBearer(request),
-          "moderate",
-        );
-        const reference = readBody(request, scriptRefSchema, MAX_FRAME_BYTES, "Invalid script.");
-        const script = await robot.scriptAccess.block(reference);
-        const blocked: BlockedScript = { ...script, driver: keyId(script.driver) };
-        response
-          .status(201)
-          .location(`/api/v1/robots/${robot.id}/blocked/${script.id}`)
-          .json(blocked);
-      },
-    )
+    .post(async (request, response) => {
+      const { robot } = await registry.authorise(
+        request.params.id,
+        readBearer(request),
+        "moderate",
+      );
+      const script = await robot.scriptAccess.block(await readScript(request, response));
+      const blocked: BlockedScript = { ...script, driver: keyId(script.driver) };
+      response
+        .status(201)
+        .location(`/api/v1/robots/${robot.id}/blocked/${script.id}`)
+        .json(blocked);
+    })
     .all(methodNotAllowed("POST"));
 
   router

@@ -5,15 +5,17 @@ import { documentSchema } from "../../../short-links/document-schema.ts";
 import type { DocumentService } from "../../../short-links/document-service.ts";
 import type { RequestGuard } from "../../../platform/http/request-guard.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
-import { jsonText, readBearer, readBody } from "../../../platform/http/reading.ts";
+import { bodyReader, readBearer } from "../../../platform/http/reading.ts";
+
+const readDocument = bodyReader(documentSchema, "Invalid document.", { limit: MAX_DOCUMENT_BYTES });
 
 export function documentRoutes(service: DocumentService, guard: RequestGuard): Router {
   const router = Router();
 
   router
     .route("/mazes")
-    .post(jsonText(MAX_DOCUMENT_BYTES), async (request, response) => {
-      const document = readBody(request, documentSchema, MAX_DOCUMENT_BYTES, "Invalid document.");
+    .post(async (request, response) => {
+      const document = await readDocument(request, response);
       const from = guard.addressOf(request);
       const link = await service.add(document, from, guard.originOf(request));
       response.status(201).location(`/api/v1/mazes/${link.id}`).json(link);
