@@ -30,6 +30,31 @@ export interface CommandRow {
   epoch: number | null;
 }
 
+/** A command and its text. */
+export interface KnownCommand {
+  readonly command: Command;
+  /** the command as JSON */
+  readonly text: string;
+}
+
+const MAX_KNOWN = 512;
+const known = new Map<string, KnownCommand>();
+
+/**
+ * Interns commands, because robots receive the same few commands repeatedly. Equal commands share
+ * one immutable object.
+ * @param text a command as JSON
+ * @throws SyntaxError if it is not JSON
+ */
+export function commandIn(text: string): KnownCommand {
+  const before = known.get(text);
+  if (before !== undefined) return before;
+  if (known.size >= MAX_KNOWN) known.clear();
+  const made = { command: Object.freeze(JSON.parse(text) as Command), text };
+  known.set(text, made);
+  return made;
+}
+
 /** A stop command as JSON. */
 export const STOP = '{"action":"stop"}';
 

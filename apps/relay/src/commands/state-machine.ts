@@ -6,8 +6,14 @@
  * A function receives what it needs of ended commands that are not in memory from its caller.
  */
 import { expiredReason, hasEnded, type CommandRecord, type Ending } from "@corridor/protocol";
-import { isStop, recordOfRow, termedOfRow, type CommandRow } from "./command-row.ts";
-import { commandIn, type KnownCommand } from "./known-commands.ts";
+import {
+  isStop,
+  recordOfRow,
+  termedOfRow,
+  commandIn,
+  type CommandRow,
+  type KnownCommand,
+} from "./command-row.ts";
 import type { RobotCommands } from "./robot-commands.ts";
 import {
   CLOCK_TOLERANCE_MS,

@@ -8,8 +8,7 @@ import type { DriverRoster } from "./presence/driver-roster.ts";
 import type { KeyRing } from "./access/key-ring.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { MazeBoard } from "./maze-board.ts";
-import type { PageLink } from "./page/page-link.ts";
-import type { PageOwnership } from "./page/page-ownership.ts";
+import type { PageLink, PageOwnership } from "./page/page-ownership.ts";
 import type { RobotChannel } from "./presence/robot-channel.ts";
 import type { RobotView } from "./robot-view.ts";
 

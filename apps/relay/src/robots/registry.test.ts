@@ -10,7 +10,7 @@ import { SqliteRobotStore } from "../store/sqlite/sqlite-robot-store.ts";
 import { FakeClock } from "../platform/testing/fake-clock.ts";
 import { testFolder } from "../testing/test-relay.ts";
 import { limits } from "../platform/limits/limits.ts";
-import type { PageLink } from "./page/page-link.ts";
+import type { PageLink } from "./page/page-ownership.ts";
 import { RobotRegistry, type Grant } from "./registry.ts";
 
 async function withRobots(count: number) {

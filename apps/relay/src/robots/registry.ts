@@ -20,8 +20,14 @@ import { readerTransports, type ReaderTransport } from "./readers/subscribers.ts
 import { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
 import { StaggeredInterval } from "../platform/time/staggered-interval.ts";
 import { limits } from "../platform/limits/limits.ts";
-import { checkRight, type Verb } from "./access/rights.ts";
-import { callerOf, unknownScript, type Caller, type Introduction } from "./access/caller.ts";
+import {
+  checkRight,
+  callerOf,
+  unknownScript,
+  type Verb,
+  type Caller,
+  type Introduction,
+} from "./access/caller.ts";
 import { Robot } from "./robot.ts";
 import { TokenBucket } from "../platform/limits/token-bucket.ts";
 import { noObserver, type CommandObserver } from "./delivery/command-observer.ts";

@@ -2,7 +2,7 @@ import { closeReasons, termsOf, type RelayToPage, type Resume } from "@corridor/
 import { describe, expect, it } from "vitest";
 import { completed } from "../platform/testing/messages.ts";
 import { limits } from "../platform/limits/limits.ts";
-import type { PageLink } from "./page/page-link.ts";
+import type { PageLink } from "./page/page-ownership.ts";
 import { deafReader, LEFT, withRobot, page } from "./testing/robot-at-relay.ts";
 
 describe("a robot: delivery", () => {

@@ -5,7 +5,7 @@ import { settled } from "../platform/testing/fake-clock.ts";
 import { reloadReasons, replacedReasons } from "../store/port.ts";
 import { StoreUnavailableError } from "../platform/errors/store-unavailable.ts";
 import { limits } from "../platform/limits/limits.ts";
-import type { PageLink } from "./page/page-link.ts";
+import type { PageLink } from "./page/page-ownership.ts";
 import { LEFT, page, withRobot, type Setup } from "./testing/robot-at-relay.ts";
 
 const DOUBT = replacedReasons.delivered;

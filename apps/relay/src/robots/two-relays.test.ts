@@ -24,7 +24,7 @@ import { completed } from "../platform/testing/messages.ts";
 import { maze } from "../platform/testing/sample-documents.ts";
 import { testFolder } from "../testing/test-relay.ts";
 import { limits } from "../platform/limits/limits.ts";
-import type { PageLink } from "./page/page-link.ts";
+import type { PageLink } from "./page/page-ownership.ts";
 import { RobotRegistry } from "./registry.ts";
 
 const LEFT: Order = { action: "left 90" };

@@ -1,7 +1,6 @@
 /** A robot in memory, for tests of the state machine. */
 import type { CommandState, Ending } from "@corridor/protocol";
-import { STOP, type CommandRow } from "../command-row.ts";
-import { commandIn } from "../known-commands.ts";
+import { STOP, commandIn, type CommandRow } from "../command-row.ts";
 import { RobotCommands, type OnChange } from "../robot-commands.ts";
 import { reloadReasons, type NewCommand, type PageState } from "../steps.ts";
 

@@ -23,7 +23,7 @@ import { limits } from "../../platform/limits/limits.ts";
 import type { OverReason, ReaderSink, ReaderStart } from "../../robots/readers/feed.ts";
 import type { Grant } from "../../robots/registry.ts";
 import type { JoinedReader } from "../../robots/readers/readers.ts";
-import { TransitEstimate } from "../../robots/delivery/transit-estimate.ts";
+import { TransitEstimate } from "../../robots/delivery/script-clocks.ts";
 import { closeWith, closeReader, type Conversation } from "./conversation.ts";
 import type { ReaderConnection } from "./reader-connection.ts";
 

@@ -11,7 +11,7 @@ import {
   type FieldProblem,
 } from "@corridor/protocol";
 import { readSnapshotMessage } from "../../bus/carried-snapshot.ts";
-import type { PageLink } from "../../robots/page/page-link.ts";
+import type { PageLink } from "../../robots/page/page-ownership.ts";
 import type { Grant } from "../../robots/registry.ts";
 import { closeWith, type Conversation } from "./conversation.ts";
 import type { ReaderConnection } from "./reader-connection.ts";

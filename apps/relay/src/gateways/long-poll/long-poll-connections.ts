@@ -14,7 +14,7 @@ import { canBeKey, hashKey, markOf, mintKey } from "../../platform/keys.ts";
 import { notAuthorised, Refusal, retryAfter } from "../../platform/errors/problems.ts";
 import type { WaitLimit } from "../../platform/time/wait-limit.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import { verbOfRole } from "../../robots/access/rights.ts";
+import { verbOfRole } from "../../robots/access/caller.ts";
 import { StaggeredInterval } from "../../platform/time/staggered-interval.ts";
 import { closeWith } from "../conversations/conversation.ts";
 import {

@@ -1,7 +1,7 @@
 /** Authorises a request of a script and marks the script as active until the response has ended. */
 import type { Request, Response } from "express";
 import type { Grant, RobotRegistry } from "../../robots/registry.ts";
-import type { Verb } from "../../robots/access/rights.ts";
+import type { Verb } from "../../robots/access/caller.ts";
 import { readBearer } from "../../platform/http/reading.ts";
 import { readIntroduction, readScriptTime } from "./reading.ts";
 

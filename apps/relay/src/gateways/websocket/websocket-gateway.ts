@@ -23,7 +23,7 @@ import { markOf } from "../../platform/keys.ts";
 import type { RequestGuard } from "../../platform/http/request-guard.ts";
 import { asRefusal, Refusal } from "../../platform/errors/problems.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import { verbOfRole } from "../../robots/access/rights.ts";
+import { verbOfRole } from "../../robots/access/caller.ts";
 import type { RobotRegistry } from "../../robots/registry.ts";
 import { StaggeredInterval } from "../../platform/time/staggered-interval.ts";
 import { closeWith, handleMessage, type Conversation } from "../conversations/conversation.ts";

@@ -13,7 +13,7 @@ import type {
 } from "../../store/port.ts";
 import { StoreUnavailableError } from "../../platform/errors/store-unavailable.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import { checkRight, type RightsVersion, type Verb } from "./rights.ts";
+import { checkRight, type RightsVersion, type Verb } from "./caller.ts";
 
 export interface KeyRingParts {
   robot: string;

@@ -13,8 +13,7 @@ import type {
   StoredScript,
   StoredRobot,
 } from "../../store/port.ts";
-import type { RightsVersion } from "./rights.ts";
-import { scriptOf, type Caller } from "./caller.ts";
+import { scriptOf, type RightsVersion, type Caller } from "./caller.ts";
 
 export interface ScriptAccessParts {
   robot: string;

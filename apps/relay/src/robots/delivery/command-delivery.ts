@@ -2,15 +2,14 @@
  * Delivers commands to the robot's page in order. Commands are marked as delivered before they are
  * sent. The page is shown the commands that it may not have yet.
  */
-import { closeReasons, type CommandRecord } from "@corridor/protocol";
+import { closeReasons, type CommandRecord, type RelayToPage } from "@corridor/protocol";
+import { keyId } from "../../platform/keys.ts";
 import type { Clock } from "../../platform/time/clock.ts";
 import type { RobotStore, TermedRecord } from "../../store/port.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import { commandFrame } from "../page/page-frames.ts";
 import type { PageDisplay } from "../page/page-display.ts";
 import type { PageHandover } from "../page/page-handover.ts";
-import type { PageLink } from "../page/page-link.ts";
-import type { PageOwnership } from "../page/page-ownership.ts";
+import type { PageLink, PageOwnership } from "../page/page-ownership.ts";
 
 /** Commands that are marked as delivered and are to be sent now. */
 export interface Due {
@@ -87,4 +86,18 @@ export class CommandDelivery {
     const isSent = due?.commands.some(({ record }) => record.seq === added.record.seq) === true;
     if (!isSent) this.#parts.display.show([added]);
   }
+}
+
+/** The message that delivers a command, with the time left to start it. */
+export function commandFrame(
+  { record, driver, ttl, deadline, replace, lease }: TermedRecord,
+  now: number,
+): RelayToPage {
+  const { seq, key, command, acceptedAt } = record;
+  const type = command.action === "stop" ? "stop" : "command";
+  // If the clock was set back, the command must not gain time.
+  const remaining = Math.min(ttl, Math.max(0, deadline - now));
+  const name = keyId(driver);
+  const terms = { driver: name, ttl, remaining, replace, lease };
+  return { type, at: now, seq, key, command, acceptedAt, ...terms };
 }

@@ -1,9 +1,9 @@
 /**
- * Clocks of scripts that send single requests. Scripts that share a key may run on different
- * computers, so each one names its clock with an id.
+ * Transit times of the messages of scripts. Scripts that send single requests and share a key may
+ * run on different computers, so each one names its clock with an id. A connection belongs to one
+ * script, and so to one clock.
  */
 import { limits } from "../../platform/limits/limits.ts";
-import { TransitEstimate } from "./transit-estimate.ts";
 
 /** A time of a script's own monotonic clock, from the header `Script-Clock`. */
 export interface ScriptTime {
@@ -39,5 +39,37 @@ export class ScriptClocks {
   /** Deletes the clocks of a revoked key. */
   revoked(driver: string): void {
     this.#clocks.delete(driver);
+  }
+}
+
+/**
+ * Assumed maximum drift between the sender's clock and the relay's, as a share of the elapsed time.
+ * Crystals of computers differ by 0.0001 at most. So drift alone never makes a message of a long
+ * session look late. The error for the fastest message is 18 ms a minute at most.
+ */
+const LARGEST_DRIFT = 0.0002;
+
+/**
+ * Estimates the transit time of one sender's messages. It never compares the clocks of sender and
+ * relay. It only measures how much later than the fastest message another one arrived.
+ */
+export class TransitEstimate {
+  /**
+   * smallest difference between the relay's and the sender's clock; Infinity before the first
+   * message
+   */
+  #offset = Infinity;
+
+  /**
+   * Records a message.
+   * @param sentAt ms of the sender's monotonic clock; only differences count
+   * @param arrivedAt ms of the relay's clock
+   * @returns ms of transit beyond the fastest message so far; 0 for the first, never negative
+   */
+  came(sentAt: number, arrivedAt: number): number {
+    // Counts the relay's time slightly slow, so that drift only lowers the offset.
+    const offset = arrivedAt * (1 - LARGEST_DRIFT) - sentAt;
+    this.#offset = Math.min(this.#offset, offset);
+    return Math.round(offset - this.#offset);
   }
 }

@@ -7,8 +7,7 @@ import type { Clock } from "../../platform/time/clock.ts";
 import type { CoalescedTimers, Waiter } from "../../platform/time/coalesced-timers.ts";
 import type { TermedRecord } from "../../store/port.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import type { PageLink } from "./page-link.ts";
-import type { PageOwnership, OwningPage } from "./page-ownership.ts";
+import type { PageLink, PageOwnership, OwningPage } from "./page-ownership.ts";
 
 export class PageDisplay implements Waiter {
   readonly #ownership: PageOwnership;

@@ -7,8 +7,7 @@ import { closeReasons, type Resume } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
 import { reloadReasons, replacedReasons, type LeftReasons } from "../../store/port.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import type { PageLink } from "./page-link.ts";
-import type { PageOwnership } from "./page-ownership.ts";
+import type { PageLink, PageOwnership } from "./page-ownership.ts";
 import type { RobotChannel } from "../presence/robot-channel.ts";
 
 export interface PageHandoverParts {

@@ -2,7 +2,16 @@
  * Ownership of the robot: the page that acquired it last, here or at another relay, or the time
  * since which no page owns it.
  */
-import type { PageLink } from "./page-link.ts";
+import type { CloseReason, RelayToPage } from "@corridor/protocol";
+
+/** The connection of a robot's page, as the robot uses it. */
+export interface PageLink {
+  /** false once the page disconnected or was closed */
+  readonly isOpen: boolean;
+  /** Sends the messages together, in order. */
+  send(...messages: RelayToPage[]): void;
+  close(reason: CloseReason): void;
+}
 
 export interface OwningPage {
   link: PageLink;

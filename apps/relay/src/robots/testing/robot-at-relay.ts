@@ -18,7 +18,7 @@ import { SqliteRobotStore } from "../../store/sqlite/sqlite-robot-store.ts";
 import { cutStore } from "../../store/cases/cut-store.ts";
 import { FakeClock } from "../../platform/testing/fake-clock.ts";
 import { testFolder } from "../../testing/test-relay.ts";
-import type { PageLink } from "../page/page-link.ts";
+import type { PageLink } from "../page/page-ownership.ts";
 import { RobotRegistry } from "../registry.ts";
 
 /** No-op parts of a reader. */

@@ -7,8 +7,13 @@ import type { DatabaseSync } from "node:sqlite";
 import { onTestFinished } from "vitest";
 import { testFolder } from "../../testing/test-relay.ts";
 import { GroupCommit, type Memory } from "../sqlite/file/group-commit.ts";
-import type { Journal, Written } from "../sqlite/file/journal.ts";
-import { JournalWriter, type Entry, type Compaction } from "../sqlite/file/journal-writer.ts";
+import {
+  JournalWriter,
+  type Journal,
+  type Written,
+  type Entry,
+  type Compaction,
+} from "../sqlite/file/journal.ts";
 import { openDatabase } from "../sqlite/file/sqlite-schema.ts";
 
 export const LOST = new Error("lost");

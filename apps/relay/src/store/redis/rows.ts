@@ -1,8 +1,7 @@
 /** A command as a JSON object in Redis. */
 import { commandRecordSchema } from "@corridor/protocol";
 import { z } from "zod";
-import { isStop, termedOfRow, type CommandRow } from "../../commands/command-row.ts";
-import { commandIn } from "../../commands/known-commands.ts";
+import { isStop, termedOfRow, commandIn, type CommandRow } from "../../commands/command-row.ts";
 
 const { state, pose, distance } = commandRecordSchema.shape;
 

@@ -1,7 +1,8 @@
 /** A command as an entry of the journal and of the tables in SQLite. */
+import type { SQLInputValue } from "node:sqlite";
 import type { CommandRecord, CommandState } from "@corridor/protocol";
-import { isStop, type CommandRow } from "../../commands/command-row.ts";
-import { commandIn } from "../../commands/known-commands.ts";
+import { isStop, commandIn, type CommandRow } from "../../commands/command-row.ts";
+import type { Statements } from "./file/statements.ts";
 
 /** Layout of a journal entry. The tables read the same positions, so they must not change. */
 type Entry = [
@@ -79,4 +80,9 @@ export function rowIn(entry: string): { row: CommandRow; deletedTo: number } {
     epoch,
   };
   return { row, deletedTo };
+}
+
+/** The rows in the column `entry` of a query. */
+export function rowsIn(statements: Statements, sql: string, values: SQLInputValue[]): CommandRow[] {
+  return statements.all(sql, values).map(({ entry }) => rowIn(String(entry)).row);
 }

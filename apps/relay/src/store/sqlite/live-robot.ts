@@ -1,18 +1,43 @@
 /**
  * A robot whose current commands are in memory, so that the usual steps of a command need no
- * tables. It holds the open commands, and the ended commands that no table holds yet. This class
- * records which changes the tables lack; the rules are in `commands`.
+ * tables. It holds the open commands, and the ended commands that no table holds yet. It finds all
+ * other commands in the tables, and records which changes the tables lack. The rules are in
+ * `commands`.
+ *
+ * All methods must be called within a step, except those of `commands` that only read.
  */
-import type { CommandRow } from "../../commands/command-row.ts";
+import type { CommandRecord } from "@corridor/protocol";
+import { recordOfRow, STOP, type CommandRow } from "../../commands/command-row.ts";
 import { KeyIndex } from "../../commands/key-index.ts";
 import { RobotCommands, type AccessState } from "../../commands/robot-commands.ts";
+import { newestOvertaking } from "../../commands/state-machine.ts";
+import { rowsIn } from "./command-entry.ts";
+import type { Statements } from "./file/statements.ts";
+
+const BY_KEY = "SELECT entry FROM commands WHERE robot = ? AND driver = ? AND key = ?";
+const BY_SEQ = "SELECT entry FROM commands WHERE robot = ? AND seq = ?";
+const AFTER = "SELECT entry FROM commands WHERE robot = ? AND seq > ? ORDER BY seq LIMIT ?";
 
 /** Looking up a key in the tables takes as long as all other work of the store for a command. */
 const MOST_LEFT = 1_000;
 
+export interface LiveRobotParts {
+  id: string;
+  statements: Statements;
+  accessState: AccessState;
+  /** the open commands in the tables, in order */
+  open: readonly CommandRow[];
+  /**
+   * receives each row that a step has changed, and the seq up to which ended commands are deleted
+   * with it (0: none). @returns the number of its entry
+   */
+  keep: (row: CommandRow, deletedTo: number) => number;
+}
+
 export class LiveRobot {
   readonly commands: RobotCommands;
-  readonly #keep: (row: CommandRow, deletedTo: number) => number;
+  readonly #id: string;
+  readonly #statements: Statements;
   /** newest entry of each command whose current row is not in the tables, by seq */
   readonly #unsettled = new Map<number, number>();
   /** keys of ended commands that only the tables hold; null: not all are known */
@@ -21,22 +46,49 @@ export class LiveRobot {
   #recorded = 0;
   #recordedAt = 0;
 
-  /**
-   * @param open the open commands in the tables, in order
-   * @param keep receives each row that a step has changed, and the seq up to which ended commands
-   *   are deleted with it (0: none). @returns the number of its entry
-   */
-  constructor(
-    accessState: AccessState,
-    open: readonly CommandRow[],
-    keep: (row: CommandRow, deletedTo: number) => number,
-  ) {
-    this.#keep = keep;
+  constructor({ id, statements, accessState, open, keep }: LiveRobotParts) {
+    this.#id = id;
+    this.#statements = statements;
     this.#left = accessState.lastSeq > open.length ? null : new KeyIndex();
     this.commands = new RobotCommands(accessState, open, (row) => {
       const { deletedUpTo } = this.commands;
-      this.#note(row.seq, this.#keep(row, deletedUpTo > this.#recorded ? deletedUpTo : 0));
+      this.#note(row.seq, keep(row, deletedUpTo > this.#recorded ? deletedUpTo : 0));
     });
+  }
+
+  /** The command in memory or in the tables. */
+  row(seq: number): CommandRow | null {
+    const known = this.commands.row(seq);
+    if (known !== null || seq <= this.commands.deletedUpTo) return known;
+    return rowsIn(this.#statements, BY_SEQ, [this.#id, seq])[0] ?? null;
+  }
+
+  /** The command with this idempotency key. */
+  withKey(driver: string, key: string): CommandRow | null {
+    const inMemory = this.commands.withKey(driver, key);
+    if (inMemory !== null || !this.#mayHaveLeft(driver, key)) return inMemory;
+    const [row] = rowsIn(this.#statements, BY_KEY, [this.#id, driver, key]);
+    return row === undefined || row.seq <= this.commands.deletedUpTo ? null : row;
+  }
+
+  /** Commands with a higher seq, in order. */
+  recordsAfter(seq: number, limit: number): CommandRecord[] {
+    const after = Math.max(seq, this.commands.deletedUpTo);
+    const inTables = rowsIn(this.#statements, AFTER, [this.#id, after, limit]);
+    const bySeq = new Map(inTables.map((row) => [row.seq, row]));
+    for (const row of this.commands.rows()) if (row.seq > seq) bySeq.set(row.seq, row);
+    const rows = [...bySeq.values()].toSorted((a, b) => a.seq - b.seq);
+    return rows.slice(0, limit).map(recordOfRow);
+  }
+
+  /** The highest seq of a stop or a replacing command after `after`; null if there is none. */
+  newestOvertaking(what: "stop" | "replace", after: number): number | null {
+    const condition = what === "stop" ? `command = '${STOP}'` : "replaces = 1";
+    const sql = `SELECT max(seq) AS found FROM commands WHERE robot = ? AND seq > ? AND ${condition}`;
+    const from = Math.max(after, this.commands.deletedUpTo);
+    const inTables = this.#statements.number(sql, [this.#id, from]);
+    const inMemory = newestOvertaking(this.commands.rows(), what, after);
+    return inMemory === null ? inTables : Math.max(inTables ?? inMemory, inMemory);
   }
 
   /** Whether the tables hold every row and no command is open. */
@@ -47,11 +99,6 @@ export class LiveRobot {
   /** Ended commands up to this seq must be deleted from the tables; 0: none. */
   get toDelete(): number {
     return this.#recordedAt === 0 ? 0 : this.#recorded;
-  }
-
-  /** Whether the tables may hold a command with this key that is not in memory. */
-  mayHaveLeft(driver: string, key: string): boolean {
-    return this.#left === null || this.#left.get(driver, key) === true;
   }
 
   /** Restores a row from the journal. */
@@ -84,6 +131,11 @@ export class LiveRobot {
       if (row !== null && seq > this.commands.deletedUpTo) this.#leave(row);
     }
     if (this.#recordedAt <= upTo) this.#recordedAt = 0;
+  }
+
+  /** Whether the tables may hold a command with this key that is not in memory. */
+  #mayHaveLeft(driver: string, key: string): boolean {
+    return this.#left === null || this.#left.get(driver, key) === true;
   }
 
   #leave(row: CommandRow): void {

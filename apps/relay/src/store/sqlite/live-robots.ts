@@ -13,12 +13,11 @@
  */
 import type { CommandRow } from "../../commands/command-row.ts";
 import type { AccessState } from "../../commands/robot-commands.ts";
-import { entryOf, rowIn } from "./command-entry.ts";
+import { entryOf, rowIn, rowsIn } from "./command-entry.ts";
 import { EntryOwners } from "./entry-owners.ts";
 import type { Memory } from "./file/group-commit.ts";
-import type { Bringing, Entry, Compaction } from "./file/journal-writer.ts";
+import type { Bringing, Entry, Compaction } from "./file/journal.ts";
 import { LiveRobot } from "./live-robot.ts";
-import { numberIn, rowsIn } from "./sqlite-rows.ts";
 import type { Statements } from "./file/statements.ts";
 
 /** Journal length in entries at which checkpoints start: about 5 MB. */
@@ -205,7 +204,13 @@ export class LiveRobots implements Memory {
     const { epoch, last_seq: lastSeq, paused, open_from: openFrom } = row;
     const accessState = { epoch, lastSeq, isPaused: paused === 1, ...this.#accessStateOf(id) };
     const open = rowsIn(this.#statements, OPEN_ROWS, [id, openFrom]);
-    const robot = new LiveRobot(accessState, open, (...stored) => this.#keep(id, ...stored));
+    const robot = new LiveRobot({
+      id,
+      statements: this.#statements,
+      accessState,
+      open,
+      keep: (...stored) => this.#keep(id, ...stored),
+    });
     this.#live.set(id, robot);
     return robot;
   }
@@ -219,7 +224,7 @@ export class LiveRobots implements Memory {
     this.#broken.clear();
     this.#orphans = [];
     this.#owners.clear();
-    const settled = numberIn(this.#statements, "SELECT max(settled) AS found FROM sessions") ?? 0;
+    const settled = this.#statements.number("SELECT max(settled) AS found FROM sessions") ?? 0;
     // New entries need numbers above every checkpoint, even if the journal is empty.
     this.#next = settled + 1;
     const entries = this.#statements.all(

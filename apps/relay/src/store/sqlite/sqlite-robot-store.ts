@@ -11,7 +11,6 @@ import { z } from "zod";
 import { recordOfRow } from "../../commands/command-row.ts";
 import { changeBlocked, changeKeys } from "../../commands/permissions.ts";
 import * as machine from "../../commands/state-machine.ts";
-import { newestOvertaking, recordOf, recordsAfter, rowWith, withKey } from "./commands-of-robot.ts";
 import type { LiveRobot } from "./live-robot.ts";
 import { LiveRobots, LONG } from "./live-robots.ts";
 import {
@@ -190,9 +189,7 @@ export class SqliteRobotStore implements RobotStore {
   add(id: string, command: NewCommand): Promise<AddResult> {
     const work = (): AddResult =>
       this.#of<AddResult>(id, { outcome: "no-robot" }, (robot) =>
-        machine.add(robot.commands, command, (driver, key) =>
-          withKey(this.#writing, id, robot, { driver, key }),
-        ),
+        machine.add(robot.commands, command, (driver, key) => robot.withKey(driver, key)),
       );
     // Robots can be stopped on a full disk.
     return command.command.action === "stop"
@@ -222,7 +219,7 @@ export class SqliteRobotStore implements RobotStore {
 
   cancel(id: string, seq: number, by: { driver: string; reason: string }) {
     return this.#decide<CancelResult>(id, { outcome: "no-command" }, (robot) =>
-      machine.cancel(robot.commands, rowWith(this.#writing, id, robot, seq), by),
+      machine.cancel(robot.commands, robot.row(seq), by),
     );
   }
 
@@ -232,7 +229,7 @@ export class SqliteRobotStore implements RobotStore {
 
   end(id: string, epoch: number, ending: Ending): Promise<EndResult> {
     return this.#decide<EndResult>(id, { outcome: "over", record: null }, (robot) =>
-      machine.end(robot.commands, epoch, ending, (seq) => rowWith(this.#writing, id, robot, seq)),
+      machine.end(robot.commands, epoch, ending, (seq) => robot.row(seq)),
     );
   }
 
@@ -251,8 +248,8 @@ export class SqliteRobotStore implements RobotStore {
     return this.#file.step(() =>
       this.#of<Awaited<ReturnType<RobotStore["takeOver"]>>>(id, null, (robot) => {
         const taken = machine.takeOver(robot.commands, page, {
-          row: (seq) => rowWith(this.#writing, id, robot, seq),
-          newest: (what, after) => newestOvertaking(this.#writing, id, robot, { what, after }),
+          row: (seq) => robot.row(seq),
+          newest: (what, after) => robot.newestOvertaking(what, after),
         });
         this.#writing.run(
           "UPDATE sessions SET epoch = ?, page = ?, last_seq = max(last_seq, ?) WHERE id = ?",
@@ -267,13 +264,14 @@ export class SqliteRobotStore implements RobotStore {
   // stored changes.
 
   command(id: string, seq: number): Promise<CommandRecord | null> {
-    return this.#decide(id, null, (robot) => recordOf(this.#writing, id, robot, seq));
+    return this.#decide(id, null, (robot) => {
+      const row = robot.row(seq);
+      return row && recordOfRow(row);
+    });
   }
 
   commandsAfter(id: string, seq: number, limit: number): Promise<CommandRecord[]> {
-    return this.#decide<CommandRecord[]>(id, [], (robot) =>
-      recordsAfter(this.#writing, id, robot, { seq, limit }),
-    );
+    return this.#decide<CommandRecord[]>(id, [], (robot) => robot.recordsAfter(seq, limit));
   }
 
   openCommands(id: string): Promise<CommandRecord[]> {

@@ -9,7 +9,7 @@ import { DriverConversation } from "../../gateways/conversations/driver-conversa
 import { PageConversation } from "../../gateways/conversations/page-conversation.ts";
 import type { ReaderConnection } from "../../gateways/conversations/reader-connection.ts";
 import { RobotRegistry } from "../../robots/registry.ts";
-import { verbOfRole } from "../../robots/access/rights.ts";
+import { verbOfRole } from "../../robots/access/caller.ts";
 import { SqliteFile } from "../../store/sqlite/file/sqlite-file.ts";
 import { SqliteRobotStore } from "../../store/sqlite/sqlite-robot-store.ts";
 import type { VirtualTime } from "./virtual-time.ts";

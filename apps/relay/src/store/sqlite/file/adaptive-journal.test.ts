@@ -1,7 +1,5 @@
 import { expect, it } from "vitest";
-import type { Journal } from "./journal.ts";
-import type { Entry } from "./journal-writer.ts";
-import { AdaptiveJournal } from "./adaptive-journal.ts";
+import { AdaptiveJournal, type Journal, type Entry } from "./journal.ts";
 
 function withWays() {
   let time = 0;

@@ -18,8 +18,13 @@
  * one of the repeated steps throws, all of them fail.
  */
 import type { DatabaseSync } from "node:sqlite";
-import { InlineJournal, type Journal } from "./journal.ts";
-import { JournalWriter, type Entry, type Compaction } from "./journal-writer.ts";
+import {
+  InlineJournal,
+  JournalWriter,
+  type Journal,
+  type Entry,
+  type Compaction,
+} from "./journal.ts";
 import { Statements } from "./statements.ts";
 
 const MOST_STEPS = 50;

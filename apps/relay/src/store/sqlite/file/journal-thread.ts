@@ -1,6 +1,6 @@
 /** The thread that writes the journal: see `ThreadedJournal`. */
 import { parentPort, workerData } from "node:worker_threads";
-import { JournalWriter, type Entry, type Compaction } from "./journal-writer.ts";
+import { JournalWriter, type Entry, type Compaction } from "./journal.ts";
 import { openForWriting } from "./sqlite-schema.ts";
 
 /** null: the thread must end */

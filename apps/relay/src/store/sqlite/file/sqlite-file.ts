@@ -11,10 +11,8 @@ import { openIntactDatabase, preparePrivateFile } from "./database-file.ts";
 import { isDiskFull, StoreFull, reserveSpace } from "../../../platform/errors/disk-full.ts";
 import { FileLock } from "./file-lock.ts";
 import { GroupCommit, type Memory } from "./group-commit.ts";
-import { InlineJournal } from "./journal.ts";
-import type { Entry } from "./journal-writer.ts";
+import { InlineJournal, AdaptiveJournal, type Entry } from "./journal.ts";
 import { openForReading } from "./sqlite-schema.ts";
-import { AdaptiveJournal } from "./adaptive-journal.ts";
 import { Statements } from "./statements.ts";
 import { ThreadedJournal } from "./threaded-journal.ts";
 

@@ -15,6 +15,12 @@ export class Statements {
     return this.#statement(sql).all(...values);
   }
 
+  /** The column `found` of the first row; null if there is none. */
+  number(sql: string, values: SQLInputValue[] = []): number | null {
+    const found = this.all(sql, values)[0]?.["found"];
+    return typeof found === "number" ? found : null;
+  }
+
   /** @returns the number of changed rows */
   run(sql: string, values: SQLInputValue[] = []): number {
     return Number(this.#statement(sql).run(...values).changes);

@@ -10,7 +10,7 @@ import { completed } from "../../../platform/testing/messages.ts";
 import { realSmallDisk } from "../../../platform/testing/small-disk.ts";
 import { testFolder } from "../../../testing/test-relay.ts";
 import { isDiskFull } from "../../../platform/errors/disk-full.ts";
-import type { Entry, Compaction } from "./journal-writer.ts";
+import type { Entry, Compaction } from "./journal.ts";
 import { SqliteFile } from "./sqlite-file.ts";
 import { openDatabase } from "./sqlite-schema.ts";
 import { SqliteRobotStore } from "../sqlite-robot-store.ts";

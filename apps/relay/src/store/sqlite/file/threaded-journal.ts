@@ -3,8 +3,7 @@
  * steps of the next commit.
  */
 import { Worker } from "node:worker_threads";
-import type { Journal, Written } from "./journal.ts";
-import type { Entry, Compaction } from "./journal-writer.ts";
+import type { Journal, Written, Entry, Compaction } from "./journal.ts";
 import type { Answer, Order } from "./journal-thread.ts";
 
 export class ThreadedJournal implements Journal {
