@@ -73,13 +73,16 @@ export function busCases(name: string, open: () => Promise<[TestRelay, TestRelay
   describe(`${name}: channels between relays`, () => {
     it("delivers steps to all in the same order, with their origin", async () => {
       const { a, b } = await withChannel();
+      const { returnsOwnSteps } = a.channel;
+      const received = (steps: string[]): string[] =>
+        steps.filter((step) => returnsOwnSteps || !step.endsWith("(own)"));
       await a.add();
       const epoch = await b.take();
       await b.deliver(epoch);
       await a.add();
       await vi.waitFor(() => {
-        expect(a.steps).toEqual(["+1 (own)", "1 delivered", "+2 (own)"]);
-        expect(b.steps).toEqual(["+1", "1 delivered (own)", "+2"]);
+        expect(a.steps).toEqual(received(["+1 (own)", "1 delivered", "+2 (own)"]));
+        expect(b.steps).toEqual(received(["+1", "1 delivered (own)", "+2"]));
       });
       expect(a.missed).not.toHaveBeenCalled();
     });
@@ -126,8 +129,8 @@ export function busCases(name: string, open: () => Promise<[TestRelay, TestRelay
       a.channel.notify({ kind: "cancel", seq: 3, cause: "sender" });
       await a.add();
       await a.deliver(await a.take());
-      // A bus without other subscribers may skip the publication of new commands.
-      await vi.waitFor(() => expect(a.steps.at(-1)).toBe("1 delivered (own)"));
+      const last = a.channel.returnsOwnSteps ? "1 delivered (own)" : undefined;
+      await vi.waitFor(() => expect(a.steps.at(-1)).toBe(last));
       expect([b.received, b.steps]).toEqual([[], []]);
     });
   });

@@ -64,7 +64,8 @@ export type BusMessage =
 
 export interface BusListener {
   /**
-   * A step of any relay, including this one. All subscribers receive all steps in the same order.
+   * A step of another relay, or of this one if the channel returns its own steps. All subscribers
+   * receive all steps in the same order.
    */
   stepped(step: Step, isOwn: boolean): void;
   /** Steps may have been missed. */
@@ -74,7 +75,12 @@ export interface BusListener {
 }
 
 export interface Channel {
-  /** Publishes a step of this relay, unless the store has done so. */
+  /**
+   * Whether the listener also receives the steps of its own relay, in the order of all relays.
+   * Otherwise the relay publishes them to its readers itself.
+   */
+  readonly returnsOwnSteps: boolean;
+  /** Publishes a step of this relay to the others, unless the store has done so. */
   stepped(step: Step): void;
   notify(message: BusMessage): void;
   /** Flushes pending messages, so that they precede the next step of the store. */

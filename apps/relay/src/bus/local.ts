@@ -28,11 +28,10 @@ export class LocalBus implements Bus {
       if (left !== null) notify({ kind: "page-left", epoch: left.epoch, closedByPage });
     };
     return {
+      returnsOwnSteps: false,
       stepped: (step: Step) => {
-        // The relay's own readers need the changed states. Only other relays need the added
-        // command.
-        if (step.changed.length === 0 && (step.added === null || members.size === 1)) return;
-        for (const other of members) other.listener.stepped(step, other === member);
+        if (step.changed.length === 0 && step.added === null) return;
+        for (const other of members) if (other !== member) other.listener.stepped(step, false);
       },
       notify: (message) => {
         if (message.kind === "page-left") return leftPage(message.closedByPage);

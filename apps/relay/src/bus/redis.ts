@@ -172,6 +172,7 @@ export class RedisBus implements Bus {
       listener.received({ kind: "page", epoch: holder.epoch, name: holder.name });
     }
     return {
+      returnsOwnSteps: true,
       // The store has published it.
       stepped: () => undefined,
       notify: (message) => this.#publish(robot, message),

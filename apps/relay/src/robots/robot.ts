@@ -296,13 +296,13 @@ export class Robot {
     this.#use.used();
   }
 
-  /** Stores a command and delivers it in its turn: see `CommandLife.submit`. */
+  /** Stores a command and delivers it in its turn: see `CommandIntake.submit`. */
   async submit(
     caller: Caller,
     request: { key: string | null } & CommandTerms,
     acknowledge: (record: CommandRecord) => void,
   ): Promise<void> {
-    await this.#life.submit(caller, request, (record) => {
+    await this.#life.intake.submit(caller, request, (record) => {
       if (caller.script !== null) this.roster.sent(caller.script, record);
       acknowledge(record);
     });

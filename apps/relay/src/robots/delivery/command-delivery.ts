@@ -8,7 +8,6 @@ import type { Clock } from "../../platform/time/clock.ts";
 import type { RobotStore, TermedRecord } from "../../store/port.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import type { PageDisplay } from "../page/page-display.ts";
-import type { PageHandover } from "../page/page-handover.ts";
 import type { PageLink, PageOwnership } from "../page/page-ownership.ts";
 
 /** Commands that are marked as delivered and are to be sent now. */
@@ -24,7 +23,6 @@ export interface CommandDeliveryParts {
   store: Pick<RobotStore, "deliver" | "hasAll">;
   clock: Clock;
   ownership: PageOwnership;
-  handover: PageHandover;
   display: PageDisplay;
   /** called with the delivered records */
   sent(records: readonly CommandRecord[]): void;
@@ -50,9 +48,10 @@ export class CommandDelivery {
    * deliver, or no page to deliver to
    */
   async take(): Promise<Due | null> {
-    const { robot, store, clock, ownership, handover } = this.#parts;
-    if (ownership.page === null || handover.isUnderWay) return null;
-    const { link, epoch } = ownership.page;
+    const { robot, store, clock, ownership } = this.#parts;
+    const { page } = ownership;
+    if (page === null || page.isReleasing) return null;
+    const { link, epoch } = page;
     const now = clock.now();
     try {
       // After most commands there is nothing more to deliver. `hasAll` detects that without a

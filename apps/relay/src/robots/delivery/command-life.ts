@@ -11,30 +11,26 @@ import {
   hasEnded,
   PROTOCOL_VERSION,
   type CommandRecord,
-  type CommandTerms,
   type Ending,
   type PageToRelay,
   type Resume,
 } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
 import type { Step } from "../../bus/bus.ts";
-import { noRobot, restarting } from "../../platform/errors/problems.ts";
 import type { CoalescedTimers } from "../../platform/time/coalesced-timers.ts";
 import type { RobotStore, TermedRecord } from "../../store/port.ts";
 import type { Subscribers } from "../readers/subscribers.ts";
-import { CommandDelivery, type Due } from "./command-delivery.ts";
+import { CommandDelivery } from "./command-delivery.ts";
+import { CommandIntake } from "./command-intake.ts";
 import { CommandLog } from "./command-log.ts";
 import { CommandRecall } from "./command-recall.ts";
-import { notStored } from "./command-refusals.ts";
 import { DeadlineTimer } from "./deadline-timer.ts";
-import { DriverRateLimiter } from "./driver-rate-limiter.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { SerialQueue } from "./serial-queue.ts";
 import { PageHandover, type Settled } from "../page/page-handover.ts";
 import { PageDisplay } from "../page/page-display.ts";
 import type { PageLink, PageOwnership } from "../page/page-ownership.ts";
 import type { RobotChannel } from "../presence/robot-channel.ts";
-import type { Caller } from "../access/caller.ts";
 import type { CommandObserver } from "./command-observer.ts";
 
 export interface CommandLifeParts {
@@ -57,7 +53,6 @@ export class CommandLife {
   readonly #ownership: PageOwnership;
   readonly #channel: RobotChannel;
   readonly #delivery: CommandDelivery;
-  readonly #rateLimiter = new DriverRateLimiter();
   readonly #work = new SerialQueue();
   /** serializes pages that connect */
   readonly #arrivals = new SerialQueue();
@@ -65,15 +60,13 @@ export class CommandLife {
   readonly handover: PageHandover;
   /** shows the page commands that it does not have */
   readonly display: PageDisplay;
+  /** takes in commands of scripts */
+  readonly intake: CommandIntake;
   /** queries for the same commands */
   readonly log: CommandLog;
   /** cancels the same commands for their senders and the owner */
   readonly recall: CommandRecall;
   readonly #deadlines: DeadlineTimer;
-  /** seq of the newest command if that is a stop; otherwise null */
-  #newestStop: number | null = null;
-  /** whether this relay is publishing a step of its own in this turn */
-  #isNotifying = false;
   /** whether the store may hold a waiting command that it did not confirm */
   #isInDoubt = false;
   #end: "over" | "restart" | null = null;
@@ -97,7 +90,6 @@ export class CommandLife {
     this.#channel = channel;
     this.handover = new PageHandover({ clock, ownership, channel });
     const sent = (records: readonly CommandRecord[]): void => this.#publishStates(records);
-    const { handover } = this;
     const display = new PageDisplay({ ownership, clock, timers });
     this.display = display;
     this.#delivery = new CommandDelivery({
@@ -105,9 +97,20 @@ export class CommandLife {
       store,
       clock,
       ownership,
-      handover,
       display,
       sent,
+    });
+    this.intake = new CommandIntake({
+      robot,
+      store,
+      clock,
+      observer,
+      work: this.#work,
+      delivery: this.#delivery,
+      end: () => this.#end,
+      expiresAt: (time) => this.#deadlines.wake(time),
+      doubted: () => this.#doubt(),
+      stepped: (step) => this.#stepped(step),
     });
     this.log = new CommandLog(robot, store, subscribers, this.#work);
     this.recall = new CommandRecall({
@@ -302,22 +305,20 @@ export class CommandLife {
   /** Publishes commands that the relay has ended, and shows them to the page. */
   #endedHere(ended: readonly TermedRecord[]): void {
     const changed = ended.map(({ record }) => record);
-    this.#stepped({ changed, ended: [...ended] });
-    this.display.show(ended);
+    this.#stepped({ added: null, changed, ended: [...ended] });
   }
 
   // --- other relays ---
 
-  /** Handles the changes of a step. The message bus also delivers the steps of this relay. */
+  /** Handles a step of another relay, or one of this relay that the bus returns in its order. */
   receivedStep(step: Step, isOwn: boolean): void {
-    if (this.#isNotifying) return this.#subscribers.publishStates(step.changed);
     const received = this.#work.run(async () => {
       this.#subscribers.publishStates(step.changed);
       if (isOwn || this.#end !== null) return;
       this.display.show(step.ended);
       const { added } = step;
       if (added === null) return;
-      this.#newestStop = isStop(added) ? added.record.seq : null;
+      this.intake.storedElsewhere(added);
       // The relay that stored the command may fail before the deadline.
       this.#deadlines.wake(added.deadline);
       if (this.#ownership.page !== null)
@@ -337,94 +338,6 @@ export class CommandLife {
     made.catch(() => undefined);
   }
 
-  // --- scripts ---
-
-  /**
-   * Stores a command and delivers it in its turn. A stop overtakes all other commands. If a stop
-   * exceeds the rate limit, the relay responds with the stop that is still open, if there is one.
-   * This requires a request without an idempotency key, or with the key of that stop.
-   * @param acknowledge called with the stored record, before anything else is published about it;
-   * `duplicate` is true if the record was stored before
-   * @throws Refusal too-fast, restarting, no-robot or a reason of `notStored`
-   */
-  async submit(
-    grant: Caller,
-    request: { key: string | null } & CommandTerms,
-    acknowledge: (record: CommandRecord) => void,
-  ): Promise<void> {
-    const arrivedAt = this.#clock.now();
-    const isStop = request.command.action === "stop";
-    const tooFast = this.#rateLimiter.take(grant.hash, isStop, arrivedAt);
-    if (tooFast !== null && !isStop) throw tooFast;
-    await this.#work.run(async () => {
-      if (this.#end !== null) throw this.#end === "restart" ? restarting() : noRobot();
-      if (tooFast !== null) {
-        const stop = await this.#openStop();
-        // A sender with another key expects a record of its own, and retries.
-        const mayShare = request.key === null || request.key === stop?.key;
-        if (stop === null || !mayShare) throw tooFast;
-        return acknowledge({ ...stop, duplicate: true });
-      }
-      const { key, command, ttl, age, replace, lease } = request;
-      const added = this.#store.add(this.#robot, {
-        key,
-        command,
-        ttl,
-        replace,
-        lease,
-        driver: grant.hash,
-        script: grant.script?.id ?? null,
-        acceptedAt: arrivedAt,
-        deadline: arrivedAt + ttl - age,
-        maxWaiting: limits.waitingCommands,
-        keep: limits.storedCommands,
-      });
-      const due = this.#delivery.take();
-      const result = await added.catch(async (error: unknown) => {
-        this.#doubt();
-        this.#delivery.send(await due);
-        throw error;
-      });
-      if (result.outcome === "duplicate") {
-        acknowledge({ ...result.record, duplicate: true });
-        // The first attempt may have failed before it did anything else.
-        if (result.record.state === "accepted") this.#deadlines.wake(arrivedAt);
-        return this.#delivery.send(await due);
-      }
-      if (result.outcome !== "stored") {
-        this.#delivery.send(await due);
-        throw notStored(result, request);
-      }
-      const { record, ended } = result;
-      this.#newestStop = isStop ? record.seq : null;
-      this.#observer.stored(this.#secondsSince(arrivedAt));
-      acknowledge(record);
-      const terms = {
-        driver: grant.hash,
-        script: grant.script?.id ?? null,
-        ttl,
-        deadline: arrivedAt + ttl - age,
-        replace,
-        lease,
-      };
-      return this.#stored({ record, ...terms }, ended, await due);
-    });
-  }
-
-  #stored(added: TermedRecord, ended: TermedRecord[], due: Due | null): void {
-    this.#deadlines.wake(added.deadline);
-    this.#stepped({ added, ended, changed: ended.map(({ record }) => record) });
-    this.display.show(ended);
-    this.#delivery.sendOrShow(added, due);
-  }
-
-  /** The newest command, if it is a stop that has not ended. Another stop would change nothing. */
-  async #openStop(): Promise<CommandRecord | null> {
-    if (this.#newestStop === null) return null;
-    const record = await this.#store.command(this.#robot, this.#newestStop);
-    return record === null || hasEnded(record.state) ? null : record;
-  }
-
   /** Stops accepting and delivering commands. */
   close(reason: "over" | "restart"): void {
     this.#end = reason;
@@ -433,22 +346,19 @@ export class CommandLife {
   }
 
   #publishStates(records: readonly CommandRecord[]): void {
-    this.#stepped({ changed: [...records] });
+    this.#stepped({ added: null, ended: [], changed: [...records] });
   }
 
-  /** Publishes a step of this relay to all subscribers, including its own readers. */
-  #stepped(step: Partial<Step> & Pick<Step, "changed">): void {
-    for (const { state } of step.changed) if (hasEnded(state)) this.#observer.ended(state);
-    this.#isNotifying = true;
+  /** Publishes a step of this relay to its readers, its page and other relays. */
+  #stepped(step: Step): void {
+    const { changed, ended } = step;
+    for (const { state } of changed) if (hasEnded(state)) this.#observer.ended(state);
+    if (!this.#channel.returnsOwnSteps) this.#subscribers.publishStates(changed);
     this.#channel.stepped(step);
-    this.#isNotifying = false;
+    if (ended.length > 0) this.display.show(ended);
   }
 
   #secondsSince(time: number): number {
     return Math.max(0, this.#clock.now() - time) / 1000;
   }
-}
-
-function isStop({ record }: TermedRecord): boolean {
-  return record.action === "stop";
 }

@@ -2,7 +2,7 @@
 import { hasEnded, type CommandRecord, type EventGap } from "@corridor/protocol";
 import type { RobotStore } from "../../store/port.ts";
 import type { Subscribers, CallerWait } from "../readers/subscribers.ts";
-import { noCommand } from "./command-refusals.ts";
+import { Refusal } from "../../platform/errors/problems.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import type { SerialQueue } from "./serial-queue.ts";
 
@@ -58,4 +58,12 @@ export class CommandLog {
       },
     }));
   }
+}
+
+/** Error response if the robot has no such command. */
+export function noCommand(seq: number): Refusal {
+  return new Refusal(
+    "no-command",
+    `This robot has no command ${seq}. List its commands with GET .../commands.`,
+  );
 }

@@ -20,7 +20,8 @@ import type {
   StoredKey,
   TermedRecord,
 } from "../../store/port.ts";
-import { noCommand, notYourCommand } from "./command-refusals.ts";
+import { Refusal } from "../../platform/errors/problems.ts";
+import { noCommand } from "./command-log.ts";
 import type { SerialQueue } from "./serial-queue.ts";
 
 export interface CommandRecallParts {
@@ -124,4 +125,11 @@ export class CommandRecall {
 
 function causeOf(reason: string): RecallCause {
   return recallCauses.find((cause) => reasons[cause] === reason) ?? "sender";
+}
+
+function notYourCommand(): Refusal {
+  return new Refusal(
+    "forbidden",
+    "Another key sent this command, and only that key can cancel it. To end all commands, send stop.",
+  );
 }

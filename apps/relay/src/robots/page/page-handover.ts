@@ -7,7 +7,7 @@ import { closeReasons, type Resume } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
 import { reloadReasons, replacedReasons, type LeftReasons } from "../../store/port.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import type { PageLink, PageOwnership } from "./page-ownership.ts";
+import type { PageOwnership } from "./page-ownership.ts";
 import type { RobotChannel } from "../presence/robot-channel.ts";
 
 export interface PageHandoverParts {
@@ -31,8 +31,6 @@ export class PageHandover {
   readonly #clock: Clock;
   readonly #ownership: PageOwnership;
   readonly #channel: RobotChannel;
-  /** the page at this relay that was asked last */
-  #asked: PageLink | null = null;
   /** reports how the page with this epoch responded */
   #answer: (epoch: number, answer: Answer) => void = () => undefined;
 
@@ -40,11 +38,6 @@ export class PageHandover {
     this.#clock = clock;
     this.#ownership = ownership;
     this.#channel = channel;
-  }
-
-  /** Whether the page at this relay is releasing the robot and must not receive commands. */
-  get isUnderWay(): boolean {
-    return this.#asked !== null && this.#asked === this.#ownership.page?.link;
   }
 
   /**
@@ -90,7 +83,7 @@ export class PageHandover {
     const { page } = this.#ownership;
     if (page?.epoch !== epoch) return false;
     const { link } = page;
-    this.#asked = link;
+    page.isReleasing = true;
     link.send({ type: "yield" });
     // No other page acquired the robot. This page may reconnect and own it again.
     this.#clock.after(2 * limits.yieldMs, () => {

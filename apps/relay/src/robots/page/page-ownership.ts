@@ -18,6 +18,8 @@ export interface OwningPage {
   epoch: number;
   /** identifies the page across its connections; empty if the page sends none */
   name: string;
+  /** it was asked to release the robot, and must not receive commands */
+  isReleasing: boolean;
 }
 
 export class PageOwnership {
@@ -88,8 +90,8 @@ export class PageOwnership {
     return this.#disconnectedAt === null ? 0 : now - this.#disconnectedAt;
   }
 
-  take(page: OwningPage): void {
-    this.#page = page;
+  take(page: Omit<OwningPage, "isReleasing">): void {
+    this.#page = { ...page, isReleasing: false };
     this.#epoch = page.epoch;
     this.#name = page.name;
     this.#elsewhere = null;

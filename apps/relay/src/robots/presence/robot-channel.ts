@@ -37,9 +37,14 @@ export class RobotChannel implements Waiter {
     this.#channel = await bus.join(robot, listener);
   }
 
-  /** Publishes the changes of a step of this relay, for all readers and for the page. */
-  stepped(step: Partial<Step>): void {
-    this.#channel?.stepped({ added: null, changed: [], ended: [], ...step });
+  /** See `Channel`. Before the channel is open, nobody reads the robot at this relay. */
+  get returnsOwnSteps(): boolean {
+    return this.#channel?.returnsOwnSteps ?? true;
+  }
+
+  /** Publishes a step of this relay to other relays, for their readers and for the page. */
+  stepped(step: Step): void {
+    this.#channel?.stepped(step);
   }
 
   /** @param name identifies the page across its connections */

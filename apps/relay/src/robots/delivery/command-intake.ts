@@ -1,0 +1,194 @@
+/**
+ * Takes in the commands of scripts: checks their rate, stores them, acknowledges them, and delivers
+ * each in its turn. A command that is not stored has no effect, and its sender receives the reason.
+ */
+import { hasEnded, PAUSED_REASON, type CommandRecord, type CommandTerms } from "@corridor/protocol";
+import type { Clock } from "../../platform/time/clock.ts";
+import type { Step } from "../../bus/bus.ts";
+import { noRobot, Refusal, restarting, retryAfter } from "../../platform/errors/problems.ts";
+import type { AddResult, RobotStore, TermedRecord } from "../../store/port.ts";
+import { limits } from "../../platform/limits/limits.ts";
+import { TokenBucket } from "../../platform/limits/token-bucket.ts";
+import type { Caller } from "../access/caller.ts";
+import { keyRevoked } from "../access/key-ring.ts";
+import { scriptIsBlocked } from "../access/script-access.ts";
+import type { CommandDelivery } from "./command-delivery.ts";
+import type { CommandObserver } from "./command-observer.ts";
+import type { SerialQueue } from "./serial-queue.ts";
+
+export interface CommandIntakeParts {
+  robot: string;
+  store: RobotStore;
+  clock: Clock;
+  observer: CommandObserver;
+  /** the queue of all changes to commands */
+  work: SerialQueue;
+  delivery: CommandDelivery;
+  /** why the robot takes no more commands; null: it takes them */
+  end(): "over" | "restart" | null;
+  /** called with the time at which a waiting command may expire */
+  expiresAt(time: number): void;
+  /** called if the store failed to respond, but may have stored a command */
+  doubted(): void;
+  /** publishes a step, and shows the page what has ended */
+  stepped(step: Step): void;
+}
+
+export class CommandIntake {
+  readonly #parts: CommandIntakeParts;
+  readonly #rateLimiter = new DriverRateLimiter();
+  /** seq of the newest command if that is a stop; otherwise null */
+  #newestStop: number | null = null;
+
+  constructor(parts: CommandIntakeParts) {
+    this.#parts = parts;
+  }
+
+  /**
+   * Stores a command and delivers it in its turn. A stop overtakes all other commands. If a stop
+   * exceeds the rate limit, the relay responds with the stop that is still open, if there is one.
+   * This requires a request without an idempotency key, or with the key of that stop.
+   * @param acknowledge called with the stored record, before anything else is published about it;
+   * `duplicate` is true if the record was stored before
+   * @throws Refusal too-fast, restarting, no-robot or a reason of `notStored`
+   */
+  async submit(
+    grant: Caller,
+    request: { key: string | null } & CommandTerms,
+    acknowledge: (record: CommandRecord) => void,
+  ): Promise<void> {
+    const { robot, store, clock, observer, work, delivery } = this.#parts;
+    const arrivedAt = clock.now();
+    const isStop = request.command.action === "stop";
+    const tooFast = this.#rateLimiter.take(grant.hash, isStop, arrivedAt);
+    if (tooFast !== null && !isStop) throw tooFast;
+    await work.run(async () => {
+      const end = this.#parts.end();
+      if (end !== null) throw end === "restart" ? restarting() : noRobot();
+      if (tooFast !== null) {
+        const stop = await this.#openStop();
+        // A sender with another key expects a record of its own, and retries.
+        const mayShare = request.key === null || request.key === stop?.key;
+        if (stop === null || !mayShare) throw tooFast;
+        return acknowledge({ ...stop, duplicate: true });
+      }
+      const { key, command, ttl, age, replace, lease } = request;
+      const terms = {
+        driver: grant.hash,
+        script: grant.script?.id ?? null,
+        ttl,
+        deadline: arrivedAt + ttl - age,
+        replace,
+        lease,
+      };
+      const added = store.add(robot, {
+        key,
+        command,
+        ...terms,
+        acceptedAt: arrivedAt,
+        maxWaiting: limits.waitingCommands,
+        keep: limits.storedCommands,
+      });
+      // In the same turn, so that one commit stores the command and its delivery.
+      const due = delivery.take();
+      const result = await added.catch(async (error: unknown) => {
+        this.#parts.doubted();
+        delivery.send(await due);
+        throw error;
+      });
+      if (result.outcome === "duplicate") {
+        acknowledge({ ...result.record, duplicate: true });
+        // The first attempt may have failed before it did anything else.
+        if (result.record.state === "accepted") this.#parts.expiresAt(arrivedAt);
+        return delivery.send(await due);
+      }
+      if (result.outcome !== "stored") {
+        delivery.send(await due);
+        throw notStored(result, request);
+      }
+      const { record, ended } = result;
+      this.#newestStop = isStop ? record.seq : null;
+      observer.stored(Math.max(0, clock.now() - arrivedAt) / 1000);
+      acknowledge(record);
+      const delivered = await due;
+      const stored = { record, ...terms };
+      this.#parts.expiresAt(terms.deadline);
+      this.#parts.stepped({ added: stored, ended, changed: ended.map((each) => each.record) });
+      delivery.sendOrShow(stored, delivered);
+    });
+  }
+
+  /** Records a command that another relay has stored. */
+  storedElsewhere({ record }: TermedRecord): void {
+    this.#newestStop = record.action === "stop" ? record.seq : null;
+  }
+
+  /** The newest command, if it is a stop that has not ended. Another stop would change nothing. */
+  async #openStop(): Promise<CommandRecord | null> {
+    if (this.#newestStop === null) return null;
+    const record = await this.#parts.store.command(this.#parts.robot, this.#newestStop);
+    return record === null || hasEnded(record.state) ? null : record;
+  }
+}
+
+/** Rate limiter by driver key. Stops have a separate bucket, so they never wait behind commands. */
+class DriverRateLimiter {
+  readonly #buckets = new Map<string, { commands: TokenBucket; stops: TokenBucket }>();
+
+  /**
+   * Takes one token.
+   * @param driver hash of the key
+   * @param now time of arrival, in ms
+   * @returns the error response if the key exceeds its rate; otherwise null
+   */
+  take(driver: string, isStop: boolean, now: number): Refusal | null {
+    let buckets = this.#buckets.get(driver);
+    if (buckets === undefined) {
+      buckets = {
+        commands: new TokenBucket(limits.commandRate, now),
+        stops: new TokenBucket(limits.stopRate, now),
+      };
+      this.#buckets.set(driver, buckets);
+    }
+    const waitMs = (isStop ? buckets.stops : buckets.commands).take(now);
+    if (waitMs === 0) return null;
+    const { perSecond, burst } = isStop ? limits.stopRate : limits.commandRate;
+    return new Refusal(
+      "too-fast",
+      `Too many ${isStop ? "stops" : "commands"}: a key can send ${perSecond} a second, with bursts of ${burst}. Wait a second, then send this command again.`,
+      { headers: retryAfter(waitMs) },
+    );
+  }
+}
+
+/** Results of the store for a command that is neither stored nor a duplicate. */
+type NotStored = Exclude<AddResult, { outcome: "stored" | "duplicate" }>;
+
+function notStored(result: NotStored, { ttl, age }: CommandTerms): Refusal {
+  switch (result.outcome) {
+    case "no-robot":
+      return noRobot();
+    case "revoked":
+      return keyRevoked();
+    case "blocked":
+      return scriptIsBlocked();
+    case "paused":
+      return new Refusal("driving-paused", PAUSED_REASON);
+    case "full":
+      return new Refusal(
+        "queue-full",
+        `${limits.waitingCommands} commands wait at this robot, the maximum. Wait until one ends, then send this command again.`,
+        { headers: retryAfter(1000) },
+      );
+    case "late":
+      return new Refusal(
+        "too-late",
+        `The command is ${Math.round(age)} ms old, and its time to live (ttl) is ${ttl} ms. Check where the robot is now, then send a new command, with a longer ttl if possible.`,
+      );
+    case "conflict":
+      return new Refusal(
+        "key-conflict",
+        `Command ${result.record.seq} (${result.record.action}) already uses this idempotency key. Use a new key for each command.`,
+      );
+  }
+}
