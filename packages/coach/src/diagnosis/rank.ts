@@ -40,8 +40,9 @@ const kinds = [
   /** a change that solves every maze, after which the robot turns beside the middle of squares */
   "beside",
   /**
-   * What the run itself shows: the line drove straight into the wall, or its readings contradict its
-   * action. After the second kind, another failure occurs.
+   * What the run itself shows: the line drove straight into the wall, its readings contradict its
+   * action, or its number started a turn beside the middle of a square. After the second kind,
+   * another failure occurs.
    */
   "shown",
   "shown-past",
