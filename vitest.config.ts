@@ -22,6 +22,14 @@ export default defineConfig({
           testTimeout: 60_000,
         },
       },
+      {
+        // Tests that start processes: relays, Redis, Python, Java and others.
+        test: {
+          name: "integration",
+          include: ["tests/integration/**/*.test.ts"],
+          testTimeout: 60_000,
+        },
+      },
       components,
     ],
     ...(report === undefined ? {} : { outputFile: { json: report } }),

@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { expect, test } from "playwright/test";
 import { publint } from "publint";
-import { PEN, startPhysicalRobot } from "../packages/conformance/src/testing/physical-robot.ts";
+import { PEN, startPhysicalRobot } from "../tests/support/conformance/physical-robot.ts";
 import { EmptyFolder, userEnvironment } from "./support/installed-package.ts";
 import { runScript } from "./support/script.ts";
 

@@ -1,8 +1,5 @@
 /** School-like filters between the clients and the relay: every client connects. */
-import {
-  openFilterProxy,
-  type FilterMode,
-} from "../../../packages/client/src/testing/filter-proxy.ts";
+import { openFilterProxy, type FilterMode } from "../../../tests/support/client/filter-proxy.ts";
 import type { Goal } from "../../../benches/core/goals.ts";
 import { RelayProcess } from "../../support/relay-process.ts";
 import { machineNow, sleep, waitUntil } from "../clock.ts";

@@ -10,7 +10,7 @@ from typing import Any, Callable, Iterator, List
 import pytest
 
 PROJECT = Path(__file__).resolve().parents[3]
-HOST = PROJECT / "packages/client/src/testing/robot-process.ts"
+HOST = PROJECT / "tests/support/client/robot-process.ts"
 
 TREE = [
     "#########",

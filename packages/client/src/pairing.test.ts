@@ -4,7 +4,7 @@ import { pairRobot } from "./pairing.ts";
 import type { HttpRequest } from "./platform.ts";
 import { RobotClient } from "./robot-client.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
-import { robotWithCode } from "./testing/robot-with-code.ts";
+import { robotWithCode } from "../../../tests/support/client/robot-with-code.ts";
 
 const ADDRESS = `https://host/r/${"A".repeat(22)}#drv_AAAAAAAAAAAAAAAAAAAAAA`;
 const answer = (status: number, body: unknown) => ({ status, body: JSON.stringify(body) });

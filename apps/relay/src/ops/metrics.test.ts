@@ -3,7 +3,7 @@ import { createServer } from "node:net";
 import type { AddressInfo } from "node:net";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { completed } from "../platform/testing/messages.ts";
-import { startRelayProcess } from "../testing/relay-process.ts";
+import { startRelayProcess } from "../../../../tests/support/relay/relay-process.ts";
 import { startTestRelay, type TestRelay } from "../testing/test-relay.ts";
 import { TestSocket } from "../testing/test-socket.ts";
 import { Metrics } from "./metrics.ts";

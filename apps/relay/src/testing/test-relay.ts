@@ -9,6 +9,9 @@ import { systemClock, type Clock } from "../platform/time/clock.ts";
 import { readConfig, type Config } from "../config.ts";
 import { startRelay } from "../relay.ts";
 
+/** A log without output. */
+export const silentLog: Logger = pino({ level: "silent" });
+
 export interface Requests {
   origin: string;
   register(): Promise<Registration>;
@@ -60,7 +63,7 @@ export async function startTestRelay(
   const relay = await startRelay({
     config: { ...defaults(), port: 0, host: "127.0.0.1", dataDir, ...options.config },
     clock: options.clock ?? systemClock,
-    log: options.log ?? pino({ level: "silent" }),
+    log: options.log ?? silentLog,
     webRoot: options.webRoot ?? dataDir,
     isDevelopment: options.isDevelopment ?? false,
   });

@@ -6,7 +6,7 @@ import { describe, expect, it, vi } from "vitest";
 import { hashKey } from "../../../platform/keys.ts";
 import { FakeClock } from "../../../platform/testing/fake-clock.ts";
 import { ownerOf, scriptAt } from "../../../testing/pairing-parties.ts";
-import { hasRedis, startTestRedis } from "../../../platform/testing/test-redis.ts";
+import { hasRedis, startTestRedis } from "../../../../../../tests/support/relay/test-redis.ts";
 import { startTestRelay, testFolder } from "../../../testing/test-relay.ts";
 
 const MINUTE = 60_000;

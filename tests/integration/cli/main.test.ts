@@ -1,0 +1,232 @@
+/** Runs the command line in a real process with real files. */
+import { spawnSync } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { generateTree } from "@corridor/maze";
+import { paperPrograms } from "@corridor/program/testing";
+import { afterAll, describe, expect, it } from "vitest";
+
+const folder = mkdtempSync(join(tmpdir(), "corridor-cli-"));
+afterAll(() => rmSync(folder, { recursive: true }));
+
+function file(name: string, content: unknown): string {
+  const path = join(folder, name);
+  writeFileSync(path, typeof content === "string" ? content : JSON.stringify(content));
+  return path;
+}
+
+function corridor(...args: string[]): { code: number | null; out: string; errors: string } {
+  const main = new URL("../../../apps/cli/src/main.ts", import.meta.url).pathname;
+  const { status, stdout, stderr } = spawnSync(process.execPath, [main, ...args], {
+    encoding: "utf8",
+  });
+  return { code: status, out: stdout, errors: stderr };
+}
+
+const maze = file("maze.json", generateTree({ columns: 9, rows: 9, seed: 4, name: "Tree" }));
+const rightWall = file("right-wall.json", paperPrograms[1]?.program);
+const wrong = file("wrong.json", paperPrograms[3]?.program);
+
+describe("help", () => {
+  const names = ["simulate", "grade", "conformance"];
+
+  it("lists all commands", () => {
+    const { code, out } = corridor("--help");
+    expect(code).toBe(0);
+    for (const name of names) expect(out).toMatch(new RegExp(`^  ${name} +[a-z]`, "m"));
+  });
+
+  it.each(names)("of %s describes its usage, options and exit codes", (name) => {
+    const { code, out, errors } = corridor(name, "--help");
+    expect({ code, errors }).toEqual({ code: 0, errors: "" });
+    const [usage = "", ...rest] = out.split("\n\n");
+    expect(usage).toContain(`corridor ${name} `);
+    const options = rest.find((part) => part.startsWith("Options:")) ?? "";
+    for (const option of usage.match(/--[a-z]+/g) ?? []) {
+      expect(options).toMatch(new RegExp(`^  ${option} `, "m"));
+    }
+    expect(rest.at(-1)).toMatch(/^Exit codes:\n  0  .*\n(?:  1  .*\n)?  2  .*\n$/);
+  });
+
+  it.each([
+    { found: "grad", answer: "Did you mean grade?" },
+    { found: "Simulate", answer: "Did you mean simulate?" },
+    { found: "conf", answer: "Did you mean conformance?" },
+    { found: "drive", answer: "The commands are simulate, grade, conformance." },
+  ])("names the command that resembles $found", ({ found, answer }) => {
+    expect(corridor(found)).toEqual({
+      code: 2,
+      out: "",
+      errors: `Unknown command "${found}". ${answer} Run corridor --help to see all commands.\n`,
+    });
+  });
+});
+
+describe("simulate", () => {
+  it("prints one line of JSON with the documented fields in their order", () => {
+    const { code, out, errors } = corridor("simulate", "--maze", maze, "--program", rightWall);
+    expect({ code, errors }).toEqual({ code: 0, errors: "" });
+    expect(out).toMatch(
+      /^\{"ticks":7200,"seconds":120,"bumps":0,"visitedCells":31,"openCells":31,"distance":[\d.]+,"goal":\{"reached":true,"tick":\d+\},"pose":\{"x":[\d.]+,"y":[\d.]+,"heading":[\d.]+\},"lines":\{"default":\d+,"0":\d+,"1":\d+\}\}\n$/,
+    );
+  });
+
+  it("reads a file that starts with a byte order mark", () => {
+    const withMark = file("with-mark.json", `\uFEFF${JSON.stringify(paperPrograms[1]?.program)}`);
+    const { out } = corridor("simulate", "--maze", maze, "--program", withMark);
+    expect(out).toBe(corridor("simulate", "--maze", maze, "--program", rightWall).out);
+  });
+
+  it("stops at the goal with --until goal", () => {
+    const whole = JSON.parse(corridor("simulate", "--maze", maze, "--program", rightWall).out);
+    const args = ["--maze", maze, "--program", rightWall, "--until", "goal"];
+    const short = JSON.parse(corridor("simulate", ...args).out);
+    expect(short.ticks).toBe(whole.goal.tick);
+    expect(short.goal).toEqual(whole.goal);
+  });
+
+  it("stops at the first bump with --until bump", () => {
+    const args = ["--maze", maze, "--program", wrong, "--until", "bump"];
+    expect(JSON.parse(corridor("simulate", ...args).out)).toMatchObject({ bumps: 1 });
+  });
+
+  it("prints the same digest for the same inputs, and a different one for different inputs", () => {
+    const args = ["simulate", "--maze", maze, "--digest", "--seconds", "20"];
+    const first = corridor(...args, "--program", rightWall);
+    expect(first.code).toBe(0);
+    expect(corridor(...args, "--program", rightWall).out).toBe(first.out);
+    expect(corridor(...args, "--program", wrong).out).not.toBe(first.out);
+    const commands = file("commands.json", [
+      { tick: 0, command: { action: "drive", left: 0.31, right: 0.3 } },
+      { tick: 200, command: { action: "left 90" } },
+    ]);
+    const commanded = corridor(...args, "--commands", commands);
+    expect(commanded.code).toBe(0);
+    expect(commanded.out).not.toBe(first.out);
+  });
+});
+
+describe("grade", () => {
+  it("diagnoses failed runs with --why, and only those", () => {
+    const args = ["--program", rightWall, wrong, "--maze", maze, "--why"];
+    const lines = corridor("grade", ...args)
+      .out.trim()
+      .split("\n");
+    const [good, bad] = lines.map((line): unknown => JSON.parse(line));
+    expect(good).toMatchObject({ diagnosis: null });
+    expect(bad).toMatchObject({ diagnosis: { event: { kind: "bump" }, fixes: expect.any(Array) } });
+    expect(corridor("grade", ...args, "--csv").code).toBe(2);
+  });
+
+  it("prints one line per pair in the order of the files, then a summary", () => {
+    const { code, out } = corridor("grade", "--program", rightWall, wrong, "--maze", maze);
+    const lines = out
+      .trim()
+      .split("\n")
+      .map((line) => JSON.parse(line));
+    expect(code).toBe(0);
+    expect(lines.slice(0, 2)).toMatchObject([
+      { program: rightWall, maze, ticks: 18_000, bumps: 0 },
+      { program: wrong, maze, bumps: 1 },
+    ]);
+    expect(lines[2]).toEqual({
+      summary: { runs: 2, goalReached: 1, withoutBumps: 1, allCellsVisited: 1 },
+    });
+  });
+
+  it("prints the same results on all cores as on one", () => {
+    const mazes = [1, 2, 3].map((seed) =>
+      file(`tree-${seed}.json`, generateTree({ columns: 15, rows: 15, seed, name: `${seed}` })),
+    );
+    const args = ["--program", rightWall, wrong, "--maze", ...mazes];
+    const parallel = corridor("grade", ...args, "--seconds", "4000");
+    const lines = parallel.out.trim().split("\n").slice(0, -1);
+    expect(lines).toHaveLength(6);
+    for (const line of lines) {
+      const { program, maze: mazeFile, ...rest } = JSON.parse(line);
+      const alone = ["--program", program, "--maze", mazeFile, "--seconds", "4000"];
+      expect(JSON.parse(corridor("simulate", ...alone).out)).toEqual(rest);
+    }
+  });
+
+  it("prints valid CSV and quotes file names that need it", () => {
+    const odd = file('odd, "name".json', paperPrograms[1]?.program);
+    const { out } = corridor("grade", "--csv", "--program", odd, "--maze", maze);
+    const [header, row] = out.split("\n");
+    expect(header).toBe(
+      "program,maze,ticks,seconds,bumps,visitedCells,openCells,distance,goalReached,goalTick",
+    );
+    expect(row).toContain(`"${odd.replaceAll('"', '""')}"`);
+  });
+});
+
+describe("invalid input", () => {
+  const broken = file("broken.json", { ...paperPrograms[1]?.program, default: "fly" });
+  it.each([
+    { name: "no command", args: [], message: "Expected a command.\n\nUsage: corridor COMMAND" },
+    { name: "no robot", args: ["conformance"], message: "address: found nothing, expected" },
+    { name: "an unknown option", args: ["simulate", "--speed", "3"], message: "--speed" },
+    {
+      name: "a missing file",
+      args: ["simulate", "--maze", join(folder, "nowhere.json"), "--program", rightWall],
+      message: "nowhere.json: document: found no file of this name, expected a readable file",
+    },
+    {
+      name: "an unknown action",
+      args: ["simulate", "--maze", maze, "--program", broken],
+      message: `${broken}: default: found "fly", expected one of forward, reverse`,
+    },
+    {
+      name: "a maze file as the program",
+      args: ["simulate", "--maze", maze, "--program", maze],
+      message: 'format: found "corridor/maze", expected "corridor/program"',
+    },
+    {
+      name: "a file that is not JSON",
+      args: ["simulate", "--maze", file("text.json", "hello"), "--program", rightWall],
+      message: "expected a JSON document",
+    },
+    {
+      name: "0 seconds",
+      args: ["simulate", "--maze", maze, "--program", rightWall, "--seconds", "0"],
+      message: '--seconds: found "0", expected a number from 1/60 (one tick)',
+    },
+    {
+      name: "less than a tick",
+      args: ["simulate", "--maze", maze, "--program", rightWall, "--seconds", "0.001"],
+      message: '--seconds: found "0.001", expected a number from 1/60 (one tick)',
+    },
+    {
+      name: "--until goal with --digest",
+      args: ["simulate", "--maze", maze, "--program", rightWall, "--digest", "--until", "goal"],
+      message: '--until: found "goal" with --digest, expected "time"',
+    },
+    {
+      name: "a positional argument",
+      args: ["simulate", "--maze", maze, "--program", rightWall, "again"],
+      message: "The options are --maze, --program",
+    },
+    {
+      name: "an unknown value of --until",
+      args: ["grade", "--maze", maze, "--program", rightWall, "--until", "dawn"],
+      message: '--until: found "dawn", expected one of time, goal, bump',
+    },
+    { name: "no maze", args: ["grade", "--program", rightWall], message: "--maze: found nothing" },
+  ])("exits with code 2 and prints only to standard error: $name", ({ args, message }) => {
+    const { code, out, errors } = corridor(...args);
+    expect({ code, out }).toEqual({ code: 2, out: "" });
+    expect(errors).toContain(message);
+  });
+
+  it("does not print the key of an address", () => {
+    const { errors } = corridor("conformance", "http://localhost/r/abc#0123456789", "more");
+    expect(errors).toContain("address: found 2 arguments");
+    expect(errors).not.toContain("0123456789");
+  });
+
+  it("reports every problem of every file", () => {
+    const { errors } = corridor("grade", "--program", broken, maze, "--maze", broken);
+    expect(errors.trim().split("\n").length).toBeGreaterThan(4);
+  });
+});
