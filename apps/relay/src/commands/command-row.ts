@@ -2,7 +2,8 @@
  * A command in the form in which the rules change it and stores hold it. Rows are validated before
  * they are written. Validating them again in each step took a third of the cost of a command.
  */
-import type { Command, CommandRecord, CommandState } from "@corridor/protocol";
+import type { Command, CommandRecord, CommandState, RecallCause } from "@corridor/protocol";
+import { reasonText, type Reason } from "./reasons.ts";
 import type { TermedRecord } from "./steps.ts";
 
 export interface CommandRow {
@@ -21,9 +22,9 @@ export interface CommandRow {
   /** it does not wait for earlier commands */
   readonly overtakes: boolean;
   state: CommandState;
-  reason: string | null;
+  reason: Reason | null;
   /** why it was cancelled although the robot already has it */
-  recalled: string | null;
+  recalled: RecallCause | null;
   pose: CommandRecord["pose"];
   distance: number | null;
   /** of the page to which it was delivered */
@@ -78,7 +79,7 @@ export function recordOfRow(row: CommandRow): CommandRecord {
     action: command.action,
     command,
     state,
-    reason,
+    reason: reason === null ? null : reasonText(reason, row.ttl),
     acceptedAt: timeOf(row.acceptedAt),
     pose,
     distance,

@@ -30,8 +30,6 @@ export interface KeyChange {
   remove: string[];
   /** also removes all keys of this kind */
   removeKind: KeyKind | null;
-  /** why the commands of removed keys are cancelled */
-  reason: string;
   /** limit for the number of keys; adding beyond it fails */
   most: number;
   now: number;
@@ -47,8 +45,6 @@ export interface ScriptChange {
   add: StoredScript | null;
   /** id */
   remove: string | null;
-  /** why the commands of the script are cancelled */
-  reason: string;
   /** limit for the number of blocked scripts; adding beyond it fails */
   most: number;
 }
@@ -73,7 +69,7 @@ export interface Permissions {
 export function changeKeys(
   robot: RobotCommands,
   before: Permissions,
-  { add, remove, removeKind, most, reason }: KeyChange,
+  { add, remove, removeKind, most }: KeyChange,
 ): (Permissions & { revoked: string[]; ended: TermedRecord[] }) | null {
   const isRevoked = ({ hash, kind }: StoredKey): boolean =>
     remove.includes(hash) || kind === removeKind;
@@ -82,7 +78,7 @@ export function changeKeys(
   const revoked = before.keys.filter(isRevoked).map(({ hash }) => hash);
   const blocked = before.blocked.filter(({ driver }) => !revoked.includes(driver));
   Object.assign(robot.accessState, accessStateOf({ keys, blocked }));
-  const ended = revoked.flatMap((driver) => recallAllOf(robot, { driver }, reason));
+  const ended = revoked.flatMap((driver) => recallAllOf(robot, { driver }, "revoked"));
   return { keys, blocked, revoked, ended };
 }
 
@@ -104,7 +100,7 @@ export function accessStateOf({
 export function changeBlocked(
   robot: RobotCommands,
   all: readonly StoredScript[],
-  { add, remove, most, reason }: ScriptChange,
+  { add, remove, most }: ScriptChange,
 ): { blocked: StoredScript[]; ended: TermedRecord[] } | null {
   const blocked = all.filter(({ id }) => id !== remove);
   if (add !== null && !blocked.some(({ id }) => id === add.id)) {
@@ -112,6 +108,6 @@ export function changeBlocked(
     blocked.push(add);
   }
   robot.accessState.blocked = new Set(blocked.map(({ id }) => id));
-  const ended = add === null ? [] : recallAllOf(robot, { script: add.id }, reason);
+  const ended = add === null ? [] : recallAllOf(robot, { script: add.id }, "blocked");
   return { blocked, ended };
 }

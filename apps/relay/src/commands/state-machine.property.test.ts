@@ -61,18 +61,18 @@ const rare = fc.oneof(
   seqs.map(
     (seq): Event =>
       (robot) =>
-        machine.cancel(robot, robot.row(seq), { driver: DRIVER, reason: "cancelled" }),
+        machine.cancel(robot, robot.row(seq), DRIVER),
   ),
   fc.constant<Event>((robot) => machine.recallAllOf(robot, { script: "s" }, "blocked")),
   fc.boolean().map(
     (isPaused): Event =>
       (robot) =>
-        machine.pause(robot, isPaused, "paused"),
+        machine.pause(robot, isPaused),
   ),
   epochs.map(
     (epoch): Event =>
       (robot) =>
-        machine.abandon(robot, epoch, "gone"),
+        machine.abandon(robot, epoch),
   ),
   fc
     .record({

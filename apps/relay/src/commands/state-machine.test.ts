@@ -2,7 +2,7 @@ import { commandRecordSchema, hasEnded, type CommandState } from "@corridor/prot
 import { describe, expect, it } from "vitest";
 import type { RobotCommands } from "./robot-commands.ts";
 import * as machine from "./state-machine.ts";
-import { replacedReasons, type PageState } from "./steps.ts";
+import type { PageState } from "./steps.ts";
 import {
   DRIVER,
   endingOf,
@@ -18,7 +18,6 @@ import {
 
 const commandStates = commandRecordSchema.shape.state.options;
 const endingStates = commandStates.filter(hasEnded);
-const by = { driver: DRIVER, reason: "cancelled by its sender" };
 const none = (): null => null;
 const takeOver = (robot: RobotCommands, page: Partial<PageState>) =>
   machine.takeOver(robot, pageWith(page), {
@@ -47,21 +46,18 @@ const events: Record<
   ],
   "its deadline passes": [(robot) => machine.expire(robot, NOW + 10_000), ["expired", "-", "-"]],
   "its sender cancels it": [
-    (robot) => machine.cancel(robot, robot.row(1), by),
+    (robot) => machine.cancel(robot, robot.row(1), DRIVER),
     ["cancelled", "-", "-"],
   ],
   "another sender cancels it": [
-    (robot) => machine.cancel(robot, robot.row(1), { ...by, driver: "another" }),
+    (robot) => machine.cancel(robot, robot.row(1), "another"),
     ["-", "-", "-"],
   ],
   "its key is revoked": [
     (robot) => machine.recallAllOf(robot, { driver: DRIVER }, "revoked"),
     ["cancelled", "-", "-"],
   ],
-  "remote driving is paused": [
-    (robot) => machine.pause(robot, true, "paused"),
-    ["cancelled", "-", "-"],
-  ],
+  "remote driving is paused": [(robot) => machine.pause(robot, true), ["cancelled", "-", "-"]],
   "a stop arrives": [
     (robot) => machine.add(robot, newCommand({ command: { action: "stop" } }), none),
     ["cancelled", "-", "-"],
@@ -76,11 +72,11 @@ const events: Record<
   "the page completes it": [(robot) => end(robot, EPOCH), ["-", "completed", "completed"]],
   "an earlier page completes it": [(robot) => end(robot, EPOCH - 1), ["-", "-", "-"]],
   "the page is considered lost": [
-    (robot) => machine.abandon(robot, EPOCH, "gone"),
+    (robot) => machine.abandon(robot, EPOCH),
     ["-", "cancelled", "cancelled"],
   ],
   "an earlier page is considered lost": [
-    (robot) => machine.abandon(robot, EPOCH - 1, "gone"),
+    (robot) => machine.abandon(robot, EPOCH - 1),
     ["-", "-", "-"],
   ],
   "the page reconnects without it": [(robot) => takeOver(robot, {}), ["-", "accepted", "-"]],
@@ -101,7 +97,7 @@ const events: Record<
     ["-", "cancelled", "cancelled"],
   ],
   "another page connects": [
-    (robot) => takeOver(robot, { settled: null, left: replacedReasons }),
+    (robot) => takeOver(robot, { settled: null, left: "taken-over" }),
     ["-", "cancelled", "cancelled"],
   ],
 };
@@ -130,11 +126,11 @@ describe("a command", () => {
 
   it("that was delivered is marked by the first request to end it, and not delivered again", () => {
     const robot = robotWith([rowOf({ state: "delivered" })]);
-    machine.cancel(robot, robot.row(1), { ...by, reason: "first" });
-    machine.recallAllOf(robot, "all", "second");
-    expect(machine.recalled(robot.open)).toEqual([{ seq: 1, reason: "first" }]);
+    machine.cancel(robot, robot.row(1), DRIVER);
+    machine.recallAllOf(robot, "all", "paused");
+    expect(machine.recalled(robot.open)).toEqual([{ seq: 1, cause: "sender" }]);
     takeOver(robot, {});
-    expect(robot.row(1)).toMatchObject({ state: "cancelled", reason: "first" });
+    expect(robot.row(1)).toMatchObject({ state: "cancelled", reason: { cause: "sender" } });
   });
 
   it("that was accepted in the future expires, because the clock was set back", () => {

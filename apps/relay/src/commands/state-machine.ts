@@ -5,7 +5,7 @@
  *
  * A function receives what it needs of ended commands that are not in memory from its caller.
  */
-import { expiredReason, hasEnded, type CommandRecord, type Ending } from "@corridor/protocol";
+import { hasEnded, type CommandRecord, type Ending, type RecallCause } from "@corridor/protocol";
 import {
   isStop,
   recordOfRow,
@@ -14,6 +14,7 @@ import {
   type CommandRow,
   type KnownCommand,
 } from "./command-row.ts";
+import type { Cause, RelayReason } from "./reasons.ts";
 import type { RobotCommands } from "./robot-commands.ts";
 import {
   CLOCK_TOLERANCE_MS,
@@ -100,7 +101,7 @@ export function deliver(
 
 /**
  * accepted → expired.
- * @param isAbsent whether no page is connected as the robot, for the reason
+ * @param isAbsent whether no page is connected as the robot, for the cause
  * @returns the expired commands, and the next deadline of the waiting ones
  */
 export function expire(
@@ -112,7 +113,7 @@ export function expire(
   let next: number | null = null;
   for (const row of waiting(robot)) {
     if (isLate(row, now)) {
-      const reason = expiredReason(row.ttl, isAbsent);
+      const reason = becauseOf(isAbsent ? "expired-absent" : "expired");
       ended.push(termedOfRow(robot.change(row, { state: "expired", reason })));
     } else next = Math.min(next ?? row.deadline, row.deadline);
   }
@@ -120,15 +121,11 @@ export function expire(
 }
 
 /** Cancels a command for the driver that sent it. @param row the command; null: there is none */
-export function cancel(
-  robot: RobotCommands,
-  row: CommandRow | null,
-  by: { driver: string; reason: string },
-): CancelResult {
+export function cancel(robot: RobotCommands, row: CommandRow | null, driver: string): CancelResult {
   if (row === null) return { outcome: "no-command" };
-  if (row.driver !== by.driver) return { outcome: "not-yours" };
+  if (row.driver !== driver) return { outcome: "not-yours" };
   if (hasEnded(row.state)) return { outcome: "over", record: recordOfRow(row) };
-  const termed = recall(robot, row, by.reason);
+  const termed = recall(robot, row, "sender");
   if (termed !== null) return { outcome: "cancelled", termed };
   return { outcome: "delivered", record: recordOfRow(row) };
 }
@@ -137,10 +134,10 @@ export function cancel(
  * Recalls an open command: accepted → cancelled. A command that the robot has is marked as
  * recalled. @returns the command if it has ended
  */
-function recall(robot: RobotCommands, row: CommandRow, reason: string): TermedRecord | null {
+function recall(robot: RobotCommands, row: CommandRow, cause: RecallCause): TermedRecord | null {
   if (row.state === "accepted")
-    return termedOfRow(robot.change(row, { state: "cancelled", reason }));
-  if (row.recalled === null) robot.change(row, { recalled: reason });
+    return termedOfRow(robot.change(row, { state: "cancelled", reason: becauseOf(cause) }));
+  if (row.recalled === null) robot.change(row, { recalled: cause });
   return null;
 }
 
@@ -148,26 +145,26 @@ function recall(robot: RobotCommands, row: CommandRow, reason: string): TermedRe
 export function recallAllOf(
   robot: RobotCommands,
   whose: { driver: string } | { script: string } | "all",
-  reason: string,
+  cause: RecallCause,
 ): TermedRecord[] {
   const isMeant = ({ text, driver, script }: CommandRow): boolean => {
     if (whose === "all") return !isStop(text);
     return "driver" in whose ? driver === whose.driver : script === whose.script;
   };
   const meant = [...robot.open].filter(isMeant);
-  return meant.map((row) => recall(robot, row, reason)).filter((termed) => termed !== null);
+  return meant.map((row) => recall(robot, row, cause)).filter((termed) => termed !== null);
 }
 
 /** Pauses remote driving and recalls all commands except stops, or resumes it. */
-export function pause(robot: RobotCommands, isPaused: boolean, reason: string): TermedRecord[] {
+export function pause(robot: RobotCommands, isPaused: boolean): TermedRecord[] {
   robot.accessState.isPaused = isPaused;
-  return isPaused ? recallAllOf(robot, "all", reason) : [];
+  return isPaused ? recallAllOf(robot, "all", "paused") : [];
 }
 
 /** Recalled commands that the robot has, in order. */
-export function recalled(open: Iterable<CommandRow>): { seq: number; reason: string }[] {
+export function recalled(open: Iterable<CommandRow>): { seq: number; cause: RecallCause }[] {
   return [...open].flatMap((row) =>
-    row.recalled !== null && isWithRobot(row) ? { seq: row.seq, reason: row.recalled } : [],
+    row.recalled !== null && isWithRobot(row) ? { seq: row.seq, cause: row.recalled } : [],
   );
 }
 
@@ -203,11 +200,12 @@ function finish(robot: RobotCommands, ending: Ending): CommandRecord | null {
  * Gives up the page of this epoch, because it does not return, and cancels all delivered and
  * started commands. Does nothing if a newer page exists.
  */
-export function abandon(robot: RobotCommands, epoch: number, reason: string): CommandRecord[] {
+export function abandon(robot: RobotCommands, epoch: number): CommandRecord[] {
   if (robot.accessState.epoch !== epoch) return [];
   robot.accessState.epoch += 1;
   const left = [...robot.open].filter(isWithRobot);
-  return left.map((row) => recordOfRow(robot.change(row, { state: "cancelled", reason })));
+  const ending = { state: "cancelled", reason: becauseOf("disconnected") } as const;
+  return left.map((row) => recordOfRow(robot.change(row, ending)));
 }
 
 /** Where `takeOver` finds commands that may not be in memory. */
@@ -246,13 +244,13 @@ export function takeOver(
   }
   for (const row of robot.open) {
     if (row.state !== "delivered") continue;
-    const why = isSettled ? row.recalled : left.delivered;
+    const cause = isSettled ? row.recalled : (`${left}-unsure` as const);
     if (row.seq <= lastApplied) change(row, { state: "started", reason: null });
-    else if (why === null) change(row, { state: "accepted", reason: null });
-    else change(row, { ...ending, reason: why });
+    else if (cause === null) change(row, { state: "accepted", reason: null });
+    else change(row, { ...ending, reason: becauseOf(cause) });
   }
   if (fresh || !isSettled) {
-    const why = { ...ending, reason: left.started };
+    const why = { ...ending, reason: becauseOf(left) };
     for (const row of robot.open) if (row.state === "started") change(row, why);
   }
   // A delivered command may be accepted again now, although a stop or a replacement arrived after
@@ -290,10 +288,14 @@ function overtake(
     termedOfRow(
       robot.change(row, {
         state: stops ? "cancelled" : "superseded",
-        reason: `Command ${seq} ${stops ? "stopped" : "replaced"} this command.`,
+        reason: becauseOf(stops ? "stopped" : "replaced", seq),
       }),
     ),
   );
+}
+
+function becauseOf(cause: Cause, by: number | null = null): RelayReason {
+  return { cause, by };
 }
 
 function waiting(robot: RobotCommands): CommandRow[] {

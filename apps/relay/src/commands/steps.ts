@@ -1,5 +1,6 @@
 /** What the steps of a robot's commands receive and return. */
 import type { Command, CommandRecord, Ending, Pose } from "@corridor/protocol";
+import type { LeftCause } from "./reasons.ts";
 
 export interface NewCommand {
   /** hash of the key that sent it: the scope of `key` */
@@ -73,30 +74,6 @@ export type EndResult =
 /** A command accepted further in the future than this shows that the clock was set back. */
 export const CLOCK_TOLERANCE_MS = 2_000;
 
-/**
- * Reasons for ending commands of the previous page if it can neither end them nor report their
- * start.
- */
-export interface LeftReasons {
-  /** delivered, and not known whether it has started */
-  delivered: string;
-  started: string;
-}
-
-/** The previous page is gone, and this one was loaded in its place. */
-export const reloadReasons: LeftReasons = {
-  delivered:
-    "The robot's page was reloaded, and this command may have started. Check where the robot is, then send a new command.",
-  started: "The robot's page was reloaded and ended this command. Send a new command.",
-};
-
-/** The previous page may still exist. */
-export const replacedReasons: LeftReasons = {
-  delivered:
-    "Another page took over the robot, and this command may have started. Check where the robot is, then send a new command.",
-  started: "Another page took over the robot and ended this command. Send a new command.",
-};
-
 export interface PageState {
   /** the page has started or ended every command up to this seq that it received */
   lastApplied: number;
@@ -112,6 +89,6 @@ export interface PageState {
    * unknown. Has no effect if another page has acquired the robot since.
    */
   settled: number | null;
-  /** reasons for ending the commands of the previous page */
-  left: LeftReasons;
+  /** why the commands of the previous page end */
+  left: LeftCause;
 }

@@ -2,13 +2,13 @@ import type { Resume } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { completed } from "../platform/testing/messages.ts";
 import { settled } from "../platform/testing/fake-clock.ts";
-import { reloadReasons, replacedReasons } from "../store/port.ts";
+import { because } from "../store/cases/robot-in-store.ts";
 import { StoreUnavailableError } from "../platform/errors/store-unavailable.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { PageLink } from "./page/page-ownership.ts";
 import { LEFT, page, withRobot, type Setup } from "./testing/robot-at-relay.ts";
 
-const DOUBT = replacedReasons.delivered;
+const DOUBT = because("taken-over-unsure");
 const FIRST = "page-one";
 const SECOND = "page-two";
 
@@ -53,7 +53,7 @@ describe("a robot: a second page", () => {
     expect(second.seqs("command")).toEqual([4]);
     const records = await setup.robot.commandsAfter(0);
     expect(records.map(({ state, reason }) => [state, reason])).toEqual([
-      ["cancelled", replacedReasons.started],
+      ["cancelled", because("taken-over")],
       ["cancelled", DOUBT],
       ["cancelled", DOUBT],
       ["delivered", null],
@@ -73,8 +73,8 @@ describe("a robot: a second page", () => {
   it("ends the commands of a page whose connection was lost, because of the reload", async () => {
     const reasons = async (setup: Setup) =>
       (await setup.robot.commandsAfter(0)).map(({ reason }) => reason);
-    const reloaded = reloadReasons.delivered;
-    const ended = [reloadReasons.started, reloaded, reloaded];
+    const reloaded = because("reloaded-unsure");
+    const ended = [because("reloaded"), reloaded, reloaded];
     const setup = await withRobot();
     const first = await withBusyPage(setup);
     setup.robot.leavePage(first.link, false);

@@ -6,7 +6,7 @@
  * Times are wall-clock milliseconds since 1970. Every implementation passes
  * `cases/store.cases.ts`.
  */
-import type { CommandRecord, Ending } from "@corridor/protocol";
+import type { CommandRecord, Ending, RecallCause } from "@corridor/protocol";
 import type {
   BlockResult,
   KeyChange,
@@ -34,14 +34,12 @@ export {
   type StoredKey,
   type StoredScript,
 } from "../commands/permissions.ts";
+export type { LeftCause } from "../commands/reasons.ts";
 export {
   CLOCK_TOLERANCE_MS,
-  reloadReasons,
-  replacedReasons,
   type AddResult,
   type CancelResult,
   type EndResult,
-  type LeftReasons,
   type NewCommand,
   type PageState,
   type TermedRecord,
@@ -90,10 +88,9 @@ export interface RobotStore {
   changeBlocked(id: string, change: ScriptChange): Promise<BlockResult>;
   /**
    * Pauses remote driving and cancels all commands except stops, or resumes it.
-   * @param reason why the commands are cancelled
    * @returns the accepted commands that ended; null if there is no such robot
    */
-  pause(id: string, isPaused: boolean, reason: string): Promise<TermedRecord[] | null>;
+  pause(id: string, isPaused: boolean): Promise<TermedRecord[] | null>;
   /**
    * Stores the maze that the robot is in, in place of the previous one.
    * @param text the document as JSON
@@ -128,7 +125,7 @@ export interface RobotStore {
   /**
    * accepted → expired, for commands whose deadline has passed or whose acceptance is in the
    * future. The latter shows that the clock was set back, so their age is unknown.
-   * @param isAbsent whether no page is connected as the robot, for the reason
+   * @param isAbsent whether no page is connected as the robot, for the cause
    * @returns the expired commands, and the next deadline of the waiting ones; null: none waits
    */
   expire(
@@ -141,7 +138,7 @@ export interface RobotStore {
    * command, the request is stored and the robot is asked to end it. If the robot turns out not to
    * have received it, it is cancelled.
    */
-  cancel(id: string, seq: number, by: { driver: string; reason: string }): Promise<CancelResult>;
+  cancel(id: string, seq: number, driver: string): Promise<CancelResult>;
   /** delivered → started. @returns null if it was not delivered or the epoch is not the newest */
   start(id: string, epoch: number, seq: number): Promise<CommandRecord | null>;
   /** delivered or started → its ending, reported by the page of the newest epoch. */
@@ -151,7 +148,7 @@ export interface RobotStore {
    * ignored, and cancels all delivered and started commands. Does nothing if a newer page exists.
    * @returns the commands that ended; null if another running relay is connected to the page
    */
-  abandon(id: string, epoch: number, reason: string): Promise<CommandRecord[] | null>;
+  abandon(id: string, epoch: number): Promise<CommandRecord[] | null>;
   /**
    * Makes a page the owner of the robot: increments the epoch and stores what the page has done.
    * Commands that were not started return to accepted, unless they were cancelled, stopped or
@@ -171,9 +168,9 @@ export interface RobotStore {
   /** The commands that have not ended, in order. */
   openCommands(id: string): Promise<CommandRecord[]>;
   /**
-   * Commands that the robot has and whose cancellation was requested, in order, with the reasons.
+   * Commands that the robot has and whose cancellation was requested, in order.
    */
-  recalled(id: string): Promise<{ seq: number; reason: string }[]>;
+  recalled(id: string): Promise<{ seq: number; cause: RecallCause }[]>;
   /**
    * Checks whether the store is writable, by writing.
    * @returns full: it responds, but has no free space

@@ -104,10 +104,10 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     const [dying, other] = await twoRelays();
     await other.store.create({ id: ID, createdAt: 1, keys: [] });
     const epoch = await (await subscribe(dying)).take();
-    expect(await other.store.abandon(ID, epoch, "gone")).toBeNull();
+    expect(await other.store.abandon(ID, epoch)).toBeNull();
     dying.die();
     await vi.waitFor(
-      async () => expect(await other.store.abandon(ID, epoch, "gone")).toEqual([]),
+      async () => expect(await other.store.abandon(ID, epoch)).toEqual([]),
       DETECTION_MS,
     );
   });

@@ -74,7 +74,7 @@ describe("a step", () => {
     };
     const queue = new RobotQueue(ID, { script, relay: "relay-a", newVersion: () => String(calls) });
     const pause = async () =>
-      queue.run({ none: null, work: ({ commands }) => machine.pause(commands, true, "paused") });
+      queue.run({ none: null, work: ({ commands }) => machine.pause(commands, true) });
     await expect(pause()).rejects.toBeInstanceOf(StoreUnavailableError);
     expect(calls).toBeLessThan(40);
     calls = 100;
@@ -128,7 +128,7 @@ describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
       await a.cost(() => a.store.start(ID, epoch, 1)),
       await a.cost(() => a.store.end(ID, epoch, completed(1))),
       await a.cost(() => a.store.expire(ID, NOW)),
-      await a.cost(() => a.store.cancel(ID, 2, { driver: sent.driver, reason: "no" })),
+      await a.cost(() => a.store.cancel(ID, 2, sent.driver)),
     ];
     expect(costs).toEqual([1, 1, 1, 1, 1, 1]);
   });
@@ -208,7 +208,11 @@ describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
       { kind: "page", epoch: 2, name: "page-two" },
       { kind: "step", n: 3, added: null, changed: [{ seq: 1, state: "accepted" }] },
       { kind: "keys", from: "relay-a" },
-      { kind: "step", n: 4, changed: [{ seq: 1, state: "cancelled", reason: "revoked" }] },
+      {
+        kind: "step",
+        n: 4,
+        changed: [{ seq: 1, state: "cancelled", reason: { cause: "revoked", by: null } }],
+      },
       { kind: "over", from: "relay-a" },
     ]);
   });

@@ -2,7 +2,7 @@
 import type { CommandState, Ending } from "@corridor/protocol";
 import { STOP, commandIn, type CommandRow } from "../command-row.ts";
 import { RobotCommands, type OnChange } from "../robot-commands.ts";
-import { reloadReasons, type NewCommand, type PageState } from "../steps.ts";
+import type { NewCommand, PageState } from "../steps.ts";
 
 export const NOW = 5_000;
 export const EPOCH = 1;
@@ -76,7 +76,7 @@ export function pageWith(change: Partial<PageState> = {}): PageState {
     endings: [],
     pose: null,
     settled: Number.MAX_SAFE_INTEGER,
-    left: reloadReasons,
+    left: "reloaded",
     ...change,
   };
 }

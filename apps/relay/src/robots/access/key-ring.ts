@@ -22,7 +22,7 @@ export interface KeyRingParts {
   store: Pick<RobotStore, "find" | "keyTimes">;
   clock: Clock;
   /** changes the stored keys and recalls the affected commands */
-  change: (change: Omit<KeyChange, "reason">) => Promise<KeysResult>;
+  change: (change: KeyChange) => Promise<KeysResult>;
   /** called after this relay has changed the keys */
   changed: () => void;
   /** called with the stored robot after it was read again */

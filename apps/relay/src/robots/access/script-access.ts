@@ -21,7 +21,7 @@ export interface ScriptAccessParts {
   stored: ScriptPermissions;
   store: Pick<RobotStore, "find">;
   /** changes the blocked scripts in the store and recalls the affected commands */
-  change: (change: Omit<ScriptChange, "reason">) => Promise<BlockResult>;
+  change: (change: ScriptChange) => Promise<BlockResult>;
   /** pauses in the store and recalls the affected commands; false if there is no such robot */
   pause: (isPaused: boolean) => Promise<boolean>;
   /** called after this relay has changed something */

@@ -224,11 +224,7 @@ export class CommandLife {
     await this.#work.run(async () => {
       if (this.#ownership.page !== null || this.#ownership.isElsewhere) return;
       const { epoch } = this.#ownership;
-      const ended = await this.#store.abandon(
-        this.#robot,
-        epoch,
-        "The robot disconnected. Check that its page is open and connected under Remote, then send a new command.",
-      );
+      const ended = await this.#store.abandon(this.#robot, epoch);
       // Another relay has the page after all, and its message arrives soon.
       if (ended === null) return;
       this.#ownership.settleDisconnected();

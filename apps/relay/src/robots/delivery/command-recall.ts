@@ -3,14 +3,7 @@
  * delivered command the relay asks the robot. The store retains the request, so that a disconnected
  * page is asked when it reconnects.
  */
-import {
-  BLOCKED_REASON,
-  PAUSED_REASON,
-  recallCauses,
-  REVOKED_REASON,
-  type CommandRecord,
-  type RecallCause,
-} from "@corridor/protocol";
+import type { CommandRecord, RecallCause } from "@corridor/protocol";
 import type {
   BlockResult,
   KeyChange,
@@ -34,14 +27,6 @@ export interface CommandRecallParts {
   ask(seq: number, cause: RecallCause): void;
 }
 
-/** Reasons in the records of recalled commands. */
-const reasons = {
-  sender: "The script cancelled this command before it started. To run it, send a new command.",
-  revoked: REVOKED_REASON,
-  blocked: BLOCKED_REASON,
-  paused: PAUSED_REASON,
-} as const satisfies Record<RecallCause, string>;
-
 export class CommandRecall {
   readonly #parts: CommandRecallParts;
 
@@ -57,8 +42,7 @@ export class CommandRecall {
   async one({ hash }: StoredKey, seq: number): Promise<CommandRecord> {
     const { robot, store, work } = this.#parts;
     return work.run(async () => {
-      const by = { driver: hash, reason: reasons.sender };
-      const result = await store.cancel(robot, seq, by);
+      const result = await store.cancel(robot, seq, hash);
       switch (result.outcome) {
         case "no-command":
           throw noCommand(seq);
@@ -77,20 +61,20 @@ export class CommandRecall {
   }
 
   /** Changes the robot's keys, and recalls the commands of removed keys. */
-  async changeKeys(change: Omit<KeyChange, "reason">): Promise<KeysResult> {
+  async changeKeys(change: KeyChange): Promise<KeysResult> {
     const { robot, store, work } = this.#parts;
     return work.run(async () => {
-      const result = await store.changeKeys(robot, { ...change, reason: reasons.revoked });
+      const result = await store.changeKeys(robot, change);
       if (result.outcome === "changed") this.#parts.ended(result.ended);
       return result;
     });
   }
 
   /** Changes which scripts are blocked, and recalls the commands of a newly blocked script. */
-  async changeBlocked(change: Omit<ScriptChange, "reason">): Promise<BlockResult> {
+  async changeBlocked(change: ScriptChange): Promise<BlockResult> {
     const { robot, store, work } = this.#parts;
     return work.run(async () => {
-      const result = await store.changeBlocked(robot, { ...change, reason: reasons["blocked"] });
+      const result = await store.changeBlocked(robot, change);
       if (result.outcome === "changed") this.#parts.ended(result.ended);
       return result;
     });
@@ -103,7 +87,7 @@ export class CommandRecall {
   async pause(isPaused: boolean): Promise<boolean> {
     const { robot, store, work } = this.#parts;
     return work.run(async () => {
-      const ended = await store.pause(robot, isPaused, reasons.paused);
+      const ended = await store.pause(robot, isPaused);
       if (ended !== null) this.#parts.ended(ended);
       return ended !== null;
     });
@@ -117,14 +101,8 @@ export class CommandRecall {
   /** Same as `askAgain`, for callers that already run in the serial queue. */
   async repeatRequests(): Promise<void> {
     const { robot, store } = this.#parts;
-    for (const { seq, reason } of await store.recalled(robot)) {
-      this.#parts.ask(seq, causeOf(reason));
-    }
+    for (const { seq, cause } of await store.recalled(robot)) this.#parts.ask(seq, cause);
   }
-}
-
-function causeOf(reason: string): RecallCause {
-  return recallCauses.find((cause) => reasons[cause] === reason) ?? "sender";
 }
 
 function notYourCommand(): Refusal {

@@ -5,7 +5,7 @@
  */
 import { closeReasons, type Resume } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
-import { reloadReasons, replacedReasons, type LeftReasons } from "../../store/port.ts";
+import type { LeftCause } from "../../store/port.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import type { PageOwnership } from "./page-ownership.ts";
 import type { RobotChannel } from "../presence/robot-channel.ts";
@@ -20,8 +20,8 @@ export interface PageHandoverParts {
 export interface Settled {
   /** its epoch, if it is known which commands it has not started; null: unknown */
   epoch: number | null;
-  /** reasons with which its commands end */
-  left: LeftReasons;
+  /** why its commands end */
+  left: LeftCause;
 }
 
 /** How the owning page responds to the request to release the robot. */
@@ -54,14 +54,14 @@ export class PageHandover {
    */
   async settle(resume: Resume): Promise<Settled> {
     const { epoch, isTaken, isInDoubt } = this.#ownership;
-    if (this.isSame(resume)) return { epoch, left: reloadReasons };
+    if (this.isSame(resume)) return { epoch, left: "reloaded" };
     const absent: Answer = isInDoubt ? "gone" : "reported all";
     const answer = isTaken ? await this.#givenUp(epoch) : absent;
-    if (answer === "reported all") return { epoch, left: reloadReasons };
+    if (answer === "reported all") return { epoch, left: "reloaded" };
     // A reloaded tab closes its connection, or the connection breaks. A page that stays open beside
     // the new one is silent.
     const isReload = answer === "gone" && resume.fresh;
-    return { epoch: null, left: isReload ? reloadReasons : replacedReasons };
+    return { epoch: null, left: isReload ? "reloaded" : "taken-over" };
   }
 
   async #givenUp(epoch: number): Promise<Answer> {

@@ -2,6 +2,7 @@
 import { describe, expect, it } from "vitest";
 import { completed } from "../../platform/testing/messages.ts";
 import {
+  because,
   ID,
   LEFT,
   STOP,
@@ -155,7 +156,7 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
         record: { state: "completed" },
       });
       expect(await store.end(ID, EPOCH, completed(9))).toEqual({ outcome: "over", record: null });
-      expect(await store.abandon(ID, EPOCH, "gone")).toEqual([]);
+      expect(await store.abandon(ID, EPOCH)).toEqual([]);
       expect(await store.command(ID, 1)).toMatchObject({ state: "completed", pose: { x: 250 } });
     });
 
@@ -164,11 +165,11 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
       for (let n = 0; n < 3; n++) await add(LEFT);
       await deliver(2);
       await store.start(ID, EPOCH, 1);
-      await store.abandon(ID, EPOCH, "the robot is gone");
+      await store.abandon(ID, EPOCH);
       expect(await states()).toEqual(["1 cancelled", "2 cancelled", "3 accepted"]);
       expect(await store.end(ID, EPOCH, completed(1))).toMatchObject({
         outcome: "over",
-        record: { state: "cancelled", reason: "the robot is gone" },
+        record: { state: "cancelled", reason: because("disconnected") },
       });
       expect(await deliver(8)).toEqual([]);
       expect((await store.takeOver(ID, nothingDone))?.epoch).toBe(EPOCH + 2);

@@ -1,6 +1,6 @@
 /** Requirements for every store: the keys of a robot. */
 import { describe, expect, it } from "vitest";
-import { ID, LEFT, sent, keyChange, type OpenStore, robotIn } from "./robot-in-store.ts";
+import { because, ID, LEFT, sent, keyChange, type OpenStore, robotIn } from "./robot-in-store.ts";
 
 export function keyCases(name: string, open: () => Promise<OpenStore>): void {
   const withRobot = () => robotIn(open);
@@ -49,9 +49,9 @@ export function keyCases(name: string, open: () => Promise<OpenStore>): void {
       await add(LEFT);
       const change = keyChange({ remove: [sent.driver] });
       expect(await store.changeKeys(ID, change)).toMatchObject({
-        ended: [{ record: { seq: 3, state: "cancelled", reason: "revoked" } }],
+        ended: [{ record: { seq: 3, state: "cancelled", reason: because("revoked") } }],
       });
-      expect(await store.recalled(ID)).toEqual([{ seq: 1, reason: "revoked" }]);
+      expect(await store.recalled(ID)).toEqual([{ seq: 1, cause: "revoked" }]);
       expect(await add(LEFT)).toEqual({ outcome: "revoked" });
       expect(await add(LEFT, null, { driver: "e" })).toMatchObject({ outcome: "stored" });
       expect(await states()).toEqual(["1 delivered", "2 accepted", "3 cancelled", "4 accepted"]);

@@ -1,8 +1,8 @@
 /** Requirements for every store: a page that acquires a robot. */
 import { describe, expect, it } from "vitest";
 import { completed } from "../../platform/testing/messages.ts";
-import { reloadReasons, replacedReasons } from "../port.ts";
 import {
+  because,
   ID,
   LEFT,
   STOP,
@@ -51,7 +51,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       await add(LEFT);
       await deliver(8);
       await store.end(ID, EPOCH, completed(1));
-      await store.abandon(ID, EPOCH, "gone");
+      await store.abandon(ID, EPOCH);
       const endings = [completed(1), completed(2)];
       const taken = await store.takeOver(ID, pageState({ lastApplied: 2, fresh: false, endings }));
       expect(taken).toMatchObject({ changed: [], refused: [{ seq: 2, state: "cancelled" }] });
@@ -64,7 +64,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       await add(STOP);
       await store.takeOver(ID, pageState({ lastApplied: 1, fresh: true, endings: [] }));
       expect(await states()).toEqual(["1 cancelled", "2 cancelled", "3 cancelled", "4 accepted"]);
-      expect(await store.command(ID, 1)).toMatchObject({ reason: reloadReasons.started });
+      expect(await store.command(ID, 1)).toMatchObject({ reason: because("reloaded") });
     });
 
     it("records the position of the restored robot in each command that a reload has cancelled", async () => {
@@ -91,12 +91,12 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
         for (let n = 0; n < 4; n++) await add(LEFT);
         await deliver(3);
         await store.start(ID, EPOCH, 1);
-        const state = pageState({ lastApplied: 1, settled, left: replacedReasons });
+        const state = pageState({ lastApplied: 1, settled, left: "taken-over" });
         const taken = await store.takeOver(ID, state);
         expect(taken?.changed.map(({ seq, reason }) => [seq, reason])).toEqual([
-          [1, replacedReasons.started],
-          [2, replacedReasons.delivered],
-          [3, replacedReasons.delivered],
+          [1, because("taken-over")],
+          [2, because("taken-over-unsure")],
+          [3, because("taken-over-unsure")],
         ]);
         expect(await states()).toEqual(["1 cancelled", "2 cancelled", "3 cancelled", "4 accepted"]);
       }
@@ -107,11 +107,11 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       for (let n = 0; n < 2; n++) await add(LEFT);
       await deliver(2);
       await store.start(ID, EPOCH, 1);
-      const state = pageState({ fresh: true, settled: null, left: reloadReasons });
+      const state = pageState({ fresh: true, settled: null, left: "reloaded" });
       const { changed = [] } = (await store.takeOver(ID, state)) ?? {};
       expect(changed.map(({ seq, reason }) => [seq, reason])).toEqual([
-        [1, reloadReasons.started],
-        [2, reloadReasons.delivered],
+        [1, because("reloaded")],
+        [2, because("reloaded-unsure")],
       ]);
     });
 

@@ -62,12 +62,12 @@ const rare = fc.oneof(
   fc.tuple(seqs, drivers).map(
     ([seq, driver]): Step =>
       (store, id) =>
-        store.cancel(id, seq, { driver, reason: "no" }),
+        store.cancel(id, seq, driver),
   ),
   epochs.map(
     (epoch): Step =>
       (store, id) =>
-        store.abandon(id, epoch, "gone"),
+        store.abandon(id, epoch),
   ),
   fc
     .record({
@@ -87,7 +87,7 @@ const rare = fc.oneof(
   fc.boolean().map(
     (isPaused): Step =>
       (store, id) =>
-        store.pause(id, isPaused, "paused"),
+        store.pause(id, isPaused),
   ),
   drivers.map(
     (hash): Step =>
@@ -103,7 +103,6 @@ const rare = fc.oneof(
         store.changeBlocked(id, {
           add: { id: script, driver: "d", name: null, client: "" },
           remove: script === "s" ? "t" : "s",
-          reason: "away",
           most: 4,
         }),
   ),

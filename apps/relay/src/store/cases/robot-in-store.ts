@@ -1,12 +1,7 @@
 /** A robot in an empty store, and helpers for the test cases of stores. */
+import { reasonText, type Cause } from "../../commands/reasons.ts";
 import type { Command } from "@corridor/protocol";
-import {
-  reloadReasons,
-  type KeyChange,
-  type NewCommand,
-  type PageState,
-  type RobotStore,
-} from "../port.ts";
+import { type KeyChange, type NewCommand, type PageState, type RobotStore } from "../port.ts";
 
 export const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 export const LEFT: Command = { action: "left 90" };
@@ -33,9 +28,12 @@ export const keyChange = (change: Partial<KeyChange>): KeyChange => ({
   removeKind: null,
   most: 12,
   now: NOW,
-  reason: "revoked",
   ...change,
 });
+/** The reason in the record of a command that the relay has ended. */
+export function because(cause: Cause): string {
+  return reasonText({ cause, by: null }, sent.ttl);
+}
 /**
  * The report of a new page. The previous page has reported everything that it started, whatever its
  * epoch.
@@ -46,7 +44,7 @@ export const pageState = (state: Partial<PageState> = {}): PageState => ({
   endings: [],
   pose: null,
   settled: Number.MAX_SAFE_INTEGER,
-  left: reloadReasons,
+  left: "reloaded",
   ...state,
 });
 export const nothingDone = pageState();

@@ -1,13 +1,12 @@
 /** Requirements for every store: robots. */
 import { describe, expect, it } from "vitest";
-import { ID, LEFT, STOP, keyChange, type OpenStore, robotIn } from "./robot-in-store.ts";
+import { because, ID, LEFT, STOP, keyChange, type OpenStore, robotIn } from "./robot-in-store.ts";
 
 export function robotCases(name: string, open: () => Promise<OpenStore>): void {
   const withRobot = () => robotIn(open);
 
   describe(`${name}: blocked scripts`, () => {
     const driver = "driver-hash-of-this-robot";
-    const reason = "its script was blocked";
     const anna = { id: "AnnaAnna", driver, name: "Anna \u00fc \u2713", client: "Python" };
     const watcher = { kind: "watch" as const, hash: "watcher-hash" };
     const nameless = { id: "Nameless", driver, name: null, client: "curl" };
@@ -15,22 +14,22 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
     it("stay blocked after a restart, each once, until they are unblocked", async () => {
       const { store, reopen } = await withRobot();
       expect((await store.find(ID))?.blocked).toEqual([]);
-      await store.changeBlocked(ID, { add: anna, remove: null, reason, most: 16 });
-      await store.changeBlocked(ID, { add: nameless, remove: null, reason, most: 16 });
-      const again = await store.changeBlocked(ID, { add: anna, remove: null, reason, most: 2 });
+      await store.changeBlocked(ID, { add: anna, remove: null, most: 16 });
+      await store.changeBlocked(ID, { add: nameless, remove: null, most: 16 });
+      const again = await store.changeBlocked(ID, { add: anna, remove: null, most: 2 });
       expect(again).toEqual({ outcome: "changed", blocked: [anna, nameless], ended: [] });
       const reopened = await reopen();
       expect((await reopened.find(ID))?.blocked).toEqual([anna, nameless]);
-      const back = { add: null, remove: anna.id, reason, most: 16 };
+      const back = { add: null, remove: anna.id, most: 16 };
       expect(await reopened.changeBlocked(ID, back)).toMatchObject({ blocked: [nameless] });
-      await reopened.changeBlocked(ID, { add: null, remove: nameless.id, reason, most: 16 });
+      await reopened.changeBlocked(ID, { add: null, remove: nameless.id, most: 16 });
       expect((await reopened.find(ID))?.blocked).toEqual([]);
     });
 
     it("are limited in number, and cannot be added to an unknown robot", async () => {
       const { store } = await withRobot();
-      await store.changeBlocked(ID, { add: anna, remove: null, reason, most: 1 });
-      const one = { add: nameless, remove: null, reason, most: 1 };
+      await store.changeBlocked(ID, { add: anna, remove: null, most: 1 });
+      const one = { add: nameless, remove: null, most: 1 };
       expect(await store.changeBlocked(ID, one)).toEqual({ outcome: "full" });
       expect((await store.find(ID))?.blocked).toEqual([anna]);
       expect(await store.changeBlocked("B".repeat(22), one)).toEqual({ outcome: "no-robot" });
@@ -42,10 +41,9 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
       await store.changeBlocked(ID, {
         add: { ...anna, name: "Annas-name" },
         remove: null,
-        reason,
         most: 16,
       });
-      await store.changeBlocked(ID, { add: other, remove: null, reason, most: 16 });
+      await store.changeBlocked(ID, { add: other, remove: null, most: 16 });
       await store.changeKeys(ID, keyChange({ add: [watcher], remove: [driver] }));
       expect((await store.find(ID))?.blocked).toEqual([other]);
       await store.remove(ID);
@@ -60,49 +58,52 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
       await deliver(2);
       await add(LEFT, null, byAnna);
       await add(LEFT);
-      const result = await store.changeBlocked(ID, { add: anna, remove: null, reason, most: 16 });
+      const result = await store.changeBlocked(ID, { add: anna, remove: null, most: 16 });
       expect(result).toMatchObject({
-        ended: [{ record: { seq: 3, state: "cancelled", reason }, script: anna.id }],
+        ended: [
+          { record: { seq: 3, state: "cancelled", reason: because("blocked") }, script: anna.id },
+        ],
       });
       expect(await states()).toEqual(["1 delivered", "2 delivered", "3 cancelled", "4 accepted"]);
-      expect(await store.recalled(ID)).toEqual([{ seq: 1, reason }]);
+      expect(await store.recalled(ID)).toEqual([{ seq: 1, cause: "blocked" }]);
     });
 
     it("sends no commands while it is blocked, even at a relay that has not been notified", async () => {
       const { store, add } = await withRobot();
       const byAnna = { script: anna.id };
-      await store.changeBlocked(ID, { add: anna, remove: null, reason, most: 16 });
+      await store.changeBlocked(ID, { add: anna, remove: null, most: 16 });
       expect(await add(LEFT, null, byAnna)).toEqual({ outcome: "blocked" });
       expect(await add(LEFT)).toMatchObject({ outcome: "stored" });
-      await store.changeBlocked(ID, { add: null, remove: anna.id, reason, most: 16 });
+      await store.changeBlocked(ID, { add: null, remove: anna.id, most: 16 });
       expect(await add(LEFT, null, byAnna)).toMatchObject({ outcome: "stored" });
     });
   });
 
   describe(`${name}: paused remote driving`, () => {
-    const reason = "paused";
-
-    it("withdraws all commands except stops in the same step", async () => {
-      const { store, add, deliver, states } = await withRobot();
+    it("withdraws all commands except stops in the same step, and stores the cause, not a sentence", async () => {
+      const { store, add, deliver, states, holds } = await withRobot();
       for (let n = 0; n < 3; n++) await add(LEFT);
       await deliver(2);
       await add(STOP);
       await add(LEFT);
-      const ended = await store.pause(ID, true, reason);
-      expect(ended).toMatchObject([{ record: { seq: 5, state: "cancelled", reason } }]);
+      const ended = await store.pause(ID, true);
+      expect(ended).toMatchObject([
+        { record: { seq: 5, state: "cancelled", reason: because("paused") } },
+      ]);
       const all = ["1 delivered", "2 delivered", "3 cancelled", "4 accepted", "5 cancelled"];
       expect(await states()).toEqual(all);
       expect((await store.recalled(ID)).map(({ seq }) => seq)).toEqual([1, 2]);
+      expect(await holds(because("paused").slice(0, 30))).toBe(false);
     });
 
     it("rejects commands without using their keys, accepts stops, and returns earlier records to retries", async () => {
       const { store, add } = await withRobot();
       await add(LEFT, "key-0001");
-      await store.pause(ID, true, reason);
+      await store.pause(ID, true);
       expect(await add(LEFT, "key-0002")).toEqual({ outcome: "paused" });
       expect(await add(LEFT, "key-0001")).toMatchObject({ outcome: "duplicate" });
       expect(await add(STOP, "key-0003")).toMatchObject({ outcome: "stored" });
-      expect(await store.pause(ID, false, reason)).toEqual([]);
+      expect(await store.pause(ID, false)).toEqual([]);
       expect(await add(LEFT, "key-0002")).toMatchObject({ outcome: "stored" });
     });
 
@@ -110,10 +111,10 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
       const { store, add, reopen } = await withRobot();
       await add(LEFT);
       expect((await store.find(ID))?.isPaused).toBe(false);
-      await store.pause(ID, true, reason);
+      await store.pause(ID, true);
       const again = await reopen();
       expect((await again.find(ID))?.isPaused).toBe(true);
-      expect(await again.pause("B".repeat(22), true, reason)).toBeNull();
+      expect(await again.pause("B".repeat(22), true)).toBeNull();
     });
   });
 

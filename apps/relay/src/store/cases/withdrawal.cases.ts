@@ -2,6 +2,7 @@
 import { describe, expect, it } from "vitest";
 import { completed } from "../../platform/testing/messages.ts";
 import {
+  because,
   ID,
   LEFT,
   STOP,
@@ -56,14 +57,14 @@ export function withdrawalCases(name: string, open: () => Promise<OpenStore>): v
 
     it("withdraws waiting commands for their sender only, and leaves delivered ones to the robot", async () => {
       const { add, deliver, store } = await withRobot();
-      const by = { driver: sent.driver, reason: "cancelled by its sender" };
+      const by = sent.driver;
       await add(LEFT);
       await deliver(8);
       await add(LEFT);
-      expect(await store.cancel(ID, 2, { ...by, driver: "e" })).toEqual({ outcome: "not-yours" });
+      expect(await store.cancel(ID, 2, "e")).toEqual({ outcome: "not-yours" });
       expect(await store.cancel(ID, 2, by)).toMatchObject({
         outcome: "cancelled",
-        termed: { record: { state: "cancelled", reason: by.reason } },
+        termed: { record: { state: "cancelled", reason: because("sender") } },
       });
       expect(await store.cancel(ID, 2, by)).toMatchObject({ outcome: "over" });
       expect(await store.cancel(ID, 1, by)).toMatchObject({
@@ -75,21 +76,21 @@ export function withdrawalCases(name: string, open: () => Promise<OpenStore>): v
 
     it("stores the request to cancel a delivered command, and ends one that never arrived", async () => {
       const { add, deliver, store, states } = await withRobot();
-      const by = { driver: sent.driver, reason: "cancelled by its sender" };
+      const by = sent.driver;
       for (let n = 0; n < 4; n++) await add(LEFT);
       await deliver(3);
       expect(await store.recalled(ID)).toEqual([]);
       for (const seq of [1, 2, 4]) await store.cancel(ID, seq, by);
-      await store.cancel(ID, 2, { ...by, reason: "later" });
+      await store.cancel(ID, 2, by);
       expect(await store.recalled(ID)).toEqual([
-        { seq: 1, reason: by.reason },
-        { seq: 2, reason: by.reason },
+        { seq: 1, cause: "sender" },
+        { seq: 2, cause: "sender" },
       ]);
       await store.takeOver(ID, pageState({ lastApplied: 1, fresh: false, endings: [] }));
       expect(await states()).toEqual(["1 started", "2 cancelled", "3 accepted", "4 cancelled"]);
       expect(await store.command(ID, 1)).toMatchObject({ reason: null });
-      expect(await store.command(ID, 2)).toMatchObject({ reason: by.reason });
-      expect(await store.recalled(ID)).toEqual([{ seq: 1, reason: by.reason }]);
+      expect(await store.command(ID, 2)).toMatchObject({ reason: because("sender") });
+      expect(await store.recalled(ID)).toEqual([{ seq: 1, cause: "sender" }]);
       await store.end(ID, EPOCH + 1, completed(1));
       expect(await store.recalled(ID)).toEqual([]);
     });

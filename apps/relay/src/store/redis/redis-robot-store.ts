@@ -3,7 +3,7 @@
  * the robot in memory and commits the changes, together with the messages on the robot's channel,
  * by `commit.lua`, if no other relay has changed the robot since.
  */
-import type { CommandRecord, Ending } from "@corridor/protocol";
+import type { CommandRecord, Ending, RecallCause } from "@corridor/protocol";
 import { z } from "zod";
 import { recordOfRow, type CommandRow } from "../../commands/command-row.ts";
 import { changeBlocked, changeKeys } from "../../commands/permissions.ts";
@@ -123,12 +123,12 @@ export class RedisRobotStore implements RobotStore {
     });
   }
 
-  pause(id: string, isPaused: boolean, reason: string): Promise<TermedRecord[] | null> {
+  pause(id: string, isPaused: boolean): Promise<TermedRecord[] | null> {
     return this.#robots.run<TermedRecord[] | null>(id, {
       none: null,
       work: (robot) => {
         robot.publish({ kind: "keys" });
-        return machine.pause(robot.commands, isPaused, reason);
+        return machine.pause(robot.commands, isPaused);
       },
     });
   }
@@ -225,11 +225,11 @@ export class RedisRobotStore implements RobotStore {
     });
   }
 
-  cancel(id: string, seq: number, by: { driver: string; reason: string }): Promise<CancelResult> {
+  cancel(id: string, seq: number, driver: string): Promise<CancelResult> {
     return this.#robots.run<CancelResult, CommandRow>(id, {
       none: { outcome: "no-command" },
       read: ({ commands }) => (commands.row(seq) === null ? endedRow(this.#redis, id, seq) : null),
-      work: ({ commands }, ended) => machine.cancel(commands, commands.row(seq) ?? ended, by),
+      work: ({ commands }, ended) => machine.cancel(commands, commands.row(seq) ?? ended, driver),
     });
   }
 
@@ -250,13 +250,12 @@ export class RedisRobotStore implements RobotStore {
     });
   }
 
-  abandon(id: string, epoch: number, reason: string): Promise<CommandRecord[] | null> {
+  abandon(id: string, epoch: number): Promise<CommandRecord[] | null> {
     return this.#robots.run<CommandRecord[] | null, boolean>(id, {
       none: [],
       read: ({ commands }) =>
         commands.accessState.epoch === epoch ? isHeldElsewhere(this.#redis, id, this.#relay) : null,
-      work: ({ commands }, isHeld) =>
-        isHeld === true ? null : machine.abandon(commands, epoch, reason),
+      work: ({ commands }, isHeld) => (isHeld === true ? null : machine.abandon(commands, epoch)),
     });
   }
 
@@ -292,7 +291,7 @@ export class RedisRobotStore implements RobotStore {
     return (await storedOpen(this.#redis, id)).map(recordOfRow);
   }
 
-  async recalled(id: string): Promise<{ seq: number; reason: string }[]> {
+  async recalled(id: string): Promise<{ seq: number; cause: RecallCause }[]> {
     return machine.recalled(await storedOpen(this.#redis, id));
   }
 

@@ -1,6 +1,7 @@
 /** A command as a JSON object in Redis. */
 import { commandRecordSchema } from "@corridor/protocol";
 import { z } from "zod";
+import { causes, recallCauseIn } from "../../commands/reasons.ts";
 import { isStop, termedOfRow, commandIn, type CommandRow } from "../../commands/command-row.ts";
 
 const { state, pose, distance } = commandRecordSchema.shape;
@@ -17,8 +18,10 @@ const stored = z.object({
   replace: z.boolean(),
   lease: z.number().nullable(),
   state,
-  reason: z.string().nullable(),
-  recalled: z.string().nullable(),
+  reason: z
+    .union([z.string(), z.object({ cause: z.enum(causes), by: z.int().nullable() })])
+    .nullable(),
+  recalled: z.string().nullable().transform(recallCauseIn),
   pose,
   distance,
   epoch: z.int().nullable(),

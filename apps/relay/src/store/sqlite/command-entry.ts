@@ -2,6 +2,7 @@
 import type { SQLInputValue } from "node:sqlite";
 import type { CommandRecord, CommandState } from "@corridor/protocol";
 import { isStop, commandIn, type CommandRow } from "../../commands/command-row.ts";
+import { recallCauseIn, type Reason } from "../../commands/reasons.ts";
 import type { Statements } from "./file/statements.ts";
 
 /** Layout of a journal entry. The tables read the same positions, so they must not change. */
@@ -17,7 +18,8 @@ type Entry = [
   replaces: 0 | 1,
   lease: number | null,
   state: CommandState,
-  reason: string | null,
+  /** a string: the robot's sentence, or one that an earlier version of Corridor stored */
+  reason: Reason | null,
   recalled: string | null,
   pose: string | null,
   distance: number | null,
@@ -74,7 +76,7 @@ export function rowIn(entry: string): { row: CommandRow; deletedTo: number } {
     overtakes: replaces === 1 || isStop(text),
     state,
     reason,
-    recalled,
+    recalled: recallCauseIn(recalled),
     pose: pose === null ? null : (JSON.parse(pose) as CommandRecord["pose"]),
     distance,
     epoch,

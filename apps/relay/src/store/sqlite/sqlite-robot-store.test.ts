@@ -51,12 +51,12 @@ it("finds the commands of a robot by index, for any number of ended ones", async
   const command = { driver: "d", script: null, key: "a-key-0001", acceptedAt: 1, ...terms };
   await store.add(id, { ...command, command: { action: "left 90" } });
   await store.add(id, { ...command, key: null, command: { action: "stop" } });
-  await store.cancel(id, 1, { driver: "d", reason: "no" });
+  await store.cancel(id, 1, "d");
   await store.takeOver(id, pageState({ lastApplied: 0, fresh: true, endings: [] }));
   await store.deliver(id, 1, 8, 2);
   await store.start(id, 1, 2);
   await store.end(id, 1, completed(2));
-  await store.abandon(id, 1, "gone");
+  await store.abandon(id, 1);
   await store.expire(id, 2);
   // Ends a command that is in no table yet, then deletes it and the ones in the tables.
   await store.add(id, { ...command, key: null, command: { action: "left 90" } });
@@ -93,7 +93,7 @@ it("reads no ended commands when it searches for open ones", async () => {
   await store.deliver(id, 1, 8, NOW);
   for (const seq of [1, 2, 3]) await store.end(id, 1, completed(seq));
   // After the next write, the tables hold all earlier ones.
-  await store.pause(id, false, "");
+  await store.pause(id, false);
   await store.close();
   const db = new DatabaseSync(file);
   onTestFinished(() => db.close());

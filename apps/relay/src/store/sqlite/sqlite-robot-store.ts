@@ -6,7 +6,7 @@
  * journal (`LiveRobots`). All other steps read rows of one robot by index. Only the deletion of
  * expired robots, once a minute, reads all robots, but not their commands.
  */
-import type { CommandRecord, Ending } from "@corridor/protocol";
+import type { CommandRecord, Ending, RecallCause } from "@corridor/protocol";
 import { z } from "zod";
 import { recordOfRow } from "../../commands/command-row.ts";
 import { changeBlocked, changeKeys } from "../../commands/permissions.ts";
@@ -123,12 +123,12 @@ export class SqliteRobotStore implements RobotStore {
     );
   }
 
-  async pause(id: string, isPaused: boolean, reason: string): Promise<TermedRecord[] | null> {
+  async pause(id: string, isPaused: boolean): Promise<TermedRecord[] | null> {
     const sql = "UPDATE sessions SET paused = ? WHERE id = ?";
     return this.#file.step(() =>
       this.#of<TermedRecord[] | null>(id, null, ({ commands }) => {
         this.#writing.run(sql, [isPaused ? 1 : 0, id]);
-        return machine.pause(commands, isPaused, reason);
+        return machine.pause(commands, isPaused);
       }),
     );
   }
@@ -217,9 +217,9 @@ export class SqliteRobotStore implements RobotStore {
     );
   }
 
-  cancel(id: string, seq: number, by: { driver: string; reason: string }) {
+  cancel(id: string, seq: number, driver: string) {
     return this.#decide<CancelResult>(id, { outcome: "no-command" }, (robot) =>
-      machine.cancel(robot.commands, robot.row(seq), by),
+      machine.cancel(robot.commands, robot.row(seq), driver),
     );
   }
 
@@ -233,10 +233,10 @@ export class SqliteRobotStore implements RobotStore {
     );
   }
 
-  async abandon(id: string, epoch: number, reason: string): Promise<CommandRecord[]> {
+  async abandon(id: string, epoch: number): Promise<CommandRecord[]> {
     return this.#file.step(() =>
       this.#of<CommandRecord[]>(id, [], ({ commands }) => {
-        const ended = machine.abandon(commands, epoch, reason);
+        const ended = machine.abandon(commands, epoch);
         const { epoch: now } = commands.accessState;
         if (now > epoch) this.#writing.run("UPDATE sessions SET epoch = ? WHERE id = ?", [now, id]);
         return ended;
@@ -278,8 +278,8 @@ export class SqliteRobotStore implements RobotStore {
     return this.#decide(id, [], ({ commands }) => [...commands.open].map(recordOfRow));
   }
 
-  recalled(id: string): Promise<{ seq: number; reason: string }[]> {
-    return this.#decide<{ seq: number; reason: string }[]>(id, [], ({ commands }) =>
+  recalled(id: string): Promise<{ seq: number; cause: RecallCause }[]> {
+    return this.#decide<{ seq: number; cause: RecallCause }[]>(id, [], ({ commands }) =>
       machine.recalled(commands.open),
     );
   }

@@ -28,12 +28,12 @@ describe("the journal", () => {
       await add("key-0001");
       for (let seq = 2; seq <= 5; seq++) {
         await add(`key-000${seq}`);
-        await store.cancel(id, seq, { driver: "d", reason: "no" });
+        await store.cancel(id, seq, "d");
       }
       await maybeRestart();
       expect(await seqs()).toEqual([1, 4, 5]);
-      await store.cancel(id, 1, { driver: "d", reason: "at last" });
-      expect(await store.command(id, 1)).toMatchObject({ reason: "at last" });
+      await store.cancel(id, 1, "d");
+      expect(await store.command(id, 1)).toMatchObject({ state: "cancelled" });
       expect(await add("key-0001")).toMatchObject({ outcome: "duplicate" });
       await maybeRestart();
       expect(await seqs()).toEqual([1, 4, 5]);
@@ -41,7 +41,7 @@ describe("the journal", () => {
       expect(await seqs()).toEqual([5, 6]);
       // From now on, another command has this key.
       expect(await add("key-0001")).toMatchObject({ outcome: "stored", record: { seq: 7 } });
-      await store.cancel(id, 7, { driver: "d", reason: "no" });
+      await store.cancel(id, 7, "d");
       await maybeRestart();
       expect(await add("key-0001")).toMatchObject({ outcome: "duplicate", record: { seq: 7 } });
       await store.close();
@@ -79,7 +79,7 @@ describe("the journal", () => {
     await withRobots(before);
     const [id = ""] = ROBOTS;
     for (let n = 1; n <= 3; n++) await before.add(id, { ...sent, driver: "d", key: `key-000${n}` });
-    await before.cancel(id, 2, { driver: "d", reason: "no" });
+    await before.cancel(id, 2, "d");
     const records = await before.commandsAfter(id, 0, 10);
     await before.close();
     const db = new DatabaseSync(file);

@@ -64,7 +64,7 @@ describe("a file of an earlier Corridor", () => {
       duplicate: false,
     });
     expect((await store.openCommands(ID)).map(({ seq }) => seq)).toEqual([3, 4, 5]);
-    expect(await store.recalled(ID)).toEqual([{ seq: 4, reason: "its key was revoked" }]);
+    expect(await store.recalled(ID)).toEqual([{ seq: 4, cause: "sender" }]);
     const again = { ...sent, key: "a-key-5", command: LEFT };
     expect(await store.add(ID, again)).toMatchObject({ outcome: "duplicate", record: { seq: 5 } });
     expect(await store.deliver(ID, 1, 8, 6_000)).toMatchObject([

@@ -202,14 +202,14 @@ describe("a store whose journal has a thread", () => {
     await untilBusy(thread());
     // These steps see the results of the failed write, so they run again.
     const behind = [add("behind-01"), store.deliver(ID, 1, 8, NOW), add("behind-02")];
-    const rows = store.pause(ID, true, "paused");
+    const rows = store.pause(ID, true);
     const gone = thread().terminate();
     other.exec("ROLLBACK");
     await gone;
     const fates = await Promise.allSettled(dying);
     await Promise.all([...behind, rows]);
     expect(await add("behind-01")).toMatchObject({ outcome: "duplicate" });
-    await store.pause(ID, false, "");
+    await store.pause(ID, false);
     for (const again of await Promise.all(several("dying")))
       expect(again).toMatchObject({ outcome: expect.stringMatching(/stored|dupl/) });
     const listed = await store.commandsAfter(ID, 0, 100);
@@ -226,7 +226,7 @@ describe("a store whose journal has a thread", () => {
     const { store, add } = await withStore();
     const asked = [
       ...[1, 2, 3].map((n) => add(`key-000${n}`)),
-      store.pause(ID, false, ""),
+      store.pause(ID, false),
       store.deliver(ID, 1, 8, NOW),
       store.end(ID, 1, completed(1)),
     ];
