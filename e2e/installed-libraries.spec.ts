@@ -159,6 +159,11 @@ await RobotClient.connect("http://HOST");
   expect(stderr.length).toBeLessThan(2_000);
 });
 
+test("corridor.js contains the license of the library in it", async ({ relay }) => {
+  const answer = await fetch(`${relay}/corridor.js`);
+  expect(await answer.text()).toMatch(/^\/\*! Contains zod:\s+MIT License\s+Copyright/);
+});
+
 test("a page of another site imports corridor.js and drives", async ({ page, relay, browser }) => {
   const address = await openRobot(page);
   // The relay rejects WebSockets of other sites, which the browser reports as an error in this
