@@ -78,6 +78,21 @@ it("disconnects a client when the relay disconnects before it answers", async ()
   await expect(send("a/long-poll/messages?after=0&wait=25")).rejects.toThrow(/fetch failed/);
 });
 
+it("ends a request at the relay when the client disconnects", async () => {
+  const { balancer, relays } = await withRelays(1);
+  const [relay] = relays.values();
+  const ended = new Promise<string>((resolve) => {
+    relay?.removeAllListeners("request").on("request", ({ url }, response) => {
+      response.on("close", () => resolve(url ?? "")).write("first part");
+    });
+  });
+  const answer = await fetch(`http://127.0.0.1:${balancer.port}/api/v1/robots/a/events`);
+  const reader = answer.body?.getReader();
+  await reader?.read();
+  await reader?.cancel();
+  expect(await ended).toBe("/api/v1/robots/a/events");
+});
+
 it("proxies an upgrade request to a relay", async () => {
   const { balancer } = await withRelays(1);
   const socket = connect(balancer.port, "127.0.0.1");

@@ -4,19 +4,12 @@
  * relay holds the connection's state. In production, use nginx, HAProxy or a cloud load balancer.
  */
 import { createHash } from "node:crypto";
-import {
-  createServer,
-  request as forward,
-  type IncomingMessage,
-  type ServerResponse,
-} from "node:http";
+import { createServer } from "node:http";
 import { connect, type AddressInfo, type Socket } from "node:net";
-import { pipeline, type Duplex } from "node:stream";
+import { createProxyServer } from "http-proxy-3";
 
 const CONNECT_MS = 1_000;
 const LONG_POLL_PATH = /^\/api\/v1\/robots\/([^/?]+)\/long-poll(?:[/?]|$)/;
-/** Headers that apply to one connection only (RFC 9110, 7.6.1). Node.js sets its own. */
-const HOP_BY_HOP_HEADERS = new Set(["connection", "keep-alive", "transfer-encoding"]);
 
 export interface Balancer {
   port: number;
@@ -41,16 +34,24 @@ export async function startBalancer(targets: number[], port = 0, host?: string):
     const first = nextIndex++ % Math.max(1, balancer.targets.length);
     return [...balancer.targets.slice(first), ...balancer.targets.slice(0, first)];
   };
+  const proxy = createProxyServer();
   const server = createServer((request, response) => {
-    void proxyRequest(request, response, orderFor(request.url));
+    void reachable(orderFor(request.url)).then((target) => {
+      if (target === null) return response.destroy();
+      // A relay that disconnects disconnects the client.
+      return proxy.web(request, response, { target }, () => response.destroy());
+    });
   });
   server.on("connection", (client: Socket) => {
     open.add(client);
     client.on("close", () => open.delete(client));
     client.on("error", () => client.destroy());
   });
-  server.on("upgrade", (request, client, head) => {
-    void proxyUpgrade(request, client, head, orderFor(request.url));
+  server.on("upgrade", (request, client: Socket, head) => {
+    void reachable(orderFor(request.url)).then((target) => {
+      if (target === null) return client.destroy();
+      return proxy.ws(request, client, head, { target }, () => client.destroy());
+    });
   });
   const close = async (): Promise<void> => {
     for (const client of open) client.destroy();
@@ -74,85 +75,21 @@ function rankedForRobot(robot: string, ports: number[]): number[] {
   return ports.toSorted((a, b) => (rank(a) < rank(b) ? -1 : 1));
 }
 
-/** Proxies a request and streams the response. A relay that disconnects disconnects the client. */
-async function proxyRequest(
-  request: IncomingMessage,
-  response: ServerResponse,
-  ports: number[],
-): Promise<void> {
-  const relay = await connectToFirst(ports);
-  if (relay === null) return void response.destroy();
-  const { method, url, rawHeaders } = request;
-  const upstream = forward({
-    createConnection: () => relay,
-    method,
-    path: url,
-    headers: endToEndHeaders(rawHeaders),
-    setHost: false,
-  });
-  upstream.on("error", () => response.destroy());
-  upstream.on("response", (upstreamResponse) => {
-    const { statusCode, rawHeaders: headers } = upstreamResponse;
-    response.writeHead(statusCode ?? 502, endToEndHeaders(headers));
-    response.flushHeaders();
-    pipeline(upstreamResponse, response, () => undefined);
-  });
-  response.on("close", () => upstream.destroy());
-  request.pipe(upstream);
-}
-
-/** Proxies an upgrade request, such as a WebSocket handshake, and then its bytes both ways. */
-async function proxyUpgrade(
-  { method, url, rawHeaders }: IncomingMessage,
-  client: Duplex,
-  head: Buffer,
-  ports: number[],
-): Promise<void> {
-  const relay = await connectToFirst(ports);
-  if (relay === null) return void client.destroy();
-  relay.on("error", () => client.destroy());
-  relay.on("close", () => client.destroy());
-  client.on("error", () => relay.destroy());
-  client.on("close", () => relay.destroy());
-  const headers = headerPairs(rawHeaders).map(([name, value]) => `${name}: ${value}\r\n`);
-  relay.write(`${method} ${url} HTTP/1.1\r\n${headers.join("")}\r\n`);
-  relay.write(head);
-  client.pipe(relay).pipe(client);
-}
-
-function endToEndHeaders(rawHeaders: string[]): string[] {
-  return headerPairs(rawHeaders)
-    .filter(([name]) => !HOP_BY_HOP_HEADERS.has(name.toLowerCase()))
-    .flat();
-}
-
-function headerPairs(rawHeaders: string[]): [string, string][] {
-  return rawHeaders.flatMap((name, index) =>
-    index % 2 === 0 ? [[name, rawHeaders[index + 1] ?? ""] as [string, string]] : [],
-  );
-}
-
-/** Connects to the first relay that accepts. @returns null if none does */
-async function connectToFirst(ports: number[]): Promise<Socket | null> {
-  for (const port of ports) {
-    const relay = await connectTo(port);
-    if (relay !== null) return relay;
-  }
+/** The address of the first relay that accepts connections. @returns null if none does */
+async function reachable(ports: number[]): Promise<string | null> {
+  for (const port of ports) if (await accepts(port)) return `http://127.0.0.1:${port}`;
   return null;
 }
 
-function connectTo(port: number): Promise<Socket | null> {
+function accepts(port: number): Promise<boolean> {
   return new Promise((resolve) => {
-    const socket = connect({ port, host: "127.0.0.1", noDelay: true });
-    const fail = (): void => {
+    const socket = connect({ port, host: "127.0.0.1" });
+    const end = (isOpen: boolean): void => {
       socket.destroy();
-      resolve(null);
+      resolve(isOpen);
     };
-    socket.setTimeout(CONNECT_MS, fail);
-    socket.once("error", fail);
-    socket.once("connect", () => {
-      socket.setTimeout(0).off("timeout", fail).off("error", fail);
-      resolve(socket);
-    });
+    socket.setTimeout(CONNECT_MS, () => end(false));
+    socket.once("error", () => end(false));
+    socket.once("connect", () => end(true));
   });
 }
