@@ -4,7 +4,7 @@ import type { Clock } from "../platform/time/clock.ts";
 import type { BusMessage } from "../bus/bus.ts";
 import type { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import type { CommandLife } from "./delivery/command-life.ts";
-import type { DriverRoster } from "./presence/driver-roster.ts";
+import type { Presence } from "./presence/presence.ts";
 import type { KeyRing } from "./access/key-ring.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { MazeBoard } from "./maze-board.ts";
@@ -20,7 +20,7 @@ export interface OtherRelaysParts {
   life: CommandLife;
   keys: KeyRing;
   mazes: MazeBoard;
-  roster: DriverRoster;
+  presence: Presence;
   /** other relays consider the page at this relay disconnected */
   lapsed(link: PageLink): void;
   /** readers must receive a new snapshot */
@@ -44,11 +44,11 @@ export class OtherRelays {
    * If another relay has the page, waits for its response: the newest snapshot, if there is one.
    */
   async meet(): Promise<void> {
-    const { ownership, channel, roster, clock } = this.#parts;
+    const { ownership, channel, presence, clock } = this.#parts;
     if (!ownership.isElsewhere) return;
     const { promise, resolve } = Promise.withResolvers<void>();
     this.#met = resolve;
-    channel.announce(roster.report(), true);
+    channel.announce(presence.report(), true);
     const cancelTimer = clock.after(limits.firstSnapshotWaitMs, resolve);
     await promise;
     cancelTimer();
@@ -67,12 +67,12 @@ export class OtherRelays {
   }
 
   received(message: BusMessage): void {
-    const { ownership, view, channel, life, keys, mazes, roster, clock } = this.#parts;
+    const { ownership, view, channel, life, keys, mazes, presence, clock } = this.#parts;
     const { page } = ownership;
     switch (message.kind) {
       case "page":
         ownership.acquireElsewhere(message.epoch, message.name)?.link.close(closeReasons.replaced);
-        return channel.announce(roster.report());
+        return channel.announce(presence.report());
       case "page-left":
         if (!ownership.leaveElsewhere(message.epoch, clock.now(), message.closedByPage)) return;
         life.handover.left(message.epoch, message.closedByPage);
@@ -108,8 +108,8 @@ export class OtherRelays {
   }
 
   #answer(newest: CarriedSnapshot | null): void {
-    const { channel, roster } = this.#parts;
-    if (newest === null) channel.announce(roster.report());
+    const { channel, presence } = this.#parts;
+    if (newest === null) channel.announce(presence.report());
     else channel.snapshot(newest);
   }
 }

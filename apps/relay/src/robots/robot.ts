@@ -20,7 +20,7 @@ import type { RobotStore, StoredKey, StoredScript, StoredRobot } from "../store/
 import { Subscribers, type CallerWait } from "./readers/subscribers.ts";
 import { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import { CommandLife } from "./delivery/command-life.ts";
-import { DriverRoster } from "./presence/driver-roster.ts";
+import { Presence } from "./presence/presence.ts";
 import { EventLog } from "./readers/event-log.ts";
 import { KeyRing } from "./access/key-ring.ts";
 import { limits } from "../platform/limits/limits.ts";
@@ -51,7 +51,7 @@ export interface RobotParts {
 export class Robot {
   readonly id: string;
   readonly createdAt: number;
-  readonly roster: DriverRoster;
+  readonly presence: Presence;
   readonly keys: KeyRing;
   readonly scriptAccess: ScriptAccess;
   /** version for which the result of a check stays valid */
@@ -95,7 +95,7 @@ export class Robot {
       changed: () => channel.rightsChanged(),
       found: (found) => {
         this.scriptAccess.apply(found);
-        this.roster.blockedChanged();
+        this.presence.blockedChanged();
       },
       revoked: (key) => this.#revoked(key),
       doubted: () => subscribers.dismiss(({ kind }) => kind !== "own", "busy"),
@@ -110,7 +110,7 @@ export class Robot {
       pause: async (isPaused) => this.#life.recall.pause(isPaused),
       changed: () => {
         channel.rightsChanged();
-        this.roster.blockedChanged();
+        this.presence.blockedChanged();
       },
       blocked: (script) => this.#blocked(script),
       paused: () => this.#askToEnd(),
@@ -123,13 +123,13 @@ export class Robot {
       changed: (version) => channel.mazeChanged(version),
     });
     const notify = (): void => this.#notifyScripts();
-    this.roster = new DriverRoster(clock, notify, () => this.scriptAccess.blocked);
+    this.presence = new Presence(clock, notify, () => this.scriptAccess.blocked);
     const source: ReaderSource = {
       events: this.#events,
       newest: () => this.newest,
       readOpen: (toReader) => this.#life.log.readOpen(toReader),
     };
-    this.readers = new Readers({ clock, timers, subscribers, source, roster: this.roster });
+    this.readers = new Readers({ clock, timers, subscribers, source, presence: this.presence });
     this.#others = new OtherRelays({
       clock,
       ownership,
@@ -138,7 +138,7 @@ export class Robot {
       life: this.#life,
       keys: this.keys,
       mazes: this.mazes,
-      roster: this.roster,
+      presence: this.presence,
       lapsed: (link) => {
         link.close(closeReasons.restart);
         this.leavePage(link, false);
@@ -194,7 +194,7 @@ export class Robot {
    * Scripts by name, at all relays that this one knows of: connected, recently active or blocked.
    */
   get scripts(): ScriptView[] {
-    return this.#channel.withOthers(this.roster.report()).scripts;
+    return this.#channel.withOthers(this.presence.report()).scripts;
   }
 
   get newest(): CarriedSnapshot | null {
@@ -303,7 +303,7 @@ export class Robot {
     acknowledge: (record: CommandRecord) => void,
   ): Promise<void> {
     await this.#life.intake.submit(caller, request, (record) => {
-      if (caller.script !== null) this.roster.sent(caller.script, record);
+      if (caller.script !== null) this.presence.sent(caller.script, record);
       acknowledge(record);
     });
   }
@@ -335,13 +335,13 @@ export class Robot {
   /** Records a message of a script on its connection. */
   spoke({ script }: Caller): void {
     this.#use.used();
-    if (script !== null) this.roster.spoke(script);
+    if (script !== null) this.presence.spoke(script);
   }
 
   /** Records a request of a script. @returns function to call once the request is answered */
   received({ script }: Caller): () => void {
     this.#use.used();
-    return script === null ? () => undefined : this.roster.received(script);
+    return script === null ? () => undefined : this.presence.received(script);
   }
 
   // --- time and end ---
@@ -352,7 +352,7 @@ export class Robot {
     this.rights.changed();
     this.#events.deleteOld();
     if (this.hasPage && this.#view.checkAsleep(now)) this.#publishSnapshot();
-    if (this.#ownership.isElsewhere) this.#channel.repeatAnnouncement(this.roster.report());
+    if (this.#ownership.isElsewhere) this.#channel.repeatAnnouncement(this.presence.report());
     if (this.#ownership.disconnectedMs(now) >= limits.pageDisconnectedMs)
       await this.#life.pageIsGone();
   }
@@ -378,7 +378,7 @@ export class Robot {
     if (this.hasPage) this.#channel.pageLeft(this.#ownership.epoch, false);
     if (reason === "over") this.#channel.deleted();
     this.#life.close(reason);
-    this.roster.close();
+    this.presence.close();
     this.#ownership.page?.link.close(closeReasons[reason]);
     this.#ownership.clear();
     this.#subscribers.close(reason);
@@ -400,7 +400,7 @@ export class Robot {
 
   /** Sends the current scripts to the page, here or at another relay. */
   #notifyScripts(): void {
-    const scripts = this.roster.report();
+    const scripts = this.presence.report();
     if (this.#ownership.isElsewhere) return this.#channel.announce(scripts);
     this.#life.display.sendWith({
       type: "drivers",

@@ -208,7 +208,7 @@ describe("a page whose robot has more commands than the window", () => {
     const setup = await withRobot();
     const host = await page(setup);
     for (let n = 0; n < 10; n++) await setup.submit(LEFT);
-    setup.robot.roster.blockedChanged();
+    setup.robot.presence.blockedChanged();
     expect(host.sent.map(inWords).slice(-2)).toEqual(["10 accepted", "drivers"]);
   });
 });

@@ -2,7 +2,7 @@
  * A robot's channel to the other relays that hold it: messages, their rate, and the list of these
  * relays. Without other relays it costs next to nothing.
  */
-import type { AliveDriver, RecallCause } from "@corridor/protocol";
+import type { RecallCause } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
 import type { BusListener, Channel, Scripts, Step, Bus } from "../../bus/bus.ts";
 import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
@@ -11,9 +11,8 @@ import {
   type CoalescedTimers,
   type Waiter,
 } from "../../platform/time/coalesced-timers.ts";
-import { MAX_REPORTED } from "./driver-roster.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import { mergedScripts } from "./script-list.ts";
+import { older, together } from "./merged-scripts.ts";
 
 export class RobotChannel implements Waiter {
   readonly #clock: Clock;
@@ -166,35 +165,4 @@ export class RobotChannel implements Waiter {
     this.#channel?.notify({ kind: "snapshot", snapshot: this.#pending });
     this.#pending = null;
   }
-}
-
-function older({ silentMs, alive, scripts, ...rest }: Scripts, ms: number): Scripts {
-  return {
-    ...rest,
-    scripts: scripts.map((each) => ({
-      ...each,
-      silentMs: each.silentMs === null ? null : each.silentMs + ms,
-    })),
-    silentMs: silentMs === null ? null : silentMs + ms,
-    alive: alive.map((each) => ({
-      ...each,
-      silentMs: each.silentMs + ms,
-      connectionMs: each.connectionMs === null ? null : each.connectionMs + ms,
-    })),
-  };
-}
-
-function together(a: Scripts, b: Scripts): Scripts {
-  const newest = (a.silentMs ?? Infinity) <= (b.silentMs ?? Infinity) ? a : b;
-  const alive = new Map<string, AliveDriver>();
-  for (const each of [...a.alive, ...b.alive].toSorted((c, d) => d.silentMs - c.silentMs)) {
-    const lines = [each.connectionMs, alive.get(each.driver)?.connectionMs].filter(
-      (ms) => typeof ms === "number",
-    );
-    alive.set(each.driver, { ...each, connectionMs: lines.length > 0 ? Math.min(...lines) : null });
-  }
-  const { client, silentMs } = newest;
-  const connected = a.connected + b.connected;
-  const scripts = mergedScripts([a.scripts, b.scripts]);
-  return { connected, client, silentMs, scripts, alive: [...alive.values()].slice(-MAX_REPORTED) };
 }

@@ -3,7 +3,7 @@ import type { EventPage, Snapshot } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
 import type { CoalescedTimers } from "../../platform/time/coalesced-timers.ts";
 import type { Subscribers, CallerWait, ReaderTransport } from "./subscribers.ts";
-import type { DriverRoster } from "../presence/driver-roster.ts";
+import type { Presence } from "../presence/presence.ts";
 import { nextEvents, type WantedEvents } from "./next-events.ts";
 import { ReaderFeed, type ReaderSink, type ReaderSource } from "./feed.ts";
 import type { Caller } from "../access/caller.ts";
@@ -21,7 +21,7 @@ export interface ReadersParts {
   subscribers: Subscribers;
   /** shared by all readers */
   source: ReaderSource;
-  roster: DriverRoster;
+  presence: Presence;
 }
 
 export class Readers {
@@ -42,11 +42,11 @@ export class Readers {
    * @throws Refusal too-many-readers
    */
   join(caller: Caller, sink: ReaderSink, since: string | null): JoinedReader {
-    const { clock, timers, subscribers, source, roster } = this.#parts;
+    const { clock, timers, subscribers, source, presence } = this.#parts;
     const feed = new ReaderFeed(sink, source, { clock, timers });
     const leave = subscribers.join(feed, caller, sink.transport);
     const { script } = caller;
-    const disconnected = script === null ? () => undefined : roster.connected(script);
+    const disconnected = script === null ? () => undefined : presence.connected(script);
     feed.begin(since);
     return {
       seen: (seq) => feed.seen(seq),

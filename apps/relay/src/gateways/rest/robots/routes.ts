@@ -31,7 +31,7 @@ export function robotRoutes(registry: RobotRegistry, guard: RequestGuard): Route
         createdAt: new Date(robot.createdAt).toISOString(),
         lastUsedAt: new Date(robot.lastUsedAt).toISOString(),
         endsInSeconds: Math.floor(robot.leftMs / 1000),
-        drivers: robot.roster.now(),
+        drivers: robot.presence.now(),
         maze: (await robot.mazes.read())?.version ?? null,
         snapshot: robot.newest?.value ?? null,
       };
