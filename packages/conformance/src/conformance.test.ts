@@ -1,18 +1,7 @@
-/** There is one check for each promise, and the report contains the results. */
-import { readFileSync } from "node:fs";
-import { join } from "node:path";
+/** The report of the kit. */
 import { describe, expect, it } from "vitest";
 import { linesOf, passes, verdict } from "./report.ts";
-import { groups, runChecks, type Outcome, type Result } from "./run-checks.ts";
-
-const PROMISES = join(import.meta.dirname, "../../../apps/relay/src/site/docs/pages/promises.md");
-
-/** The ids of the table below "What every host promises". */
-function promises(): string[] {
-  const [, section = ""] = readFileSync(PROMISES, "utf8").split("\n## What every host promises\n");
-  const [table = ""] = section.split(/\n#{2,3} /);
-  return [...table.matchAll(/^\| `([a-z-]+)`/gm)].map(([, id = ""]) => id);
-}
+import { runChecks, type Outcome, type Result } from "./run-checks.ts";
 
 function resultsOf(...outcomes: Outcome[]): Result[] {
   return outcomes.map((outcome) => ({ group: "Stop", promise: "stop", check: "a stop", outcome }));
@@ -29,12 +18,6 @@ const notTestable: Outcome = {
 const neverTestable: Outcome = { kind: "not testable", why: "it takes 10 minutes", isNever: true };
 
 describe("the conformance kit", () => {
-  it("has one check for each promise of the documentation, and no other", () => {
-    const checks = groups.flatMap((group) => group.checks.map(({ promise }) => promise));
-    expect(promises().length).toBeGreaterThan(50);
-    expect(checks.toSorted()).toEqual(promises().toSorted());
-  });
-
   it("rejects an invalid address", async () => {
     await expect(runChecks("http://localhost/r/abc")).rejects.toThrow("not a robot's address");
   });

@@ -38,6 +38,17 @@ describe("starting the relay", () => {
     expect(relay.output()).not.toMatch(/\n\s+at /);
   });
 
+  it("reports that the metrics port is in use", async () => {
+    const other = createServer().listen(0, "127.0.0.1");
+    onTestFinished(() => void other.close());
+    await once(other, "listening");
+    const { port } = other.address() as AddressInfo;
+    const relay = startRelayProcess({ METRICS_PORT: String(port) });
+    expect(await relay.ended()).toBe(1);
+    expect(relay.output()).toContain(`port ${port} is in use`);
+    expect(relay.output()).toContain(`METRICS_PORT=${port + 1}`);
+  });
+
   it("exits when npm, its parent process, has exited", async () => {
     // npm runs the relay through a shell that does not forward signals.
     const main = join(import.meta.dirname, "../../../apps/relay/src/main.ts");

@@ -1,9 +1,5 @@
-import { once } from "node:events";
-import { createServer } from "node:net";
-import type { AddressInfo } from "node:net";
-import { describe, expect, it, onTestFinished } from "vitest";
+import { describe, expect, it } from "vitest";
 import { completed } from "../platform/testing/messages.ts";
-import { startRelayProcess } from "../../../../tests/support/relay/relay-process.ts";
 import { startTestRelay, type TestRelay } from "../testing/test-relay.ts";
 import { TestSocket } from "../testing/test-socket.ts";
 import { Metrics } from "./metrics.ts";
@@ -81,17 +77,6 @@ describe("/metrics", () => {
 
   it("is disabled by default", async () => {
     expect((await startTestRelay()).metricsPort).toBeNull();
-  });
-
-  it("reports that the metrics port is in use", async () => {
-    const other = createServer().listen(0, "127.0.0.1");
-    onTestFinished(() => void other.close());
-    await once(other, "listening");
-    const { port } = other.address() as AddressInfo;
-    const relay = startRelayProcess({ METRICS_PORT: String(port) });
-    expect(await relay.ended()).toBe(1);
-    expect(relay.output()).toContain(`port ${port} is in use`);
-    expect(relay.output()).toContain(`METRICS_PORT=${port + 1}`);
   });
 
   it("limits the number of time series for close codes", async () => {

@@ -1,5 +1,3 @@
-import { spawn } from "node:child_process";
-import { once } from "node:events";
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { DatabaseSync } from "node:sqlite";
@@ -99,30 +97,6 @@ it("reads no ended commands when it searches for open ones", async () => {
   onTestFinished(() => db.close());
   expect(db.prepare("SELECT open_from FROM sessions").get()).toEqual({ open_from: 4 });
 });
-
-it("rejects a file that another relay holds, until that relay exits", async () => {
-  const file = join(testFolder(), "corridor.sqlite");
-  const other = startOther(file);
-  onTestFinished(() => void other.kill("SIGKILL"));
-  await once(other.stdout, "data");
-  expect(() => new SqliteFile(file, { waitMs: 100 })).toThrow(
-    /Another Corridor uses this database/,
-  );
-  other.kill("SIGKILL");
-  await once(other, "exit");
-  await new SqliteRobotStore(file).close();
-});
-
-/** Starts a process that opens the file and prints that it did. */
-function startOther(file: string) {
-  const store = JSON.stringify(join(import.meta.dirname, "sqlite-robot-store.ts"));
-  const script = `const { SqliteRobotStore } = await import(${store});
-    globalThis.store = new SqliteRobotStore(${JSON.stringify(file)});
-    console.log("open"); setInterval(() => {}, 1000);`;
-  return spawn(process.execPath, ["--input-type=module", "--eval", script], {
-    stdio: ["ignore", "pipe", "inherit"],
-  });
-}
 
 it("reports that the file was written by a newer version", () => {
   const file = join(testFolder(), "corridor.sqlite");

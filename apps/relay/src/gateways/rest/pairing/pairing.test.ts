@@ -6,7 +6,6 @@ import { describe, expect, it, vi } from "vitest";
 import { hashKey } from "../../../platform/keys.ts";
 import { FakeClock } from "../../../platform/testing/fake-clock.ts";
 import { ownerOf, scriptAt } from "../../../testing/pairing-parties.ts";
-import { hasRedis, startTestRedis } from "../../../../../../tests/support/relay/test-redis.ts";
 import { startTestRelay, testFolder } from "../../../testing/test-relay.ts";
 
 const MINUTE = 60_000;
@@ -239,24 +238,5 @@ describe("guessing codes", () => {
     for (let count = 0; count < 120; count++) {
       expect((await script.ask({ code: await owner.code() })).status).toBe(202);
     }
-  });
-});
-
-describe.skipIf(!hasRedis)("with Redis", () => {
-  it("works with the page and the script at different relays", async () => {
-    const { url } = await startTestRedis();
-    const config = { storeUrl: url };
-    const { robot, owner } = await withRobot({ config });
-    const elsewhere = await startTestRelay({ config });
-    const script = scriptAt(elsewhere);
-    const shown = owner.show(25);
-    const code = await owner.code();
-    const key = (await script.ask({ code, name: "Far" })).body?.key ?? "";
-    await shown;
-    const answer = script.receive(key, 25);
-    expect(await owner.say(true)).toBe("");
-    const address = (await answer).body?.address ?? "";
-    expect(address).toBe(`${elsewhere.origin}/r/${robot.id}#${key}`);
-    await vi.waitFor(async () => expect(await drive(address)).toBe(202));
   });
 });

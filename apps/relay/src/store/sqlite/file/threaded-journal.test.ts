@@ -7,9 +7,7 @@ import { setTimeout as wait } from "node:timers/promises";
 import { Worker } from "node:worker_threads";
 import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { completed } from "../../../platform/testing/messages.ts";
-import { realSmallDisk } from "../../../platform/testing/small-disk.ts";
 import { testFolder } from "../../../testing/test-relay.ts";
-import { isDiskFull } from "../../../platform/errors/disk-full.ts";
 import type { Entry, Compaction } from "./journal.ts";
 import { SqliteFile } from "./sqlite-file.ts";
 import { openDatabase } from "./sqlite-schema.ts";
@@ -152,22 +150,6 @@ describe("the journal's thread", () => {
     await other.close();
     expect(await ended).toEqual([0]);
     db.exec("DROP TABLE journal");
-  });
-
-  it("reports a full disk as SQLite does", async ({ skip }) => {
-    const disk = realSmallDisk(8);
-    if (disk === null) return skip("only a superuser on Linux may have a disk of its own");
-    const { write, onDisk } = withThread(disk.folder);
-    await write([entry(1)]);
-    disk.fill();
-    const much: Entry = [2, "robot", "x".repeat(1024 * 1024)];
-    const { lost } = await write([much], { bringing: [], deleted: 0, stored: [] });
-    expect(lost).toMatchObject({ errcode: 13 });
-    expect(isDiskFull(lost)).toBe(true);
-    expect(onDisk().length).toBe(1);
-    disk.makeRoom();
-    expect(await write([much])).toEqual(DONE);
-    expect(onDisk().length).toBe(2);
   });
 });
 

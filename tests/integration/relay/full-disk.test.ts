@@ -1,9 +1,9 @@
 import { problemSchema, type Registration } from "@corridor/protocol";
 import { expect, it, vi } from "vitest";
-import { completed } from "../../../platform/testing/messages.ts";
-import { realSmallDisk } from "../../../platform/testing/small-disk.ts";
-import { startTestRelay, type TestRelay } from "../../../testing/test-relay.ts";
-import { TestSocket } from "../../../testing/test-socket.ts";
+import { completed } from "../../../apps/relay/src/platform/testing/messages.ts";
+import { realSmallDisk } from "../../support/relay/small-disk.ts";
+import { startTestRelay, type TestRelay } from "../../../apps/relay/src/testing/test-relay.ts";
+import { TestSocket } from "../../../apps/relay/src/testing/test-socket.ts";
 
 /**
  * More commands than fit into the free space of one database page, and no more than the rate limit.

@@ -1,0 +1,59 @@
+/** The store in SQLite on a real disk that is full. */
+import { join } from "node:path";
+import { describe, expect, it, onTestFinished } from "vitest";
+import { isDiskFull } from "../../../apps/relay/src/platform/errors/disk-full.ts";
+import type { Compaction, Entry } from "../../../apps/relay/src/store/sqlite/file/journal.ts";
+import { openDatabase } from "../../../apps/relay/src/store/sqlite/file/sqlite-schema.ts";
+import { ThreadedJournal } from "../../../apps/relay/src/store/sqlite/file/threaded-journal.ts";
+import { SqliteRobotStore } from "../../../apps/relay/src/store/sqlite/sqlite-robot-store.ts";
+import { realSmallDisk } from "../../support/relay/small-disk.ts";
+
+describe("a store on a full disk", () => {
+  it("still lets owners delete if the log is long, and frees the space", async ({ skip }) => {
+    const disk = realSmallDisk(24);
+    if (disk === null) return skip("only a superuser on Linux may have a disk of its own");
+    const store = new SqliteRobotStore(join(disk.folder, "corridor.sqlite"));
+    onTestFinished(() => store.close());
+    const ids = ["A".repeat(22), "B".repeat(22)];
+    const terms = { ttl: 10_000, deadline: 10_001, replace: false, lease: null, keep: 10_000 };
+    for (const id of ids) {
+      await store.create({ id, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
+      for (let n = 0; n < 2_000; n++) {
+        const key = `${"k".repeat(50)}-${n}`;
+        const command = { driver: "d", script: null, key, acceptedAt: 1, maxWaiting: 10_000 };
+        await store.add(id, { ...terms, ...command, command: { action: "left 90" } });
+      }
+    }
+    disk.fill();
+    for (const id of ids) expect(await store.remove(id)).toBe(true);
+  });
+
+  it("reports a full disk as SQLite does, in the thread of the journal", async ({ skip }) => {
+    const disk = realSmallDisk(8);
+    if (disk === null) return skip("only a superuser on Linux may have a disk of its own");
+    const path = join(disk.folder, "corridor.sqlite");
+    const db = openDatabase(path);
+    const journal = new ThreadedJournal(path);
+    onTestFinished(async () => {
+      await journal.close();
+      db.close();
+    });
+    const write = (entries: Entry[], compaction: Compaction | null = null) =>
+      new Promise<{ lost: unknown; compactionError: unknown }>((resolve) =>
+        journal.write(entries, compaction, (lost, compactionError) =>
+          resolve({ lost, compactionError }),
+        ),
+      );
+    const count = (): unknown => db.prepare("SELECT count(*) AS n FROM journal").get()?.["n"];
+    await write([[1, "robot", "entry 1"]]);
+    disk.fill();
+    const much: Entry = [2, "robot", "x".repeat(1024 * 1024)];
+    const { lost } = await write([much], { bringing: [], deleted: 0, stored: [] });
+    expect(lost).toMatchObject({ errcode: 13 });
+    expect(isDiskFull(lost)).toBe(true);
+    expect(count()).toBe(1);
+    disk.makeRoom();
+    expect(await write([much])).toEqual({ lost: null, compactionError: null });
+    expect(count()).toBe(2);
+  });
+});

@@ -1,0 +1,89 @@
+/** Runs the scripts as a user would, against a small robot that responds over HTTP. */
+import { spawn, spawnSync } from "node:child_process";
+import { once } from "node:events";
+import { mkdtemp, rm, writeFile } from "node:fs/promises";
+import { createServer } from "node:http";
+import type { AddressInfo } from "node:net";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { describe, expect, it, onTestFinished } from "vitest";
+import { snippet, snippetLanguages } from "../../../apps/web/src/features/remote/snippets.ts";
+
+const KEY = "d_test-key";
+const programs = {
+  python: ["python3", "script.py"],
+  javascript: [process.execPath, "script.mjs"],
+  java: ["java", "Robot.java"],
+  curl: ["sh", "script.sh"],
+} as const;
+
+const isMissing = {
+  python: false,
+  javascript: false,
+  java: spawnSync(programs.java[0], ["-version"]).status !== 0,
+  curl: spawnSync("curl", ["--version"]).status !== 0,
+};
+
+/**
+ * How a robot responds to a command and to the request for its record, and what the script prints.
+ */
+const endings = [
+  { name: "was done", record: { state: "completed", reason: null }, prints: "completed" },
+  {
+    name: "was cancelled",
+    record: { state: "cancelled", reason: "Remote is not driving: choose Remote." },
+    prints: "Remote is not driving: choose Remote.",
+  },
+  { name: "was refused", detail: "The owner has paused.", prints: "The owner has paused." },
+];
+
+/** @returns the base URL of the robot's API, and the requests that it receives */
+async function startRobot({ record, detail }: (typeof endings)[number]) {
+  const requests: string[] = [];
+  const server = createServer((request, response) => {
+    let body = "";
+    request.setEncoding("utf8").on("data", (part: string) => (body += part));
+    request.on("end", () => {
+      expect(request.headers.authorization).toBe(`Bearer ${KEY}`);
+      const path = request.url?.replace("/api/v1/robots/r1", "") ?? "";
+      requests.push(`${request.method} ${path} ${body.replaceAll(" ", "")}`.trim());
+      const command = { seq: 7, action: "left 90", state: "accepted", reason: null };
+      const answer = path === "/commands" ? command : { ...command, ...record };
+      const problem = { type: "/problems/driving-paused", title: "Paused", status: 409, detail };
+      response.writeHead(detail === undefined ? 200 : 409, { "content-type": "application/json" });
+      response.end(JSON.stringify(detail === undefined ? answer : problem));
+    });
+  });
+  server.listen(0, "127.0.0.1");
+  await once(server, "listening");
+  onTestFinished(() => void server.close());
+  const { port } = server.address() as AddressInfo;
+  return { api: `http://127.0.0.1:${port}/api/v1/robots/r1`, requests };
+}
+
+/** Runs a script to its end. @returns its last printed line */
+async function run(language: keyof typeof programs, api: string): Promise<string> {
+  const [program, file] = programs[language];
+  const folder = await mkdtemp(join(tmpdir(), "corridor-script-"));
+  await writeFile(join(folder, file), snippet(language, api, KEY));
+  const child = spawn(program, [file], { cwd: folder, stdio: ["ignore", "pipe", "inherit"] });
+  let output = "";
+  child.stdout.on("data", (chunk: Buffer) => (output += chunk.toString()));
+  const ended = await once(child, "close");
+  await rm(folder, { recursive: true });
+  expect(ended).toEqual([0, null]);
+  return output.trimEnd().split("\n").at(-1) ?? "";
+}
+
+describe.each(snippetLanguages)("the script to copy in %s", (language) => {
+  it.skipIf(isMissing[language]).each(endings)(
+    "prints at its end that the command $name",
+    async (ending) => {
+      const { api, requests } = await startRobot(ending);
+      const last = await run(language, api);
+      expect(language === "curl" ? /"\w+":"(.*)"/.exec(last)?.[1] : last).toBe(ending.prints);
+      const follow = ending.detail === undefined ? ["GET /commands/7?wait=25"] : [];
+      expect(requests).toEqual(['POST /commands {"action":"left90"}', ...follow]);
+    },
+  );
+});
