@@ -26,6 +26,8 @@ export interface FilterProxy {
   upgrades: number;
   /** number of requests */
   requests: number;
+  /** number of connections that it has cut after `timeoutMs` */
+  cuts: number;
   close(): void;
 }
 
@@ -44,8 +46,13 @@ export async function openFilterProxy(
     server.closeAllConnections();
     server.close();
   };
-  const proxy: FilterProxy = { origin: "", mode, upgrades: 0, requests: 0, close };
+  const proxy: FilterProxy = { origin: "", mode, upgrades: 0, requests: 0, cuts: 0, close };
   const sockets = new Set<Duplex>();
+
+  const cutLate = (socket: Duplex): void => {
+    proxy.cuts += 1;
+    socket.destroy();
+  };
 
   const server = createServer((incoming, answer) => {
     proxy.requests += 1;
@@ -70,7 +77,7 @@ export async function openFilterProxy(
     );
     const cut = (): void => void incoming.socket.destroy();
     outgoing.on("error", cut);
-    if (proxy.mode === "impatient") outgoing.setTimeout(timeoutMs, cut);
+    if (proxy.mode === "impatient") outgoing.setTimeout(timeoutMs, () => cutLate(incoming.socket));
     answer.on("close", () => outgoing.destroy());
     incoming.pipe(outgoing);
   });
@@ -96,8 +103,8 @@ export async function openFilterProxy(
       return undefined;
     }
     if (proxy.mode !== "stripped") proxy.upgrades += 1;
-    if (proxy.mode === "cut early") setTimeout(() => socket.destroy(), timeoutMs).unref();
-    if (proxy.mode === "impatient") socket.setTimeout(timeoutMs, () => socket.destroy());
+    if (proxy.mode === "cut early") setTimeout(() => cutLate(socket), timeoutMs).unref();
+    if (proxy.mode === "impatient") socket.setTimeout(timeoutMs, () => cutLate(socket));
     socket.pipe(upstream);
     return void upstream.pipe(socket);
   });

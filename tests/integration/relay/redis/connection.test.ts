@@ -31,9 +31,11 @@ describe.skipIf(!hasRedis)("with Redis", () => {
 
   it("stays closed after it was closed", async () => {
     const { url } = await startTestRedis();
+    vi.useFakeTimers({ toFake: ["setTimeout", "clearTimeout"] });
+    onTestFinished(() => void vi.useRealTimers());
     const redis = await connectRedis(url, () => undefined);
     redis.destroy();
-    await new Promise((resolve) => void setTimeout(resolve, 1_500));
+    await vi.advanceTimersByTimeAsync(10_000);
     expect(redis.isOpen).toBe(false);
   });
 });

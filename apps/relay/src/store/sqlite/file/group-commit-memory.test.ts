@@ -1,6 +1,6 @@
 /** Steps with journal entries: memory and disk stay consistent, whatever the result of a write. */
-import { setImmediate as turn, setTimeout as wait } from "node:timers/promises";
-import { describe, expect, it } from "vitest";
+import { setImmediate as turn } from "node:timers/promises";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { LOST, NOTHING, withJournal } from "../../cases/slow-journal.ts";
 
 describe("steps that add entries", () => {
@@ -103,6 +103,31 @@ describe("steps that add entries", () => {
     expect(compacted).toEqual([null]);
   });
 
+  it("leave nothing of one that fails after it changed rows, and earlier ones of its group remain", async () => {
+    const { append, commits, rows, step, onDisk } = withJournal();
+    const a = rows("a");
+    const bad = commits.run(() => {
+      append("bad");
+      throw new Error("half done");
+    });
+    const b = step("b");
+    await expect(bad).rejects.toThrow("half done");
+    expect([await a, await b]).toEqual([["a"], ["a", "b"]]);
+    expect(onDisk()).toEqual(["a", "b"]);
+  });
+
+  it("leave nothing in memory of a group whose commit fails", async () => {
+    const { append, commits, rows, onDisk } = withJournal();
+    const lost = commits.run(() => {
+      append("lost");
+      // The journal has a row with this number already.
+      commits.append([1, "robot", "twice"]);
+    });
+    await expect(lost).rejects.toThrow(/UNIQUE/);
+    expect(await rows("b")).toEqual(["b"]);
+    expect(onDisk()).toEqual(["b"]);
+  });
+
   it("are all on disk before work without a transaction, and later ones are not", async () => {
     const { db, journal, commits, step, onDisk } = withJournal();
     void step("a");
@@ -157,6 +182,11 @@ describe("many thousand steps", () => {
 });
 
 describe("compaction", () => {
+  beforeEach(() => void vi.useFakeTimers({ toFake: ["setTimeout", "clearTimeout"] }));
+  afterEach(() => void vi.useRealTimers());
+  /** Passes the time after which the journal counts as idle, twice. */
+  const idle = (): void => void vi.advanceTimersByTime(20);
+
   it("is written with the next entries, and reports its result", async () => {
     const { journal, step, parts, compacted } = withJournal();
     parts.due = NOTHING;
@@ -182,12 +212,15 @@ describe("compaction", () => {
     parts.due = NOTHING;
     journal.notify();
     for (let times = 1; times <= 2; times++) {
-      await expect.poll(() => journal.writing).toMatchObject({ entries: [], compaction: NOTHING });
+      if (times === 1) idle();
+      else await turn();
+      expect(journal.writing).toMatchObject({ entries: [], compaction: NOTHING });
       journal.notify();
       expect(compacted.length).toBe(times);
     }
     await commits.close();
-    await wait(30);
+    await turn();
+    idle();
     expect(journal.writing).toBeNull();
   });
 
@@ -197,7 +230,8 @@ describe("compaction", () => {
     void step("a");
     await turn();
     journal.notify();
-    await expect.poll(() => journal.writing).not.toBeNull();
+    idle();
+    expect(journal.writing).not.toBeNull();
     for (let times = 0; times < 3; times++) {
       journal.notify();
       await turn();
@@ -217,9 +251,11 @@ describe("compaction", () => {
     void step("a");
     await turn();
     journal.notify(null, new Error("no"));
-    await expect.poll(() => journal.writing).not.toBeNull();
+    idle();
+    expect(journal.writing).not.toBeNull();
     journal.notify(null, new Error("no"));
-    await wait(30);
+    await turn();
+    idle();
     expect(journal.writing).toBeNull();
     void step("b");
     await turn();
@@ -244,7 +280,8 @@ describe("compaction", () => {
     await turn();
     parts.due = NOTHING;
     journal.notify();
-    await expect.poll(() => journal.writing).not.toBeNull();
+    idle();
+    expect(journal.writing).not.toBeNull();
     const b = rows("b");
     expect(hasRow()).toEqual([]);
     parts.needsCompaction = false;

@@ -1,8 +1,8 @@
 /** Deletion of old commands, across restarts and for any state of the tables. */
 import { join } from "node:path";
 import { DatabaseSync } from "node:sqlite";
-import { setTimeout as wait } from "node:timers/promises";
-import { describe, expect, it, onTestFinished } from "vitest";
+import { setImmediate as turn } from "node:timers/promises";
+import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { completed } from "../../../platform/testing/messages.ts";
 import { testFolder } from "../../../testing/test-relay.ts";
 import { LiveRobots } from "../live-robots.ts";
@@ -49,6 +49,8 @@ describe("the journal", () => {
   });
 
   it("lets a key be reused immediately, although the tables still contain its command", async () => {
+    vi.useFakeTimers({ toFake: ["setTimeout", "clearTimeout"] });
+    onTestFinished(() => void vi.useRealTimers());
     const file = join(testFolder(), "corridor.sqlite");
     const store = new SqliteRobotStore(file, 4);
     await withRobots(store);
@@ -56,7 +58,11 @@ describe("the journal", () => {
     for (let n = 1; n <= 40; n++) {
       const command = { ...sent, driver: "d", keep: 1, key: "key-0001" };
       expect(await store.add(id, command)).toMatchObject({ outcome: "stored", record: { seq: n } });
-      if (n % 3 === 0) await wait(15);
+      if (n % 3 === 0) {
+        // Long enough for a checkpoint.
+        vi.advanceTimersByTime(15);
+        await turn();
+      }
       await store.deliver(id, 1, 8, NOW);
       await store.end(id, 1, completed(n));
       expect(await store.add(id, command)).toMatchObject({ outcome: "duplicate" });
@@ -68,8 +74,8 @@ describe("the journal", () => {
     const db = new DatabaseSync(file, { readOnly: true });
     onTestFinished(() => db.close());
     const entries = () => Number(db.prepare("SELECT count(*) AS n FROM journal").get()?.["n"]);
-    // A checkpoint can copy all commands to the tables.
-    await expect.poll(entries).toBeLessThanOrEqual(4);
+    // A checkpoint can copy all commands to the tables. Each try advances the timers.
+    await vi.waitFor(() => expect(entries()).toBeLessThanOrEqual(4));
     await store.close();
   });
 
@@ -92,7 +98,11 @@ describe("the journal", () => {
     onTestFinished(() => after.close());
     expect(await after.commandsAfter(id, 0, 10)).toEqual(records);
     await after.add(id, { ...sent, driver: "d", keep: 1 });
-    await wait(30);
+    const tables = new DatabaseSync(file, { readOnly: true });
+    onTestFinished(() => tables.close());
+    const entries = () => tables.prepare("SELECT count(*) AS n FROM journal").get()?.["n"];
+    // All commands are in the tables.
+    await expect.poll(entries).toBe(0);
     expect((await after.commandsAfter(id, 0, 10)).map(({ seq }) => seq)).toEqual([1, 3, 4]);
   });
 

@@ -2,9 +2,9 @@
 import { readdirSync, readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { DatabaseSync } from "node:sqlite";
-import { setTimeout as wait } from "node:timers/promises";
+import { setImmediate as turn } from "node:timers/promises";
 import fc from "fast-check";
-import { describe, expect, it, onTestFinished } from "vitest";
+import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { completed } from "../../../platform/testing/messages.ts";
 import { testFolder } from "../../../testing/test-relay.ts";
 import type { RobotStore } from "../../port.ts";
@@ -48,6 +48,8 @@ describe("the journal", () => {
   ])(
     "loses and changes nothing$where at any length, across restarts and rolled-back steps",
     async ({ isThreaded, numRuns }) => {
+      vi.useFakeTimers({ toFake: ["setTimeout", "clearTimeout"] });
+      onTestFinished(() => void vi.useRealTimers());
       const folder = testFolder();
       let runs = 0;
       await fc.assert(
@@ -74,8 +76,11 @@ describe("the journal", () => {
               if (after === "rolled back") asked.push(failing(store));
               if (after === "nothing" && isHurried) continue;
               await answered();
-              // Long enough for a checkpoint.
-              if (after === "idle") await wait(15);
+              if (after === "idle") {
+                // Long enough for a checkpoint.
+                vi.advanceTimersByTime(15);
+                await turn();
+              }
               if (after !== "restart") continue;
               await store.close();
               store = open();
