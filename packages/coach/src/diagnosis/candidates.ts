@@ -12,7 +12,7 @@ import {
   type ProgramDocument,
   type Rule,
 } from "@corridor/program";
-import { sensorNames, type LineRef, type PlainAction } from "@corridor/protocol";
+import { sensorNames, type LineRef, type PlainAction, type SensorName } from "@corridor/protocol";
 import type { Fix } from "../advice.ts";
 import type { BumpEvent, Decision, FailureEvent } from "./diagnosis.ts";
 import type { RunTrace } from "./run-trace.ts";
@@ -221,8 +221,9 @@ function* numbers({ program, maze }: RunTrace, line: LineRef): Generator<Fix> {
 /** The other comparison with the same number. */
 function comparisons({ rules }: ProgramDocument, lines: readonly LineRef[]): Fix[] {
   return numbered(lines).flatMap((line): Fix[] => {
-    const when = rules[line]?.when ?? null;
-    if (when === null) return [];
+    const { when = null, do: action = "stop" } = rules[line] ?? {};
+    // A turn to a side because there is room cannot have the wrong sign.
+    if (when === null || (when.is === ">" && isTurnTo(action, when.sensor))) return [];
     return [{ kind: "condition", line, when: flipped(when) }];
   });
 }
@@ -249,8 +250,20 @@ function sensors({ rules }: ProgramDocument): Fix[] {
 function* newLines(trace: RunTrace, side: "front" | "back"): Generator<Fix> {
   for (const fix of linesToAdd(trace, side)) {
     const { when } = fix.rule;
-    if (!trace.program.rules.some((rule) => isSimilar(rule.when, when))) yield fix;
+    const isThere = trace.program.rules.some(
+      (rule) => isSimilar(rule.when, when) || isForOpening(rule, when?.sensor),
+    );
+    if (!isThere) yield fix;
   }
+}
+
+/** Whether a line turns to a side with room. Its number is at most wrong. */
+function isForOpening({ when, do: action }: Rule, side?: SensorName): boolean {
+  return when?.sensor === side && when?.is === ">" && isTurnTo(action, when.sensor);
+}
+
+function isTurnTo(action: PlainAction, side: SensorName): boolean {
+  return (side === "left" || side === "right") && action.endsWith(`${side} 90`);
 }
 
 function isSimilar(one: Condition | null, other: Condition | null): boolean {

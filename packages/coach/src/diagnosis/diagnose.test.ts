@@ -44,6 +44,7 @@ function diagnosed(where: MazeDocument, what: ProgramDocument, ticks: number): D
       newSolvedCheck: where.goals.length > 0 ? reachesGoal : null,
       allows: () => true,
       solvesAll: null,
+      mazes: 1,
     },
   );
 }

@@ -59,6 +59,8 @@ export interface DiagnosisTask {
    * failure is as good as reaching the goal
    */
   solvesAll: ((program: ProgramDocument) => boolean) | null;
+  /** number of mazes of the task */
+  mazes: number;
 }
 
 /**
@@ -72,6 +74,7 @@ export function freePlayTask({ goals }: MazeDocument, failedAt: number): Diagnos
     newSolvedCheck: goals.length > 0 ? () => (robot) => robot.goalTick !== null : null,
     allows: () => true,
     solvesAll: null,
+    mazes: 1,
   };
 }
 
@@ -223,7 +226,7 @@ function explain(
     if (each !== null) found.push(each);
   }
   const momentOf = (each: Found) => momentToName(trace, each, trialTask, isBump);
-  const best = ranked(trace, found, event, momentOf);
+  const best = ranked(trace, found, event, task.mazes, momentOf);
   const named = best.flatMap((each): { cause: Cause; fix: Fix }[] => {
     const cause = causeOf(trace, each.fix, momentOf(each));
     return cause === null ? [] : [{ cause, fix: each.fix }];
@@ -248,7 +251,8 @@ function foundBy(
   const isWhole = solvesAll === null ? null : outcome === "solved" && solvesAll(program);
   const isShown = isShownByRun(trace, event, fix, trial);
   const found: Found = { fix, from, program, outcome, offCentre, isWhole, isShown };
-  if (fix.kind !== "number" || !isIdle(trace, program, fix.line, trial)) return found;
+  if (fix.kind !== "number" && fix.kind !== "condition") return found;
+  if (!isIdle(trace, program, fix.line, trial)) return found;
   // It may be the right change for another maze of the task.
   if (isWhole !== true) return null;
   const removal: Fix = { kind: "delete", line: fix.line };
@@ -259,8 +263,8 @@ function foundBy(
 }
 
 /**
- * Whether a line with another number never decides any more: then the run shows that the number is
- * wrong, but not the right one.
+ * Whether a line with another condition never decides any more: then the run shows that the condition
+ * is wrong, but not the right one.
  */
 function isIdle(
   trace: RunTrace,
@@ -295,7 +299,7 @@ function momentToName(
   task: TrialTask,
   isBump: boolean,
 ): number {
-  if (fix.kind !== "action") return from;
+  if (fix.kind !== "action" && !(fix.kind === "delete" && isBump)) return from;
   const moments = trace.decisions
     .filter(({ line, tick }) => line === fix.line && tick > from)
     .map(({ tick }) => tick);

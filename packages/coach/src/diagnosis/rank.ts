@@ -35,6 +35,8 @@ const kinds = [
    * the run shows nothing wrong, and before the number of another line.
    */
   "delay",
+  /** a missing delay with which the robot only gets further */
+  "further",
   /** a change that solves every maze, although the run shows nothing wrong about it */
   "doubtful",
   /** a change that solves every maze, after which the robot turns beside the middle of squares */
@@ -57,8 +59,6 @@ const kinds = [
   "action",
   /** in free play, a change after which another failure occurs */
   "past",
-  /** a missing delay with which the robot only gets further */
-  "further",
 ] as const;
 type Kind = (typeof kinds)[number];
 
@@ -71,6 +71,7 @@ export function ranked(
   trace: RunTrace,
   found: readonly Found[],
   event: FailureEvent,
+  mazes: number,
   momentOf: (found: Found) => number,
 ): Found[] {
   const lacksDelay = found.some(({ fix, from }) => isMissingDelay(trace, fix, from));
@@ -86,7 +87,8 @@ export function ranked(
     if (isMissingDelay(trace, fix, each.from)) return isBeside ? "delay" : "solution";
     if (fix.kind === "move" && isWhole === true) return isDelayEnough ? "solution" : "order";
     const isUnfounded = fix.kind === "action" && !each.isShown;
-    if (isUnfounded && (isStraight(event) || turnsIntoWall)) return "evasion";
+    const isProved = isWhole === true && mazes > 1;
+    if (isUnfounded && !isProved && (isStraight(event) || turnsIntoWall)) return "evasion";
     if (isBeside) return "beside";
     const isOtherNumber = fix.kind === "number" && event.kind === "bump" && fix.line !== event.line;
     const isDoubtful = (isUnfounded && lacksDelay) || (isOtherNumber && withoutRoom !== undefined);
@@ -101,8 +103,9 @@ export function ranked(
       return outcome === "past" ? "shown-past" : "shown";
     }
     if (isWhole === null && outcome === "past") return "past";
-    if (fix.kind !== "action") return "other";
-    return isWhole === null || outcome === "solved" ? "action" : null;
+    if (fix.kind !== "action" && fix.kind !== "move") return "other";
+    if (isWhole !== null && outcome !== "solved") return null;
+    return fix.kind === "action" ? "action" : "other";
   };
   return found
     .filter((each) => !isLeftOut(each) && !isCompensation(trace, each))
@@ -159,10 +162,14 @@ export function isShownByRun(
   trace: RunTrace,
   event: FailureEvent,
   fix: Fix,
-  { from, offCentre }: Pick<TrialResult, "from" | "offCentre">,
+  { from, offCentre, outcome }: Pick<TrialResult, "from" | "offCentre" | "outcome">,
 ): boolean {
   if (from === null) return false;
-  if (fix.kind === "action" && isStraight(event) && fix.line === event.line) return true;
+  if (isStraight(event)) {
+    if (fix.kind === "action" && fix.line === event.line) return true;
+    // Below the line that drove into the wall, the moved line did not decide.
+    if (fix.kind === "move" && fix.to === event.line && outcome !== "past") return true;
+  }
   if (fix.kind === "number" && offCentre <= CENTRED && turnsBesideMiddle(trace, fix.line, from))
     return true;
   return isShownByReadings(trace, fix, from);

@@ -37,5 +37,6 @@ export function diagnosisTask(
     newSolvedCheck: isWhole || goal.kind === "reach" ? newSolvedCheck : null,
     allows: (program) => findViolation(challenge, program) === null,
     solvesAll: (program) => checkChallenge(challenge, program).passed,
+    mazes: mazes.length,
   };
 }

@@ -204,6 +204,51 @@ describe("of two mistakes", () => {
     expect(causes("every-maze", program)).toMatchObject([null, missing, missing]);
   });
 
+  it("a line that every maze needs is blamed in no maze, where another one is wrong in all", () => {
+    const program = lines("forward", front("<", 50, "left 90"), side("right", 60, "forward"));
+    const wrong = { kind: "action", moment: { line: 1 } };
+    expect(causes("every-maze", program)).toMatchObject([null, wrong, wrong]);
+  });
+
+  it("an order that leads past the wall comes before the line that drove into it", () => {
+    const program = lines(
+      "forward",
+      { when: { sensor: "right", is: "<", than: 60 }, do: "forward" },
+      front("<", 30, "left 90"),
+    );
+    const found = causes("every-maze", program);
+    expect([found[0], found[2]]).toMatchObject([{ kind: "order" }, { kind: "order" }]);
+  });
+
+  it("no order is named that only postpones the failure", () => {
+    const program = lines(
+      "forward",
+      side("right", 50, "delayed right 90"),
+      front("<", 100, "left 90"),
+    );
+    for (const cause of causes("right-wall", program)) expect(cause?.kind).not.toBe("order");
+  });
+
+  it("a line for an opening is not called missing if its number is wrong", () => {
+    const program = lines(
+      "left 90",
+      front(">", 50, "forward"),
+      side("right", 250, "delayed right 90"),
+    );
+    for (const cause of causes("every-maze", program)) expect(cause?.kind).not.toBe("missing");
+  });
+
+  it("a turn to the side with room does not have the wrong sign", () => {
+    const program = lines(
+      "forward",
+      side("right", 60, "delayed right 90"),
+      front("<", 50, "left 90"),
+      { when: { sensor: "right", is: "<", than: 60 }, do: "left 90" },
+    );
+    for (const id of ["right-wall", "every-maze"])
+      for (const cause of causes(id, program)) expect(cause?.kind).not.toBe("comparison");
+  });
+
   it("no later line is blamed after the robot left the middle of the squares", () => {
     const program = lines(
       "forward",
