@@ -45,7 +45,7 @@ export async function subscribe({ store, bus }: TestRelay, robot = ID) {
       return record.seq;
     },
     take: async () => {
-      const taken = await store.takeOver(robot, nothingDone);
+      const taken = await store.acquire(robot, nothingDone);
       if (taken === null) throw new Error("there is no such robot");
       channel.stepped({ added: null, ended: [], changed: taken.changed });
       channel.notify({ kind: "page", epoch: taken.epoch, name: "page-of-test" });

@@ -87,7 +87,7 @@ const rare = fc.oneof(
     .map(
       (page): Event =>
         (robot) =>
-          machine.takeOver(robot, pageWith(page), {
+          machine.acquire(robot, pageWith(page), {
             row: (seq) => robot.row(seq),
             newest: (what, after) => machine.newestOvertaking(robot.rows(), what, after),
           }),

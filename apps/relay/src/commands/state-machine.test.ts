@@ -19,8 +19,8 @@ import {
 const commandStates = commandRecordSchema.shape.state.options;
 const endingStates = commandStates.filter(hasEnded);
 const none = (): null => null;
-const takeOver = (robot: RobotCommands, page: Partial<PageState>) =>
-  machine.takeOver(robot, pageWith(page), {
+const acquire = (robot: RobotCommands, page: Partial<PageState>) =>
+  machine.acquire(robot, pageWith(page), {
     row: (seq) => robot.row(seq),
     newest: (what, after) => machine.newestOvertaking(robot.rows(), what, after),
   });
@@ -79,25 +79,25 @@ const events: Record<
     (robot) => machine.abandon(robot, EPOCH - 1),
     ["-", "-", "-"],
   ],
-  "the page reconnects without it": [(robot) => takeOver(robot, {}), ["-", "accepted", "-"]],
+  "the page reconnects without it": [(robot) => acquire(robot, {}), ["-", "accepted", "-"]],
   "the page reconnects with it": [
-    (robot) => takeOver(robot, { lastApplied: 1 }),
+    (robot) => acquire(robot, { lastApplied: 1 }),
     ["-", "started", "-"],
   ],
   "the page reconnects and has completed it": [
-    (robot) => takeOver(robot, { lastApplied: 1, endings: [endingOf(1)] }),
+    (robot) => acquire(robot, { lastApplied: 1, endings: [endingOf(1)] }),
     ["-", "completed", "completed"],
   ],
   "the page was reloaded without it": [
-    (robot) => takeOver(robot, { fresh: true }),
+    (robot) => acquire(robot, { fresh: true }),
     ["-", "accepted", "cancelled"],
   ],
   "the page was reloaded with it": [
-    (robot) => takeOver(robot, { fresh: true, lastApplied: 1 }),
+    (robot) => acquire(robot, { fresh: true, lastApplied: 1 }),
     ["-", "cancelled", "cancelled"],
   ],
   "another page connects": [
-    (robot) => takeOver(robot, { settled: null, left: "taken-over" }),
+    (robot) => acquire(robot, { settled: null, left: "taken-over" }),
     ["-", "cancelled", "cancelled"],
   ],
 };
@@ -129,7 +129,7 @@ describe("a command", () => {
     machine.cancel(robot, robot.row(1), DRIVER);
     machine.recallAllOf(robot, "all", "paused");
     expect(machine.recalled(robot.open)).toEqual([{ seq: 1, cause: "sender" }]);
-    takeOver(robot, {});
+    acquire(robot, {});
     expect(robot.row(1)).toMatchObject({ state: "cancelled", reason: { cause: "sender" } });
   });
 
@@ -207,7 +207,7 @@ describe("a page that acquires the robot", () => {
       rowOf({ seq: 2, replace: true, state: "completed" }),
       rowOf({ seq: 3 }),
     ]);
-    takeOver(robot, {});
+    acquire(robot, {});
     expect(statesOf(robot)).toEqual([
       [1, "superseded"],
       [2, "completed"],
@@ -217,15 +217,15 @@ describe("a page that acquires the robot", () => {
 
   it("raises the epoch, so that reports of the previous page are ignored", () => {
     const robot = robotWith([rowOf({ state: "delivered" })]);
-    expect(takeOver(robot, { lastApplied: 1 })).toMatchObject({ epoch: EPOCH + 1 });
+    expect(acquire(robot, { lastApplied: 1 })).toMatchObject({ epoch: EPOCH + 1 });
     expect(end(robot, EPOCH)).toMatchObject({ outcome: "over", record: { state: "started" } });
   });
 
   it("receives the list of its endings that came too late", () => {
     const robot = robotWith([rowOf({ state: "cancelled" })]);
-    const { refused } = takeOver(robot, { lastApplied: 1, endings: [endingOf(1)] });
+    const { refused } = acquire(robot, { lastApplied: 1, endings: [endingOf(1)] });
     expect(refused).toMatchObject([{ seq: 1, state: "cancelled" }]);
-    const same = takeOver(robot, { lastApplied: 1, endings: [endingOf(1, "cancelled")] });
+    const same = acquire(robot, { lastApplied: 1, endings: [endingOf(1, "cancelled")] });
     expect(same.refused).toEqual([]);
   });
 });

@@ -208,7 +208,7 @@ export function abandon(robot: RobotCommands, epoch: number): CommandRecord[] {
   return left.map((row) => recordOfRow(robot.change(row, ending)));
 }
 
-/** Where `takeOver` finds commands that may not be in memory. */
+/** Where `acquire` finds commands that may not be in memory. */
 export interface KnownCommands {
   row(seq: number): CommandRow | null;
   /** The highest seq of a stop or a replacing command after `after`, whatever its state. */
@@ -216,7 +216,7 @@ export interface KnownCommands {
 }
 
 /** Makes a page the owner of the robot, and reconciles the commands with its report. */
-export function takeOver(
+export function acquire(
   robot: RobotCommands,
   page: PageState,
   known: KnownCommands,

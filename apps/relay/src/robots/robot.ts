@@ -328,7 +328,7 @@ export class Robot {
     if (!hasWaited || hasEnded(record.state) || this.#view.isAwake) return record;
     return {
       ...record,
-      reason: this.#ownership.isTaken ? SILENT_ROBOT_REASON : ABSENT_ROBOT_REASON,
+      reason: this.#ownership.isOwned ? SILENT_ROBOT_REASON : ABSENT_ROBOT_REASON,
     };
   }
 

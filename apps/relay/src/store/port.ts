@@ -157,7 +157,7 @@ export interface RobotStore {
    * @returns the changed records, and the records whose ending differs from the page's report; null
    *   if there is no such robot
    */
-  takeOver(
+  acquire(
     id: string,
     page: PageState,
   ): Promise<{ epoch: number; changed: CommandRecord[]; refused: CommandRecord[] } | null>;

@@ -18,7 +18,7 @@ const COMMITS: ReadonlySet<string | symbol> = new Set([
   "expire",
   "cancel",
   "abandon",
-  "takeOver",
+  "acquire",
 ] as const satisfies readonly (keyof RobotStore)[]);
 
 /**

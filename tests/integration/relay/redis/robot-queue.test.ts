@@ -58,7 +58,7 @@ async function withRelays() {
   await subscriber.subscribe(channelOf(ID), (text) => published.push(JSON.parse(text)));
   const keys = [{ kind: "drive" as const, hash: sent.driver }];
   await a.store.create({ id: ID, createdAt: 1_000, keys });
-  const taken = await a.store.takeOver(ID, nothingDone);
+  const taken = await a.store.acquire(ID, nothingDone);
   return { a, b, published, epoch: taken?.epoch ?? 0 };
 }
 
@@ -198,7 +198,7 @@ describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
     const { a, published, epoch } = await withRelays();
     await a.store.add(ID, sent);
     await a.store.deliver(ID, epoch, 8, NOW);
-    await a.store.takeOver(ID, { ...nothingDone, page: "page-two" });
+    await a.store.acquire(ID, { ...nothingDone, page: "page-two" });
     await a.store.changeKeys(ID, keyChange({ remove: [sent.driver] }));
     await a.store.remove(ID);
     expect(published).toMatchObject([

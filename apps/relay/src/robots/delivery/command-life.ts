@@ -151,7 +151,7 @@ export class CommandLife {
   ): Promise<void> {
     const { lastApplied, fresh, endings, snapshot, page: name = "" } = resume;
     await this.#work.run(async () => {
-      const taken = await this.#store.takeOver(this.#robot, {
+      const taken = await this.#store.acquire(this.#robot, {
         lastApplied,
         // A page can never end a command that another page started.
         fresh: fresh || (this.#ownership.name !== "" && !this.handover.isSame(resume)),
@@ -283,7 +283,7 @@ export class CommandLife {
 
   async #expireNow(): Promise<void> {
     try {
-      const isAbsent = !this.#ownership.isTaken;
+      const isAbsent = !this.#ownership.isOwned;
       const { ended, next } = await this.#store.expire(this.#robot, this.#clock.now(), isAbsent);
       if (next !== null) this.#deadlines.wake(next);
       this.#endedHere(ended);

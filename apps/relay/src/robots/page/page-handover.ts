@@ -53,10 +53,10 @@ export class PageHandover {
    * @param resume of the new page; the same page on a new connection reports what it has started
    */
   async settle(resume: Resume): Promise<Settled> {
-    const { epoch, isTaken, isInDoubt } = this.#ownership;
+    const { epoch, isOwned, isInDoubt } = this.#ownership;
     if (this.isSame(resume)) return { epoch, left: "reloaded" };
     const absent: Answer = isInDoubt ? "gone" : "reported all";
-    const answer = isTaken ? await this.#givenUp(epoch) : absent;
+    const answer = isOwned ? await this.#givenUp(epoch) : absent;
     if (answer === "reported all") return { epoch, left: "reloaded" };
     // A reloaded tab closes its connection, or the connection breaks. A page that stays open beside
     // the new one is silent.

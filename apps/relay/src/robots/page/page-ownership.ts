@@ -68,7 +68,7 @@ export class PageOwnership {
   }
 
   /** Whether a page owns the robot, here or at another relay. */
-  get isTaken(): boolean {
+  get isOwned(): boolean {
     return this.#page !== null || this.isElsewhere;
   }
 

@@ -107,7 +107,7 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
     it("stores nothing for an unknown robot", async () => {
       const { store } = await open();
       expect(await store.add(ID, sent)).toEqual({ outcome: "no-robot" });
-      expect(await store.takeOver(ID, nothingDone)).toBeNull();
+      expect(await store.acquire(ID, nothingDone)).toBeNull();
     });
 
     it("delivers in order, at most a window", async () => {
@@ -172,7 +172,7 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
         record: { state: "cancelled", reason: because("disconnected") },
       });
       expect(await deliver(8)).toEqual([]);
-      expect((await store.takeOver(ID, nothingDone))?.epoch).toBe(EPOCH + 2);
+      expect((await store.acquire(ID, nothingDone))?.epoch).toBe(EPOCH + 2);
     });
   });
 }

@@ -21,7 +21,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       const { add, store, states, deliver } = await withRobot();
       for (let n = 0; n < 4; n++) await add(LEFT);
       await deliver(8);
-      const taken = await store.takeOver(
+      const taken = await store.acquire(
         ID,
         pageState({
           lastApplied: 2,
@@ -31,14 +31,14 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       );
       expect(taken?.epoch).toBe(EPOCH + 1);
       expect(await states()).toEqual(["1 completed", "2 started", "3 accepted", "4 accepted"]);
-      expect((await store.takeOver(ID, nothingDone))?.epoch).toBe(EPOCH + 2);
+      expect((await store.acquire(ID, nothingDone))?.epoch).toBe(EPOCH + 2);
     });
 
     it("rejects the messages of the previous page", async () => {
       const { add, store, deliver, states } = await withRobot();
       await add(LEFT);
       await deliver(8);
-      await store.takeOver(ID, pageState({ lastApplied: 1, fresh: false, endings: [] }));
+      await store.acquire(ID, pageState({ lastApplied: 1, fresh: false, endings: [] }));
       expect(await store.start(ID, EPOCH, 1)).toBeNull();
       expect(await store.end(ID, EPOCH, completed(1))).toMatchObject({ outcome: "over" });
       expect(await deliver(8, EPOCH)).toEqual([]);
@@ -53,7 +53,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       await store.end(ID, EPOCH, completed(1));
       await store.abandon(ID, EPOCH);
       const endings = [completed(1), completed(2)];
-      const taken = await store.takeOver(ID, pageState({ lastApplied: 2, fresh: false, endings }));
+      const taken = await store.acquire(ID, pageState({ lastApplied: 2, fresh: false, endings }));
       expect(taken).toMatchObject({ changed: [], refused: [{ seq: 2, state: "cancelled" }] });
     });
 
@@ -62,7 +62,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       for (let n = 0; n < 3; n++) await add(LEFT);
       await deliver(8);
       await add(STOP);
-      await store.takeOver(ID, pageState({ lastApplied: 1, fresh: true, endings: [] }));
+      await store.acquire(ID, pageState({ lastApplied: 1, fresh: true, endings: [] }));
       expect(await states()).toEqual(["1 cancelled", "2 cancelled", "3 cancelled", "4 accepted"]);
       expect(await store.command(ID, 1)).toMatchObject({ reason: because("reloaded") });
     });
@@ -75,7 +75,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
         await deliver(2);
         await store.start(ID, EPOCH, 1);
         const page = pageState({ lastApplied: 2, fresh: true, pose, settled });
-        const { changed = [] } = (await store.takeOver(ID, page)) ?? {};
+        const { changed = [] } = (await store.acquire(ID, page)) ?? {};
         expect(changed.map(({ seq, state }) => [seq, state])).toEqual([
           [1, "cancelled"],
           [2, "cancelled"],
@@ -92,7 +92,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
         await deliver(3);
         await store.start(ID, EPOCH, 1);
         const state = pageState({ lastApplied: 1, settled, left: "taken-over" });
-        const taken = await store.takeOver(ID, state);
+        const taken = await store.acquire(ID, state);
         expect(taken?.changed.map(({ seq, reason }) => [seq, reason])).toEqual([
           [1, because("taken-over")],
           [2, because("taken-over-unsure")],
@@ -108,7 +108,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       await deliver(2);
       await store.start(ID, EPOCH, 1);
       const state = pageState({ fresh: true, settled: null, left: "reloaded" });
-      const { changed = [] } = (await store.takeOver(ID, state)) ?? {};
+      const { changed = [] } = (await store.acquire(ID, state)) ?? {};
       expect(changed.map(({ seq, reason }) => [seq, reason])).toEqual([
         [1, because("reloaded")],
         [2, because("reloaded-unsure")],
@@ -138,7 +138,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
 
     it("never reuses a number that the page has seen", async () => {
       const { add, store } = await withRobot();
-      await store.takeOver(ID, pageState({ lastApplied: 41, fresh: false, endings: [] }));
+      await store.acquire(ID, pageState({ lastApplied: 41, fresh: false, endings: [] }));
       expect(await add(LEFT)).toMatchObject({ record: { seq: 42 } });
     });
   });

@@ -82,7 +82,7 @@ const rare = fc.oneof(
     .map(
       (page): Step =>
         (store, id) =>
-          store.takeOver(id, pageState(page)),
+          store.acquire(id, pageState(page)),
     ),
   fc.boolean().map(
     (isPaused): Step =>

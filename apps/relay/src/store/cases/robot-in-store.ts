@@ -63,7 +63,7 @@ export async function robotIn(open: () => Promise<OpenStore>) {
   const { store } = opened;
   const keys = [{ kind: "drive" as const, hash: "driver-hash-of-this-robot" }];
   await store.create({ id: ID, createdAt: 1_000, keys });
-  await store.takeOver(ID, nothingDone);
+  await store.acquire(ID, nothingDone);
   const add = (command: Command, key: string | null = null, change: Partial<NewCommand> = {}) =>
     store.add(ID, { ...sent, command, key, ...change });
   const deliver = async (window: number, epoch = EPOCH): Promise<number[]> =>
@@ -81,6 +81,6 @@ export async function withRobots(store: RobotStore): Promise<void> {
   const keys = DRIVERS.map((hash) => ({ kind: "drive" as const, hash }));
   for (const id of ROBOTS) {
     await store.create({ id, createdAt: 1, keys });
-    await store.takeOver(id, pageState());
+    await store.acquire(id, pageState());
   }
 }

@@ -40,7 +40,7 @@ export function withdrawalCases(name: string, open: () => Promise<OpenStore>): v
       await deliver(8);
       await add(LEFT, null, { replace: true });
       await add(LEFT);
-      await store.takeOver(ID, pageState({ lastApplied: 1, fresh: false, endings: [] }));
+      await store.acquire(ID, pageState({ lastApplied: 1, fresh: false, endings: [] }));
       expect(await states()).toEqual([
         "1 started",
         "2 superseded",
@@ -51,7 +51,7 @@ export function withdrawalCases(name: string, open: () => Promise<OpenStore>): v
       await deliver(8, EPOCH + 1);
       await add(STOP);
       await store.expire(ID, NOW + 60_000);
-      await store.takeOver(ID, pageState({ lastApplied: 1, fresh: false, endings: [] }));
+      await store.acquire(ID, pageState({ lastApplied: 1, fresh: false, endings: [] }));
       expect((await states()).slice(3)).toEqual(["4 cancelled", "5 cancelled", "6 expired"]);
     });
 
@@ -86,7 +86,7 @@ export function withdrawalCases(name: string, open: () => Promise<OpenStore>): v
         { seq: 1, cause: "sender" },
         { seq: 2, cause: "sender" },
       ]);
-      await store.takeOver(ID, pageState({ lastApplied: 1, fresh: false, endings: [] }));
+      await store.acquire(ID, pageState({ lastApplied: 1, fresh: false, endings: [] }));
       expect(await states()).toEqual(["1 started", "2 cancelled", "3 accepted", "4 cancelled"]);
       expect(await store.command(ID, 1)).toMatchObject({ reason: null });
       expect(await store.command(ID, 2)).toMatchObject({ reason: because("sender") });

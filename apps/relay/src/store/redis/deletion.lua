@@ -12,7 +12,7 @@ local function delete(id)
     if hash then redis.call('DEL', 'corridor:pairing:' .. hash) end
   end
   redis.call('ZREM', 'corridor:pairings', id)
-  redis.call('PUBLISH', base .. ':line', '{"kind":"over","from":"' .. relay .. '"}')
+  redis.call('PUBLISH', base .. ':channel', '{"kind":"over","from":"' .. relay .. '"}')
   return redis.call('DEL', base, base .. ':open', base .. ':ended', base .. ':keys', base .. ':pairing') > 0
 end
 

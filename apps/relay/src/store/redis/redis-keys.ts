@@ -12,7 +12,7 @@ export const RELAYS = "corridor:relays";
 
 /** The channel of a robot. */
 export function channelOf(id: string): string {
-  return `${robotKeyOf(id)}:line`;
+  return `${robotKeyOf(id)}:channel`;
 }
 
 /** The channel with messages for a single relay. */

@@ -44,7 +44,7 @@ import { isHeldElsewhere, keyTimesIn, madeAt, robotIn, usedAt, usesIn } from "./
 /** Robots to delete per step, because each step blocks Redis. */
 const MOST_AT_ONCE = 200;
 
-type Taken = Awaited<ReturnType<RobotStore["takeOver"]>>;
+type Acquired = Awaited<ReturnType<RobotStore["acquire"]>>;
 
 export class RedisRobotStore implements RobotStore {
   readonly #redis: Redis;
@@ -97,7 +97,7 @@ export class RedisRobotStore implements RobotStore {
         const { keys, blocked, revoked, ended } = changed;
         robot.permissions = { keys, blocked };
         const made = change.add.map(({ hash }) => [madeAt(hash), String(change.now)]);
-        const texts = { keys: JSON.stringify(keys), away: JSON.stringify(blocked) };
+        const texts = { keys: JSON.stringify(keys), blocked: JSON.stringify(blocked) };
         robot.set({ ...texts, ...Object.fromEntries(made) });
         const times = revoked.flatMap((hash) => [madeAt(hash), usedAt(hash)]);
         const isAdded = (field: string): boolean => made.some(([added]) => added === field);
@@ -116,7 +116,7 @@ export class RedisRobotStore implements RobotStore {
         const changed = changeBlocked(robot.commands, robot.permissions.blocked, change);
         if (changed === null) return { outcome: "full" };
         robot.permissions = { ...robot.permissions, blocked: changed.blocked };
-        robot.set({ away: JSON.stringify(changed.blocked) });
+        robot.set({ blocked: JSON.stringify(changed.blocked) });
         robot.publish({ kind: "keys" });
         return { outcome: "changed", ...changed };
       },
@@ -259,13 +259,13 @@ export class RedisRobotStore implements RobotStore {
     });
   }
 
-  takeOver(id: string, page: PageState): Promise<Taken> {
-    return this.#robots.run<Taken, CommandRow[]>(id, {
+  acquire(id: string, page: PageState): Promise<Acquired> {
+    return this.#robots.run<Acquired, CommandRow[]>(id, {
       none: null,
       read: ({ commands }) => endedForPage(this.#redis, id, { commands, page }),
       work: (robot, ended) => {
         const rows = (): CommandRow[] => [...robot.commands.rows(), ...(ended ?? [])];
-        const taken = machine.takeOver(robot.commands, page, {
+        const taken = machine.acquire(robot.commands, page, {
           row: (seq) => rows().find((row) => row.seq === seq) ?? null,
           newest: (what, after) => machine.newestOvertaking(rows(), what, after),
         });

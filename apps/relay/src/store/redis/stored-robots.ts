@@ -37,7 +37,7 @@ export function usedAt(hash: string): string {
 }
 
 export async function robotIn(read: Script, id: string): Promise<StoredRobot | null> {
-  const fields = ["version", "epoch", "createdAt", "keys", "away", "paused", "name"];
+  const fields = ["version", "epoch", "createdAt", "keys", "blocked", "paused", "name"];
   const replies = await read.call(
     [robotKeyOf(id), USES],
     counted([

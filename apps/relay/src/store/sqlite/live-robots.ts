@@ -280,7 +280,7 @@ export class LiveRobots implements Memory {
   #accessStateOf(id: string): Pick<AccessState, "keys" | "blocked"> {
     return {
       keys: this.#texts("SELECT hash FROM keys WHERE robot = ?", id),
-      blocked: this.#texts("SELECT id FROM away WHERE robot = ?", id),
+      blocked: this.#texts("SELECT id FROM blocked_scripts WHERE robot = ?", id),
     };
   }
 

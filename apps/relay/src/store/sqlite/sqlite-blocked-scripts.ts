@@ -11,7 +11,7 @@ const blockedRow = z.object({
 });
 
 export function blockedScriptsIn(statements: Statements, robot: string): StoredScript[] {
-  const sql = "SELECT id, driver, name, client FROM away WHERE robot = ? ORDER BY id";
+  const sql = "SELECT id, driver, name, client FROM blocked_scripts WHERE robot = ? ORDER BY id";
   return statements.all(sql, [robot]).map((row) => blockedRow.parse(row));
 }
 
@@ -21,8 +21,9 @@ export function setBlockedScripts(
   robot: string,
   blocked: readonly StoredScript[],
 ): void {
-  writing.run("DELETE FROM away WHERE robot = ?", [robot]);
-  const sql = "INSERT INTO away (robot, id, driver, name, client) VALUES (?, ?, ?, ?, ?)";
+  writing.run("DELETE FROM blocked_scripts WHERE robot = ?", [robot]);
+  const sql =
+    "INSERT INTO blocked_scripts (robot, id, driver, name, client) VALUES (?, ?, ?, ?, ?)";
   for (const { id, driver, name, client } of blocked)
     writing.run(sql, [robot, id, driver, name, client]);
 }

@@ -50,7 +50,7 @@ it("finds the commands of a robot by index, for any number of ended ones", async
   await store.add(id, { ...command, command: { action: "left 90" } });
   await store.add(id, { ...command, key: null, command: { action: "stop" } });
   await store.cancel(id, 1, "d");
-  await store.takeOver(id, pageState({ lastApplied: 0, fresh: true, endings: [] }));
+  await store.acquire(id, pageState({ lastApplied: 0, fresh: true, endings: [] }));
   await store.deliver(id, 1, 8, 2);
   await store.start(id, 1, 2);
   await store.end(id, 1, completed(2));
@@ -60,7 +60,7 @@ it("finds the commands of a robot by index, for any number of ended ones", async
   await store.add(id, { ...command, key: null, command: { action: "left 90" } });
   await store.add(id, { ...command, key: null, keep: 1, command: { action: "stop" } });
   await store.add(id, { ...command, key: "a-key-0002", command: { action: "stop" } });
-  await store.takeOver(id, pageState({ lastApplied: 2, fresh: true, endings: [] }));
+  await store.acquire(id, pageState({ lastApplied: 2, fresh: true, endings: [] }));
   await store.command(id, 1);
   await store.commandsAfter(id, 0, 10);
 
@@ -86,7 +86,7 @@ it("reads no ended commands when it searches for open ones", async () => {
   const store = new SqliteRobotStore(file, 0);
   const id = "AAAAAAAAAAAAAAAAAAAAAA";
   await store.create({ id, createdAt: 1, keys: [{ kind: "drive", hash: sent.driver }] });
-  await store.takeOver(id, pageState({ lastApplied: 0, fresh: true, endings: [] }));
+  await store.acquire(id, pageState({ lastApplied: 0, fresh: true, endings: [] }));
   for (let n = 1; n <= 5; n++) await store.add(id, sent);
   await store.deliver(id, 1, 8, NOW);
   for (const seq of [1, 2, 3]) await store.end(id, 1, completed(seq));

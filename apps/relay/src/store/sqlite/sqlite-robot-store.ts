@@ -244,10 +244,10 @@ export class SqliteRobotStore implements RobotStore {
     );
   }
 
-  async takeOver(id: string, page: PageState) {
+  async acquire(id: string, page: PageState) {
     return this.#file.step(() =>
-      this.#of<Awaited<ReturnType<RobotStore["takeOver"]>>>(id, null, (robot) => {
-        const taken = machine.takeOver(robot.commands, page, {
+      this.#of<Awaited<ReturnType<RobotStore["acquire"]>>>(id, null, (robot) => {
+        const taken = machine.acquire(robot.commands, page, {
           row: (seq) => robot.row(seq),
           newest: (what, after) => robot.newestOvertaking(what, after),
         });

@@ -80,7 +80,7 @@ function ScriptRow({ script, now, onChange }: ScriptRowProps) {
   const language = useLanguageName(script.client);
   const details = useDetails(script, now);
   return (
-    <li className={classNames(styles["script"], script.isBlocked && styles["away"])}>
+    <li className={classNames(styles["script"], script.isBlocked && styles["blocked"])}>
       <div className={styles["cardWords"]}>
         <p id={id} className={styles["scriptName"]}>
           <bdi>{script.name ?? language}</bdi>

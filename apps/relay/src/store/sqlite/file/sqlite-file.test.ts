@@ -58,7 +58,7 @@ async function onFillingDisk() {
       maxWaiting: 10_000,
       keep: 20_000,
     });
-  await store.takeOver(ID, pageState({ settled: 1 }));
+  await store.acquire(ID, pageState({ settled: 1 }));
   for (let n = 0; n < 50; n++) await add({ action: "left 90" });
   await store.deliver(ID, 1, 50, 1);
   ballast.release = () => {
@@ -97,7 +97,7 @@ describe("a full disk", () => {
     const path = join(testFolder(), "corridor.sqlite");
     const before = new SqliteRobotStore(path);
     await before.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: sent.driver }] });
-    await before.takeOver(ID, pageState());
+    await before.acquire(ID, pageState());
     await before.close();
     let hasRoom = false;
     const ballast: Ballast = { hold: () => hasRoom, release: () => false };
@@ -132,7 +132,7 @@ describe("a full disk", () => {
     }
     expect(await add({ action: "stop" })).toMatchObject({ outcome: "stored" });
     const page = pageState({ lastApplied: 50, settled: 1 });
-    expect(await store.takeOver(ID, page)).toMatchObject({ epoch: 2 });
+    expect(await store.acquire(ID, page)).toMatchObject({ epoch: 2 });
     expect(await store.remove(ID)).toBe(true);
     expect(await store.find(ID)).toBeNull();
   });

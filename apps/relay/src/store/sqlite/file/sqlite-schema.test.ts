@@ -20,6 +20,10 @@ function fileOfBefore(): string {
       "INSERT INTO sessions (id, epoch, last_seq, created_at, last_used_at) VALUES (?, 1, 5, 1, 1)",
     ).run(id);
     db.prepare("INSERT INTO keys (robot, hash, kind) VALUES (?, ?, 'drive')").run(id, sent.driver);
+    db.prepare("INSERT INTO away (robot, id, driver, client) VALUES (?, 's', ?, 'curl')").run(
+      id,
+      sent.driver,
+    );
   }
   const add = db.prepare(`INSERT INTO commands
       (robot, seq, driver, script, key, command, state, reason, recalled, accepted_at, ttl, deadline, lease, pose, distance, epoch)
@@ -92,11 +96,17 @@ describe("a file of an earlier Corridor", () => {
     }
   });
 
+  it("keeps blocked scripts blocked", async () => {
+    const store = new SqliteRobotStore(fileOfBefore());
+    onTestFinished(() => store.close());
+    expect(await store.find(ID)).toMatchObject({ blocked: [{ id: "s", client: "curl" }] });
+  });
+
   it("is rejected by an earlier version after it was opened", () => {
     const file = fileOfBefore();
     openDatabase(file).close();
     expect(() => openDatabase(file, BY_ROBOT)).toThrow(
-      /newer Corridor \(schema 14, this version supports 10\)/,
+      /newer Corridor \(schema 15, this version supports 10\)/,
     );
   });
 

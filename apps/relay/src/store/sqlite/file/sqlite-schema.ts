@@ -213,6 +213,10 @@ const SHORT_CODES = `
 UPDATE documents SET hash = 'before:' || hash;
 `;
 
+const BLOCKED_SCRIPTS = `
+ALTER TABLE away RENAME TO blocked_scripts;
+`;
+
 /** The migration for each version. The first one creates version 1 from an empty file. */
 const STEPS: readonly string[] = [
   SESSIONS,
@@ -229,6 +233,7 @@ const STEPS: readonly string[] = [
   JOURNAL,
   COMMANDS_AS_ENTRIES,
   SHORT_CODES,
+  BLOCKED_SCRIPTS,
 ];
 
 /**

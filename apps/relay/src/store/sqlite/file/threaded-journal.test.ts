@@ -161,7 +161,7 @@ describe("a store whose journal has a thread", () => {
     const store = new SqliteRobotStore(new SqliteFile(path, { isThreaded: true }));
     onTestFinished(() => store.close());
     await store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: sent.driver }] });
-    await store.takeOver(ID, pageState());
+    await store.acquire(ID, pageState());
     const add = (key: string | null = null) => store.add(ID, { ...sent, key });
     /** A second connection, which can block writes. */
     const other = new DatabaseSync(path);
