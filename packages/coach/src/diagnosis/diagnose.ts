@@ -25,7 +25,7 @@ import type {
   FailureEvent,
   StuckEvent,
 } from "./diagnosis.ts";
-import { isLeftOut, isMissingDelay, isShownByRun, ranked, type Found } from "./rank.ts";
+import { isLeftOut, isShownByRun, isWrongAnyway, ranked, type Found } from "./rank.ts";
 import { RunTrace, type SolvedCheck, type TraceStart } from "./run-trace.ts";
 import { tryProgram, type TrialResult, type TrialTask } from "./trial.ts";
 
@@ -247,7 +247,7 @@ function foundBy(
 ): Found | null {
   const { from, outcome, offCentre } = trial;
   if (from === null || outcome === "fails") return null;
-  if (outcome === "further" && !isMissingDelay(trace, fix, from)) return null;
+  if (outcome === "further" && !isWrongAnyway(trace, fix, trial)) return null;
   const isWhole = solvesAll === null ? null : outcome === "solved" && solvesAll(program);
   const isShown = isShownByRun(trace, event, fix, trial);
   const found: Found = { fix, from, program, outcome, offCentre, isWhole, isShown };

@@ -59,6 +59,8 @@ const kinds = [
   "action",
   /** in free play, a change after which another failure occurs */
   "past",
+  /** a turn to a wall, with another action of which the robot only gets further */
+  "further-turn",
 ] as const;
 type Kind = (typeof kinds)[number];
 
@@ -96,7 +98,9 @@ export function ranked(
   };
   const kindOf = (each: Found): Kind | null => {
     const { fix, from, outcome, isWhole } = each;
-    if (outcome === "further") return "further";
+    if (outcome === "further") {
+      return isMissingDelay(trace, fix, from) ? "further" : "further-turn";
+    }
     if (outcome === "solved" && isWhole !== false) return solutionKind(each);
     if (isMissingDelay(trace, fix, from) || each === withoutRoom) return "delay";
     if (each.isShown || isShownByReadings(trace, fix, momentOf(each))) {
@@ -207,10 +211,23 @@ function isIntoWallAhead(trace: RunTrace, { line, when, moment }: WrongCompariso
 }
 
 /**
- * A turn at the edge of an opening is wrong independent of other mistakes. It is named if the robot
- * gets further with the delay. If a wall ahead was the reason for the turn, its distance is wrong.
+ * Whether the action is wrong independent of other mistakes. It is named even if the robot only gets
+ * further with another one.
  */
-export function isMissingDelay(trace: RunTrace, fix: Fix, from: number): boolean {
+export function isWrongAnyway(
+  trace: RunTrace,
+  fix: Fix,
+  { from, hasBumped }: Pick<TrialResult, "from" | "hasBumped">,
+): boolean {
+  if (from === null) return false;
+  return isMissingDelay(trace, fix, from) || (!hasBumped && isIntoWall(causeOf(trace, fix, from)));
+}
+
+/**
+ * A turn at the edge of an opening lacks its delay. If a wall ahead was the reason for the turn, its
+ * distance is wrong.
+ */
+function isMissingDelay(trace: RunTrace, fix: Fix, from: number): boolean {
   const cause = causeOf(trace, fix, from);
   if (cause?.kind !== "not-delayed" || !cause.isAtEdge) return false;
   return lineOfWallAhead(trace, cause.moment) === null;

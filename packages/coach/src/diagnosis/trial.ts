@@ -41,6 +41,8 @@ export interface TrialResult {
   lines: ReadonlySet<LineRef>;
   /** the longest distance in units from the middle of a square at which the robot turned */
   offCentre: number;
+  /** whether a bump ended the trial */
+  hasBumped: boolean;
 }
 
 /**
@@ -62,7 +64,8 @@ export function tryProgram(
   const compiled = new CompiledProgram(program);
   const start = trace.firstDifference(compiled, from);
   const lines = new Set<LineRef>();
-  if (start === null) return { outcome: "fails", from: null, cost: 0, lines, offCentre: 0 };
+  if (start === null)
+    return { outcome: "fails", from: null, cost: 0, lines, offCentre: 0, hasBumped: false };
   const simulation = trace.at(start);
   const run = new ProgramRun(simulation, compiled);
   const solved = task.newSolvedCheck?.() ?? null;
@@ -73,6 +76,7 @@ export function tryProgram(
     cost: simulation.tick - start,
     lines,
     offCentre,
+    hasBumped: simulation.bumps > allowed,
   });
   const fresh = new Set<number>();
   const failed = () => result(fresh.size >= FURTHER_SQUARES && !isBump ? "further" : "fails");

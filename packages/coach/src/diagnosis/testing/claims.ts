@@ -68,13 +68,18 @@ export function falseClaims(
   return wrong;
 }
 
-/** A missing delay is also named if another mistake remains, but the robot gets to new squares. */
+/**
+ * A missing delay and a turn to a wall are also named if another mistake remains, but the robot gets to
+ * new squares.
+ */
 function isFurther(
   cause: Cause,
   ticks: readonly PlainTick[],
   squares: ReadonlySet<string>,
 ): boolean {
-  if (cause.kind !== "not-delayed" || !cause.isAtEdge) return false;
+  const isMissingDelay = cause.kind === "not-delayed" && cause.isAtEdge;
+  const isIntoWall = cause.kind === "action" && cause.detail?.kind === "into-wall";
+  if (!isMissingDelay && !isIntoWall) return false;
   const before = new Set(ticks.map(squareOf));
   return [...squares].filter((square) => !before.has(square)).length >= 2;
 }

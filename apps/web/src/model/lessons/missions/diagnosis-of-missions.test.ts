@@ -217,7 +217,9 @@ describe("wrong answers with two changes", () => {
       const line = causeLine(diagnosis);
       const { cause } = diagnosis;
       const isMissingDelay = cause?.kind === "not-delayed" && cause.isAtEdge;
-      return line !== null && !canHelp(challenge, answer.program, maze, line, isMissingDelay);
+      const isIntoWall = cause?.kind === "action" && cause.detail?.kind === "into-wall";
+      const mayBeFurther = isMissingDelay || isIntoWall;
+      return line !== null && !canHelp(challenge, answer.program, maze, line, mayBeFurther);
     });
     expect(blamed.map(({ name }) => name)).toEqual([]);
   });

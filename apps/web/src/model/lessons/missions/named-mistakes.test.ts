@@ -249,6 +249,12 @@ describe("of two mistakes", () => {
       for (const cause of causes(id, program)) expect(cause?.kind).not.toBe("comparison");
   });
 
+  it("a turn to a wall is named in each maze, although no single change solves one of them", () => {
+    const toWall = { kind: "action", moment: { line: 0 }, detail: { kind: "into-wall" } };
+    const program = lines("forward", front("<", 50, "left 90"));
+    expect(causes("farthest-distance", program)).toMatchObject([toWall, toWall]);
+  });
+
   it("no later line is blamed after the robot left the middle of the squares", () => {
     const program = lines(
       "forward",
