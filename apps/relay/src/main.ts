@@ -43,15 +43,18 @@ function describeStart(error: unknown, config: Config): string {
  */
 function shutDownOnSignal(relay: Relay, noticeMs: number): void {
   let closingSince: number | null = null;
+  const hurry = new AbortController();
   const end = (notice: number): void => {
     const now = performance.now();
     if (closingSince !== null) {
       // Under npm one press of Ctrl+C sends two signals, from the terminal and from npm.
       if (now - closingSince > SAME_PRESS_MS) process.exit(1);
+      // The signal of npm may be handled first, although the terminal sent its own one before.
+      if (notice === 0) hurry.abort();
       return;
     }
     closingSince = now;
-    relay.close(notice).then(
+    relay.close(notice, hurry.signal).then(
       () => process.exit(0),
       (error: unknown) => fail(`Corridor did not shut down cleanly: ${String(error)}`, 1),
     );

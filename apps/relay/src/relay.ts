@@ -47,8 +47,9 @@ export interface Relay {
   /**
    * Reports not ready, notifies all clients, closes connections and closes the store.
    * @param noticeMs time to continue normally, so that a load balancer stops sending new clients
+   * @param hurry ends that time when it is aborted
    */
-  close(noticeMs?: number): Promise<void>;
+  close(noticeMs?: number, hurry?: AbortSignal): Promise<void>;
 }
 
 /**
@@ -104,9 +105,14 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   });
 
   const metricsHttp = metricsServer(metrics, log);
-  const close = async (noticeMs = 0): Promise<void> => {
+  const close = async (noticeMs = 0, hurry?: AbortSignal): Promise<void> => {
     readiness.drain();
-    if (noticeMs > 0) await new Promise<void>((resolve) => clock.after(noticeMs, resolve));
+    if (noticeMs > 0) {
+      await new Promise<void>((resolve) => {
+        clock.after(noticeMs, resolve);
+        hurry?.addEventListener("abort", () => resolve());
+      });
+    }
     gateway.close();
     lines.close();
     checkSocket.close();
