@@ -10,11 +10,9 @@ import { promisify } from "node:util";
 import { scriptListSchema } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { beforeAll, describe, expect, it, onTestFinished } from "vitest";
-import { registerRobot } from "../../../packages/client/src/register-robot.ts";
 import { startTruncatingProxy } from "../../support/client/truncating-proxy.ts";
 import { startForwardProxy } from "../../support/client/forward-proxy.ts";
-import { GridRobot } from "../../support/client/grid-robot.ts";
-import { startRelayProcess } from "../../support/client/relay-process.ts";
+import { robotIn } from "../../support/client/robot-in.ts";
 
 /** Prevents .NET from using the network and the home directory; ignored by other programs. */
 const DOTNET = {
@@ -122,14 +120,6 @@ function isInstalled({ language, command: [program], probe }: Example): boolean 
     process.stderr.write(`examples.test.ts: skipped ${language}: ${program} is not installed\n`);
     return false;
   }
-}
-
-async function robotIn(maze: readonly string[]) {
-  const relay = await startRelayProcess();
-  const registration = await registerRobot(relay.origin, fetch);
-  const robot = new GridRobot(relay.origin, registration, maze);
-  onTestFinished(() => robot.link.close());
-  return { relay, robot, registration };
 }
 
 describe.each(examples)("the right-wall follower in $language", (example) => {

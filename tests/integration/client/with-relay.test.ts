@@ -4,10 +4,8 @@ import { join } from "node:path";
 import { promisify } from "node:util";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { HostLink } from "../../../packages/client/src/host-link.ts";
-import { registerRobot } from "../../../packages/client/src/register-robot.ts";
 import { RobotClient } from "../../../packages/client/src/robot-client.ts";
-import { GridRobot } from "../../support/client/grid-robot.ts";
-import { startRelayProcess } from "../../support/client/relay-process.ts";
+import { robotIn } from "../../support/client/robot-in.ts";
 
 const run = promisify(execFile);
 const EXAMPLES = join(import.meta.dirname, "../../../examples");
@@ -25,14 +23,6 @@ const TREE = [
 ];
 
 const CORRIDOR = ["#".repeat(42), `#${".".repeat(40)}#`, "#".repeat(42)];
-
-async function robotIn(maze: readonly string[]) {
-  const relay = await startRelayProcess();
-  const registration = await registerRobot(relay.origin, fetch);
-  const robot = new GridRobot(relay.origin, registration, maze);
-  onTestFinished(() => robot.link.close());
-  return { relay, robot, registration };
-}
 
 async function scriptFor(address: string): Promise<RobotClient> {
   const script = await RobotClient.connect(address);

@@ -1,0 +1,13 @@
+/** A relay in a process of its own, and a robot in a grid of blocks that is connected to it. */
+import { onTestFinished } from "vitest";
+import { registerRobot } from "../../../packages/client/src/register-robot.ts";
+import { GridRobot } from "./grid-robot.ts";
+import { startRelayProcess } from "./relay-process.ts";
+
+export async function robotIn(maze: readonly string[]) {
+  const relay = await startRelayProcess();
+  const registration = await registerRobot(relay.origin, fetch);
+  const robot = new GridRobot(relay.origin, registration, maze);
+  onTestFinished(() => robot.link.close());
+  return { relay, robot, registration };
+}
