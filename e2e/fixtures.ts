@@ -5,7 +5,7 @@
 import { test as base, type BrowserContext, type BrowserContextOptions } from "playwright/test";
 import { CorridorPage } from "./pages/corridor-page.ts";
 import { PageErrors } from "./support/page-errors.ts";
-import { RelayProcess } from "./support/relay-process.ts";
+import { RelayProcess } from "../tests/support/relay-process.ts";
 
 interface TestFixtures {
   pageErrors: PageErrors;

@@ -3,7 +3,7 @@ import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
 import { RelayProxy, NEWER_BUILD } from "./support/relay-proxy.ts";
-import { RelayProcess } from "./support/relay-process.ts";
+import { RelayProcess } from "../tests/support/relay-process.ts";
 
 test.use({ serviceWorkers: "allow" });
 test.setTimeout(120_000);

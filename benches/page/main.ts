@@ -4,7 +4,7 @@
  * parts of their titles. docs/performance.md describes each number.
  */
 import { chromium } from "playwright";
-import { RelayProcess } from "../../e2e/support/relay-process.ts";
+import { RelayProcess } from "../../tests/support/relay-process.ts";
 import { chromiumArguments, requireChromium } from "../../scripts/chromium.ts";
 import { formatGoal, isMet, type Goal } from "../core/goals.ts";
 import { firstVisit } from "./first-visit.ts";

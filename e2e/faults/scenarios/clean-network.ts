@@ -2,7 +2,7 @@
  * Twenty robots with ten commands a second each on a network without faults: no command is lost,
  * and all are fast.
  */
-import { RelayProcess } from "../../support/relay-process.ts";
+import { RelayProcess } from "../../../tests/support/relay-process.ts";
 import { callRepeatedly, sleep, waitUntil } from "../clock.ts";
 import { percentile } from "../percentile.ts";
 import type { Scenario } from "../scenario.ts";

@@ -1,6 +1,6 @@
 /** Connections of pages and scripts are cut repeatedly, each independently, and recover. */
 import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
-import { RelayProcess } from "../../support/relay-process.ts";
+import { RelayProcess } from "../../../tests/support/relay-process.ts";
 import { machineNow, sleep, waitUntil } from "../clock.ts";
 import { FaultProxy } from "../net/fault-proxy.ts";
 import { percentile } from "../percentile.ts";

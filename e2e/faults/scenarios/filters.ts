@@ -1,7 +1,7 @@
 /** School-like filters between the clients and the relay: every client connects. */
 import { openFilterProxy, type FilterMode } from "../../../tests/support/client/filter-proxy.ts";
 import type { Goal } from "../../../benches/core/goals.ts";
-import { RelayProcess } from "../../support/relay-process.ts";
+import { RelayProcess } from "../../../tests/support/relay-process.ts";
 import { machineNow, sleep, waitUntil } from "../clock.ts";
 import type { Robot } from "../robots/robot.ts";
 import type { Scenario, ScenarioContext } from "../scenario.ts";

@@ -1,8 +1,8 @@
 /** The relay's disk is full while scripts drive robots, and later has space again. */
 import { join } from "node:path";
 import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
-import { RelayProcess } from "../../support/relay-process.ts";
-import { SmallDisk } from "../../support/small-disk.ts";
+import { RelayProcess } from "../../../tests/support/relay-process.ts";
+import { SmallDisk } from "../../../tests/support/small-disk.ts";
 import { machineNow, sleep } from "../clock.ts";
 import type { Robot } from "../robots/robot.ts";
 import type { Scenario } from "../scenario.ts";

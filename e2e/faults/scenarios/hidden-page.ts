@@ -4,7 +4,7 @@
  */
 import { commandRecordSchema, type CommandRecord } from "@corridor/protocol";
 import { RawChromium } from "../../support/devtools.ts";
-import { RelayProcess } from "../../support/relay-process.ts";
+import { RelayProcess } from "../../../tests/support/relay-process.ts";
 import { machineNow, sleep, waitUntil } from "../clock.ts";
 import { percentile } from "../percentile.ts";
 import type { Scenario } from "../scenario.ts";

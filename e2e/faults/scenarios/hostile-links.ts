@@ -10,7 +10,7 @@ import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-rand
 import { checkOf, textOf } from "../../../packages/link/src/digits.ts";
 import { chromiumArguments, requireChromium } from "../../../scripts/chromium.ts";
 import share from "../../../apps/web/src/text/en/share.json" with { type: "json" };
-import { RelayProcess } from "../../support/relay-process.ts";
+import { RelayProcess } from "../../../tests/support/relay-process.ts";
 import type { Scenario } from "../scenario.ts";
 
 const REFUSALS = Object.values(share.linkProblems);

@@ -4,7 +4,7 @@
  */
 import { badCommands } from "../../../apps/relay/src/testing/bad-commands.ts";
 import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
-import { RelayProcess } from "../../support/relay-process.ts";
+import { RelayProcess } from "../../../tests/support/relay-process.ts";
 import { sleep } from "../clock.ts";
 import { RawSocket, type Frame } from "../net/raw-socket.ts";
 import type { Scenario } from "../scenario.ts";

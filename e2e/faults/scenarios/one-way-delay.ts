@@ -4,7 +4,7 @@
  * network no command expires.
  */
 import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
-import { RelayProcess } from "../../support/relay-process.ts";
+import { RelayProcess } from "../../../tests/support/relay-process.ts";
 import { sleep } from "../clock.ts";
 import { FaultProxy, type Delay, type Direction } from "../net/fault-proxy.ts";
 import { makeCertificate, TlsProxy, trust, type Certificate } from "../net/tls-proxy.ts";

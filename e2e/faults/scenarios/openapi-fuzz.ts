@@ -5,7 +5,7 @@
 import { spawnSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
 import { requireEnvironment, requirePython } from "../../../scripts/python.ts";
-import { RelayProcess } from "../../support/relay-process.ts";
+import { RelayProcess } from "../../../tests/support/relay-process.ts";
 import type { Scenario, ScenarioContext } from "../scenario.ts";
 import { TestBed } from "../test-bed.ts";
 

@@ -1,6 +1,6 @@
 /** The relay is killed repeatedly, as by a power cut, and restarts from its files. */
 import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
-import { RelayProcess } from "../../support/relay-process.ts";
+import { RelayProcess } from "../../../tests/support/relay-process.ts";
 import { machineNow, sleep, waitUntil } from "../clock.ts";
 import type { Scenario } from "../scenario.ts";
 import { TestBed } from "../test-bed.ts";

@@ -1,7 +1,7 @@
 /** Tabs are reloaded in the middle of commands, and opened a second time. */
 import { hasEnded } from "@corridor/protocol";
 import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
-import { RelayProcess } from "../../support/relay-process.ts";
+import { RelayProcess } from "../../../tests/support/relay-process.ts";
 import { sleep, waitUntil } from "../clock.ts";
 import type { Pages } from "../robots/pages.ts";
 import type { Robot } from "../robots/robot.ts";

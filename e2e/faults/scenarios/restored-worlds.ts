@@ -5,7 +5,7 @@
 import type { CommandRecord, Order, Pose } from "@corridor/protocol";
 import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
 import { RawChromium } from "../../support/devtools.ts";
-import { RelayProcess } from "../../support/relay-process.ts";
+import { RelayProcess } from "../../../tests/support/relay-process.ts";
 import { sleep, waitUntil } from "../clock.ts";
 import { BrowserRobot } from "../robots/browser-robot.ts";
 import type { Scenario, ScenarioContext } from "../scenario.ts";

@@ -3,7 +3,7 @@
  * it.
  */
 import { RawChromium } from "../../support/devtools.ts";
-import { RelayProcess } from "../../support/relay-process.ts";
+import { RelayProcess } from "../../../tests/support/relay-process.ts";
 import { machineNow } from "../clock.ts";
 import { percentile } from "../percentile.ts";
 import { BrowserRobot } from "../robots/browser-robot.ts";

@@ -4,7 +4,7 @@
  */
 import { spawnSync } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
-import { RelayProcess } from "../../support/relay-process.ts";
+import { RelayProcess } from "../../../tests/support/relay-process.ts";
 import { machineNow, sleep } from "../clock.ts";
 import { RawSocket } from "../net/raw-socket.ts";
 import { percentile } from "../percentile.ts";

@@ -3,7 +3,7 @@
  * move it again.
  */
 import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
-import { RelayProcess } from "../../support/relay-process.ts";
+import { RelayProcess } from "../../../tests/support/relay-process.ts";
 import { callRepeatedly, machineNow, sleep, waitUntil } from "../clock.ts";
 import { FaultProxy } from "../net/fault-proxy.ts";
 import type { Robot } from "../robots/robot.ts";

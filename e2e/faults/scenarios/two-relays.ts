@@ -2,7 +2,7 @@
 import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
 import { startBalancer } from "../../../scripts/balancer.ts";
 import { requireRedis, startRedis } from "../../../scripts/redis-server.ts";
-import { RelayProcess } from "../../support/relay-process.ts";
+import { RelayProcess } from "../../../tests/support/relay-process.ts";
 import { machineNow, sleep, waitUntil } from "../clock.ts";
 import type { Scenario } from "../scenario.ts";
 import { TestBed } from "../test-bed.ts";

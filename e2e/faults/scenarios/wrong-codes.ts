@@ -7,7 +7,7 @@ import { PAIRING_LETTERS } from "@corridor/protocol";
 import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
 import type { Goal } from "../../../benches/core/goals.ts";
 import { RawChromium, type RawPage } from "../../support/devtools.ts";
-import { RelayProcess } from "../../support/relay-process.ts";
+import { RelayProcess } from "../../../tests/support/relay-process.ts";
 import { machineNow, sleep } from "../clock.ts";
 import type { Scenario } from "../scenario.ts";
 

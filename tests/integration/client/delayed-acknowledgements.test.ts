@@ -5,7 +5,7 @@ import { connectionUrls, parseRobotAddress } from "../../../packages/client/src/
 import { RobotClient } from "../../../packages/client/src/robot-client.ts";
 import { GridRobot } from "../../support/client/grid-robot.ts";
 import { slowNetwork, type SlowNetwork } from "../../support/client/slow-network.ts";
-import { startRelayProcess } from "../../support/client/relay-process.ts";
+import { startRelayProcess } from "../../support/test-relay-process.ts";
 
 /** Waits until the network has received this many more snapshots. */
 async function receive(network: SlowNetwork, snapshots: number): Promise<void> {
@@ -18,8 +18,8 @@ async function receive(network: SlowNetwork, snapshots: number): Promise<void> {
 /** The address of a robot whose page reports more often than the relay sends snapshots. */
 async function reportingRobot(): Promise<string> {
   const relay = await startRelayProcess();
-  const registration = await registerRobot(relay.origin, fetch);
-  const robot = new GridRobot(relay.origin, registration, ["###", "#.#", "###"]);
+  const registration = await registerRobot(relay.url, fetch);
+  const robot = new GridRobot(relay.url, registration, ["###", "#.#", "###"]);
   const timer = setInterval(() => robot.link.sendSnapshot(robot.snapshot()), 1_000 / 30);
   onTestFinished(() => {
     clearInterval(timer);

@@ -151,14 +151,14 @@ describe.each(examples)("the right-wall follower in $language", (example) => {
 
   it.skipIf(isMissing)("continues despite truncated responses, and sends its name", async () => {
     const { relay, robot, registration } = await robotIn(TREE);
-    const proxy = await startTruncatingProxy(relay.origin, 7);
+    const proxy = await startTruncatingProxy(relay.url, 7);
     const { hash, pathname } = new URL(registration.address);
     const cells = String(robot.openCells);
     await start(`${proxy.origin}${pathname}${hash}`, "--until-cells", cells);
     expect(proxy.truncated).toBeGreaterThan(2);
     expect(robot.visited.size).toBe(robot.openCells);
     expect(robot.snapshot().bumps).toBe(0);
-    const listed = await fetch(`${relay.origin}/api/v1/robots/${registration.id}/scripts`, {
+    const listed = await fetch(`${relay.url}/api/v1/robots/${registration.id}/scripts`, {
       headers: { Authorization: `Bearer ${registration.ownerKey}` },
     });
     const { scripts } = scriptListSchema.parse(await listed.json());
@@ -169,7 +169,7 @@ describe.each(examples)("the right-wall follower in $language", (example) => {
 
   it.skipIf(isMissing)("uses the network's proxy", async () => {
     const { relay, robot, registration } = await robotIn(TREE);
-    const proxy = await startForwardProxy(relay.origin);
+    const proxy = await startForwardProxy(relay.url);
     const { hash, pathname } = new URL(registration.address);
     const cells = String(robot.openCells);
     const address = `${proxy.service}${pathname}${hash}`;

@@ -6,13 +6,13 @@ import { RobotClient } from "../../../packages/client/src/robot-client.ts";
 import type { FilterMode } from "../../support/client/filter-proxy.ts";
 import { startFilterProxy } from "../../support/client/start-filter-proxy.ts";
 import { GridRobot } from "../../support/client/grid-robot.ts";
-import { startRelayProcess } from "../../support/client/relay-process.ts";
+import { startRelayProcess } from "../../support/test-relay-process.ts";
 
 const CORRIDOR = ["#".repeat(42), `#${".".repeat(40)}#`, "#".repeat(42)];
 
 async function behind(mode: FilterMode, platform?: Platform) {
   const relay = await startRelayProcess();
-  const proxy = await startFilterProxy(relay.origin, mode);
+  const proxy = await startFilterProxy(relay.url, mode);
   const registration = await registerRobot(proxy.origin, fetch);
   const robot = new GridRobot(proxy.origin, registration, CORRIDOR);
   onTestFinished(() => robot.link.close());

@@ -70,7 +70,7 @@ describe("a script and a robot at a real relay", () => {
       start: { column: 1, row: 1, heading: "east" },
       goals: [{ column: 2, row: 1 }],
     };
-    const given = await fetch(`${relay.origin}/api/v1/robots/${registration.id}/maze`, {
+    const given = await fetch(`${relay.url}/api/v1/robots/${registration.id}/maze`, {
       method: "PUT",
       headers: {
         Authorization: `Bearer ${registration.ownerKey}`,
@@ -116,7 +116,7 @@ describe("a script and a robot at a real relay", () => {
     const waiting = script.move(100);
     const host = (fresh: boolean, onCommand: (seq: number, link: HostLink) => void): HostLink => {
       const link = new HostLink({
-        origin: relay.origin,
+        origin: relay.url,
         credentials: registration,
         lastApplied: 1,
         fresh,
@@ -141,8 +141,7 @@ describe("a script and a robot at a real relay", () => {
     });
     await started.promise;
     // The relay must have received `started` before the page disconnects.
-    for await (const { command } of log(relay.origin, registration))
-      if (command === "started") break;
+    for await (const { command } of log(relay.url, registration)) if (command === "started") break;
     first.close();
     host(true, () => undefined);
     await expect(waiting).rejects.toMatchObject({
@@ -161,10 +160,10 @@ describe("a script and a robot at a real relay", () => {
     }
     const hint = expect.stringContaining("Press 'Let scripts drive'") as string;
     const error = script.move(100).catch((thrown: unknown) => thrown);
-    for await (const { command } of log(relay.origin, registration)) {
+    for await (const { command } of log(relay.url, registration)) {
       if (command === "accepted") break;
     }
-    const paused = await fetch(`${relay.origin}/api/v1/robots/${registration.id}/pause`, {
+    const paused = await fetch(`${relay.url}/api/v1/robots/${registration.id}/pause`, {
       method: "PUT",
       headers: { Authorization: `Bearer ${registration.ownerKey}` },
     });
@@ -176,7 +175,7 @@ describe("a script and a robot at a real relay", () => {
   it("ends a script at once when its key is revoked", async () => {
     const { relay, registration } = await robotIn(CORRIDOR);
     const robot = await RobotClient.connect(registration.address);
-    const made = await fetch(`${relay.origin}/api/v1/robots/${registration.id}/keys`, {
+    const made = await fetch(`${relay.url}/api/v1/robots/${registration.id}/keys`, {
       method: "POST",
       headers: {
         Authorization: `Bearer ${registration.ownerKey}`,
@@ -197,9 +196,9 @@ describe("a script and a robot at a real relay", () => {
 
   it("distinguishes a wrong key from a missing robot", async () => {
     const { relay, registration } = await robotIn(CORRIDOR);
-    const wrongKey = `${relay.origin}/r/${registration.id}#drv_AAAAAAAAAAAAAAAAAAAAAA`;
+    const wrongKey = `${relay.url}/r/${registration.id}#drv_AAAAAAAAAAAAAAAAAAAAAA`;
     await expect(RobotClient.connect(wrongKey)).rejects.toMatchObject({ code: "not-authorised" });
-    const noRobot = `${relay.origin}/r/AAAAAAAAAAAAAAAAAAAAAA#${registration.driverKey}`;
+    const noRobot = `${relay.url}/r/AAAAAAAAAAAAAAAAAAAAAA#${registration.driverKey}`;
     await expect(RobotClient.connect(noRobot)).rejects.toMatchObject({ code: "no-robot" });
   });
 });

@@ -2,7 +2,7 @@ import { once } from "node:events";
 import { spawn } from "node:child_process";
 import { join } from "node:path";
 import { describe, expect, it, onTestFinished } from "vitest";
-import { startRelayProcess } from "../../support/relay/relay-process.ts";
+import { startRelayProcess } from "../../support/test-relay-process.ts";
 import {
   requestsTo,
   startTestRelay,
@@ -14,9 +14,8 @@ import { TestSocket } from "../../../apps/relay/src/testing/test-socket.ts";
 const READY = /Corridor is ready: (http:\S+)/;
 
 async function startProcess(environment: Record<string, string> = {}) {
-  const process = startRelayProcess(environment);
-  const [, origin = ""] = await process.says(READY);
-  return { process, relay: requestsTo(origin) };
+  const process = await startRelayProcess({ environment });
+  return { process, relay: requestsTo(process.url) };
 }
 
 /** Waits until the relay reports that it is not ready. */
@@ -39,7 +38,7 @@ describe("a relay that receives a signal to shut down", () => {
     await page.socket.next("command");
     const waiting = relay.ask(robot, "/commands/1?wait=25");
 
-    process.child.kill("SIGTERM");
+    process.signal("SIGTERM");
     expect(await unready(relay)).toMatchObject({ type: "/problems/restarting", status: 503 });
     // Existing clients continue until the load balancer has noticed.
     expect((await fetch(`${relay.origin}/healthz`)).status).toBe(200);
@@ -51,18 +50,18 @@ describe("a relay that receives a signal to shut down", () => {
     const record = await waiting;
     expect([record.status, await record.json()]).toMatchObject([200, { state: "delivered" }]);
     expect(await events.text()).toContain("event: state");
-    expect(await process.ended()).toBe(0);
+    expect(await process.exitCode()).toBe(0);
   });
 
   it("exits immediately on a second SIGTERM", async () => {
     const { process, relay } = await startProcess({ DRAIN_SECONDS: "60" });
-    process.child.kill("SIGTERM");
+    process.signal("SIGTERM");
     await unready(relay);
     // Signals within half a second belong to the same press of a key.
     await new Promise((resolve) => setTimeout(resolve, 600));
     expect((await fetch(`${relay.origin}/healthz`)).status).toBe(200);
-    process.child.kill("SIGTERM");
-    expect(await process.ended()).toBe(1);
+    process.signal("SIGTERM");
+    expect(await process.exitCode()).toBe(1);
   });
 
   it.each([
@@ -72,15 +71,15 @@ describe("a relay that receives a signal to shut down", () => {
     "shuts down cleanly on one press of Ctrl+C that sends two signals, as under npm (%s first)",
     async (...signals) => {
       const { process } = await startProcess({ DRAIN_SECONDS: "60" });
-      for (const signal of signals) process.child.kill(signal);
-      expect(await process.ended()).toBe(0);
+      for (const signal of signals) process.signal(signal);
+      expect(await process.exitCode()).toBe(0);
     },
   );
 
   it("does not wait for load balancers on Ctrl+C", async () => {
     const { process } = await startProcess({ DRAIN_SECONDS: "60" });
-    process.child.kill("SIGINT");
-    expect(await process.ended()).toBe(0);
+    process.signal("SIGINT");
+    expect(await process.exitCode()).toBe(0);
   });
 
   it("drops connections that do not read the close frame", async () => {

@@ -1,7 +1,7 @@
 import { problemSchema, type Registration } from "@corridor/protocol";
 import { expect, it, vi } from "vitest";
 import { completed } from "../../../apps/relay/src/platform/testing/messages.ts";
-import { realSmallDisk } from "../../support/relay/small-disk.ts";
+import { smallDisk } from "../../support/test-small-disk.ts";
 import { startTestRelay, type TestRelay } from "../../../apps/relay/src/testing/test-relay.ts";
 import { TestSocket } from "../../../apps/relay/src/testing/test-socket.ts";
 
@@ -22,8 +22,7 @@ function posts(relay: TestRelay, robot: Registration) {
 }
 
 it("answers 507 on a full disk, keeps acknowledged commands, and recovers", async ({ skip }) => {
-  const disk = realSmallDisk(10);
-  if (disk === null) return skip("mounting a small disk needs root");
+  const disk = smallDisk(10, skip);
   const relay = await startTestRelay({ dataDir: disk.folder });
   const robot = await relay.register();
   const post = posts(relay, robot);
@@ -46,7 +45,7 @@ it("answers 507 on a full disk, keeps acknowledged commands, and recovers", asyn
     commands: Array.from({ length: stored }, (_, n) => ({ seq: n + 1, state: "accepted" })),
   });
 
-  disk.makeRoom();
+  disk.freeSpace();
   const retry = await vi.waitFor(async () => {
     const again = await post(stored + 1);
     expect(again.status).toBe(202);
@@ -58,8 +57,7 @@ it("answers 507 on a full disk, keeps acknowledged commands, and recovers", asyn
 });
 
 it("lets the robot end its command and owners delete while the disk is full", async ({ skip }) => {
-  const disk = realSmallDisk(10);
-  if (disk === null) return skip("mounting a small disk needs root");
+  const disk = smallDisk(10, skip);
   const relay = await startTestRelay({ dataDir: disk.folder });
   const robot = await relay.register();
   const other = await relay.register();
@@ -78,7 +76,7 @@ it("lets the robot end its command and owners delete while the disk is full", as
   const gone = await relay.ask(other, "", { method: "DELETE", key: other.ownerKey });
   expect(gone.status).toBe(204);
 
-  disk.makeRoom();
+  disk.freeSpace();
   await vi.waitFor(async () => expect((await post(3)).status).toBe(202), RECOVERY);
   const log = await relay.ask(robot, "/commands/1");
   expect(await log.json()).toMatchObject({ seq: 1, state: "completed" });

@@ -5,26 +5,25 @@ import type { AddressInfo } from "node:net";
 import { join } from "node:path";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { WebSocket } from "ws";
-import { startRelayProcess } from "../../support/relay/relay-process.ts";
+import { launchRelayProcess, startRelayProcess } from "../../support/test-relay-process.ts";
 import { testFolder } from "../../../apps/relay/src/testing/test-relay.ts";
 
 const READY = /Corridor is ready: (http:\S+)/;
 
 describe("starting the relay", () => {
   it("prints one working address and exits cleanly on SIGTERM", async () => {
-    const relay = startRelayProcess({});
-    const [, address] = await relay.says(READY);
-    expect((await fetch(`${address}/healthz`)).status).toBe(200);
-    relay.child.kill("SIGTERM");
-    expect(await relay.ended()).toBe(0);
-    expect(relay.output().trim().split("\n")).toHaveLength(1);
+    const relay = await startRelayProcess();
+    expect((await fetch(`${relay.url}/healthz`)).status).toBe(200);
+    relay.signal("SIGTERM");
+    expect(await relay.exitCode()).toBe(0);
+    expect(relay.log.trim().split("\n")).toHaveLength(1);
   });
 
   it("reports wrong settings and exits with 2", async () => {
-    const relay = startRelayProcess({ PORT: "eighty", LOG_LEVEL: "loud" });
-    expect(await relay.ended()).toBe(2);
-    expect(relay.output()).toContain("PORT");
-    expect(relay.output()).toContain("LOG_LEVEL");
+    const relay = launchRelayProcess({ environment: { PORT: "eighty", LOG_LEVEL: "loud" } });
+    expect(await relay.exitCode()).toBe(2);
+    expect(relay.log).toContain("PORT");
+    expect(relay.log).toContain("LOG_LEVEL");
   });
 
   it("reports that the port is in use and how to fix it", async () => {
@@ -32,10 +31,10 @@ describe("starting the relay", () => {
     onTestFinished(() => void other.close());
     await once(other, "listening");
     const { port } = other.address() as AddressInfo;
-    const relay = startRelayProcess({ PORT: String(port) });
-    expect(await relay.ended()).toBe(1);
-    expect(relay.output()).toContain(`port ${port} is in use`);
-    expect(relay.output()).not.toMatch(/\n\s+at /);
+    const relay = launchRelayProcess({ environment: { PORT: String(port) } });
+    expect(await relay.exitCode()).toBe(1);
+    expect(relay.log).toContain(`port ${port} is in use`);
+    expect(relay.log).not.toMatch(/\n\s+at /);
   });
 
   it("reports that the metrics port is in use", async () => {
@@ -43,10 +42,10 @@ describe("starting the relay", () => {
     onTestFinished(() => void other.close());
     await once(other, "listening");
     const { port } = other.address() as AddressInfo;
-    const relay = startRelayProcess({ METRICS_PORT: String(port) });
-    expect(await relay.ended()).toBe(1);
-    expect(relay.output()).toContain(`port ${port} is in use`);
-    expect(relay.output()).toContain(`METRICS_PORT=${port + 1}`);
+    const relay = launchRelayProcess({ environment: { METRICS_PORT: String(port) } });
+    expect(await relay.exitCode()).toBe(1);
+    expect(relay.log).toContain(`port ${port} is in use`);
+    expect(relay.log).toContain(`METRICS_PORT=${port + 1}`);
   });
 
   it("exits when npm, its parent process, has exited", async () => {
@@ -66,33 +65,31 @@ describe("starting the relay", () => {
   });
 
   it("logs no key at level debug", async () => {
-    const relay = startRelayProcess({ LOG_LEVEL: "debug" });
-    const [, address] = await relay.says(READY);
-    const answer = await fetch(`${address}/api/v1/robots`, { method: "POST" });
+    const relay = await startRelayProcess({ environment: { LOG_LEVEL: "debug" } });
+    const answer = await fetch(`${relay.url}/api/v1/robots`, { method: "POST" });
     const robot = (await answer.json()) as { id: string; driverKey: string };
     const socket = new WebSocket(
-      `${String(address).replace("http", "ws")}/api/v1/robots/${robot.id}/socket`,
+      `${relay.url.replace("http", "ws")}/api/v1/robots/${robot.id}/socket`,
     );
     await once(socket, "open");
     socket.send("x".repeat(20_000));
     await once(socket, "close");
     await relay.says(/WebSocket error/);
-    expect(relay.output()).not.toContain(robot.driverKey);
+    expect(relay.log).not.toContain(robot.driverKey);
   });
 });
 
 describe("npm run dev", () => {
   it("serves the page from its sources with hot reload, and the API, on one port", async () => {
-    const relay = startRelayProcess({}, ["--dev"]);
-    const [, address] = await relay.says(READY);
-    const page = await fetch(`${address}/r/AAAAAAAAAAAAAAAAAAAAAA`);
+    const { url } = await startRelayProcess({ arguments: ["--dev"] });
+    const page = await fetch(`${url}/r/AAAAAAAAAAAAAAAAAAAAAA`);
     expect(await page.text()).toContain("/@vite/client");
-    expect((await fetch(`${address}/healthz`)).status).toBe(200);
-    const client = await (await fetch(`${address}/@vite/client`)).text();
+    expect((await fetch(`${url}/healthz`)).status).toBe(200);
+    const client = await (await fetch(`${url}/@vite/client`)).text();
     const token = /wsToken = "([^"]+)"/.exec(client)?.[1] ?? "";
-    const base = String(address).replace("http", "ws");
+    const base = url.replace("http", "ws");
     const reload = new WebSocket(`${base}/?token=${token}`, "vite-hmr", {
-      origin: String(address),
+      origin: url,
     });
     const [hello] = (await once(reload, "message")) as [Buffer];
     expect(hello.toString()).toContain("connected");

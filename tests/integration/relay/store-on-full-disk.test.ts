@@ -6,12 +6,11 @@ import type { Compaction, Entry } from "../../../apps/relay/src/store/sqlite/fil
 import { openDatabase } from "../../../apps/relay/src/store/sqlite/file/sqlite-schema.ts";
 import { ThreadedJournal } from "../../../apps/relay/src/store/sqlite/file/threaded-journal.ts";
 import { SqliteRobotStore } from "../../../apps/relay/src/store/sqlite/sqlite-robot-store.ts";
-import { realSmallDisk } from "../../support/relay/small-disk.ts";
+import { smallDisk } from "../../support/test-small-disk.ts";
 
 describe("a store on a full disk", () => {
   it("still lets owners delete if the log is long, and frees the space", async ({ skip }) => {
-    const disk = realSmallDisk(24);
-    if (disk === null) return skip("only a superuser on Linux may have a disk of its own");
+    const disk = smallDisk(24, skip);
     const store = new SqliteRobotStore(join(disk.folder, "corridor.sqlite"));
     onTestFinished(() => store.close());
     const ids = ["A".repeat(22), "B".repeat(22)];
@@ -29,8 +28,7 @@ describe("a store on a full disk", () => {
   });
 
   it("reports a full disk as SQLite does, in the thread of the journal", async ({ skip }) => {
-    const disk = realSmallDisk(8);
-    if (disk === null) return skip("only a superuser on Linux may have a disk of its own");
+    const disk = smallDisk(8, skip);
     const path = join(disk.folder, "corridor.sqlite");
     const db = openDatabase(path);
     const journal = new ThreadedJournal(path);
@@ -52,7 +50,7 @@ describe("a store on a full disk", () => {
     expect(lost).toMatchObject({ errcode: 13 });
     expect(isDiskFull(lost)).toBe(true);
     expect(count()).toBe(1);
-    disk.makeRoom();
+    disk.freeSpace();
     expect(await write([much])).toEqual({ lost: null, compactionError: null });
     expect(count()).toBe(2);
   });

@@ -2,12 +2,12 @@
 import { onTestFinished } from "vitest";
 import { registerRobot } from "../../../packages/client/src/register-robot.ts";
 import { GridRobot } from "./grid-robot.ts";
-import { startRelayProcess } from "./relay-process.ts";
+import { startRelayProcess } from "../test-relay-process.ts";
 
 export async function robotIn(maze: readonly string[]) {
   const relay = await startRelayProcess();
-  const registration = await registerRobot(relay.origin, fetch);
-  const robot = new GridRobot(relay.origin, registration, maze);
+  const registration = await registerRobot(relay.url, fetch);
+  const robot = new GridRobot(relay.url, registration, maze);
   onTestFinished(() => robot.link.close());
   return { relay, robot, registration };
 }

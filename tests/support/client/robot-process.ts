@@ -11,27 +11,21 @@
  * - `disconnect`, `connect`: the robot's page
  * - `state`: what the robot has done
  */
-import { mkdtempSync, rmSync } from "node:fs";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
 import { createInterface } from "node:readline";
 import { setTimeout } from "node:timers/promises";
 import { registerRobot } from "../../../packages/client/src/register-robot.ts";
 import { GridRobot } from "./grid-robot.ts";
-import { killRelay, startRelayChild } from "./relay-child.ts";
+import { RelayProcess } from "../relay-process.ts";
 
 const rows = JSON.parse(process.argv[2] ?? "[]") as string[];
-const dataDir = mkdtempSync(join(tmpdir(), "corridor-"));
-let { child, port } = await startRelayChild(dataDir, 0);
-const origin = `http://127.0.0.1:${port}`;
+const relay = await RelayProcess.start();
+const origin = relay.url;
 const registration = await registerRobot(origin, fetch);
 const robot = new GridRobot(origin, registration, rows);
 
 const instructions: Record<string, () => unknown> = {
-  kill: async () => killRelay(child),
-  start: async () => {
-    ({ child, port } = await startRelayChild(dataDir, port));
-  },
+  kill: () => relay.kill(),
+  start: () => relay.restart(),
   disconnect: async () => {
     robot.link.close();
     await untilGone();
@@ -66,6 +60,6 @@ for await (const instruction of createInterface({ input: process.stdin })) {
   print((await instructions[instruction]?.()) ?? null);
 }
 robot.link.close();
-await killRelay(child);
-rmSync(dataDir, { recursive: true, force: true });
+await relay.kill();
+await relay.stop();
 process.exit();

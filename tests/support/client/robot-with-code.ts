@@ -2,7 +2,7 @@ import { createdPairingSchema, pairingSchema, type Registration } from "@corrido
 import { onTestFinished } from "vitest";
 import { registerRobot } from "../../../packages/client/src/register-robot.ts";
 import { GridRobot } from "./grid-robot.ts";
-import { startRelayProcess } from "./relay-process.ts";
+import { startRelayProcess } from "../test-relay-process.ts";
 
 /** A robot at a real relay with a pairing code. */
 export interface RobotWithCode {
@@ -15,7 +15,7 @@ export interface RobotWithCode {
 }
 
 export async function robotWithCode(maze: readonly string[]): Promise<RobotWithCode> {
-  const { origin } = await startRelayProcess();
+  const { url: origin } = await startRelayProcess();
   const registration = await registerRobot(origin, fetch);
   const robot = new GridRobot(origin, registration, maze);
   onTestFinished(() => robot.link.close());

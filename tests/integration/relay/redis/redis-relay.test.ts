@@ -2,7 +2,7 @@ import { problemSchema } from "@corridor/protocol";
 import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { systemClock } from "../../../../apps/relay/src/platform/time/clock.ts";
 import { connectRedis } from "../../../../apps/relay/src/store/redis/connection.ts";
-import { startRelayProcess } from "../../../support/relay/relay-process.ts";
+import { launchRelayProcess } from "../../../support/test-relay-process.ts";
 import { hasRedis, startTestRedis } from "../../../support/relay/test-redis.ts";
 import { startTestRelay } from "../../../../apps/relay/src/testing/test-relay.ts";
 import { TestSocket } from "../../../../apps/relay/src/testing/test-socket.ts";
@@ -103,9 +103,9 @@ describe.skipIf(!hasRedis)("a relay with Redis", () => {
 
   it("does not start with a Redis that could lose acknowledged commands, and explains the fix", async () => {
     const { url } = await startTestRedis(["--appendonly", "no"]);
-    const relay = startRelayProcess({ STORE_URL: url });
-    expect(await relay.ended()).toBe(1);
-    expect(relay.output()).toMatch(/cannot start: .*--appendonly yes/);
-    expect(relay.output()).not.toMatch(/\n\s+at /);
+    const relay = launchRelayProcess({ environment: { STORE_URL: url } });
+    expect(await relay.exitCode()).toBe(1);
+    expect(relay.log).toMatch(/cannot start: .*--appendonly yes/);
+    expect(relay.log).not.toMatch(/\n\s+at /);
   });
 });
