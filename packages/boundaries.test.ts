@@ -1,6 +1,6 @@
 import { globSync, readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import { violations, type Sources } from "../scripts/boundaries.ts";
+import { importsOf, violations, type Sources } from "../scripts/boundaries.ts";
 import { layerViolations } from "../scripts/layers.ts";
 
 const root = new URL("../", import.meta.url).pathname;
@@ -22,6 +22,30 @@ describe("imports between workspaces", () => {
 
   it("keeps the folders of an app in layers, tests included", () => {
     expect(layerViolations(sourcesOnDisk())).toEqual([]);
+  });
+});
+
+describe("unit tests", () => {
+  const starters = (sources: Sources): string[] =>
+    [...sources]
+      .filter(([, source]) =>
+        importsOf(source).some((name) => /^node:child_process$|\/tests\/support\//.test(name)),
+      )
+      .map(([file]) => file);
+
+  it("start no process: tests that do are in tests/integration", () => {
+    const testSources = ["**/*.test.{ts,tsx}", "**/{cases,testing}/**/*.{ts,tsx}"];
+    const files = globSync(testSources, { cwd: root, exclude: ["**/node_modules/**", "tests/**"] });
+    const sources = new Map(files.map((file) => [file, readFileSync(root + file, "utf8")]));
+    expect(sources.size).toBeGreaterThan(200);
+    expect(starters(sources)).toEqual([]);
+  });
+
+  it.each([
+    'import { spawn } from "node:child_process";',
+    'import { startRelayProcess } from "../../../tests/support/test-relay-process.ts";',
+  ])("are found if they do: %s", (source) => {
+    expect(starters(new Map([["apps/relay/src/a.test.ts", source]]))).toHaveLength(1);
   });
 });
 

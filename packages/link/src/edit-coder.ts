@@ -13,10 +13,9 @@ import {
   type MazeDocument,
 } from "@corridor/maze";
 import {
-  kindOf,
+  isSameRule,
   MAX_NAME_LENGTH,
   MAX_RULES,
-  numberOf,
   type ProgramDocument,
   type Rule,
 } from "@corridor/program";
@@ -164,12 +163,6 @@ function isSameGoals({ goals: a }: MazeDocument, { goals: b }: MazeDocument): bo
     a.length === b.length &&
     a.every(({ column, row }, at) => column === b[at]?.column && row === b[at]?.row)
   );
-}
-
-function isSameRule(a: Rule, b: Rule): boolean {
-  if (a.do !== b.do) return false;
-  if (a.when === null || b.when === null) return a.when === b.when;
-  return kindOf(a.when) === kindOf(b.when) && Object.is(numberOf(a.when), numberOf(b.when));
 }
 
 function codeCell(coder: BitCoder, cell: Cell = { column: 0, row: 0 }): Cell {
