@@ -8,6 +8,8 @@ import { hashKey } from "../platform/keys.ts";
 import { noRobot, Refusal, retryAfter } from "../platform/errors/problems.ts";
 import type { RobotStore } from "../store/port.ts";
 import { limits } from "../platform/limits/limits.ts";
+import type { RobotChannel } from "./presence/robot-channel.ts";
+import type { Subscribers } from "./readers/subscribers.ts";
 import { TokenBucket } from "../platform/limits/token-bucket.ts";
 
 /** Length of a version, which is the start of the maze's hash. */
@@ -24,10 +26,8 @@ export interface MazeBoardParts {
   robot: string;
   store: Pick<RobotStore, "storeMaze" | "maze">;
   clock: Clock;
-  /** notifies the readers at this relay of a new maze */
-  notify: (version: string) => void;
-  /** called after this relay has stored a maze */
-  changed: (version: string) => void;
+  subscribers: Pick<Subscribers, "publishMaze">;
+  channel: Pick<RobotChannel, "mazeChanged">;
 }
 
 export class MazeBoard {
@@ -72,14 +72,14 @@ export class MazeBoard {
     if ((await this.read())?.version === version) return version;
     if (!(await this.#parts.store.storeMaze(this.#parts.robot, text))) throw noRobot();
     this.received(version);
-    this.#parts.changed(version);
+    this.#parts.channel.mazeChanged(version);
     return version;
   }
 
   /** Handles a new maze, stored here or at another relay. */
   received(version: string): void {
     this.#known = version;
-    this.#parts.notify(version);
+    this.#parts.subscribers.publishMaze(version);
   }
 
   /** Reads the maze again, because a message of another relay may have been missed. */

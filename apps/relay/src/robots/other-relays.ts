@@ -2,31 +2,26 @@
 import { closeReasons } from "@corridor/protocol";
 import type { Clock } from "../platform/time/clock.ts";
 import type { BusMessage } from "../bus/bus.ts";
-import type { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import type { CommandLife } from "./delivery/command-life.ts";
-import type { Presence } from "./presence/presence.ts";
 import type { KeyRing } from "./access/key-ring.ts";
 import { limits } from "../platform/limits/limits.ts";
+import type { LiveView } from "./live-view.ts";
 import type { MazeBoard } from "./maze-board.ts";
-import type { PageLink, PageOwnership } from "./page/page-ownership.ts";
+import type { PageOwnership } from "./page/page-ownership.ts";
 import type { RobotChannel } from "./presence/robot-channel.ts";
-import type { RobotView } from "./robot-view.ts";
+import type { RobotPage } from "./robot-page.ts";
+import type { ScriptReport } from "./script-report.ts";
 
 export interface OtherRelaysParts {
   clock: Clock;
   ownership: PageOwnership;
-  view: RobotView;
+  view: LiveView;
   channel: RobotChannel;
-  life: CommandLife;
-  keys: KeyRing;
-  mazes: MazeBoard;
-  presence: Presence;
-  /** other relays consider the page at this relay disconnected */
-  lapsed(link: PageLink): void;
-  /** readers must receive a new snapshot */
-  notifyReaders(): void;
-  /** the page must receive the changed scripts */
-  notifyScripts(): void;
+  life: Pick<CommandLife, "handover" | "missedSteps">;
+  keys: Pick<KeyRing, "refresh">;
+  mazes: Pick<MazeBoard, "received" | "reload">;
+  page: Pick<RobotPage, "lapsed">;
+  report: ScriptReport;
   /** another relay has deleted the robot */
   over(): void;
 }
@@ -44,11 +39,11 @@ export class OtherRelays {
    * If another relay has the page, waits for its response: the newest snapshot, if there is one.
    */
   async meet(): Promise<void> {
-    const { ownership, channel, presence, clock } = this.#parts;
+    const { ownership, report, clock } = this.#parts;
     if (!ownership.isElsewhere) return;
     const { promise, resolve } = Promise.withResolvers<void>();
     this.#met = resolve;
-    channel.announce(presence.report(), true);
+    report.announce(true);
     const cancelTimer = clock.after(limits.firstSnapshotWaitMs, resolve);
     await promise;
     cancelTimer();
@@ -67,35 +62,32 @@ export class OtherRelays {
   }
 
   received(message: BusMessage): void {
-    const { ownership, view, channel, life, keys, mazes, presence, clock } = this.#parts;
+    const { ownership, view, channel, life, keys, mazes, report, clock } = this.#parts;
     const { page } = ownership;
     switch (message.kind) {
       case "page":
         ownership.acquireElsewhere(message.epoch, message.name)?.link.close(closeReasons.replaced);
-        return channel.announce(presence.report());
+        return report.announce();
       case "page-left":
         if (!ownership.leaveElsewhere(message.epoch, clock.now(), message.closedByPage)) return;
         life.handover.left(message.epoch, message.closedByPage);
-        view.pageLeft();
-        return this.#parts.notifyReaders();
+        return view.pageLeftElsewhere();
       case "yield":
         life.handover.ask(message.epoch);
         return;
       case "yielded":
         return life.handover.yielded(message.epoch, false);
       case "lapsed":
-        if (page !== null) this.#parts.lapsed(page.link);
-        return;
+        return this.#parts.page.lapsed();
       case "snapshot":
         if (page !== null) return;
         view.receive(message.snapshot);
-        this.#met();
-        return this.#parts.notifyReaders();
+        return this.#met();
       case "here":
         channel.receivedAnnouncement(message.from, message.scripts);
         if (page === null) return this.#met();
-        if (message.asks) this.#answer(view.newest);
-        return this.#parts.notifyScripts();
+        if (message.asks) this.#answer();
+        return report.send();
       case "cancel":
         return page?.link.send({ type: "cancel", seq: message.seq, cause: message.cause });
       case "keys":
@@ -107,9 +99,10 @@ export class OtherRelays {
     }
   }
 
-  #answer(newest: CarriedSnapshot | null): void {
-    const { channel, presence } = this.#parts;
-    if (newest === null) channel.announce(presence.report());
-    else channel.snapshot(newest);
+  /** Sends the newest snapshot, or reports that there is none. */
+  #answer(): void {
+    const { channel, view, report } = this.#parts;
+    if (view.newest === null) report.announce();
+    else channel.snapshot(view.newest);
   }
 }

@@ -37,10 +37,10 @@ async function withRobots(count: number) {
   const leftAlone = async ({ robot, key }: Grant): Promise<void> => {
     const link: PageLink = { isOpen: true, send: () => undefined, close: () => undefined };
     const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
-    await robot.acquirePage(link, nothing);
+    await robot.page.acquire(link, nothing);
     const command = { key: null, ...termsOf({ action: "left 90" }) };
     await robot.submit(key, command, () => undefined);
-    robot.leavePage(link, true);
+    robot.page.leave(link, true);
   };
   return { clock, store, registry, instead, robots, enter, leftAlone };
 }

@@ -238,10 +238,10 @@ export class RobotRegistry {
     const robot = await found.catch(() => null);
     if (robot === null || robot.isOver) return;
     await robot.checkLife();
-    if (robot.isUseDue) {
+    if (robot.use.isDue) {
       if (this.#notesLeft <= 0) return;
       this.#notesLeft -= 1;
-      await robot.noteUse();
+      await robot.use.note();
     }
     if (!robot.isQuiet || robot.isOver) return;
     if (this.#robots.get(id) === found) this.#robots.delete(id);
@@ -271,7 +271,7 @@ export class RobotRegistry {
     const urgent: Promise<void>[] = [];
     for (const found of this.#robots.values()) {
       const robot = await found.catch(() => null);
-      if (robot?.isUseUrgent === true) urgent.push(robot.noteUse());
+      if (robot?.use.isUrgent === true) urgent.push(robot.use.note());
     }
     await Promise.all(urgent);
   }

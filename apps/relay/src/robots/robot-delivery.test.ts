@@ -30,9 +30,9 @@ describe("a robot: delivery", () => {
       close: () => undefined,
     };
     const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
-    const taken = setup.robot.acquirePage(link, nothing);
+    const taken = setup.robot.page.acquire(link, nothing);
     isOpen = false;
-    setup.robot.leavePage(link, true);
+    setup.robot.page.leave(link, true);
     await taken;
     expect(setup.robot.hasPage).toBe(false);
     expect(sent.filter(({ type }) => type === "command")).toEqual([]);
@@ -44,7 +44,7 @@ describe("a robot: delivery", () => {
   it("sends the page the relay's time, so that the page can measure the delay of a frame", async () => {
     const setup = await withRobot();
     const host = await page(setup);
-    await setup.robot.receiveFromPage(host.link, { type: "time", epoch: host.epoch });
+    await setup.robot.page.receive(host.link, { type: "time", epoch: host.epoch });
     const welcome = host.sent.find(({ type }) => type === "welcome");
     expect(host.sent.at(-1)).toEqual({ type: "time", at: (welcome as { at: number }).at });
   });
@@ -73,7 +73,7 @@ describe("a robot: delivery", () => {
     for (let n = 0; n < 3; n++) await setup.submit(LEFT);
     const before = await page(setup);
     await before.started(1);
-    setup.robot.leavePage(before.link, true);
+    setup.robot.page.leave(before.link, true);
     const after = await page(setup, { lastApplied: 2, endings: [completed(1)] });
     expect(after.seqs("command")).toEqual([3]);
     expect(after.sent).toContainEqual({ type: "stored", seq: 1 });
@@ -88,9 +88,9 @@ describe("a robot: delivery", () => {
     expect(first.closed).toEqual([closeReasons.replaced.code]);
     expect(second.epoch).toBe(first.epoch + 1);
     await first.started(1);
-    setup.robot.leavePage(first.link, true);
+    setup.robot.page.leave(first.link, true);
     expect(await setup.states()).toEqual(["1 delivered"]);
-    await setup.robot.receiveFromPage(second.link, { type: "started", epoch: first.epoch, seq: 1 });
+    await setup.robot.page.receive(second.link, { type: "started", epoch: first.epoch, seq: 1 });
     expect(second.closed).toEqual([closeReasons.replaced.code]);
     expect(await setup.states()).toEqual(["1 delivered"]);
   });
@@ -114,7 +114,7 @@ describe("a robot: delivery", () => {
     await setup.submit(LEFT);
     const host = await page(setup);
     await host.started(1);
-    setup.robot.leavePage(host.link, true);
+    setup.robot.page.leave(host.link, true);
     await setup.clock.pass(limits.pageDisconnectedMs - 2_000);
     expect(await setup.states()).toEqual(["1 started"]);
     await setup.clock.pass(5_000);

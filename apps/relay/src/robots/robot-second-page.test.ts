@@ -64,7 +64,7 @@ describe("a robot: a second page", () => {
     for (const closedByPage of [true, false]) {
       const setup = await withRobot();
       const first = await withBusyPage(setup);
-      setup.robot.leavePage(first.link, closedByPage);
+      setup.robot.page.leave(first.link, closedByPage);
       const second = await anotherPage(setup);
       expect(second.seqs("command")).toEqual(closedByPage ? [2, 3] : []);
     }
@@ -77,7 +77,7 @@ describe("a robot: a second page", () => {
     const ended = [because("reloaded"), reloaded, reloaded];
     const setup = await withRobot();
     const first = await withBusyPage(setup);
-    setup.robot.leavePage(first.link, false);
+    setup.robot.page.leave(first.link, false);
     await anotherPage(setup);
     expect(await reasons(setup)).toEqual(ended);
     // The connection breaks only after the reloaded page has arrived.
@@ -85,7 +85,7 @@ describe("a robot: a second page", () => {
     const before = await withBusyPage(slow, true);
     const coming = anotherPage(slow);
     await settled();
-    slow.robot.leavePage(before.link, false);
+    slow.robot.page.leave(before.link, false);
     await coming;
     expect(await reasons(slow)).toEqual(ended);
   });
@@ -94,7 +94,7 @@ describe("a robot: a second page", () => {
     const setup = await withRobot();
     const first = await withBusyPage(setup);
     const received = first.started(2);
-    setup.robot.leavePage(first.link, true);
+    setup.robot.page.leave(first.link, true);
     await received;
     expect((await anotherPage(setup)).seqs("command")).toEqual([3]);
   });
@@ -135,14 +135,14 @@ describe("a robot: a second page", () => {
       endings: [],
       page: SECOND,
     };
-    const coming = setup.robot.acquirePage(gone, resume);
+    const coming = setup.robot.page.acquire(gone, resume);
     await settled();
     await setup.clock.pass(2 * limits.yieldMs);
     await coming;
     expect(sent).toEqual([]);
     // The first page reconnects and continues.
     expect(first.closed).toEqual([1013]);
-    setup.robot.leavePage(first.link, false);
+    setup.robot.page.leave(first.link, false);
     const again = await page(setup, { page: FIRST, lastApplied: 1 });
     expect(again.seqs("command")).toEqual([2, 3]);
   });

@@ -40,8 +40,9 @@ export class RobotUse {
   }
 
   /** Whether the store may soon treat the robot as expired although it is in use. */
-  isUrgent(now: number): boolean {
-    const isOld = now - this.#notedAt >= limits.robotIdleMs - 2 * limits.touchMs;
+  get isUrgent(): boolean {
+    const isOld =
+      this.#parts.clock.now() - this.#notedAt >= limits.robotIdleMs - 2 * limits.touchMs;
     return isOld && this.#lastAt > this.#notedAt;
   }
 

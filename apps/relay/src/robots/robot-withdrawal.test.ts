@@ -38,7 +38,7 @@ describe("a robot: withdrawing commands while the page is disconnected", () => {
     const before = await page(setup);
     for (let n = 0; n < 3; n++) await setup.submit(LEFT);
     await before.started(1);
-    setup.robot.leavePage(before.link, true);
+    setup.robot.page.leave(before.link, true);
     for (const seq of [1, 2])
       expect(await setup.robot.cancel(setup.key, seq)).toHaveProperty("seq");
     const after = await page(setup, { lastApplied: 1 });
@@ -53,7 +53,7 @@ describe("a robot: withdrawing commands while the page is disconnected", () => {
     const setup = await withRobot();
     const before = await page(setup);
     await setup.submit(LEFT);
-    setup.robot.leavePage(before.link, true);
+    setup.robot.page.leave(before.link, true);
     await setup.robot.keys.make({ kind: "drive", replace: true });
     const after = await page(setup);
     expect(after.seqs("command")).toEqual([]);

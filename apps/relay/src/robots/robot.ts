@@ -1,6 +1,7 @@
 /**
- * One robot at this relay: permissions, reports of its page, and expiry. `command-life.ts` implements
- * the lifecycle of its commands. Independent of WebSocket and HTTP.
+ * One robot at this relay: creates the parts that hold its state, and starts and ends them together.
+ * All changes of commands go through the one queue of `CommandLife`. Independent of WebSocket and
+ * HTTP.
  */
 import {
   closeReasons,
@@ -9,33 +10,33 @@ import {
   SILENT_ROBOT_REASON,
   type CommandRecord,
   type CommandTerms,
-  type PageToRelay,
-  type Resume,
   type ScriptView,
 } from "@corridor/protocol";
 import type { Clock } from "../platform/time/clock.ts";
 import type { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
 import type { Bus } from "../bus/bus.ts";
-import type { RobotStore, StoredKey, StoredScript, StoredRobot } from "../store/port.ts";
-import { Subscribers, type CallerWait } from "./readers/subscribers.ts";
-import { CarriedSnapshot } from "../bus/carried-snapshot.ts";
-import { CommandLife } from "./delivery/command-life.ts";
-import { Presence } from "./presence/presence.ts";
-import { EventLog } from "./readers/event-log.ts";
+import type { CarriedSnapshot } from "../bus/carried-snapshot.ts";
+import type { RobotStore, StoredKey, StoredRobot } from "../store/port.ts";
+import { AccessEnforcement } from "./access-enforcement.ts";
+import { RightsVersion, type Verb, type Caller } from "./access/caller.ts";
 import { KeyRing } from "./access/key-ring.ts";
+import { ScriptAccess } from "./access/script-access.ts";
+import { CommandLife } from "./delivery/command-life.ts";
+import type { CommandObserver } from "./delivery/command-observer.ts";
+import { ScriptClocks } from "./delivery/script-clocks.ts";
 import { limits } from "../platform/limits/limits.ts";
+import { LiveView } from "./live-view.ts";
 import { MazeBoard } from "./maze-board.ts";
 import { OtherRelays } from "./other-relays.ts";
-import { PageOwnership, type PageLink } from "./page/page-ownership.ts";
-import type { ReaderSource } from "./readers/feed.ts";
-import { Readers } from "./readers/readers.ts";
+import { PageOwnership } from "./page/page-ownership.ts";
+import { Presence } from "./presence/presence.ts";
 import { RobotChannel } from "./presence/robot-channel.ts";
-import { RobotView } from "./robot-view.ts";
-import { RightsVersion, type Verb, type Caller } from "./access/caller.ts";
-import { ScriptClocks } from "./delivery/script-clocks.ts";
-import { ScriptAccess } from "./access/script-access.ts";
+import { EventLog } from "./readers/event-log.ts";
+import { Readers } from "./readers/readers.ts";
+import { Subscribers, type CallerWait } from "./readers/subscribers.ts";
+import { RobotPage } from "./robot-page.ts";
 import { RobotUse } from "./robot-use.ts";
-import type { CommandObserver } from "./delivery/command-observer.ts";
+import { ScriptReport } from "./script-report.ts";
 
 export interface RobotParts {
   store: RobotStore;
@@ -51,100 +52,92 @@ export interface RobotParts {
 export class Robot {
   readonly id: string;
   readonly createdAt: number;
-  readonly presence: Presence;
+  /** the page that owns the robot */
+  readonly page: RobotPage;
   readonly keys: KeyRing;
+  /** blocked scripts, and whether remote driving is paused */
   readonly scriptAccess: ScriptAccess;
   /** version for which the result of a check stays valid */
   readonly rights = new RightsVersion();
-  readonly mazes: MazeBoard;
+  /** scripts that use the robot at this relay */
+  readonly presence: Presence;
   readonly readers: Readers;
+  readonly mazes: MazeBoard;
+  /** last use of the robot and its keys */
+  readonly use: RobotUse;
   /** clocks of the scripts that send single requests */
   readonly scriptClocks = new ScriptClocks();
   readonly #clock: Clock;
-  readonly #view = new RobotView();
+  readonly #view: LiveView;
   readonly #events: EventLog;
   readonly #subscribers: Subscribers;
   readonly #ownership: PageOwnership;
   readonly #life: CommandLife;
   readonly #channel: RobotChannel;
   readonly #others: OtherRelays;
-  readonly #use: RobotUse;
+  readonly #report: ScriptReport;
   #isOver = false;
 
+  /** Creates the parts from the bottom up: each one knows only those before it. */
   private constructor(stored: StoredRobot, parts: RobotParts) {
     const { store, clock, timers, observer } = parts;
-    this.id = stored.id;
-    this.createdAt = stored.createdAt;
+    const { id: robot, createdAt } = stored;
+    this.id = robot;
+    this.createdAt = createdAt;
     this.#clock = clock;
-    this.#events = new EventLog(clock);
-    const subscribers = new Subscribers(clock, this.#events);
-    const ownership = new PageOwnership(clock.now(), stored);
+
     const channel = new RobotChannel(clock, timers);
+    const ownership = new PageOwnership(clock.now(), stored);
+    const events = new EventLog(clock);
+    const subscribers = new Subscribers(clock, events);
+    const view = new LiveView({ clock, subscribers, channel });
+    const shared = { store, clock, timers, observer };
+    const life = new CommandLife({ ...shared, robot, subscribers, ownership, channel });
+
+    const presence = new Presence(clock);
+    const clocks = this.scriptClocks;
+    const { recall, display } = life;
+    const reaction = { subscribers, ownership, recall, presence, channel, clocks };
+    const listener = new AccessEnforcement(reaction);
+    const access = { robot, rights: this.rights, stored, store, changes: recall, listener };
+    const scripts = new ScriptAccess(access);
+    const keys = new KeyRing({ ...access, clock, scripts });
+    const use = new RobotUse(stored, { store, clock, keys });
+
+    const sent = { clock, presence, access: scripts, channel, ownership, display };
+    const report = new ScriptReport(sent);
+    const page = new RobotPage({ createdAt, clock, ownership, life, view, channel, use, report });
+    const mazes = new MazeBoard({ robot, store, clock, subscribers, channel });
+    const source = {
+      events,
+      newest: () => view.newest,
+      readOpen: life.log.readOpen.bind(life.log),
+    };
+
+    this.page = page;
+    this.keys = keys;
+    this.scriptAccess = scripts;
+    this.presence = presence;
+    this.mazes = mazes;
+    this.readers = new Readers({ clock, timers, subscribers, source, presence });
+    this.#view = view;
+    this.#events = events;
     this.#subscribers = subscribers;
     this.#ownership = ownership;
+    this.#life = life;
     this.#channel = channel;
-    const shared = { store, clock, timers, observer };
-    this.#life = new CommandLife({ ...shared, robot: this.id, subscribers, ownership, channel });
-    this.keys = new KeyRing({
-      robot: this.id,
-      rights: this.rights,
-      keys: stored.keys,
-      store,
-      clock,
-      change: (change) => this.#life.recall.changeKeys(change),
-      changed: () => channel.rightsChanged(),
-      found: (found) => {
-        this.scriptAccess.apply(found);
-        this.presence.blockedChanged();
-      },
-      revoked: (key) => this.#revoked(key),
-      doubted: () => subscribers.dismiss(({ kind }) => kind !== "own", "busy"),
-    });
-    this.#use = new RobotUse(stored, { store, clock, keys: this.keys });
-    this.scriptAccess = new ScriptAccess({
-      robot: this.id,
-      rights: this.rights,
-      stored,
-      store,
-      change: (change) => this.#life.recall.changeBlocked(change),
-      pause: async (isPaused) => this.#life.recall.pause(isPaused),
-      changed: () => {
-        channel.rightsChanged();
-        this.presence.blockedChanged();
-      },
-      blocked: (script) => this.#blocked(script),
-      paused: () => this.#askToEnd(),
-    });
-    this.mazes = new MazeBoard({
-      robot: this.id,
-      store,
-      clock,
-      notify: (version) => subscribers.publishMaze(version),
-      changed: (version) => channel.mazeChanged(version),
-    });
-    const notify = (): void => this.#notifyScripts();
-    this.presence = new Presence(clock, notify, () => this.scriptAccess.blocked);
-    const source: ReaderSource = {
-      events: this.#events,
-      newest: () => this.newest,
-      readOpen: (toReader) => this.#life.log.readOpen(toReader),
-    };
-    this.readers = new Readers({ clock, timers, subscribers, source, presence: this.presence });
+    this.#report = report;
+    this.use = use;
     this.#others = new OtherRelays({
       clock,
       ownership,
-      view: this.#view,
+      view,
       channel,
-      life: this.#life,
-      keys: this.keys,
-      mazes: this.mazes,
-      presence: this.presence,
-      lapsed: (link) => {
-        link.close(closeReasons.restart);
-        this.leavePage(link, false);
-      },
-      notifyReaders: () => this.#notifyReaders(),
-      notifyScripts: notify,
+      life,
+      keys,
+      mazes,
+      page,
+      report,
       over: () => {
         if (this.isOver) return;
         parts.deleted();
@@ -169,16 +162,12 @@ export class Robot {
   grantOf(key: string): StoredKey | null {
     if (this.isOver) return null;
     const grant = this.keys.match(key);
-    if (grant !== null) this.#use.used();
+    if (grant !== null) this.use.used();
     return grant;
   }
 
   get isOver(): boolean {
     return this.#isOver;
-  }
-
-  get lastUsedAt(): number {
-    return this.#use.lastAt;
   }
 
   /** Milliseconds until the robot reaches its maximum lifetime. */
@@ -194,7 +183,7 @@ export class Robot {
    * Scripts by name, at all relays that this one knows of: connected, recently active or blocked.
    */
   get scripts(): ScriptView[] {
-    return this.#channel.withOthers(this.presence.report()).scripts;
+    return this.#report.scripts;
   }
 
   get newest(): CarriedSnapshot | null {
@@ -206,81 +195,10 @@ export class Robot {
    * here, it stays until it expires, because nothing else holds the newest snapshot.
    */
   get isQuiet(): boolean {
-    const isUnused = this.#clock.now() - this.lastUsedAt > limits.touchMs;
+    const isUnused = this.#clock.now() - this.use.lastAt > limits.touchMs;
     const isAlone = !this.hasPage && this.#subscribers.isEmpty;
     const isHeldElsewhere = this.#ownership.isElsewhere || this.newest === null;
     return isUnused && isAlone && !this.#ownership.isAwayOpen && isHeldElsewhere;
-  }
-
-  // --- the page ---
-
-  /** A page acquires the robot. The previous page is disconnected. */
-  async acquirePage(link: PageLink, resume: Resume): Promise<void> {
-    await this.#life.acquirePage(link, resume, () => {
-      this.#use.used();
-      const now = this.#clock.now();
-      this.#view.pageConnected(now, this.#ownership.epoch > 1 ? now - this.createdAt : 0);
-      // Before the endings in the same message, so that readers of an ending see no older snapshot.
-      if (resume.snapshot !== undefined) this.#show(CarriedSnapshot.of(resume.snapshot));
-      this.#notifyScripts();
-      // The page disconnected before it owned the robot, when `leavePage` had no effect yet.
-      if (!link.isOpen) this.leavePage(link, false);
-    });
-  }
-
-  /**
-   * The page's connection is closed. No effect if another page owns the robot.
-   * @param closedByPage whether the page closed it, after all of its reports
-   */
-  leavePage(link: PageLink, closedByPage: boolean): void {
-    if (!this.#ownership.isHeldBy(link)) return;
-    this.#ownership.leave(this.#clock.now(), closedByPage);
-    this.#life.handover.left(this.#ownership.epoch, closedByPage);
-    this.#view.pageLeft();
-    this.#publishSnapshot();
-    this.#channel.pageLeft(this.#ownership.epoch, closedByPage);
-  }
-
-  /**
-   * Handles a snapshot of the page. The check of the page's permission already recorded the use.
-   */
-  receiveSnapshot(link: PageLink, epoch: number, snapshot: CarriedSnapshot): void {
-    if (this.#isCurrent(link, epoch)) this.#show(snapshot);
-  }
-
-  /**
-   * Handles a message of the page. Ignores messages of a replaced page. Disconnects a page that
-   * sends another epoch.
-   */
-  receiveFromPage(link: PageLink, message: PageToRelay): Promise<void> | undefined {
-    if (!this.#isCurrent(link, message.epoch)) return undefined;
-    this.#use.used();
-    switch (message.type) {
-      case "snapshot":
-        this.#show(CarriedSnapshot.of(message.snapshot));
-        return undefined;
-      case "time":
-        link.send({ type: "time", at: this.#clock.now() });
-        return undefined;
-      case "ended":
-        this.#channel.flush();
-        return this.#life.receiveFromPage(link, message);
-      case "started":
-      case "yielded":
-        return this.#life.receiveFromPage(link, message);
-    }
-  }
-
-  /**
-   * Whether the page owns the robot with this epoch. Disconnects a page that sends another epoch.
-   */
-  #isCurrent(link: PageLink, epoch: number): boolean {
-    if (!this.#ownership.isHeldBy(link)) return false;
-    if (epoch !== this.#ownership.page?.epoch) {
-      link.close(closeReasons.replaced);
-      return false;
-    }
-    return true;
   }
 
   // --- scripts ---
@@ -293,7 +211,7 @@ export class Robot {
   check(caller: Caller, verb: Verb): void {
     this.keys.check(caller, verb);
     this.scriptAccess.check(caller);
-    this.#use.used();
+    this.use.used();
   }
 
   /** Stores a command and delivers it in its turn: see `CommandIntake.submit`. */
@@ -334,13 +252,13 @@ export class Robot {
 
   /** Records a message of a script on its connection. */
   spoke({ script }: Caller): void {
-    this.#use.used();
+    this.use.used();
     if (script !== null) this.presence.spoke(script);
   }
 
   /** Records a request of a script. @returns function to call once the request is answered */
   received({ script }: Caller): () => void {
-    this.#use.used();
+    this.use.used();
     return script === null ? () => undefined : this.presence.received(script);
   }
 
@@ -351,25 +269,10 @@ export class Robot {
     const now = this.#clock.now();
     this.rights.changed();
     this.#events.deleteOld();
-    if (this.hasPage && this.#view.checkAsleep(now)) this.#publishSnapshot();
-    if (this.#ownership.isElsewhere) this.#channel.repeatAnnouncement(this.presence.report());
+    if (this.hasPage) this.#view.checkAsleep();
+    this.#report.repeatAnnouncement();
     if (this.#ownership.disconnectedMs(now) >= limits.pageDisconnectedMs)
       await this.#life.pageIsGone();
-  }
-
-  /** Whether a use of the robot or its keys is due to be stored. */
-  get isUseDue(): boolean {
-    return this.#use.isDue;
-  }
-
-  /** Whether the store may soon treat the robot as expired although it is in use. */
-  get isUseUrgent(): boolean {
-    return this.#use.isUrgent(this.#clock.now());
-  }
-
-  /** Stores the latest uses of the robot and its keys. */
-  async noteUse(): Promise<void> {
-    await this.#use.note();
   }
 
   /** Ends the robot for all connected clients. */
@@ -391,62 +294,8 @@ export class Robot {
     this.#channel.leave();
   }
 
-  // --- other relays ---
-
   /** Messages of other relays may have been missed. */
   missedMessages(): void {
     this.#others.missed();
-  }
-
-  /** Sends the current scripts to the page, here or at another relay. */
-  #notifyScripts(): void {
-    const scripts = this.presence.report();
-    if (this.#ownership.isElsewhere) return this.#channel.announce(scripts);
-    this.#life.display.sendWith({
-      type: "drivers",
-      at: this.#clock.now(),
-      ...this.#channel.withOthers(scripts),
-      paused: this.scriptAccess.isPaused,
-    });
-  }
-
-  /** Disconnects the users of a revoked key and ends their commands. */
-  #revoked({ hash }: StoredKey): void {
-    this.scriptClocks.revoked(hash);
-    this.#subscribers.dismiss((caller) => caller.hash === hash, "revoked");
-    this.#askToEnd();
-    // A blocked script is removed with its key.
-    this.scriptAccess.apply({
-      blocked: this.scriptAccess.blocked.filter(({ driver }) => driver !== hash),
-    });
-  }
-
-  /** Disconnects a blocked script and ends its commands. */
-  #blocked({ id }: StoredScript): void {
-    this.#subscribers.dismiss(({ script }) => script?.id === id, "blocked");
-    this.#askToEnd();
-  }
-
-  /** Asks a page at this relay to end recalled commands. */
-  #askToEnd(): void {
-    // If that fails, the page is asked when it reconnects.
-    if (this.hasPage) this.#life.recall.askAgain().catch(() => undefined);
-  }
-
-  /** Stores a snapshot of the page and publishes it. */
-  #show(snapshot: CarriedSnapshot): void {
-    this.#view.report(snapshot, this.#clock.now());
-    this.#publishSnapshot();
-  }
-
-  #publishSnapshot(): void {
-    const { newest } = this;
-    if (newest === null) return;
-    this.#subscribers.publishSnapshot(newest);
-    this.#channel.snapshot(newest);
-  }
-
-  #notifyReaders(): void {
-    if (this.newest !== null) this.#subscribers.publishSnapshot(this.newest);
   }
 }

@@ -63,12 +63,12 @@ async function withRelays() {
       send: (...messages) => {
         sent.push(...messages);
         if (messages.some(({ type }) => type === "yield") && !isSilent)
-          void robot.receiveFromPage(link, { type: "yielded", epoch });
+          void robot.page.receive(link, { type: "yielded", epoch });
       },
       close: ({ code }) => closed.push(code),
     };
     const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
-    await robot.acquirePage(link, { ...nothing, ...resume });
+    await robot.page.acquire(link, { ...nothing, ...resume });
     const welcome = sent.find((message) => message.type === "welcome");
     epoch = welcome?.epoch ?? 0;
     return { robot, link, sent, closed, epoch };
@@ -133,7 +133,7 @@ async function withRelays() {
 type Host = Awaited<ReturnType<Awaited<ReturnType<typeof withRelays>>["page"]>>;
 
 const report = ({ robot, link, epoch }: Host, change = {}) =>
-  robot.receiveFromPage(link, { type: "snapshot", epoch, snapshot: snapshotOf(change) });
+  robot.page.receive(link, { type: "snapshot", epoch, snapshot: snapshotOf(change) });
 const seqs = ({ sent }: Host): number[] =>
   sent.flatMap((message) =>
     message.type === "command" || message.type === "stop" ? [message.seq] : [],
@@ -146,9 +146,9 @@ describe("page and script at different relays", () => {
     expect(await submit(LEFT)).toMatchObject({ seq: 1, state: "accepted" });
     expect(seqs(host)).toEqual([1]);
     const { robot, link, epoch } = host;
-    await robot.receiveFromPage(link, { type: "started", epoch, seq: 1 });
+    await robot.page.receive(link, { type: "started", epoch, seq: 1 });
     const end = atScripts.endOf(1, waitLimit(25_000));
-    await robot.receiveFromPage(link, { type: "ended", epoch, ...completed(1) });
+    await robot.page.receive(link, { type: "ended", epoch, ...completed(1) });
     expect(await end).toMatchObject({ seq: 1, state: "completed" });
     expect(said).toEqual(["1 delivered", "1 started", "1 completed"]);
   });
@@ -182,7 +182,7 @@ describe("page and script at different relays", () => {
     await report(host, { seq: 8, tick: 9 });
     await clock.pass(limits.snapshotIntervalMs);
     expect(await next).toMatchObject({ seq: 8 });
-    host.robot.leavePage(host.link, true);
+    host.robot.page.leave(host.link, true);
     await clock.pass(limits.snapshotIntervalMs);
     expect(said.at(-1)).toBe("snapshot 8 gone");
     expect(atScripts.newest).toMatchObject({ state: "gone" });
@@ -206,7 +206,7 @@ describe("page and script at different relays", () => {
     await report(host, { seq: 1 });
     await report(host, { seq: 2 });
     const { robot, link, epoch } = host;
-    await robot.receiveFromPage(link, { type: "ended", epoch, ...completed(1) });
+    await robot.page.receive(link, { type: "ended", epoch, ...completed(1) });
     await settled();
     expect(said).toEqual(["snapshot 1 running", "snapshot 2 running", "1 completed"]);
   });
@@ -258,7 +258,7 @@ describe("page and script at different relays", () => {
     expect(host.closed).toEqual([closeReasons.replaced.code]);
     expect(second.epoch).toBe(host.epoch + 1);
     expect(seqs(second)).toEqual([1]);
-    await host.robot.receiveFromPage(host.link, { type: "started", epoch: host.epoch, seq: 1 });
+    await host.robot.page.receive(host.link, { type: "started", epoch: host.epoch, seq: 1 });
     expect(await atScripts.commandsAfter(0)).toMatchObject([{ seq: 1, state: "delivered" }]);
   });
 
@@ -267,7 +267,7 @@ describe("page and script at different relays", () => {
     const first = await page(atPages, { page: "page-one", fresh: true });
     for (let n = 0; n < 2; n++) await submit(LEFT);
     const { robot, link, epoch } = first;
-    void robot.receiveFromPage(link, { type: "started", epoch, seq: 1 });
+    void robot.page.receive(link, { type: "started", epoch, seq: 1 });
     const second = await page(atScripts, { page: "page-two", fresh: true });
     expect(first.sent.at(-1)).toEqual({ type: "yield" });
     expect(first.closed).toEqual([closeReasons.replaced.code]);
@@ -292,13 +292,13 @@ describe("page and script at different relays", () => {
   it("ends the commands of a disconnected page once, and none of a page that reconnected elsewhere", async () => {
     const { host, atScripts, page, submit, clock, read } = await withRelays();
     await submit(LEFT);
-    host.robot.leavePage(host.link, true);
+    host.robot.page.leave(host.link, true);
     await clock.pass(limits.pageDisconnectedMs - 5_000);
     const second = await page(atScripts, { lastApplied: 1 });
     await clock.pass(20_000);
     expect(await atScripts.commandsAfter(0)).toMatchObject([{ state: "started" }]);
     const said = read();
-    atScripts.leavePage(second.link, true);
+    atScripts.page.leave(second.link, true);
     await clock.pass(limits.pageDisconnectedMs + 5_000);
     expect(said.filter((text) => text.endsWith("cancelled"))).toEqual(["1 cancelled"]);
   });
@@ -317,7 +317,7 @@ describe("page and script at different relays", () => {
   it("expires waiting commands after the relay that stored them has ended", async () => {
     const { host, atPages, scripts, submit, clock } = await withRelays();
     await clock.pass(1_000);
-    atPages.leavePage(host.link, true);
+    atPages.page.leave(host.link, true);
     await submit({ ...LEFT, ttl: 400 });
     await scripts.close();
     await clock.pass(500);

@@ -49,16 +49,16 @@ export class PageConversation implements Conversation {
       const resume = decodeFrame(resumeSchema, bytes.toString());
       if (!resume.ok) return this.#refuse(resume.problems);
       this.#hasResumed = true;
-      return robot.acquirePage(this.#link, resume.value);
+      return robot.page.acquire(this.#link, resume.value);
     }
     const report = readSnapshotMessage(bytes);
     if (report !== null) {
-      robot.receiveSnapshot(this.#link, report.epoch, report.snapshot);
+      robot.page.receiveSnapshot(this.#link, report.epoch, report.snapshot);
       return undefined;
     }
     const message = decodeFrame(pageToRelaySchema, bytes.toString());
     if (!message.ok) return this.#refuse(message.problems);
-    return robot.receiveFromPage(this.#link, message.value);
+    return robot.page.receive(this.#link, message.value);
   }
 
   heartbeat(): void {
@@ -66,7 +66,7 @@ export class PageConversation implements Conversation {
   }
 
   closed(isClosedByClient: boolean): void {
-    this.#grant.robot.leavePage(this.#link, isClosedByClient);
+    this.#grant.robot.page.leave(this.#link, isClosedByClient);
   }
 
   #refuse([first]: FieldProblem[]): undefined {

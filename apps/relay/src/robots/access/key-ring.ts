@@ -3,34 +3,23 @@ import { MAX_KEYS, type KeyList, type KeyRequest, type CreatedKey } from "@corri
 import { hashKey, keyId, matchKey, mintKey } from "../../platform/keys.ts";
 import { noRobot, notAuthorised, Refusal } from "../../platform/errors/problems.ts";
 import type { Clock } from "../../platform/time/clock.ts";
-import type {
-  KeyChange,
-  KeysResult,
-  KeyUse,
-  RobotStore,
-  StoredKey,
-  StoredRobot,
-} from "../../store/port.ts";
+import type { KeyChange, KeyUse, RobotStore, StoredKey, StoredRobot } from "../../store/port.ts";
 import { StoreUnavailableError } from "../../platform/errors/store-unavailable.ts";
 import { limits } from "../../platform/limits/limits.ts";
+import type { AccessListener, PermissionChanges } from "./access-listener.ts";
 import { checkRight, type RightsVersion, type Verb } from "./caller.ts";
+import type { ScriptAccess } from "./script-access.ts";
 
 export interface KeyRingParts {
   robot: string;
   rights: RightsVersion;
-  keys: readonly StoredKey[];
+  stored: Pick<StoredRobot, "keys">;
   store: Pick<RobotStore, "find" | "keyTimes">;
   clock: Clock;
-  /** changes the stored keys and recalls the affected commands */
-  change: (change: KeyChange) => Promise<KeysResult>;
-  /** called after this relay has changed the keys */
-  changed: () => void;
-  /** called with the stored robot after it was read again */
-  found: (stored: StoredRobot) => void;
-  /** called with a key that is no longer valid */
-  revoked: (key: StoredKey) => void;
-  /** called when the valid keys are unknown, because the store does not respond */
-  doubted: () => void;
+  changes: Pick<PermissionChanges, "changeKeys">;
+  /** the permissions of scripts, which are read together with the keys */
+  scripts: Pick<ScriptAccess, "apply" | "keyRevoked">;
+  listener: Pick<AccessListener, "keysChanged" | "reread" | "revoked" | "doubted">;
 }
 
 export class KeyRing {
@@ -47,7 +36,7 @@ export class KeyRing {
 
   constructor(parts: KeyRingParts) {
     this.#parts = parts;
-    this.#keys = parts.keys;
+    this.#keys = parts.stored.keys;
   }
 
   /**
@@ -170,7 +159,7 @@ export class KeyRing {
     const cancelDoubt = clock.after(limits.keysUnsureMs, () => {
       this.#isSure = false;
       this.#parts.rights.changed();
-      this.#parts.doubted();
+      this.#parts.listener.doubted();
     });
     this.#cancelTimers = [cancelDoubt];
     for (let known = -1; known !== this.#changes;) {
@@ -179,7 +168,8 @@ export class KeyRing {
         const stored = await store.find(robot);
         if (stored !== null) {
           this.#apply(stored.keys);
-          this.#parts.found(stored);
+          this.#parts.scripts.apply(stored);
+          this.#parts.listener.reread();
         }
         known = asked;
       } catch {
@@ -206,7 +196,8 @@ export class KeyRing {
     this.#parts.rights.changed();
     for (const key of gone) {
       this.#uses.delete(key.hash);
-      this.#parts.revoked(key);
+      this.#parts.listener.revoked(key);
+      this.#parts.scripts.keyRevoked(key);
     }
   }
 
@@ -231,7 +222,7 @@ export class KeyRing {
   }
 
   async #change(change: Pick<KeyChange, "add" | "remove" | "removeKind">): Promise<void> {
-    const result = await this.#parts.change({
+    const result = await this.#parts.changes.changeKeys({
       ...change,
       most: MAX_KEYS,
       now: this.#parts.clock.now(),
@@ -244,7 +235,7 @@ export class KeyRing {
       );
     }
     this.#apply(result.keys);
-    this.#parts.changed();
+    this.#parts.listener.keysChanged();
   }
 
   /** Creates a key whose id differs from those of the robot's other keys. */

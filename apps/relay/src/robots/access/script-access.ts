@@ -7,12 +7,13 @@ import { MAX_BLOCKED_SCRIPTS, type ScriptRef } from "@corridor/protocol";
 import { keyId } from "../../platform/keys.ts";
 import { noRobot, Refusal } from "../../platform/errors/problems.ts";
 import type {
-  BlockResult,
   ScriptChange,
   RobotStore,
+  StoredKey,
   StoredScript,
   StoredRobot,
 } from "../../store/port.ts";
+import type { AccessListener, PermissionChanges } from "./access-listener.ts";
 import { scriptOf, type RightsVersion, type Caller } from "./caller.ts";
 
 export interface ScriptAccessParts {
@@ -20,16 +21,8 @@ export interface ScriptAccessParts {
   rights: RightsVersion;
   stored: ScriptPermissions;
   store: Pick<RobotStore, "find">;
-  /** changes the blocked scripts in the store and recalls the affected commands */
-  change: (change: ScriptChange) => Promise<BlockResult>;
-  /** pauses in the store and recalls the affected commands; false if there is no such robot */
-  pause: (isPaused: boolean) => Promise<boolean>;
-  /** called after this relay has changed something */
-  changed: () => void;
-  /** called with a newly blocked script */
-  blocked: (script: StoredScript) => void;
-  /** called when remote driving was paused */
-  paused: () => void;
+  changes: Pick<PermissionChanges, "changeBlocked" | "pause">;
+  listener: Pick<AccessListener, "scriptsChanged" | "blocked" | "paused">;
 }
 
 /** Permissions of scripts, as the owner has set them. */
@@ -91,9 +84,9 @@ export class ScriptAccess {
 
   /** Pauses remote driving, or resumes it. Repeated calls have no further effect. */
   async pause(isPaused: boolean): Promise<void> {
-    if (!(await this.#parts.pause(isPaused))) throw noRobot();
+    if (!(await this.#parts.changes.pause(isPaused))) throw noRobot();
     this.apply({ blocked: this.#blocked, isPaused });
-    this.#parts.changed();
+    this.#parts.listener.scriptsChanged();
   }
 
   /** Applies the stored permissions, which another relay may have changed. */
@@ -103,10 +96,15 @@ export class ScriptAccess {
     this.#blocked = blocked;
     this.#parts.rights.changed();
     this.#isPaused = isPaused ?? wasPaused;
-    if (this.#isPaused && !wasPaused) this.#parts.paused();
+    if (this.#isPaused && !wasPaused) this.#parts.listener.paused();
     for (const script of blocked) {
-      if (!before.some(({ id }) => id === script.id)) this.#parts.blocked(script);
+      if (!before.some(({ id }) => id === script.id)) this.#parts.listener.blocked(script);
     }
+  }
+
+  /** The scripts of a revoked key are no longer blocked, because they cannot return. */
+  keyRevoked({ hash }: StoredKey): void {
+    this.apply({ blocked: this.#blocked.filter(({ driver }) => driver !== hash) });
   }
 
   /** Reads the store, because another relay may have just changed it. */
@@ -115,7 +113,10 @@ export class ScriptAccess {
   }
 
   async #change(change: Pick<ScriptChange, "add" | "remove">): Promise<void> {
-    const result = await this.#parts.change({ ...change, most: MAX_BLOCKED_SCRIPTS });
+    const result = await this.#parts.changes.changeBlocked({
+      ...change,
+      most: MAX_BLOCKED_SCRIPTS,
+    });
     if (result.outcome === "no-robot") throw noRobot();
     if (result.outcome === "full") {
       throw new Refusal(
@@ -124,7 +125,7 @@ export class ScriptAccess {
       );
     }
     this.apply(result);
-    this.#parts.changed();
+    this.#parts.listener.scriptsChanged();
   }
 }
 

@@ -13,7 +13,7 @@ import type { RobotChannel } from "../presence/robot-channel.ts";
 export interface PageHandoverParts {
   clock: Clock;
   ownership: PageOwnership;
-  channel: RobotChannel;
+  channel: Pick<RobotChannel, "yield" | "yielded">;
 }
 
 /** What is known about the page that owned the robot. */
@@ -30,7 +30,7 @@ type Answer = "reported all" | "gone" | "silent";
 export class PageHandover {
   readonly #clock: Clock;
   readonly #ownership: PageOwnership;
-  readonly #channel: RobotChannel;
+  readonly #channel: PageHandoverParts["channel"];
   /** reports how the page with this epoch responded */
   #answer: (epoch: number, answer: Answer) => void = () => undefined;
 

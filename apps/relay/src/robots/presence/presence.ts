@@ -42,8 +42,7 @@ interface Entry {
 
 export class Presence {
   readonly #clock: Clock;
-  readonly #notify: () => void;
-  readonly #blocked: () => readonly StoredScript[];
+  #notify: () => void = () => undefined;
   /** by id, least recently active first */
   readonly #entries = new Map<string, Entry>();
   /** the most recently active one; most scripts send many messages in a row */
@@ -53,14 +52,13 @@ export class Presence {
   #cancelTimer: (() => void) | null = null;
   #hasChanged = false;
 
-  /**
-   * @param notify called when there is a change to report
-   * @param blocked returns the scripts that the owner has blocked
-   */
-  constructor(clock: Clock, notify: () => void, blocked: () => readonly StoredScript[]) {
+  constructor(clock: Clock) {
     this.#clock = clock;
+  }
+
+  /** @param notify called when there is a change to report */
+  onChange(notify: () => void): void {
     this.#notify = notify;
-    this.#blocked = blocked;
   }
 
   /** Records a message of a script that waits for no response. */
@@ -109,8 +107,9 @@ export class Presence {
     this.#flush();
   }
 
-  report(): Scripts {
-    return { ...this.now(), alive: this.#alive(), scripts: this.#listed() };
+  /** @param blocked the scripts that the owner has blocked */
+  report(blocked: readonly StoredScript[]): Scripts {
+    return { ...this.now(), alive: this.#alive(), scripts: this.#listed(blocked) };
   }
 
   /** The summary for the page. */
@@ -144,9 +143,8 @@ export class Presence {
   }
 
   /** Scripts by name. Blocked ones are listed first, whenever they were active. */
-  #listed(): ScriptView[] {
+  #listed(blocked: readonly StoredScript[]): ScriptView[] {
     const now = this.#clock.now();
-    const blocked = this.#blocked();
     const isBlocked = (id: string): boolean => blocked.some((script) => script.id === id);
     const here = [...this.#entries.values()]
       .filter(({ script, connections, waiting, lastActiveAt }) => {

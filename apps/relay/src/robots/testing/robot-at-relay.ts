@@ -105,8 +105,8 @@ export async function page({ robot }: Setup, resume: Partial<Resume> = {}, isSil
       closed.push(code);
     },
   };
-  const yielded = async () => robot.receiveFromPage(link, { type: "yielded", epoch });
-  await robot.acquirePage(link, {
+  const yielded = async () => robot.page.receive(link, { type: "yielded", epoch });
+  await robot.page.acquire(link, {
     type: "resume",
     lastApplied: 0,
     fresh: false,
@@ -124,10 +124,10 @@ export async function page({ robot }: Setup, resume: Partial<Resume> = {}, isSil
     epoch,
     seqs,
     yielded,
-    started: (seq: number) => robot.receiveFromPage(link, { type: "started", epoch, seq }),
-    ended: (ending: Ending) => robot.receiveFromPage(link, { type: "ended", epoch, ...ending }),
+    started: (seq: number) => robot.page.receive(link, { type: "started", epoch, seq }),
+    ended: (ending: Ending) => robot.page.receive(link, { type: "ended", epoch, ...ending }),
     report: (change = {}) =>
-      robot.receiveFromPage(link, { type: "snapshot", epoch, snapshot: snapshotOf(change) }),
+      robot.page.receive(link, { type: "snapshot", epoch, snapshot: snapshotOf(change) }),
   };
 }
 

@@ -29,7 +29,7 @@ export function robotRoutes(registry: RobotRegistry, guard: RequestGuard): Route
       const stored: HeldSession = {
         id: robot.id,
         createdAt: new Date(robot.createdAt).toISOString(),
-        lastUsedAt: new Date(robot.lastUsedAt).toISOString(),
+        lastUsedAt: new Date(robot.use.lastAt).toISOString(),
         endsInSeconds: Math.floor(robot.leftMs / 1000),
         drivers: robot.presence.now(),
         maze: (await robot.mazes.read())?.version ?? null,
