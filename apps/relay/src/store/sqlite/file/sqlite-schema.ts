@@ -272,7 +272,7 @@ export function prepareDatabase(db: DatabaseSync, newest: number = STEPS.length)
         "Update Corridor, or set DATA_DIR to another folder.",
     );
   }
-  for (let next = version; next < newest; next++) {
-    db.exec(`BEGIN IMMEDIATE; ${STEPS[next] ?? ""} PRAGMA user_version = ${next + 1}; COMMIT;`);
-  }
+  if (version === newest) return;
+  const steps = STEPS.slice(version, newest).join("");
+  db.exec(`BEGIN IMMEDIATE; ${steps} PRAGMA user_version = ${newest}; COMMIT;`);
 }
