@@ -118,3 +118,11 @@ test("displays the user's own project after reporting that a link is incomplete"
   await expect(corridor.message("A part of this link is missing.")).toBeVisible();
   await expect(corridor.mazeMenu).toHaveAccessibleName("Comb, Maze menu");
 });
+
+test("the licenses of the packages in the page, its worker and its font are served", async ({
+  request,
+}) => {
+  const text = await (await request.get("/third-party-licenses.txt")).text();
+  for (const name of ["react", "matter-js", "@fontsource-variable/inter"])
+    expect(text).toContain(`${name} `);
+});

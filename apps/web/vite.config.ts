@@ -6,20 +6,23 @@ import { englishWords } from "./build/english-words.ts";
 import { firstScript } from "./build/first-script.ts";
 import { layerOrder } from "./build/layer-order.ts";
 import { leanClasses } from "./build/lean-classes.ts";
+import { licenses } from "./build/licenses.ts";
 import { precompress } from "./build/precompress.ts";
 import { publish } from "./build/publish.ts";
 
-/** Addresses at which the page shows itself; all others belong to the relay. */
+/** Paths of the page. The relay serves all others. */
 const PAGE = /^\/(\?.*)?$/;
+
+const thirdParty = licenses();
 
 export default defineConfig({
   root: import.meta.dirname,
   plugins: [
-    // The compiler's memory costs a tenth of the first screen. It is for components that are drawn
-    // again while the robot drives and have much in them: those begin with "use memo".
+    // Compiled components are larger: with all of them, the first screen grows by a tenth. Only
+    // large components that render while the robot drives opt in with "use memo".
     react({ compiler: { compilationMode: "annotation" } }),
     VitePWA({
-      // The page registers it itself, once it has time, and asks before a new version takes over.
+      // The page registers the service worker when it is idle, and asks before an update.
       injectRegister: false,
       registerType: "prompt",
       manifest: {
@@ -64,7 +67,7 @@ export default defineConfig({
         navigateFallbackAllowlist: [PAGE],
         runtimeCaching: [
           {
-            // Alphabets that only names of mazes and programs bring; each comes when it is needed.
+            // Alphabets that only names of mazes and programs need; each loads on first use.
             urlPattern: /\/assets\/inter-[^/]*\.woff2$/,
             handler: "CacheFirst",
             options: { cacheName: "corridor-fonts", expiration: { maxEntries: 12 } },
@@ -77,27 +80,28 @@ export default defineConfig({
     shellClasses(),
     englishWords(),
     firstScript(),
+    thirdParty.page,
     precompress(),
     publish(),
   ],
-  worker: { format: "es" },
+  worker: { format: "es", plugins: () => [thirdParty.worker()] },
   css: { modules: { generateScopedName: scopedName } },
   build: {
-    // The Content-Security-Policy forbids data: scripts; small assets stay files too.
+    // The Content-Security-Policy forbids scripts in data: URLs.
     assetsInlineLimit: 0,
     target: "es2022",
     modulePreload: {
       polyfill: false,
-      // The page fetches its parts before they are wanted; a list of their parts would only cost.
+      // The page preloads its dynamic imports itself, so lists of their files are not needed.
       resolveDependencies: (_file, dependencies, { hostType }) =>
         hostType === "html" ? dependencies : [],
     },
     rolldownOptions: {
-      // No getter does more than answer, so what only reads a property and uses nothing of it goes.
+      // No getter has side effects, so unused reads of properties can be removed.
       treeshake: { propertyReadSideEffects: false },
       output: {
         codeSplitting: {
-          // One file that outlives most versions of the page, instead of many small ones.
+          // One file that rarely changes stays in the cache of browsers across versions.
           groups: [
             {
               name: "react",
@@ -107,7 +111,7 @@ export default defineConfig({
         },
       },
     },
-    // React alone is more; e2e/first-screen.spec.ts holds the sum of what a first visit loads.
+    // e2e/first-screen.spec.ts limits the size of a first visit.
     chunkSizeWarningLimit: 700,
   },
 });
