@@ -68,7 +68,7 @@ function appWithoutPage(): Express {
   const pairings = new SqlitePairingStore(file);
   const pairing = new PairingService({ pairings, robots: store, clock: systemClock, log });
   onTestFinished(async () => {
-    lines.close();
+    longPolls.close();
     pairing.close();
     await documents.close();
     await registry.close();
@@ -77,8 +77,8 @@ function appWithoutPage(): Express {
   const guard = new RequestGuard(defaults());
   const readiness = new Readiness(store, systemClock, log);
   const metrics = new Metrics();
-  const lines = new LongPollConnections({ registry, clock: systemClock, log, metrics });
-  const served = { registry, lines, documents, pairing, guard, readiness, metrics };
+  const longPolls = new LongPollConnections({ registry, clock: systemClock, log, metrics });
+  const served = { registry, longPolls, documents, pairing, guard, readiness, metrics };
   const parts = { ...served, clock: systemClock, log, page: Router() };
   return createApp({ ...parts, isDevelopment: false });
 }

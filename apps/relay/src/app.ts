@@ -32,7 +32,7 @@ import type { RobotRegistry } from "./robots/registry.ts";
 
 export interface AppDependencies {
   registry: RobotRegistry;
-  lines: LongPollConnections;
+  longPolls: LongPollConnections;
   documents: DocumentService;
   pairing: PairingService;
   clock: Clock;
@@ -47,7 +47,7 @@ export interface AppDependencies {
 
 /** Builds the application from its parts. */
 export function createApp(dependencies: AppDependencies): Express {
-  const { registry, lines, documents, pairing, clock, log, guard, readiness } = dependencies;
+  const { registry, longPolls, documents, pairing, clock, log, guard, readiness } = dependencies;
   const { metrics, page, isDevelopment } = dependencies;
   const app = express();
   app.disable("x-powered-by");
@@ -81,7 +81,7 @@ export function createApp(dependencies: AppDependencies): Express {
   api.use(mazeRoutes(registry));
   api.use(commandRoutes(registry));
   api.use(eventRoutes(registry, clock));
-  api.use(longPollRoutes(lines, guard));
+  api.use(longPollRoutes(longPolls, guard));
   api.use(documentRoutes(documents, guard));
   api.use(notFound);
   app.use("/api/v1", api);

@@ -76,7 +76,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   const guard = new RequestGuard(config);
   const readiness = new Readiness(store, clock, log);
   const gateway = new WebSocketGateway({ registry, clock, log, guard, metrics });
-  const lines = new LongPollConnections({ registry, clock, log, metrics });
+  const longPolls = new LongPollConnections({ registry, clock, log, metrics });
   const checkSocket = new CheckSocket(guard, clock);
   const server = createServer({
     // Old HTTP clients offer "Upgrade: h2c"; that is an ordinary request, not a WebSocket.
@@ -91,7 +91,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   });
   const development = isDevelopment ? await developmentPage(webRoot, server) : null;
   const page: Router = development?.router ?? builtPage(join(webRoot, "dist"));
-  const parts = { registry, lines, documents, pairing, clock, log, guard, readiness, metrics };
+  const parts = { registry, longPolls, documents, pairing, clock, log, guard, readiness, metrics };
   const application = createApp({ ...parts, page, isDevelopment });
   answerBrokenRequests(server, application, (kind) => metrics.refused(kind));
   server.on("request", application);
@@ -114,7 +114,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
       });
     }
     gateway.close();
-    lines.close();
+    longPolls.close();
     checkSocket.close();
     pairing.close();
     await registry.close();

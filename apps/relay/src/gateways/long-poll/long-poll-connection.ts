@@ -3,7 +3,14 @@
  * fetches them, and deleted when the next request acknowledges them. Each posted message is
  * processed once.
  */
-import { closeReasons, MAX_LONG_POLL_MESSAGES, type FetchedMessages } from "@corridor/protocol";
+import {
+  closeReasons,
+  MAX_LONG_POLL_MESSAGES,
+  type FetchedMessages,
+  type SentMessages,
+  type TakenMessages,
+} from "@corridor/protocol";
+import { Refusal } from "../../platform/errors/problems.ts";
 import type { Clock } from "../../platform/time/clock.ts";
 import type { WaitLimit } from "../../platform/time/wait-limit.ts";
 import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
@@ -24,6 +31,8 @@ export interface LongPollConnectionParts {
   onRequest(): void;
   /** Called when the connection has ended. */
   onEnded(): void;
+  /** Called with the error of each message that failed. */
+  onError(error: unknown): void;
 }
 
 export class LongPollConnection implements ReaderConnection {
@@ -33,6 +42,7 @@ export class LongPollConnection implements ReaderConnection {
   readonly #clock: Clock;
   readonly #onRequest: () => void;
   readonly #onEnded: () => void;
+  readonly #onError: (error: unknown) => void;
   #conversation: Conversation | null = null;
   /** unacknowledged messages, oldest first, and the number of the first */
   #unacknowledged: string[] = [];
@@ -42,6 +52,8 @@ export class LongPollConnection implements ReaderConnection {
   /** number of the last message received from the client */
   #lastReceived = 0;
   #closing: { code: number; reason: string } | null = null;
+  /** the client can no longer fetch why it was closed */
+  #isDropped = false;
   #wake: () => void = () => undefined;
   #requests = 0;
   #cancelTimer: () => void = () => undefined;
@@ -52,6 +64,7 @@ export class LongPollConnection implements ReaderConnection {
     this.#clock = parts.clock;
     this.#onRequest = () => parts.onRequest();
     this.#onEnded = () => parts.onEnded();
+    this.#onError = (error) => parts.onError(error);
     this.#awaitRequest();
   }
 
@@ -111,20 +124,21 @@ export class LongPollConnection implements ReaderConnection {
 
   /**
    * Processes messages of the client, each once.
-   * @param onError receives the error of each message that failed
    * @returns the number of the last message received; lower than sent if some are missing
+   * @throws Refusal no-connection if it ended while the request was read
    */
-  receive(first: number, messages: readonly unknown[], onError: (error: unknown) => void): number {
+  receive({ first, messages }: SentMessages): TakenMessages {
+    if (this.#isDropped) throw noConnection();
     this.#onRequest();
     for (const [index, message] of messages.entries()) {
       if (first + index !== this.#lastReceived + 1 || !this.isOpen) continue;
       this.#lastReceived += 1;
       if (this.#conversation !== null) {
-        handleMessage(this.#conversation, Buffer.from(JSON.stringify(message)), onError);
+        handleMessage(this.#conversation, Buffer.from(JSON.stringify(message)), this.#onError);
       }
     }
     this.#awaitRequest();
-    return this.#lastReceived;
+    return { taken: this.#lastReceived };
   }
 
   /** Returns the messages after an acknowledged number. Waits if there are none. */
@@ -155,6 +169,7 @@ export class LongPollConnection implements ReaderConnection {
   /** Ends the connection immediately, without notice. */
   drop(): void {
     if (this.isOpen) this.close(closeReasons.restart.code, "");
+    this.#isDropped = true;
     this.#cancelTimer();
     this.#onEnded();
   }
@@ -183,7 +198,15 @@ export class LongPollConnection implements ReaderConnection {
   /** Drops the connection if the client makes no request for a while. */
   #awaitRequest(): void {
     this.#cancelTimer();
-    if (this.#requests > 0) return;
+    if (this.#requests > 0 || this.#isDropped) return;
     this.#cancelTimer = this.#clock.after(limits.longPollSilenceMs, () => this.drop());
   }
+}
+
+/** Error response if there is no such connection, or no longer. */
+export function noConnection(): Refusal {
+  return new Refusal(
+    "no-connection",
+    "The connection was idle for too long, or the relay was restarted. Open a new one.",
+  );
 }

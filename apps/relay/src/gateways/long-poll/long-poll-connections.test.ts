@@ -1,3 +1,5 @@
+import { once } from "node:events";
+import { request, type IncomingMessage } from "node:http";
 import {
   fetchedMessagesSchema,
   openedConnectionSchema,
@@ -187,9 +189,12 @@ describe("a long-poll connection", () => {
     await relay.ask(robot, "", { method: "DELETE", key: robot.ownerKey });
     expect((await waiting).closed).toMatchObject({ code: 4410 });
     const other = await relay.register();
-    const line = await TestConnection.open(relay, other, { role: "drive", key: other.driverKey });
-    await line.next("welcome");
-    const open = line.fetch();
+    const connection = await TestConnection.open(relay, other, {
+      role: "drive",
+      key: other.driverKey,
+    });
+    await connection.next("welcome");
+    const open = connection.fetch();
     await relay.ask(other, "/commands");
     await relay.close();
     expect((await open).closed).toMatchObject({ code: 1012 });
@@ -251,15 +256,43 @@ describe("a long-poll connection", () => {
     expect(await sent(key)).toBe(413);
   });
 
+  it("does not exist for a request whose body arrives after it was closed", async () => {
+    const { relay, robot } = await withRobot();
+    const { key } = await TestConnection.open(relay, robot, {
+      role: "drive",
+      key: robot.driverKey,
+    });
+    const body = JSON.stringify({ first: 1, messages: [{ type: "seen", seq: 1 }] });
+    const sending = request(`${relay.origin}/api/v1/robots/${robot.id}/long-poll/messages`, {
+      method: "POST",
+      headers: {
+        Authorization: `Bearer ${key}`,
+        "Content-Type": "application/json",
+        "Content-Length": body.length,
+        Expect: "100-continue",
+      },
+    });
+    // The relay reads the headers now, and waits for the body.
+    await once(sending, "continue");
+    await relay.ask(robot, "/long-poll", { method: "DELETE", key });
+    sending.end(body);
+    const [answer] = (await once(sending, "response")) as [IncomingMessage];
+    answer.resume();
+    expect(answer.statusCode).toBe(404);
+  });
+
   it("is not accessible under another robot, and does not exist after it was closed", async () => {
     const { relay, robot } = await withRobot();
     const other = await relay.register();
-    const line = await TestConnection.open(relay, robot, { role: "drive", key: robot.driverKey });
-    const elsewhere = await relay.ask(other, "/long-poll/messages", { key: line.key });
+    const connection = await TestConnection.open(relay, robot, {
+      role: "drive",
+      key: robot.driverKey,
+    });
+    const elsewhere = await relay.ask(other, "/long-poll/messages", { key: connection.key });
     expect(elsewhere.status).toBe(404);
-    const left = await relay.ask(robot, "/long-poll", { method: "DELETE", key: line.key });
+    const left = await relay.ask(robot, "/long-poll", { method: "DELETE", key: connection.key });
     expect(left.status).toBe(204);
-    expect(await line.status()).toBe(404);
+    expect(await connection.status()).toBe(404);
   });
 
   it.each([
@@ -273,8 +306,14 @@ describe("a long-poll connection", () => {
     [],
   ])("explains invalid messages: %j", async (body) => {
     const { relay, robot } = await withRobot();
-    const line = await TestConnection.open(relay, robot, { role: "drive", key: robot.driverKey });
-    expect(await line.post(body)).toMatchObject({ status: 400, type: "/problems/bad-request" });
-    expect(await line.status()).toBe(200);
+    const connection = await TestConnection.open(relay, robot, {
+      role: "drive",
+      key: robot.driverKey,
+    });
+    expect(await connection.post(body)).toMatchObject({
+      status: 400,
+      type: "/problems/bad-request",
+    });
+    expect(await connection.status()).toBe(200);
   });
 });

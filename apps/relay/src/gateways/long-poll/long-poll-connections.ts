@@ -2,17 +2,9 @@
  * Long-poll connections over HTTPS, for pages and scripts whose network blocks WebSockets. They use
  * the same hello and the same conversations as sockets.
  */
-import {
-  closeReasons,
-  type FetchedMessages,
-  type Hello,
-  type OpenedConnection,
-  type SentMessages,
-  type TakenMessages,
-} from "@corridor/protocol";
+import { closeReasons, type Hello, type OpenedConnection } from "@corridor/protocol";
 import { canBeKey, hashKey, markOf, mintKey } from "../../platform/keys.ts";
 import { notAuthorised, Refusal, retryAfter } from "../../platform/errors/problems.ts";
-import type { WaitLimit } from "../../platform/time/wait-limit.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { verbOfRole } from "../../robots/access/caller.ts";
 import { StaggeredInterval } from "../../platform/time/staggered-interval.ts";
@@ -22,7 +14,7 @@ import {
   startConversation,
   introductionOf,
 } from "../conversations/start-conversation.ts";
-import { LongPollConnection } from "./long-poll-connection.ts";
+import { LongPollConnection, noConnection } from "./long-poll-connection.ts";
 import type { GatewayOptions } from "../websocket/websocket-gateway.ts";
 
 export class LongPollConnections {
@@ -68,7 +60,7 @@ export class LongPollConnections {
     }
     const key = mintKey("connection");
     const hash = hashKey(key);
-    const connection = new LongPollConnection({
+    const connection: LongPollConnection = new LongPollConnection({
       robot,
       address: from,
       clock,
@@ -78,6 +70,7 @@ export class LongPollConnections {
         if (hello.role !== "own") grant.robot.spoke(grant.key);
       },
       onEnded: () => void this.#connections.delete(hash),
+      onError: (error) => closeOnError(error, connection, this.#options),
     });
     try {
       connection.start(startConversation({ hello, grant, connection, metrics, clock }));
@@ -93,44 +86,11 @@ export class LongPollConnections {
     return { key };
   }
 
-  /** @throws Refusal if the connection does not exist */
-  require(robot: string, key: string | null): void {
-    this.#find(robot, key);
-  }
-
-  /** Processes messages that a client posts. @throws Refusal if the connection does not exist */
-  receive(robot: string, key: string | null, { first, messages }: SentMessages): TakenMessages {
-    const connection = this.#find(robot, key);
-    const onError = (error: unknown): void => closeOnError(error, connection, this.#options);
-    return { taken: connection.receive(first, messages, onError) };
-  }
-
   /**
-   * Returns the messages that the client has not received. @throws Refusal if the connection does
-   * not exist
+   * The connection with this key.
+   * @throws Refusal not-authorised, or no-connection if the robot has no connection with this key
    */
-  async fetch(
-    robot: string,
-    key: string | null,
-    after: number,
-    waitLimit: WaitLimit,
-  ): Promise<FetchedMessages> {
-    return this.#find(robot, key).fetch(after, waitLimit);
-  }
-
-  /** Closes a connection at the client's request. */
-  leave(robot: string, key: string | null): void {
-    this.#find(robot, key).leave();
-  }
-
-  /** Closes all connections because the relay shuts down. */
-  close(): void {
-    this.#heartbeats.close();
-    for (const connection of this.#connections.values())
-      closeWith(connection, closeReasons.restart);
-  }
-
-  #find(robot: string, key: string | null): LongPollConnection {
+  find(robot: string, key: string | null): LongPollConnection {
     if (!canBeKey(key)) {
       throw notAuthorised(
         "Send the key of the long-poll connection, from the response to POST /long-poll, as: Authorization: Bearer KEY",
@@ -138,9 +98,13 @@ export class LongPollConnections {
     }
     const connection = this.#connections.get(hashKey(key));
     if (connection?.robot === robot) return connection;
-    throw new Refusal(
-      "no-connection",
-      "The connection was idle for too long, or the relay was restarted. Open a new one.",
-    );
+    throw noConnection();
+  }
+
+  /** Closes all connections because the relay shuts down. */
+  close(): void {
+    this.#heartbeats.close();
+    for (const connection of this.#connections.values())
+      closeWith(connection, closeReasons.restart);
   }
 }

@@ -22,7 +22,7 @@ export function longPollRoutes(connections: LongPollConnections, guard: RequestG
       response.status(201).set("Cache-Control", "no-store").json(opened);
     })
     .delete((request, response) => {
-      connections.leave(request.params.id, readBearer(request));
+      connections.find(request.params.id, readBearer(request)).leave();
       response.status(204).end();
     })
     .all(methodNotAllowed("POST, DELETE"));
@@ -30,18 +30,15 @@ export function longPollRoutes(connections: LongPollConnections, guard: RequestG
   router
     .route("/robots/:id/long-poll/messages")
     .post(async (request, response) => {
-      const { id } = request.params;
-      const key = readBearer(request);
-      connections.require(id, key);
-      const sent = await readMessages(request, response);
-      // The connection may have closed meanwhile.
-      response.json(connections.receive(id, key, sent));
+      // Before the body is read, so that no stranger can make the relay read one.
+      const connection = connections.find(request.params.id, readBearer(request));
+      response.json(connection.receive(await readMessages(request, response)));
     })
     .get(async (request, response) => {
       const { after, wait } = readFetch(request);
       const waitLimit = waitLimitOf(response, wait);
-      const key = readBearer(request);
-      response.json(await connections.fetch(request.params.id, key, after, waitLimit));
+      const connection = connections.find(request.params.id, readBearer(request));
+      response.json(await connection.fetch(after, waitLimit));
     })
     .all(methodNotAllowed("POST, GET"));
 
