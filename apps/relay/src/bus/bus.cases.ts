@@ -94,8 +94,10 @@ export function busCases(name: string, open: () => Promise<[TestRelay, TestRelay
       await vi.waitFor(() =>
         expect(a.received).toMatchObject([{ kind: "here", scripts, asks: true }]),
       );
+      const [announced] = a.received;
+      const name = announced?.kind === "here" ? announced.from : "";
       const snapshot = CarriedSnapshot.of(snapshotOf({ seq: 7 }));
-      a.channel.notify({ kind: "snapshot", snapshot });
+      a.channel.sendSnapshot(snapshot, [name]);
       await vi.waitFor(() =>
         expect(b.received).toMatchObject([
           { kind: "snapshot", snapshot: { message: snapshot.message } },

@@ -33,7 +33,7 @@ export interface Scripts extends Drivers {
 
 /** All other messages. */
 export type BusMessage =
-  /** the latest snapshot, many times a second, for relays that have announced themselves */
+  /** the latest snapshot, many times a second: see `Channel.sendSnapshot` */
   | { kind: "snapshot"; snapshot: CarriedSnapshot }
   /** a page has acquired the robot at another relay */
   | { kind: "page"; epoch: number; name: string }
@@ -82,7 +82,12 @@ export interface Channel {
   readonly returnsOwnSteps: boolean;
   /** Publishes a step of this relay to the others, unless the store has done so. */
   stepped(step: Step): void;
-  notify(message: BusMessage): void;
+  notify(message: Exclude<BusMessage, { kind: "snapshot" }>): void;
+  /**
+   * Sends the latest snapshot to other relays. Delivery is not guaranteed.
+   * @param relays names with which they announced themselves; a bus in one process sends to all
+   */
+  sendSnapshot(snapshot: CarriedSnapshot, relays: Iterable<string>): void;
   /** Flushes pending messages, so that they precede the next step of the store. */
   flush(): void;
   leave(): void;

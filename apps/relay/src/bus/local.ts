@@ -38,6 +38,7 @@ export class LocalBus implements Bus {
         if (message.kind === "page") member.page = message;
         return notify(message);
       },
+      sendSnapshot: (snapshot) => notify({ kind: "snapshot", snapshot }),
       flush: () => undefined,
       leave: () => {
         members.delete(member);

@@ -14,8 +14,6 @@ import {
 import type { Logger } from "pino";
 import { z } from "zod";
 import type { Clock } from "../platform/time/clock.ts";
-import type { CarriedSnapshot } from "./carried-snapshot.ts";
-import { limits } from "../platform/limits/limits.ts";
 import { asked, type Redis } from "../store/redis/connection.ts";
 import { channelOf, postOf, RELAYS, robotKeyOf } from "../store/redis/redis-keys.ts";
 import { termedRow } from "../store/redis/rows.ts";
@@ -86,8 +84,6 @@ interface Member {
   isOwn: boolean;
   /** counter of page messages, to detect responses that are older than a message */
   pageMessages: number;
-  /** other relays that hold the robot, with the time of their last message */
-  others: Map<string, number>;
 }
 
 export interface RedisBusOptions {
@@ -148,14 +144,12 @@ export class RedisBus implements Bus {
 
   async join(robot: string, listener: BusListener): Promise<Channel> {
     const { subscriber, relay, log } = this.#options;
-    const others = new Map<string, number>();
     const member: Member = {
       listener,
       n: null,
       holder: null,
       isOwn: false,
       pageMessages: 0,
-      others,
     };
     const onMessage = (text: string): void => {
       if (text.startsWith(this.#ownPresence)) return;
@@ -176,6 +170,7 @@ export class RedisBus implements Bus {
       // The store has published it.
       stepped: () => undefined,
       notify: (message) => this.#publish(robot, message),
+      sendSnapshot: (snapshot, relays) => this.#post.post(robot, snapshot, relays),
       // Uses the same connection as the steps, which preserves the order.
       flush: () => this.#post.flush(),
       leave: () => {
@@ -194,11 +189,10 @@ export class RedisBus implements Bus {
     await this.#run("stop", "").catch(() => undefined);
   }
 
-  #publish(robot: string, message: BusMessage): void {
+  #publish(robot: string, message: Exclude<BusMessage, { kind: "snapshot" }>): void {
     const { redis, relay, log } = this.#options;
     // The store has published it, for a page with the new epoch.
     if (message.kind === "page" || message.kind === "keys" || message.kind === "over") return;
-    if (message.kind === "snapshot") return this.#publishSnapshot(robot, message.snapshot);
     const published =
       message.kind === "page-left"
         ? this.#run("left", robot, { epoch: message.epoch, closedByPage: message.closedByPage })
@@ -206,14 +200,6 @@ export class RedisBus implements Bus {
     published.catch((error: unknown) =>
       log.debug({ err: error }, "publishing to other relays failed"),
     );
-  }
-
-  #publishSnapshot(robot: string, snapshot: CarriedSnapshot): void {
-    const others = this.#members.get(robot)?.others;
-    if (others === undefined) return;
-    const oldest = this.#options.clock.now() - limits.relaySilenceMs;
-    for (const [relay, lastActiveAt] of others) if (lastActiveAt < oldest) others.delete(relay);
-    this.#post.post(robot, snapshot, others.keys());
   }
 
   #onMessage(member: Member, message: Message): void {
@@ -227,7 +213,6 @@ export class RedisBus implements Bus {
         message.kind === "page" && !isOwn ? { ...message, relay: message.from } : null;
     }
     if (isOwn) return;
-    if (message.kind === "here") member.others.set(message.from, this.#options.clock.now());
     member.listener.received(message);
   }
 

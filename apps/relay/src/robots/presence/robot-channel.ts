@@ -14,12 +14,18 @@ import {
 import { limits } from "../../platform/limits/limits.ts";
 import { older, together } from "./merged-scripts.ts";
 
+/** Another relay that holds the robot, as it announced itself. */
+interface OtherRelay {
+  lastActiveAt: number;
+  scripts: Scripts;
+}
+
 export class RobotChannel implements Waiter {
   readonly #clock: Clock;
   readonly #timers: CoalescedTimers;
   #channel: Channel | null = null;
-  /** other relays by name, with the time of their last announcement and their scripts */
-  readonly #others = new Map<string, { lastActiveAt: number; scripts: Scripts }>();
+  /** by name; they receive snapshots */
+  readonly #others = new Map<string, OtherRelay>();
   #announcedAt = -Infinity;
   #pending: CarriedSnapshot | null = null;
   /** no snapshot is published before this time, except one that precedes an ending */
@@ -88,7 +94,8 @@ export class RobotChannel implements Waiter {
    * replaces it.
    */
   snapshot(snapshot: CarriedSnapshot): void {
-    if (!this.#hasOthers) return;
+    // Most robots have no other relay.
+    if (this.#others.size === 0 || this.#present.size === 0) return;
     this.#pending = snapshot;
     if (!this.#isArmed) this.#publishDue();
   }
@@ -97,9 +104,7 @@ export class RobotChannel implements Waiter {
    * Publishes the pending snapshot, so that readers at other relays receive it before an ending.
    */
   flush(): void {
-    if (this.#pending !== null)
-      this.#channel?.notify({ kind: "snapshot", snapshot: this.#pending });
-    this.#pending = null;
+    this.#send();
     this.#channel?.flush();
   }
 
@@ -123,8 +128,7 @@ export class RobotChannel implements Waiter {
 
   /** Scripts of all relays. The age of each announcement is added to its times. */
   withOthers(own: Scripts): Scripts {
-    this.#removeSilent();
-    const all = [...this.#others.values()].map(({ lastActiveAt, scripts }) =>
+    const all = [...this.#present.values()].map(({ lastActiveAt, scripts }) =>
       older(scripts, this.#clock.now() - lastActiveAt),
     );
     return all.reduce(together, own);
@@ -136,17 +140,13 @@ export class RobotChannel implements Waiter {
     this.#channel = null;
   }
 
-  get #hasOthers(): boolean {
-    if (this.#others.size === 0) return false;
-    this.#removeSilent();
-    return this.#others.size > 0;
-  }
-
-  #removeSilent(): void {
+  /** The other relays, without those that no longer announce themselves. */
+  get #present(): ReadonlyMap<string, OtherRelay> {
     const oldest = this.#clock.now() - limits.relaySilenceMs;
     for (const [name, { lastActiveAt }] of this.#others) {
       if (lastActiveAt < oldest) this.#others.delete(name);
     }
+    return this.#others;
   }
 
   wake(): void {
@@ -162,7 +162,11 @@ export class RobotChannel implements Waiter {
       return this.#timers.wakeAfter(this.#notBefore - now, this);
     }
     this.#notBefore = dueAfter(this.#notBefore, now, limits.snapshotIntervalMs);
-    this.#channel?.notify({ kind: "snapshot", snapshot: this.#pending });
+    this.#send();
+  }
+
+  #send(): void {
+    if (this.#pending !== null) this.#channel?.sendSnapshot(this.#pending, this.#present.keys());
     this.#pending = null;
   }
 }
