@@ -111,6 +111,18 @@ describe("RemoteConnection", () => {
     }
   });
 
+  it("resumes after a reload also if it was disconnected and connected again before", () => {
+    const page = openPage();
+    page.drive("remote");
+    page.remote.setState({ status: { kind: "waiting" }, session });
+    page.connection.disconnect();
+    page.remote.setState({ status: { kind: "off" } });
+    page.connection.connect();
+    const reloaded = openPage(page.tab);
+    reloaded.connection.resume();
+    expect(reloaded.sent).toContainEqual({ type: "driver", driver: "remote" });
+  });
+
   it("leaves the robot to the user who took it while the previous run was restored", () => {
     const page = openPage();
     page.drive("remote");

@@ -40,8 +40,8 @@ export class RemoteConnection {
       if (driver === "me") this.#resumes = false;
       if (this.#resumes) return;
       if (driver !== "remote") return tab.removeItem(DRIVING_KEY);
-      store(tab, DRIVING_KEY, "yes");
       if (remote.getState().status.kind === "off" && !this.#isOpening) this.connect();
+      else store(tab, DRIVING_KEY, "yes");
     });
     remote.subscribe(({ session, status }, before) => {
       if (status.kind !== "off") this.#isOpening = false;
@@ -66,6 +66,7 @@ export class RemoteConnection {
   connect(): void {
     const { simulator, run, tab } = this.#ports;
     this.#isOpening = true;
+    store(tab, DRIVING_KEY, "yes");
     simulator.send({ type: "remote-open", session: readSession(tab), fresh: this.#isFresh });
     this.#isFresh = false;
     // Commands are rejected while another driver has the robot.
