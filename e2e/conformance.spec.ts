@@ -1,10 +1,11 @@
-/** The robot in the page passes the conformance kit, as any robot host must. */
+/** The robot in the page passes the installed conformance kit, as any robot host must. */
 import { encodeLink } from "@corridor/link";
 import { join } from "node:path";
 import { expect, test } from "./fixtures.ts";
+import { EmptyFolder, userEnvironment } from "./support/installed-package.ts";
 import { runScript } from "./support/script.ts";
 
-const CORRIDOR = join(import.meta.dirname, "../apps/cli/src/main.ts");
+const PACKAGE = join(import.meta.dirname, "../apps/cli/dist");
 
 /** the pen of docs/conformance.md, with the goal in its far right corner */
 const pen = encodeLink({
@@ -25,7 +26,11 @@ test("the robot in the page passes every check of the conformance kit", async ({
   await page.getByRole("radio", { name: "Remote" }).click();
   await page.getByRole("button", { name: "Copy address with key" }).click();
   const address = await page.evaluate(() => navigator.clipboard.readText());
-  const { code, output } = await runScript([process.execPath, CORRIDOR, "conformance", address]);
+  const folder = await EmptyFolder.create();
+  await folder.install(PACKAGE);
+  const command = join(folder.path, "node_modules/.bin/corridor");
+  const { code, output } = await runScript([command, "conformance", address], "", userEnvironment);
+  await folder.remove();
   expect(output).toMatch(
     /\nCorridor conformance, .*: PASSED, \d+ passed, 0 failed, 0 not offered, 2 not testable here\n$/,
   );

@@ -1,12 +1,13 @@
-/** The command `corridor`, installed outside of the repository. It prints what the sources print. */
+/**
+ * The command `corridor`, installed outside of the repository. It prints what the sources print.
+ * conformance.spec.ts runs `corridor conformance`.
+ */
 import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { expect, test } from "playwright/test";
 import { publint } from "publint";
-import { PEN, startPhysicalRobot } from "../tests/support/conformance/physical-robot.ts";
-import { EmptyFolder, userEnvironment } from "./support/installed-package.ts";
-import { runScript } from "./support/script.ts";
+import { EmptyFolder } from "./support/installed-package.ts";
 
 const CLI = fileURLToPath(new URL("../apps/cli/", import.meta.url));
 const PACKAGE = join(CLI, "dist");
@@ -115,23 +116,4 @@ test("invalid files and unknown commands exit with code 2", async () => {
     expect(installed).toMatchObject({ code: 2, stdout: "" });
     expect(installed).toEqual(fromSources(...args));
   }
-});
-
-test("conformance checks a robot as from the sources", async () => {
-  test.setTimeout(420_000);
-  await folder.install(PACKAGE);
-  const reports = [[command()], [process.execPath, SOURCE]].map(async (words) => {
-    const robot = await startPhysicalRobot({ room: PEN });
-    const { code, output } = await runScript(
-      [...words, "conformance", robot.address],
-      "",
-      userEnvironment,
-    );
-    robot.stop();
-    return { code, output: output.replace(/http:\S+/, "ADDRESS") };
-  });
-  const [installed, sources] = await Promise.all(reports);
-  expect(installed).toEqual(sources);
-  expect(installed?.code).toBe(0);
-  expect(installed?.output).toMatch(/\nCorridor conformance, .*: PASSED, \d+ passed, 0 failed, /);
 });
