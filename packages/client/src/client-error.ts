@@ -40,15 +40,64 @@ export type ClientErrorCode =
  */
 export class ClientError extends Error {
   /** the name in logs */
-  override readonly name = "ClientError";
+  declare readonly name: "ClientError";
   /** stable code for scripts */
-  readonly code: ClientErrorCode;
+  declare readonly code: ClientErrorCode;
   /** how to fix it */
-  readonly hint: string;
+  declare readonly hint: string;
 
   constructor(code: ClientErrorCode, what: string, hint: string, options?: ErrorOptions) {
     super(`${what}${what.endsWith(code) ? "" : ` (${code})`}. ${hint}`, options);
-    this.code = code;
-    this.hint = hint;
+    describe(this, { name: "ClientError", code, hint });
+  }
+}
+
+/**
+ * Runs a call of a script. Its error has the stack of that call, so that Node prints the line of the
+ * script for an uncaught error instead of a line of this library.
+ * @param name a public method of `owner`; its frame and those below are omitted
+ */
+export async function withCallSite<T>(
+  owner: object,
+  name: string,
+  run: () => Promise<T>,
+): Promise<T> {
+  const { captureStackTrace } = Error as StackCapture;
+  const error = new ClientError("closed", "", "");
+  const call: { stack?: string } = {};
+  const method: unknown = Reflect.get(owner, name);
+  captureStackTrace?.(error, method);
+  captureStackTrace?.(call, method);
+  try {
+    return await run();
+  } catch (reason) {
+    if (captureStackTrace === undefined || !(reason instanceof ClientError)) throw reason;
+    const { message, code, hint } = reason;
+    // V8 drops the line of the script when the stack of the error itself is read or assigned.
+    const lines = (call.stack ?? "").split("\n");
+    const frames = lines.filter((line) => /^ +at |@/.test(line) && !ENGINE_FRAME.test(line));
+    delete error.stack;
+    describe(error, {
+      message,
+      code,
+      hint,
+      stack: [`${error.name}: ${message}`, ...frames].join("\n"),
+    });
+    throw error;
+  }
+}
+
+/** A stack frame of Node itself. */
+const ENGINE_FRAME = /^ +at .*\bnode:internal\//;
+
+/** Only in some engines. */
+interface StackCapture {
+  captureStackTrace?: (on: object, above: unknown) => void;
+}
+
+/** Sets properties that Node does not print after the stack, because `message` contains them. */
+function describe(error: ClientError, values: Record<string, unknown>): void {
+  for (const [name, value] of Object.entries(values)) {
+    Object.defineProperty(error, name, { value, writable: true, configurable: true });
   }
 }

@@ -349,6 +349,47 @@ describe("RobotClient", () => {
     expect(sent()).toEqual([]);
   });
 
+  it.each([
+    {
+      call: (robot: RobotClient) => robot.forward(100 as never),
+      error: "forward() takes no distance (bad-command). Use move(100).",
+    },
+    {
+      call: (robot: RobotClient) => robot.reverse(50 as never),
+      error: "reverse() takes no distance (bad-command). Use move(-50).",
+    },
+    {
+      call: (robot: RobotClient) => robot.left90(45 as never),
+      error: "left90() takes no angle (bad-command). Use turn(-45).",
+    },
+    {
+      call: (robot: RobotClient) => robot.right90(45 as never),
+      error: "right90() takes no angle (bad-command). Use turn(45).",
+    },
+    {
+      call: (robot: RobotClient) => robot.move(100, 50 as never),
+      error: "move() takes no second number (bad-command). Use move(100).",
+    },
+    {
+      call: (robot: RobotClient) => robot.stop(1 as never),
+      error: "stop() takes no number (bad-command). Use stop().",
+    },
+    {
+      call: (robot: RobotClient) => robot.turn(90, "fast" as never),
+      error:
+        "turn() does not accept a string as options (bad-command). " +
+        "Pass an object, such as { ttl: 2000 }, or nothing.",
+    },
+    {
+      call: (robot: RobotClient) => robot.forward({ distance: 100 } as never),
+      error: expect.stringContaining("distance"),
+    },
+  ])("$call is an error in JavaScript that names the right call", async ({ call, error }) => {
+    const { robot, sent } = await connected();
+    await expect(call(robot)).rejects.toMatchObject({ code: "bad-command", message: error });
+    expect(sent()).toEqual([]);
+  });
+
   it("returns each report once: sensors() waits for a newer one", async () => {
     const { platform, robot } = await connected();
     const first = robot.sensors();

@@ -16,8 +16,9 @@ import {
   type SensorReadings,
   type Snapshot,
 } from "@corridor/protocol";
-import { ClientError } from "./client-error.ts";
+import { ClientError, withCallSite } from "./client-error.ts";
 import { closeError } from "./close-error.ts";
+import { wrongOptions, type CommandName } from "./command-options.ts";
 import { CommandTimes } from "./command-times.ts";
 import { Connection, type ConnectionStatus } from "./connection.ts";
 import { EventInbox, type RobotEvent } from "./event-inbox.ts";
@@ -154,10 +155,12 @@ export class RobotClient {
    * @returns the robot, once the relay has accepted the key
    * @throws ClientError bad-address, not-authorised, blocked, no-robot or timeout
    */
-  static async connect(address: string, options: RobotClientOptions = {}): Promise<RobotClient> {
-    const robot = new RobotClient(address, options);
-    await robot.#open();
-    return robot;
+  static connect(address: string, options: RobotClientOptions = {}): Promise<RobotClient> {
+    return withCallSite(RobotClient, "connect", async () => {
+      const robot = new RobotClient(address, options);
+      await robot.#open();
+      return robot;
+    });
   }
 
   /**
@@ -169,15 +172,17 @@ export class RobotClient {
    * @returns the robot, once it is connected
    * @throws ClientError wrong-code, pairing-refused, pairing-over, too-many-tries, or as `connect`
    */
-  static async pair(
+  static pair(
     service: string,
     code: string,
     options: RobotClientOptions = {},
   ): Promise<RobotClient> {
     const { platform = globalPlatform(), answerTimeout = DEFAULT_RESPONSE_MS, name } = options;
     const request = { service, code, name: name?.slice(0, MAX_SENT_NAME) ?? null };
-    const address = await pairRobot(platform, request, answerTimeout);
-    return RobotClient.connect(address, { ...options, platform });
+    return withCallSite(RobotClient, "pair", async () => {
+      const address = await pairRobot(platform, request, answerTimeout);
+      return RobotClient.connect(address, { ...options, platform });
+    });
   }
 
   /**
@@ -186,7 +191,7 @@ export class RobotClient {
    * @returns the record, once the robot has started
    */
   forward(options: CommandOptions = {}): Promise<CommandRecord> {
-    return this.#do({ action: "forward", ...options }, "started");
+    return this.#do("forward", { action: "forward" }, options, "started");
   }
 
   /**
@@ -195,7 +200,7 @@ export class RobotClient {
    * @returns the record, once the robot has started
    */
   reverse(options: CommandOptions = {}): Promise<CommandRecord> {
-    return this.#do({ action: "reverse", ...options }, "started");
+    return this.#do("reverse", { action: "reverse" }, options, "started");
   }
 
   /**
@@ -204,7 +209,7 @@ export class RobotClient {
    * @returns the record, once the robot has stopped
    */
   stop(options: CommandOptions = {}): Promise<CommandRecord> {
-    return this.#do({ action: "stop", ...options }, "ended");
+    return this.#do("stop", { action: "stop" }, options, "ended");
   }
 
   /**
@@ -213,7 +218,7 @@ export class RobotClient {
    * @returns the record, once the robot has finished
    */
   left90(options: CommandOptions = {}): Promise<CommandRecord> {
-    return this.#do({ action: "left 90", ...options }, "ended");
+    return this.#do("left90", { action: "left 90" }, options, "ended");
   }
 
   /**
@@ -222,7 +227,7 @@ export class RobotClient {
    * @returns the record, once the robot has finished
    */
   right90(options: CommandOptions = {}): Promise<CommandRecord> {
-    return this.#do({ action: "right 90", ...options }, "ended");
+    return this.#do("right90", { action: "right 90" }, options, "ended");
   }
 
   /**
@@ -231,7 +236,7 @@ export class RobotClient {
    * @returns the record, once the robot has finished
    */
   turn180(options: CommandOptions = {}): Promise<CommandRecord> {
-    return this.#do({ action: "turn 180", ...options }, "ended");
+    return this.#do("turn180", { action: "turn 180" }, options, "ended");
   }
 
   /**
@@ -240,7 +245,7 @@ export class RobotClient {
    * @returns the record, once the robot has finished
    */
   delayedLeft90(options: CommandOptions = {}): Promise<CommandRecord> {
-    return this.#do({ action: "delayed left 90", ...options }, "ended");
+    return this.#do("delayedLeft90", { action: "delayed left 90" }, options, "ended");
   }
 
   /**
@@ -249,7 +254,7 @@ export class RobotClient {
    * @returns the record, once the robot has finished
    */
   delayedRight90(options: CommandOptions = {}): Promise<CommandRecord> {
-    return this.#do({ action: "delayed right 90", ...options }, "ended");
+    return this.#do("delayedRight90", { action: "delayed right 90" }, options, "ended");
   }
 
   /**
@@ -259,7 +264,7 @@ export class RobotClient {
    * @returns the record, once the robot has finished; `state` is `collided` if the robot met a wall
    */
   move(distance: number, options: CommandOptions = {}): Promise<CommandRecord> {
-    return this.#do({ action: "move", distance, ...options }, "ended");
+    return this.#do("move", { action: "move", distance }, options, "ended");
   }
 
   /**
@@ -269,7 +274,7 @@ export class RobotClient {
    * @returns the record, once the robot has finished
    */
   turn(degrees: number, options: CommandOptions = {}): Promise<CommandRecord> {
-    return this.#do({ action: "turn", degrees, ...options }, "ended");
+    return this.#do("turn", { action: "turn", degrees }, options, "ended");
   }
 
   /**
@@ -290,9 +295,9 @@ export class RobotClient {
     milliseconds?: number,
     options: DriveOptions = {},
   ): Promise<CommandRecord> {
-    const order: Order = { action: "drive", left, right, ...options };
-    if (milliseconds === undefined) return this.#do(order, "started");
-    return this.#do({ ...order, milliseconds }, "ended");
+    const command: Order = { action: "drive", left, right };
+    if (milliseconds === undefined) return this.#do("drive", command, options, "started");
+    return this.#do("drive", { ...command, milliseconds }, options, "ended");
   }
 
   /**
@@ -300,8 +305,10 @@ export class RobotClient {
    * @returns the distances in cm, all of one tick, newer than those of the last call
    * @throws ClientError robot-gone if the robot does not report
    */
-  async sensors(): Promise<SensorReadings> {
-    return (await this.snapshot()).sensors;
+  sensors(): Promise<SensorReadings> {
+    return withCallSite(this, "sensors", async () => {
+      return (await this.#inbox.next(this.#responseMs)).sensors;
+    });
   }
 
   /**
@@ -310,7 +317,7 @@ export class RobotClient {
    * @throws ClientError robot-gone if the robot does not report
    */
   snapshot(): Promise<Snapshot> {
-    return this.#inbox.next(this.#responseMs);
+    return withCallSite(this, "snapshot", () => this.#inbox.next(this.#responseMs));
   }
 
   /**
@@ -345,13 +352,15 @@ export class RobotClient {
    * @returns its blocks, its start and its goals
    * @throws ClientError no-maze if the robot's host does not publish it
    */
-  async maze(): Promise<RobotMaze> {
-    if (this.#end !== null) throw this.#end;
-    return readMaze({
-      platform: this.#platform,
-      api: this.#api,
-      key: this.#key,
-      timeoutMs: this.#responseMs,
+  maze(): Promise<RobotMaze> {
+    return withCallSite(this, "maze", async () => {
+      if (this.#end !== null) throw this.#end;
+      return readMaze({
+        platform: this.#platform,
+        api: this.#api,
+        key: this.#key,
+        timeoutMs: this.#responseMs,
+      });
     });
   }
 
@@ -384,7 +393,20 @@ export class RobotClient {
     }
   }
 
-  #do(requested: Order, until: Pending["until"]): Promise<CommandRecord> {
+  #do(
+    name: CommandName,
+    command: Order,
+    options: DriveOptions,
+    until: Pending["until"],
+  ): Promise<CommandRecord> {
+    return withCallSite(this, name, async () => {
+      const wrong = wrongOptions(name, options);
+      if (wrong !== null) throw wrong;
+      return this.#send({ ...command, ...options }, until);
+    });
+  }
+
+  #send(requested: Order, until: Pending["until"]): Promise<CommandRecord> {
     // A stop must not expire early on a slow network.
     const order = requested.action === "stop" ? requested : { ...this.#defaults, ...requested };
     const checked = readValue(orderSchema, order);
