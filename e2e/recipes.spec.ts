@@ -116,9 +116,9 @@ interface Sample {
   text: string;
 }
 
-async function samplesOf(page: Page, relay: string): Promise<Sample[]> {
+async function samplesOf(page: Page, address: string): Promise<Sample[]> {
   const docs = await page.context().newPage();
-  await docs.goto(`${relay}/docs/recipes`);
+  await docs.goto(address);
   const samples = await docs.locator("main pre").evaluateAll((all) => {
     const headings = [...document.querySelectorAll("main h2")];
     return all.map((pre) => ({
@@ -135,54 +135,82 @@ async function samplesOf(page: Page, relay: string): Promise<Sample[]> {
   return samples;
 }
 
+/** Starts a sample with the libraries in its folder. */
+async function start(sample: string, language: string, address: string) {
+  const folder = await mkdtemp(join(tmpdir(), "corridor-recipe-"));
+  const [robot = "", key = ""] = address.split("#");
+  const text = sample
+    .replaceAll("http://HOST/r/ID#KEY", address)
+    .replaceAll("http://HOST/api/v1/robots/ID", robot.replace("/r/", "/api/v1/robots/"))
+    .replaceAll("Bearer KEY", `Bearer ${key}`);
+  const { command, file } = programs[language] ?? { command: [], file: "" };
+  for (const library of ["corridor.py", "corridor.js"]) {
+    const code = await (await fetch(new URL(`/${library}`, address))).text();
+    await writeFile(join(folder, library), code);
+  }
+  await writeFile(join(folder, file), text);
+  const [program, ...args] = [...command, file];
+  const script = spawn(program, args, {
+    cwd: folder,
+    stdio: ["ignore", "pipe", "pipe"],
+    env: { ...process.env, FORCE_COLOR: "0" },
+    // A process group of its own, so that the kill includes the script's child processes.
+    detached: true,
+  });
+  const running = { output: "", ended: once(script, "close"), stop };
+  async function stop(): Promise<void> {
+    if (script.exitCode === null) process.kill(-(script.pid ?? Number.NaN), "SIGTERM");
+    await running.ended;
+    await rm(folder, { recursive: true });
+  }
+  script.stdout.on("data", (chunk) => (running.output += chunk));
+  script.stderr.on("data", (chunk) => (running.output += chunk));
+  return running;
+}
+
+/** Opens the small maze, or another page. @returns the robot's address */
+async function openMaze(page: Page, path?: string): Promise<string> {
+  const link = encodeLink({ maze });
+  if (!link.ok) throw new Error(link.code);
+  await page.goto(path ?? `/#${link.text}`);
+  await setSpeed(page, "16");
+  return copyAddress(page);
+}
+
+for (const [path, language] of [
+  ["/docs/python", "Python"],
+  ["/docs/javascript", "JavaScript"],
+] as const) {
+  test(`the wall follower of ${path} stops at the goal after a bump`, async ({ page, relay }) => {
+    const address = await openMaze(page);
+    await bump(page, address);
+    const samples = await samplesOf(page, `${relay}${path}`);
+    const follower = samples.find(({ text }) => text.includes("Goal reached after"));
+    const script = await start(follower?.text ?? "", language, address);
+    expect(await script.ended).toEqual([0, null]);
+    expect(script.output).toBe("Goal reached after 1 bumps\n");
+    await script.stop();
+  });
+}
+
 for (const recipe of recipes) {
   const { section, language, prints, isEndless = false } = recipe;
   test(`${section} in ${language} has the documented result`, async ({ page, relay }) => {
-    const link = encodeLink({ maze });
-    if (!link.ok) throw new Error(link.code);
-    const folder = await mkdtemp(join(tmpdir(), "corridor-recipe-"));
-    await page.goto(recipe.address ?? `/#${link.text}`);
-    await setSpeed(page, "16");
-    const address = await copyAddress(page);
+    const address = await openMaze(page, recipe.address);
     await recipe.before?.(page, address);
-    const samples = await samplesOf(page, relay);
+    const samples = await samplesOf(page, `${relay}/docs/recipes`);
     expect(samples.map((sample) => `${sample.section} ${sample.language}`)).toEqual(
       recipes.map((each) => `${each.section} ${each.language}`),
     );
     const sample = samples.find((each) => each.section === section && each.language === language);
-    const [robot = "", key = ""] = address.split("#");
-    const text = (sample?.text ?? "")
-      .replaceAll("http://HOST/r/ID#KEY", address)
-      .replaceAll("http://HOST/api/v1/robots/ID", robot.replace("/r/", "/api/v1/robots/"))
-      .replaceAll("Bearer KEY", `Bearer ${key}`);
-    const { command, file } = programs[language] ?? { command: [], file: "" };
-    await writeFile(
-      join(folder, "corridor.py"),
-      await (await fetch(`${relay}/corridor.py`)).text(),
-    );
-    await writeFile(join(folder, file), text);
-    const [program, ...args] = [...command, file];
-    const script = spawn(program, args, {
-      cwd: folder,
-      stdio: ["ignore", "pipe", "pipe"],
-      env: { ...process.env, FORCE_COLOR: "0" },
-      // A process group of its own, so that the kill includes the script's child processes.
-      detached: true,
-    });
-    const ended = once(script, "close");
-    let output = "";
-    script.stdout.on("data", (chunk) => (output += chunk));
-    script.stderr.on("data", (chunk) => (output += chunk));
+    const script = await start(sample?.text ?? "", language, address);
     await recipe.meanwhile?.(page, address);
-    if (isEndless) {
-      await expect.poll(() => output).toMatch(prints);
-      process.kill(-(script.pid ?? Number.NaN), "SIGTERM");
-      await ended;
-    } else {
-      const [code] = await ended;
-      expect(output).toMatch(prints);
+    if (isEndless) await expect.poll(() => script.output).toMatch(prints);
+    else {
+      const [code] = await script.ended;
+      expect(script.output).toMatch(prints);
       expect(code).toBe(0);
     }
-    await rm(folder, { recursive: true });
+    await script.stop();
   });
 }

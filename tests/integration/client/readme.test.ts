@@ -59,7 +59,7 @@ describe("the code in the documentation", () => {
   });
 
   it.each([
-    { readme: "packages/client/README.md", excerpt: "goalReached, bumps", by: node },
+    { readme: "packages/client/README.md", excerpt: "now.goalReached", by: node },
     { readme: "packages/client-python/README.md", excerpt: "robot.goal_reached", by: python },
   ])("$readme follows the right wall to the goal: $excerpt", async ({ readme, excerpt, by }) => {
     const testBed = await robotWithCode(["#####", "#...#", "###.#", "#####"]);

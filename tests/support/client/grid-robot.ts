@@ -105,7 +105,11 @@ export class GridRobot {
   #move(command: Command): boolean {
     if (command.action === "left 90") this.#quarter = (this.#quarter + 3) % 4;
     if (command.action === "right 90") this.#quarter = (this.#quarter + 1) % 4;
-    if (command.action !== "move") return true;
+    if (command.action === "turn") {
+      this.#quarter = (this.#quarter + 4 + (Math.round(command.degrees / 90) % 4)) % 4;
+    }
+    // A short move, such as a script's to the middle of a cell, stays in the cell.
+    if (command.action !== "move" || Math.abs(command.distance) < 50) return true;
     const turned = command.distance < 0 ? 2 : 0;
     if (this.#distance(turned) <= 50) {
       this.#bumps += 1;
