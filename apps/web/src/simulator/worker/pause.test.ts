@@ -58,3 +58,24 @@ it("Pause pauses at any speed, whatever was pressed just before it", () => {
   );
   expect(ran).toBeGreaterThan(5);
 });
+
+it("a script reads `paused` while nobody drives, and `running` while Remote waits for it", () => {
+  let time = 0;
+  const loop = new RunLoop(firstMaze, firstProgram, () => time);
+  const pass = () => {
+    time += 1000;
+    loop.advance();
+    return loop.snapshot();
+  };
+  expect(pass()).toMatchObject({ driver: "program", state: "paused", tick: 0 });
+  loop.setDriver("me");
+  expect(pass()).toMatchObject({ driver: "me", state: "paused", tick: 0 });
+  loop.hold("forward");
+  expect(pass()).toMatchObject({ driver: "me", state: "running" });
+  loop.hold("stop");
+  expect(pass()).toMatchObject({ driver: "me", state: "paused" });
+  loop.setDriver("remote");
+  const { tick } = loop.snapshot();
+  expect(pass()).toMatchObject({ driver: "remote", state: "running", motion: "stop" });
+  expect(loop.snapshot().tick).toBeGreaterThan(tick);
+});
