@@ -121,7 +121,7 @@ const states = [
   {
     state: "paused",
     prepare: (page: Page) => page.getByRole("button", { name: "Pause", exact: true }).click(),
-    last: /check that the robot's page is open, connected under Remote and not paused/,
+    last: /The run is paused: press Run on the robot's page\./,
   },
   {
     state: "closed",

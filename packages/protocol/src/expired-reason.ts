@@ -7,20 +7,29 @@ const CHECK_PAGE = "check that the robot's page is open, connected under Remote 
  * ending while no page was connected as the robot.
  */
 export const ABSENT_ROBOT_REASON =
-  "The robot's page is closed or offline: open it again and choose Remote.";
+  "The robot's page is closed or offline: open it again and choose Remote. If you closed its tab, copy the new address into the script.";
+
+/**
+ * The `reason` of a command that has not ended, in the response to a script that waited for its
+ * ending while the page reported a paused run.
+ */
+export const PAUSED_RUN_REASON = "The run is paused: press Run on the robot's page.";
 
 /**
  * The `reason` of an expired command.
  * @param ttl in ms
- * @param isAbsent whether no page was connected as the robot at the deadline
+ * @param obstacle at the deadline, if it is known: no page was connected as the robot, or the run
+ *   was paused
  */
-export function expiredReason(ttl: number, isAbsent = false): string {
-  if (isAbsent) return `${ABSENT_ROBOT_REASON} The command did not start within ${ttl / 1000} s.`;
-  return `Not started within ${ttl / 1000} s: ${CHECK_PAGE}`;
+export function expiredReason(ttl: number, obstacle?: "absent" | "paused"): string {
+  const seconds = ttl / 1000;
+  if (obstacle === undefined) return `Not started within ${seconds} s: ${CHECK_PAGE}`;
+  const reason = obstacle === "absent" ? ABSENT_ROBOT_REASON : PAUSED_RUN_REASON;
+  return `${reason} The command did not start within ${seconds} s.`;
 }
 
 /**
  * The `reason` of a command that has not ended, in the response to a script that waited for its
- * ending while the robot was paused or asleep.
+ * ending while the robot was asleep.
  */
 export const SILENT_ROBOT_REASON = `The robot does not answer: ${CHECK_PAGE}`;

@@ -15,7 +15,12 @@ export {
   type CommandState,
   type EndingState,
 } from "./command-record.ts";
-export { ABSENT_ROBOT_REASON, expiredReason, SILENT_ROBOT_REASON } from "./expired-reason.ts";
+export {
+  ABSENT_ROBOT_REASON,
+  expiredReason,
+  PAUSED_RUN_REASON,
+  SILENT_ROBOT_REASON,
+} from "./expired-reason.ts";
 export { BLOCKED_REASON, PAUSED_REASON, REVOKED_REASON } from "./owner-reasons.ts";
 export {
   MAX_PROBLEMS,

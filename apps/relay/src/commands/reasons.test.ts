@@ -17,7 +17,9 @@ describe("the reason in a command's record", () => {
     expect(reasonText({ cause: "stopped", by: 4 }, 400)).toBe("Command 4 stopped this command.");
     expect(reasonText({ cause: "replaced", by: 5 }, 400)).toBe("Command 5 replaced this command.");
     expect(reasonText({ cause: "expired", by: null }, 400)).toBe(expiredReason(400));
-    expect(reasonText({ cause: "expired-absent", by: null }, 400)).toBe(expiredReason(400, true));
+    expect(reasonText({ cause: "expired-absent", by: null }, 400)).toBe(
+      expiredReason(400, "absent"),
+    );
   });
 
   it("is the robot's own sentence if the robot ended the command", () => {

@@ -58,7 +58,7 @@ const sentences: Record<Cause, string | ((by: number | null, ttl: number) => str
   stopped: (by) => `Command ${by} stopped this command.`,
   replaced: (by) => `Command ${by} replaced this command.`,
   expired: (_by, ttl) => expiredReason(ttl),
-  "expired-absent": (_by, ttl) => expiredReason(ttl, true),
+  "expired-absent": (_by, ttl) => expiredReason(ttl, "absent"),
   disconnected:
     "The robot disconnected. Check that its page is open and connected under Remote, then send a new command.",
   reloaded: `The robot's page was reloaded and ended this command. ${NEW_COMMAND}`,

@@ -32,6 +32,11 @@ export class LiveView {
     return this.#view.isAwake;
   }
 
+  /** Whether the page reports that the run waits for its user. */
+  get isRunPaused(): boolean {
+    return this.#view.isRunPaused;
+  }
+
   /** Publishes a snapshot of the page at this relay. */
   report(snapshot: CarriedSnapshot): void {
     this.#view.report(snapshot, this.#parts.clock.now());

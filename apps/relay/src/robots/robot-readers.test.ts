@@ -170,11 +170,13 @@ describe("a robot: snapshots and states for scripts", () => {
     };
     await host.report({ tick: 1 });
     expect(await end(1, 100)).toMatchObject({ state: "started", reason: null });
-    const advice = /check that the robot's page is open, connected under Remote and not paused/;
     await host.report({ tick: 2, state: "paused" });
-    expect((await end(1, 100)).reason).toMatch(advice);
+    expect((await end(1, 100)).reason).toBe("The run is paused: press Run on the robot's page.");
+    const advice = /check that the robot's page is open, connected under Remote and not paused/;
+    expect((await end(1, limits.asleepMs + 5_000)).reason).toMatch(advice);
     setup.robot.page.leave(host.link, true);
-    const closed = /page is closed or offline: open it again and choose Remote/;
+    const closed =
+      /page is closed or offline: open it again and choose Remote\. If you closed its tab, copy/;
     for (const seq of [1, 2]) expect((await end(seq)).reason).toMatch(closed);
     // The advice is not stored.
     expect(await setup.robot.endOf(1, waitLimit(0))).toMatchObject({ reason: null });

@@ -12,7 +12,7 @@ describe("a robot: time to live", () => {
     await setup.clock.pass(399);
     expect(await setup.states()).toEqual(["1 accepted", "2 accepted"]);
     await setup.clock.pass(1);
-    expect(await end).toMatchObject({ state: "expired", reason: expiredReason(400, true) });
+    expect(await end).toMatchObject({ state: "expired", reason: expiredReason(400, "absent") });
     await setup.clock.pass(9_600);
     expect(await setup.states()).toEqual(["1 expired", "2 expired"]);
   });

@@ -32,6 +32,14 @@ export class RobotView {
   }
 
   /**
+   * Whether the page is awake and reports that the run waits for its user. A snapshot of another
+   * relay may also mean that the page is asleep.
+   */
+  get isRunPaused(): boolean {
+    return this.#state === "awake" && this.#newest?.state === "paused";
+  }
+
+  /**
    * Records a snapshot of the page. Its seq always rises, even if the page reloads at another
    * relay.
    */

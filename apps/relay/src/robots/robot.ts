@@ -7,6 +7,7 @@ import {
   closeReasons,
   hasEnded,
   ABSENT_ROBOT_REASON,
+  PAUSED_RUN_REASON,
   SILENT_ROBOT_REASON,
   type CommandRecord,
   type CommandTerms,
@@ -244,10 +245,16 @@ export class Robot {
     const record = await this.#life.log.endOf(seq, waitLimit);
     const hasWaited = waitLimit.milliseconds > 0;
     if (!hasWaited || hasEnded(record.state) || this.#view.isAwake) return record;
-    return {
-      ...record,
-      reason: this.#ownership.isOwned ? SILENT_ROBOT_REASON : ABSENT_ROBOT_REASON,
-    };
+    return { ...record, reason: this.#waitingReason() };
+  }
+
+  /** Why a command does not end, if the robot is gone or paused. */
+  #waitingReason(): string {
+    if (!this.#ownership.isOwned) return ABSENT_ROBOT_REASON;
+    // While another driver has the robot, its page ends commands at once. A relay without the page
+    // cannot distinguish a paused run from a page that is asleep.
+    const isRunPaused = this.hasPage && this.#view.isRunPaused;
+    return isRunPaused ? PAUSED_RUN_REASON : SILENT_ROBOT_REASON;
   }
 
   /** Records a message of a script on its connection. */

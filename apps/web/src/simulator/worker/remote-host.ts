@@ -333,7 +333,9 @@ export class RemoteHost implements RemoteDriverEvents {
   #reasonFor(seq: number, { state, reason }: Ending): string | null {
     if (reason !== null) return cancelReasons[reason];
     const record = this.#commands.get(seq);
-    return state === "expired" && record !== undefined ? expiredReason(record.ttl) : null;
+    if (state !== "expired" || record === undefined) return null;
+    const isPaused = this.#ports.snapshot()?.state === "paused";
+    return expiredReason(record.ttl, isPaused ? "paused" : undefined);
   }
 
   #list({ seq, key, command, acceptedAt, ttl }: DeliveredCommand): void {
