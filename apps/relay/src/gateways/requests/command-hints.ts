@@ -23,12 +23,14 @@ function meantBy(body: unknown, path: string): string | null {
   const words = action.trim().toLowerCase().split(/\s+/);
   const [word = "", number] = words;
   if (path !== "action" && path !== "degrees" && path !== "distance") return null;
-  const amount = path === "action" ? Number(number ?? Number.NaN) : Number(degrees ?? distance);
+  const amount =
+    path === "action" ? Number(number ?? degrees ?? Number.NaN) : Number(degrees ?? distance);
   if (["left", "right", "turn"].includes(word) && words.length <= 2) {
     if (path === "distance") return null;
     if (path === "degrees" && word === "turn" && number === undefined) return null;
+    const isQuarter = number === undefined && degrees === undefined && word !== "turn";
+    if (isQuarter) return `'${word} 90'`;
     if (Number.isFinite(amount)) return turn(word === "left" ? -amount : amount);
-    if (number === undefined && word !== "turn") return turn(word === "left" ? -90 : 90);
   }
   const isBackward = ["reverse", "backward", "back"].includes(word);
   if ((isBackward || word === "forward") && words.length <= 2 && path !== "degrees") {

@@ -2,8 +2,11 @@ import { connect } from "node:net";
 import { once } from "node:events";
 import { problemSchema } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
+import { limits } from "../../platform/limits/limits.ts";
 import { badCommands } from "../../testing/bad-commands.ts";
 import { startTestRelay } from "../../testing/test-relay.ts";
+
+const HOUR_MS = 60 * 60 * 1000;
 
 /** Parses the problem document of a response. */
 async function problemOf(answer: Response) {
@@ -38,6 +41,29 @@ describe("an invalid command", () => {
     ]);
   });
 
+  const quotes = "Put names and texts into double quotes";
+  const marks = "Check quotes, commas, brackets and numbers";
+  it.each([
+    { name: "single quotes", body: "{'action':'left 90'}", says: quotes },
+    { name: "one text in single quotes", body: `{"action":'left 90'}`, says: quotes },
+    { name: "curly quotes", body: "{“action”:“left 90”}", says: quotes },
+    { name: "a name without quotes", body: '{action:"left 90"}', says: quotes },
+    { name: "a text without quotes", body: '{"action":stop}', says: quotes },
+    { name: "a comma at the end", body: '{"action":"left 90",}', says: marks },
+    { name: "NaN", body: '{"action":"move","distance":NaN}', says: marks },
+    { name: "no closing bracket", body: '{"action":"move","distance":12', says: marks },
+    { name: "a quote that is not closed", body: '{"action":"left 90}', says: marks },
+    { name: "a backslash at the end", body: '{"action":"left\\', says: marks },
+    { name: "nothing", body: " ", says: "It is empty: send a JSON document" },
+  ])("that is not JSON names what to correct: $name", async ({ body, says }) => {
+    const relay = await startTestRelay();
+    const robot = await relay.register();
+    const answer = await relay.ask(robot, "/commands", { method: "POST", body });
+    expect((await problemOf(answer)).detail).toBe(
+      `Invalid command. The body is not JSON. ${says}, as in the example in 'errors'.`,
+    );
+  });
+
   it.each(badCommands)("is rejected with the name of its field: $name", async ({ body, path }) => {
     const relay = await startTestRelay();
     const robot = await relay.register();
@@ -49,12 +75,24 @@ describe("an invalid command", () => {
     expect(problem.detail).toMatch(
       isJson(body)
         ? `Invalid command. ${path || "document"}: found `
-        : /^Invalid command\. The body is not JSON\. Put names and texts into double quotes, as/,
+        : /^Invalid command\. The body is not JSON\. (?:Put|Check|It is empty: send) .*, as in the example/,
     );
     expect(problem.detail).not.toContain('"');
     const log = await relay.ask(robot, "/commands");
     expect(await log.json()).toEqual({ commands: [] });
   });
+});
+
+it("an id with a typing error is answered with advice to check it", async () => {
+  const relay = await startTestRelay();
+  const robot = await relay.register();
+  const [first = ""] = robot.id;
+  const id = (first === "A" ? "B" : "A") + robot.id.slice(1);
+  const problem = await problemOf(await relay.ask({ ...robot, id }, "/sensors"));
+  expect(problem).toMatchObject({ status: 404, type: "/problems/no-robot" });
+  expect(problem.detail).toBe(
+    `No robot has this id. Check it for typing errors, or copy the address again from the robot's page. The relay deletes robots after ${limits.robotIdleMs / HOUR_MS} hours without use, and ${limits.robotLifeMs / HOUR_MS} hours after their registration.`,
+  );
 });
 
 describe("a key", () => {

@@ -74,8 +74,11 @@ export const problemKinds = {
     status: 404,
     title: "Robot not found",
     what: "The relay has no robot with this id.",
-    why: "A robot is deleted after 2 hours without use, 24 hours after its registration, or by its owner.",
-    fix: ["Open the robot's page, choose **Remote** and copy the new address."],
+    why: "The id contains a typing error, or the robot was deleted. A robot is deleted after 2 hours without use, 24 hours after its registration, or by its owner.",
+    fix: [
+      "Check the id for typing errors.",
+      "Open the robot's page, choose **Remote** and copy the address again. If you closed its tab, the page has a new address.",
+    ],
   },
   "no-connection": {
     status: 404,

@@ -51,16 +51,28 @@ export function badRequest(what: string, errors: FieldProblem[]): Refusal {
 /**
  * Rejects a body that is not JSON. `detail` contains no example, because it contains no double
  * quotes.
+ * @param body the text that is not JSON
  * @param example of a valid body
  */
-export function notJson(what: string, example?: string): Refusal {
+export function notJson(what: string, body: string, example?: string): Refusal {
   const where = example === undefined ? "" : ", as in the example in 'errors'";
   const expected = `a JSON document${example === undefined ? "" : `, such as ${example}`}`;
-  return new Refusal(
-    "bad-request",
-    `${what} The body is not JSON. Put names and texts into double quotes${where}.`,
-    { errors: [{ path: "", found: "text that is not JSON", expected }] },
+  return new Refusal("bad-request", `${what} The body is not JSON. ${jsonHint(body)}${where}.`, {
+    errors: [{ path: "", found: "text that is not JSON", expected }],
+  });
+}
+
+/** What to correct in a text that is not JSON. */
+function jsonHint(body: string): string {
+  if (body.trim() === "") return "It is empty: send a JSON document";
+  const withoutTexts = body.replaceAll(/"(?:[^"\\]|\\[^])*\\?(?:"|$)/g, "");
+  const withoutNumbers = withoutTexts.replaceAll(
+    /\b(?:true|false|null|NaN|Infinity|\d[\w.]*)\b/g,
+    "",
   );
+  return /[\p{L}'\u2018-\u201D]/u.test(withoutNumbers)
+    ? "Put names and texts into double quotes"
+    : "Check quotes, commas, brackets and numbers";
 }
 
 /** Rejects a request without a valid key. @param detail which key to send, and how */
@@ -84,7 +96,7 @@ export function restarting(): Refusal {
 export function noRobot(): Refusal {
   return new Refusal(
     "no-robot",
-    "There is no robot with this id. The relay deletes robots after 2 hours without use: open the robot's page and copy the new address.",
+    "No robot has this id. Check it for typing errors, or copy the address again from the robot's page. The relay deletes robots after 2 hours without use, and 24 hours after their registration.",
   );
 }
 

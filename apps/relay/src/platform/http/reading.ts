@@ -93,7 +93,7 @@ export function bodyReader<T>(
     }
     const parsed = parseJson(text, limit);
     if (!parsed.ok) {
-      throw parsed.isJson ? badRequest(what, parsed.problems) : notJson(what, example);
+      throw parsed.isJson ? badRequest(what, parsed.problems) : notJson(what, text, example);
     }
     const { value } = parsed;
     const result = readValue(schema, value);
