@@ -118,8 +118,8 @@ def test_a_move_waits_until_the_robot_has_finished_it() -> None:
     assert command.state == "completed" and command.distance == 100 and command
     assert [request.url.split("/abc")[1] for request in harness.requests] == [
         "/commands",
-        "/commands/7?wait=10",
-        "/commands/7?wait=10",
+        "/commands/7?wait=1.5",
+        "/commands/7?wait=1.5",
     ]
     assert json.loads(harness.requests[0].body or b"") == {"action": "move", "distance": 100}
 
@@ -337,6 +337,61 @@ def test_a_command_that_ended_early_is_an_error_with_its_reason(state: str) -> N
         harness.move()
     assert error.value.code == state
     assert str(error.value).count(state) == 1
+
+
+CLOSED = "The robot's page is closed or offline: open it again and choose Remote."
+
+
+def test_the_reason_why_a_command_does_not_continue_is_printed_once(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    silent: List[Union[Response, float]] = [1.5, record("started", CLOSED)] * 20
+    Harness(record("accepted"), *silent, record("completed")).move()
+    assert caplog.messages == [CLOSED]
+
+
+def test_the_reason_is_printed_again_only_after_the_command_has_continued(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    silent: List[Union[Response, float]] = [1.5, record("started", CLOSED)] * 2
+    Harness(record("started"), *silent, 1.5, record("started"), *silent, record("completed")).move()
+    assert caplog.messages == [CLOSED, CLOSED]
+
+
+def test_a_command_that_continues_within_3_seconds_prints_nothing(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    Harness(
+        record("started"), 1.5, record("started", CLOSED), 1.5, record("started"), record("completed")
+    ).move()
+    assert caplog.messages == []
+
+
+def test_a_host_that_does_not_respond_is_named_once(caplog: pytest.LogCaptureFixture) -> None:
+    Harness(LOST, LOST, LOST, LOST, record("completed")).move()
+    assert caplog.messages == [
+        "The robot's host does not respond at http://robots.example (connection refused). Retrying."
+    ]
+
+
+def test_a_wrong_id_is_named_with_what_to_check() -> None:
+    detail = "No robot has this id. Check it for typing errors, or copy the address again."
+    harness = Harness(problem(404, "no-robot", detail))
+    with pytest.raises(RobotGoneError) as error:
+        harness.move()
+    assert str(error.value) == (
+        "No robot has the id abc (no-robot). Check it for typing errors, or copy the address again."
+    )
+
+
+def test_a_command_by_a_watch_link_reports_what_the_link_is_for() -> None:
+    protocol = RobotProtocol(
+        parse_address(f"http://robots.example/r/abc#wch_{KEY[4:]}"), 30.0, 60.0, rand=lambda: 1.0
+    )
+    harness = Harness(problem(403, "forbidden", "A watch key permits only reading."))
+    with pytest.raises(NotAuthorisedError, match="This is a watch link: it can only read") as error:
+        harness.run(protocol.execute(go_forward(100)))
+    assert "Copy address with key" in error.value.hint
 
 
 def test_replacing_an_endless_motion_is_not_an_error() -> None:

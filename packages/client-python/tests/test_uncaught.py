@@ -1,5 +1,6 @@
 """The output of a script with an uncaught error."""
 
+import signal
 import subprocess
 import sys
 import urllib.request
@@ -8,6 +9,7 @@ from typing import Callable, List
 
 import pytest
 from conftest import Host
+from corridor import Robot
 
 PACKAGE = Path(__file__).resolve().parents[1] / "src"
 
@@ -79,3 +81,27 @@ def test_it_is_a_traceback_in_development_mode_and_for_other_errors(
     assert "Traceback" in run(wrong, "-X", "dev").stderr
     done = run("import corridor\n1 / 0\n")
     assert "Traceback" in done.stderr and done.returncode == 1
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no SIGINT for one process")
+@pytest.mark.parametrize("text, line", [(SYNC, "3: robot.right()"), (ASYNC, "6: await robot.right()")])
+def test_ctrl_c_during_a_command_prints_the_line_of_the_script(
+    corridor: Host, tmp_path: Path, text: str, line: str
+) -> None:
+    corridor.send("disconnect")
+    (tmp_path / "first.py").write_text(text.format(address=corridor.address))
+    script = subprocess.Popen(
+        [sys.executable, "first.py"],
+        cwd=tmp_path,
+        env={"PYTHONPATH": str(PACKAGE)},
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    reader = Robot(corridor.address)
+    while not reader.commands:
+        assert script.poll() is None
+    script.send_signal(signal.SIGINT)
+    _, printed = script.communicate(timeout=20)
+    assert script.returncode == -signal.SIGINT
+    if text == SYNC or sys.version_info >= (3, 11):
+        assert printed.splitlines() == [f"Stopped by Ctrl+C: first.py, line {line}"]

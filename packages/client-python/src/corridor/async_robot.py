@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from types import TracebackType
-from typing import AsyncIterator, Callable, List, Optional, Type
+from typing import TYPE_CHECKING, AsyncIterator, Callable, List, Optional, Type
 
 from .actions import (
     Action,
@@ -19,6 +19,7 @@ from .actions import (
 from .address import parse_address
 from .async_transport import run_async
 from .errors import RobotError
+from .other_names import no_attribute
 from .transport import HttpTransport
 from .pairing import pair
 from .reports import Command, Event, Maze, Sensors, Snapshot
@@ -212,6 +213,11 @@ class AsyncRobot:
     def __repr__(self) -> str:
         address = self._protocol.address
         return f"<AsyncRobot {address.origin}/r/{address.id}>"
+
+    if not TYPE_CHECKING:
+        # Type checkers would accept every name.
+        def __getattr__(self, name):
+            raise no_attribute(self, name)
 
     async def _do(self, action: Action) -> Command:
         return await self._run(self._protocol.execute(action))

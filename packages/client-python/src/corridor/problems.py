@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
-from typing import Any
+from typing import Any, Optional
 
+from .address import Address
 from .errors import (
     AddressError,
     CommandEndedError,
@@ -18,6 +19,8 @@ from .requests import Response
 
 #: Statuses of temporary failures.
 _TEMPORARY = (0, 408, 425, 429)
+#: Prefix of the relay's keys that permit only reading.
+_WATCH_KEY = "wch_"
 
 
 def as_sentence(text: str) -> str:
@@ -48,8 +51,8 @@ def reason_of(response: Response) -> str:
         return f"The response has the status {response.status} and no reason."
 
 
-def error_of(response: Response) -> RobotError:
-    """The exception for a permanent failure."""
+def error_of(response: Response, address: Optional[Address] = None) -> RobotError:
+    """The exception for a permanent failure of a request to a robot."""
     if response.is_untrusted:
         return AddressError(
             "bad-address",
@@ -66,6 +69,12 @@ def error_of(response: Response) -> RobotError:
         )
     if kind == "blocked":
         return NotAuthorisedError("blocked", "This script is blocked", reason)
+    if kind == "forbidden" and address is not None and address.key.startswith(_WATCH_KEY):
+        return NotAuthorisedError(
+            "not-authorised",
+            "This is a watch link: it can only read",
+            "Copy the robot's address: press 'Copy address with key' under Remote on the robot's page.",
+        )
     if status in (401, 403):
         return NotAuthorisedError("not-authorised", "The robot rejects this key", reason)
     if status == 407:
@@ -76,6 +85,12 @@ def error_of(response: Response) -> RobotError:
         return NoMazeError("no-maze", "The maze of this robot is unknown", reason)
     if kind == "too-late":
         return CommandEndedError("expired", "The command arrived too late and was not executed", reason)
+    if kind == "no-robot" and address is not None:
+        return RobotGoneError(
+            "no-robot",
+            f"No robot has the id {address.id}",
+            reason.replace("No robot has this id. ", "", 1),
+        )
     if status in (404, 410) and kind != "no-command":
         return RobotGoneError("no-robot", "There is no robot with this address", reason)
     return CommandError("refused", "The robot's host refused the request", reason)

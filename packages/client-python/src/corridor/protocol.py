@@ -36,6 +36,10 @@ _FIRST_DELAY = 0.25
 _MAX_DELAY = 10.0
 #: Seconds of one long poll. Short enough for proxies that close idle connections.
 _LONG_POLL = 10.0
+#: Seconds of one long poll for the end of a command, so that a silent robot is reported soon.
+_PROGRESS_POLL = 1.5
+#: Seconds without progress of a command after which the reason is printed.
+_SILENCE = 3.0
 #: Seconds to wait for a newer snapshot: robots send about 20 a second while they move.
 _READING_WAIT = 0.05
 #: Maximum age of the snapshot of one decision in seconds.
@@ -200,6 +204,8 @@ class RobotProtocol:
     def _wait_for_end(self, command: Command, action: Action) -> Exchange[Command]:
         ends = not is_endless(action)
         deadline = self._clock() + self._finish_timeout
+        silent_since: Optional[float] = None
+        is_reported = False
         while not command.ended and (ends or command.state != "started"):
             if self._clock() >= deadline:
                 raise NoAnswerError(
@@ -207,9 +213,18 @@ class RobotProtocol:
                     f"The robot did not finish command {command.seq} ({command.action})",
                     "Check that the robot's page is open, connected and not paused.",
                 )
-            wait = _LONG_POLL if ends else _START_POLL
+            asked_at = self._clock()
+            wait = _PROGRESS_POLL if ends else _START_POLL
             path = f"/commands/{command.seq}?wait={wait:g}"
             command = _read(read_command, (yield from self._request("GET", path, wait=wait)))
+            # The host sends a reason before the end if the robot's page is closed, paused or asleep.
+            if command.ended or command.reason is None:
+                silent_since, is_reported = None, False
+                continue
+            silent_since = asked_at if silent_since is None else silent_since
+            if not is_reported and self._clock() - silent_since >= _SILENCE:
+                _log.warning("%s", as_sentence(command.reason))
+                is_reported = True
         # Endless motions end normally when another command replaces them.
         was_replaced = command.state == "superseded" and not ends
         if command.state in _FAILED_ENDINGS and not was_replaced:
@@ -277,7 +292,7 @@ class RobotProtocol:
                         yield from self.check_access()
                     continue
             if not is_temporary(response):
-                raise error_of(response)
+                raise error_of(response, self.address)
             if attempts == 0:
                 failed_at = self._clock()
             # A short outage never leads to a long delay.
@@ -292,7 +307,11 @@ class RobotProtocol:
                     f"Check the network, and that the robot is at {self.address.origin}.",
                 )
             if attempts == 2:
-                _log.warning("The robot's host does not respond (%s). Retrying.", reason_of(response))
+                _log.warning(
+                    "The robot's host does not respond at %s (%s). Retrying.",
+                    self.address.origin,
+                    reason_of(response),
+                )
             yield Delay(delay)
 
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Mapping, NamedTuple, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, Mapping, NamedTuple, Optional, Tuple, Union
+
+from .other_names import no_attribute
 
 ENDINGS = ("completed", "collided", "cancelled", "superseded", "expired")
 
@@ -76,6 +78,11 @@ class Snapshot:
     line: Union[int, str, None]
     #: `seq` of the running command, or `None`
     command: Optional[int]
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name):
+            raise no_attribute(self, name)
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from types import TracebackType
-from typing import Callable, Iterator, List, Optional, Type
+from typing import TYPE_CHECKING, Callable, Iterator, List, Optional, Type
 
 from .actions import (
     Action,
@@ -20,6 +20,7 @@ from .address import parse_address
 from .errors import RobotError
 from .transport import HttpTransport, run
 from .live_sensor import LiveSensor
+from .other_names import no_attribute
 from .pairing import pair
 from .reports import Command, Event, Maze, Sensors, Snapshot
 from .requests import T, Exchange
@@ -373,6 +374,11 @@ class Robot:
     def __repr__(self) -> str:
         address = self._protocol.address
         return f"<Robot {address.origin}/r/{address.id}>"
+
+    if not TYPE_CHECKING:
+        # Type checkers would accept every name.
+        def __getattr__(self, name):
+            raise no_attribute(self, name)
 
     def _do(self, action: Action) -> Command:
         return self._run(self._protocol.execute(action))

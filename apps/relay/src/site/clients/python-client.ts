@@ -15,6 +15,7 @@ const PACKAGE = join(import.meta.dirname, "../../../../../packages/client-python
 const MODULES = [
   "errors",
   "uncaught",
+  "other_names",
   "address",
   "reports",
   "actions",
