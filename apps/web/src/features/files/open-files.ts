@@ -121,7 +121,9 @@ function openDocuments(
     tone: "info",
     text:
       kind === "maze" && opened !== null
-        ? words.t("presets.chosenEmpty", { name: names.maze })
+        ? words.t(`presets.${maze?.goals.length === 0 ? "chosenNoGoal" : "chosenEmpty"}`, {
+            name: names.maze,
+          })
         : words.t(`files.opened.${kind}`, names),
     action: {
       label: words.t("projects.back"),

@@ -6,7 +6,7 @@ import { useId, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { CopyButton } from "../../ui/CopyButton.tsx";
 import { maskKey, type RobotAddress } from "./robot-address.ts";
-import { snippet, snippetLanguages, type SnippetLanguage } from "./snippets.ts";
+import { snippet, snippetFiles, snippetLanguages, type SnippetLanguage } from "./snippets.ts";
 import styles from "./remote.module.css";
 
 /** Lines of the longest script. */
@@ -17,6 +17,7 @@ export function Snippets({ address }: { address: RobotAddress }) {
   const [language, setLanguage] = useState<SnippetLanguage>("javascript");
   const [isRefused, setRefused] = useState(false);
   const name = useId();
+  const { file, command, program } = snippetFiles[language];
   const full = snippet(language, address.api, address.key);
   return (
     <section className={styles["section"]} aria-label={t("remote.otherLanguages")}>
@@ -57,9 +58,8 @@ export function Snippets({ address }: { address: RobotAddress }) {
         value={isRefused ? full : snippet(language, address.api, maskKey(address.key))}
       />
       <p className={styles["note"]}>
-        {isRefused
-          ? t("remote.copyByHand")
-          : t("remote.scriptNote", { language: t(`remote.${language}`) })}
+        {t(isRefused ? "remote.copyByHand" : "remote.scriptNote", { file, command })}{" "}
+        {program !== null && t("remote.scriptNeeds", { program })}
       </p>
     </section>
   );

@@ -1,5 +1,13 @@
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import { describe, expect, it } from "vitest";
-import { snippet, snippetLanguages, starterLines, starterScript } from "./snippets.ts";
+import {
+  snippet,
+  snippetFiles,
+  snippetLanguages,
+  starterLines,
+  starterScript,
+} from "./snippets.ts";
 
 const KEY = "d_test-key";
 /** Maximum columns of a line; Java needs wider ones. */
@@ -11,6 +19,16 @@ describe.each(snippetLanguages)("the script to copy in %s", (language) => {
     expect(lines.length).toBeLessThanOrEqual(12);
     expect(Math.max(...lines.map((line) => line.length))).toBeLessThanOrEqual(widest[language]);
   });
+});
+
+it("the page says how to save and start a script in the words of the quickstart", () => {
+  const file = join(import.meta.dirname, "../../../../relay/src/site/docs/pages/quickstart.md");
+  const quickstart = readFileSync(file, "utf8").replaceAll(/\s+/g, " ");
+  for (const { file: name, command, program } of Object.values(snippetFiles)) {
+    expect(quickstart).toContain(`as \`${name}\``);
+    expect(quickstart).toContain(`with \`${command}\``);
+    if (program !== null) expect(quickstart).toContain(`It needs ${program} or newer.`);
+  }
 });
 
 describe("the first script", () => {

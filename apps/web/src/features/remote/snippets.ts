@@ -20,6 +20,17 @@ print(round(robot.sensor.front))
 export const snippetLanguages = ["javascript", "java", "curl", "python"] as const;
 export type SnippetLanguage = (typeof snippetLanguages)[number];
 
+/** How to save and start a script, as in the quickstart of /docs. */
+export const snippetFiles: Record<
+  SnippetLanguage,
+  { file: string; command: string; program: string | null }
+> = {
+  javascript: { file: "drive.mjs", command: "node drive.mjs", program: "Node 18" },
+  java: { file: "Robot.java", command: "java Robot.java", program: "Java 11" },
+  curl: { file: "drive.sh", command: "sh drive.sh", program: null },
+  python: { file: "drive.py", command: "python3 drive.py", program: null },
+};
+
 /**
  * @param api base URL of the robot's REST API, without a trailing slash
  * @param key the driver key, or a mask to display

@@ -35,3 +35,12 @@ it("makes an empty program, moves the robot to its start, shows the goal, and un
   expect(workspace.getState().program).toEqual(firstProgram);
   expect(screen.getState().messages).toEqual([]);
 });
+
+it("asks for no goal in a maze without one", () => {
+  const workspace = createWorkspaceStore({ ...firstMaze, goals: [] }, firstProgram);
+  const screen = createScreenStore();
+  const simulator = { send: () => undefined };
+  const services = { workspace, screen, simulator } as unknown as Parameters<typeof writeOwn>[0];
+  writeOwn(services, createI18n(en));
+  expect(screen.getState().messages[0]?.text).toBe("Your program is empty now.");
+});

@@ -14,5 +14,6 @@ export function writeOwn(
 ): void {
   loadProgram(services.workspace, emptyProgram());
   services.simulator.send({ type: "reset" });
-  showUndoable(services, words, words.t("program.emptied"));
+  const hasGoal = services.workspace.getState().maze.goals.length > 0;
+  showUndoable(services, words, words.t(hasGoal ? "program.emptied" : "program.emptiedNoGoal"));
 }

@@ -15,7 +15,11 @@ if (spiral === undefined) throw new Error("a preset is gone");
 const chosen = spiral;
 const mine = { ...firstProgram, name: "Mine" };
 
-function choose(program: typeof firstProgram, nowDriver: DriverName = "program") {
+function choose(
+  program: typeof firstProgram,
+  nowDriver: DriverName = "program",
+  maze: typeof chosen = chosen,
+) {
   const workspace = createWorkspaceStore(firstMaze, program);
   const screen = createScreenStore();
   const sent: string[] = [];
@@ -24,7 +28,7 @@ function choose(program: typeof firstProgram, nowDriver: DriverName = "program")
   const services = { workspace, screen, simulator, run } as unknown as Parameters<
     typeof chooseMaze
   >[0];
-  chooseMaze(services, createI18n(en), chosen);
+  chooseMaze(services, createI18n(en), maze);
   const message = screen.getState().messages[0];
   return { workspace, sent, text: message?.text, undo: () => message?.action?.run() };
 }
@@ -46,6 +50,15 @@ describe("choosing a maze", () => {
       "“Spiral” is open. Get the robot to the goal.",
     );
   });
+
+  it.each(["program", "remote"] as const)(
+    "asks for no goal in a maze without one, with the driver %s",
+    (driver) => {
+      expect(choose(firstProgram, driver, { ...chosen, goals: [] }).text).toBe(
+        "“Spiral” is open. It has no goal yet: set one, or explore.",
+      );
+    },
+  );
 
   it("leaves one message when another maze is chosen at once, and Undo goes back one maze", () => {
     const workspace = createWorkspaceStore(firstMaze, firstProgram);

@@ -47,7 +47,9 @@ export function chooseMaze(
   const message = showMessage(screen, {
     tone: "info",
     isOfProject: true,
-    text: words.t(`presets.${textOf(program, run.getState().nowDriver)}`, { name: maze.name }),
+    text: words.t(`presets.${textOf(maze, program, run.getState().nowDriver)}`, {
+      name: maze.name,
+    }),
     action: {
       label: words.t("presets.undo"),
       run: () => {
@@ -67,7 +69,8 @@ export function chooseMaze(
 }
 
 /** Scripts that drive the robot do not use the program of the page. */
-function textOf(program: ProgramDocument | null, driver: DriverName | null) {
+function textOf(maze: MazeDocument, program: ProgramDocument | null, driver: DriverName | null) {
   if (program === null) return "chosen";
+  if (maze.goals.length === 0) return "chosenNoGoal";
   return driver === "remote" ? "chosenRemote" : "chosenEmpty";
 }
