@@ -41,7 +41,7 @@ export const problemKinds = {
     status: 403,
     title: "The key does not permit this request",
     what: "The key is valid but does not permit this request.",
-    why: "A watch key (`wch_...`) only reads. Some requests require the owner key, which only the robot's page has. Only the key that sent a command can cancel it.",
+    why: "A watch key (`wch_...`), which is the key of a watch link, only reads. Some requests require the owner key, which only the robot's page has. Only the key that sent a command can cancel it.",
     fix: [
       "To drive, use the address of **Remote**. Its key starts with `drv_`.",
       "To end a command of another script, send `stop`.",
@@ -108,7 +108,7 @@ export const problemKinds = {
     why: "The code contains a typing error, is older than 10 minutes, or was cancelled on the page.",
     fix: [
       "Check each letter. A code has 8 letters, all consonants.",
-      "Create a new code under **Remote** on the robot's page.",
+      "Press **Show a code to type** under **Remote**, **More** on the robot's page.",
     ],
   },
   "no-script": {
@@ -164,13 +164,13 @@ export const problemKinds = {
     title: "Pairing code already used",
     what: "The request was not sent to the owner.",
     why: "Another script has used this code. A code is for one script.",
-    fix: ["Create a new code under **Remote** on the robot's page."],
+    fix: ["Press **Show a code to type** under **Remote**, **More** on the robot's page."],
   },
   "driving-paused": {
     status: 409,
     title: "Remote driving is paused",
     what: "The command was not stored.",
-    why: "The owner pressed **Pause scripts** under **Remote**. Scripts can still read and send `stop`.",
+    why: "The owner pressed **Pause scripts** under **Remote**, **More**. Scripts can still read and send `stop`.",
     fix: [
       "Press **Let scripts drive** on the robot's page.",
       "Send the command again about once a second until it is accepted.",
@@ -205,7 +205,9 @@ export const problemKinds = {
     title: "No such pairing request",
     what: "The answer was not stored.",
     why: "No pairing request has the `id` in the body: it was answered, the code was cancelled, or its 10 minutes have passed.",
-    fix: ["Create a new code under **Remote** on the robot's page, and pair the script again."],
+    fix: [
+      "Press **Show a code to type** under **Remote**, **More** on the robot's page, and pair the script again.",
+    ],
   },
   "too-many-keys": {
     status: 409,

@@ -21,12 +21,18 @@ const onPage = new Set(
 const page = (name: string): string =>
   readFileSync(join(import.meta.dirname, `pages/${name}.md`), "utf8");
 
+const library = (name: string): string =>
+  readFileSync(join(import.meta.dirname, `../../../../../packages/${name}/README.md`), "utf8");
+
 it.each([
   { where: "the text of problems", text: JSON.stringify(problemKinds) },
   { where: "the text of the quickstart", text: page("quickstart") },
   { where: "the text of the recipes", text: page("recipes") },
+  { where: "the text about the state of a robot", text: page("reading") },
+  { where: "the text of the Python library", text: library("client-python") },
+  { where: "the text of the TypeScript library", text: library("client") },
 ])("$where uses the labels of the page", ({ text }) => {
-  const named = [...text.matchAll(/\*\*(.+?)\*\*/g)].map(([, words = ""]) => words);
+  const named = [...text.matchAll(/\*\*([^`*]+)\*\*/g)].map(([, words = ""]) => words);
   expect(named).toContain("Remote");
   expect(named.filter((words) => !onPage.has(words))).toEqual([]);
 });
