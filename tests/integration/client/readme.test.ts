@@ -6,6 +6,7 @@ import type { AddressInfo } from "node:net";
 import { join } from "node:path";
 import { promisify } from "node:util";
 import { describe, expect, it, onTestFinished } from "vitest";
+import { createdKeySchema } from "@corridor/protocol";
 import { RobotClient } from "../../../packages/client/src/robot-client.ts";
 import { robotWithCode, type RobotWithCode } from "../../support/client/robot-with-code.ts";
 
@@ -117,6 +118,47 @@ describe("the code in the documentation", () => {
       expect(robot.done).toHaveLength(turns);
     },
   );
+
+  it.each([
+    {
+      language: "JavaScript",
+      by: node,
+      program: `import { RobotClient } from "@corridor/client";
+        const robot = await RobotClient.connect(ADDRESS);
+        console.log((await robot.sensors()).front);
+        for await (const { kind } of robot.events()) { console.log(kind); break; }
+        await robot.move(100).catch(({ code }) => console.log(code));
+        robot.close();`,
+    },
+    {
+      language: "Python",
+      by: python,
+      program: [
+        "from corridor import NotAuthorisedError, Robot",
+        "robot = Robot(ADDRESS)",
+        "print(robot.sensor.front)",
+        "for event in robot.events():",
+        "    print(event.kind)",
+        "    break",
+        "try: robot.forward(100)",
+        "except NotAuthorisedError as error: print(error.code)",
+      ].join("\n"),
+    },
+  ])("a watch link reads in $language, and does not drive", async ({ by, program }) => {
+    const { origin, registration, robot } = await robotWithCode(["####", "#..#", "####"]);
+    const response = await fetch(`${origin}/api/v1/robots/${registration.id}/keys`, {
+      method: "POST",
+      headers: {
+        Authorization: `Bearer ${registration.ownerKey}`,
+        "Content-Type": "application/json",
+      },
+      body: JSON.stringify({ kind: "watch" }),
+    });
+    const { address } = createdKeySchema.parse(await response.json());
+    const output = await run(by, program.replace("ADDRESS", JSON.stringify(address)));
+    expect(output).toBe("50\nsnapshot\nnot-authorised\n");
+    expect(robot.done).toEqual([]);
+  });
 
   it("the function in /docs/commands retries, and the robot moves once", async () => {
     const testBed = await robotWithCode(["#####", "#...#", "#####"]);
