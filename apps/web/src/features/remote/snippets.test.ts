@@ -27,7 +27,7 @@ it("the page says how to save and start a script in the words of the quickstart"
   for (const { file: name, command, program } of Object.values(snippetFiles)) {
     expect(quickstart).toContain(`as \`${name}\``);
     expect(quickstart).toContain(`with \`${command}\``);
-    if (program !== null) expect(quickstart).toContain(`It needs ${program} or newer.`);
+    expect(quickstart).toContain(program === null ? name : `It needs ${program} or newer.`);
   }
 });
 
