@@ -1,16 +1,56 @@
 import { closeReasons, type CloseReason } from "@corridor/protocol";
 import { ClientError } from "./client-error.ts";
+import type { RobotAddress } from "./robot-address.ts";
 
-/** The error of a script whose connection was closed without retry. @param key of the script */
-export function closeError({ code, cause, remedy }: CloseReason, key: string): ClientError {
-  // A driver key permits everything that a script does: forbidden means that the script is blocked.
-  if (code === closeReasons.forbidden.code && key.startsWith("drv_")) {
-    return new ClientError(
-      "blocked",
-      "This script is blocked",
-      "The robot's owner has blocked this script. Ask the owner to press 'Unblock', then restart the script.",
-    );
+/** Prefix of keys that permit only reading. */
+const WATCH_KEY = "wch_";
+const COPY = "press 'Copy address with key' under Remote on the robot's page.";
+
+/** Whether the key permits only reading. */
+export function isWatchKey(key: string): boolean {
+  return key.startsWith(WATCH_KEY);
+}
+
+/** The error of a command by a script with a watch key. */
+export function watchLinkError(): ClientError {
+  const what = "This is a watch link: it can only read";
+  return new ClientError("not-authorised", what, `Copy the robot's address: ${COPY}`);
+}
+
+/**
+ * The error of a script whose connection was closed without retry. The hints are those of the
+ * relay's HTTP responses, because a close frame has no space for them.
+ * @param robot the address of the script
+ */
+export function closeError({ code, cause, remedy }: CloseReason, robot: RobotAddress): ClientError {
+  switch (code) {
+    case closeReasons.notAuthorised.code:
+      return new ClientError(
+        "not-authorised",
+        "The robot rejects this key",
+        `The key is invalid or was revoked. Copy the whole address again, with the part after the #: ${COPY}`,
+      );
+    case closeReasons.forbidden.code:
+      if (isWatchKey(robot.key)) return watchLinkError();
+      // A driver key permits everything that a script does: the script is blocked.
+      if (robot.key.startsWith("drv_")) return blocked();
+      return new ClientError("not-authorised", "The robot rejects this key", remedy);
+    case closeReasons.noRobot.code:
+      return new ClientError(
+        "no-robot",
+        `No robot has the id ${robot.id}`,
+        "Check it for typing errors, or copy the address again from the robot's page. " +
+          "The relay deletes robots after 2 hours without use, and 24 hours after their registration.",
+      );
+    default:
+      return new ClientError("no-robot", `Not connected: ${cause}`, remedy);
   }
-  const isKey = code === closeReasons.notAuthorised.code || code === closeReasons.forbidden.code;
-  return new ClientError(isKey ? "not-authorised" : "no-robot", `Not connected: ${cause}`, remedy);
+}
+
+function blocked(): ClientError {
+  return new ClientError(
+    "blocked",
+    "This script is blocked",
+    "The robot's owner has blocked this script. Ask the owner to press 'Unblock', then restart the script.",
+  );
 }

@@ -42,6 +42,8 @@ export interface Platform {
   random(): number;
   /** a random unique text, for idempotency keys */
   uniqueText(): string;
+  /** prints why a script waits; without it, nothing is printed */
+  warn?(text: string): void;
 }
 
 interface GlobalWebSocket {
@@ -71,6 +73,7 @@ interface Globals {
   performance: { now(): number };
   setTimeout(call: () => void, ms: number): unknown;
   clearTimeout(timer: unknown): void;
+  console: { warn(text: string): void };
   crypto: { getRandomValues(into: Uint32Array): Uint32Array };
 }
 
@@ -114,6 +117,7 @@ export function globalPlatform(): Platform {
         return () => globals.clearTimeout(timer);
       },
     },
+    warn: (text) => globals.console.warn(text),
     random: () => randomWord() / 4_294_967_296,
     uniqueText: () =>
       Array.from({ length: 4 }, () => randomWord().toString(36).padStart(7, "0")).join(""),

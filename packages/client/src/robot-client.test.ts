@@ -484,6 +484,44 @@ describe("RobotClient", () => {
     await expect(robot.move(10)).rejects.toMatchObject({ code: error });
   });
 
+  it("names a wrong id and what to check", async () => {
+    const platform = new FakePlatform();
+    const opening = RobotClient.connect(ADDRESS, { platform });
+    platform.socket.cut(4404);
+    await expect(opening).rejects.toMatchObject({
+      message: expect.stringMatching(
+        /^No robot has the id A{22} \(no-robot\)\. Check it for typing errors/,
+      ),
+    });
+  });
+
+  it("names the button that copies the key after a wrong one", async () => {
+    const platform = new FakePlatform();
+    const opening = RobotClient.connect(ADDRESS, { platform });
+    platform.socket.cut(4401);
+    await expect(opening).rejects.toMatchObject({
+      message: expect.stringMatching(
+        /^The robot rejects this key .*press 'Copy address with key' under Remote/,
+      ),
+    });
+  });
+
+  it("refuses a command by a watch link, and continues to read", async () => {
+    const platform = new FakePlatform();
+    const address = ADDRESS.replace("#drv_", "#wch_");
+    const opening = RobotClient.connect(address, { platform });
+    platform.socket.open();
+    platform.socket.receive(WELCOME);
+    const robot = await opening;
+    await expect(robot.move(100)).rejects.toMatchObject({
+      code: "not-authorised",
+      message: expect.stringMatching(/^This is a watch link: it can only read .*Copy address/),
+    });
+    const sensors = robot.sensors();
+    platform.socket.receive({ type: "snapshot", snapshot: snapshotOf({ seq: 1 }) });
+    expect(await sensors).toEqual(snapshotOf().sensors);
+  });
+
   it("rejects open commands when it is closed", async () => {
     const { platform, robot } = await connected();
     const move = robot.move(10);

@@ -17,14 +17,15 @@ import {
   type Snapshot,
 } from "@corridor/protocol";
 import { ClientError, withCallSite } from "./client-error.ts";
-import { closeError } from "./close-error.ts";
+import { closeError, isWatchKey, watchLinkError } from "./close-error.ts";
 import { wrongOptions, type CommandName } from "./command-options.ts";
 import { CommandTimes } from "./command-times.ts";
 import { Connection, type ConnectionStatus } from "./connection.ts";
 import { EventInbox, type RobotEvent } from "./event-inbox.ts";
+import { SilentRobotNotice, UnreachableNotice } from "./notices.ts";
 import { pairRobot } from "./pairing.ts";
 import { globalPlatform, type Platform } from "./platform.ts";
-import { parseRobotAddress, connectionUrls } from "./robot-address.ts";
+import { parseRobotAddress, connectionUrls, type RobotAddress } from "./robot-address.ts";
 import { readMaze, type RobotMaze } from "./robot-maze.ts";
 import { DelayedAcknowledgements } from "./delayed-acknowledgements.ts";
 import { SnapshotInbox } from "./snapshot-inbox.ts";
@@ -101,7 +102,7 @@ const BUSY_DELAY_MS = 500;
 export class RobotClient {
   /** the whole address with its key, to connect again. Keep it private */
   readonly address: string;
-  readonly #key: string;
+  readonly #robot: RobotAddress;
   /** base URL of the robot's API */
   readonly #api: string;
   readonly #platform: Platform;
@@ -114,6 +115,8 @@ export class RobotClient {
   readonly #events = new Set<EventInbox>();
   readonly #acknowledgements = new DelayedAcknowledgements();
   readonly #times: CommandTimes;
+  readonly #silence: SilentRobotNotice;
+  readonly #unreachable: UnreachableNotice;
   #welcomed: () => void = () => undefined;
   #notWelcomed: (reason: ClientError) => void = () => undefined;
   /** not yet acknowledged on this connection, in order; only the first was sent */
@@ -127,8 +130,8 @@ export class RobotClient {
   #end: ClientError | null = null;
 
   private constructor(address: string, options: RobotClientOptions) {
-    const { origin, id, key } = parseRobotAddress(address);
-    this.#key = key;
+    this.#robot = parseRobotAddress(address);
+    const { origin, id, key } = this.#robot;
     this.address = `${origin}/r/${id}#${key}`;
     this.#api = `${origin}/api/v1/robots/${id}`;
     this.#platform = options.platform ?? globalPlatform();
@@ -136,8 +139,12 @@ export class RobotClient {
     this.#finishMs = options.finishTimeout ?? DEFAULT_FINISH_MS;
     this.#defaults = options.ttl === undefined ? {} : { ttl: options.ttl };
     this.#name = options.name === undefined ? {} : { name: options.name.slice(0, MAX_SENT_NAME) };
-    this.#inbox = new SnapshotInbox(this.#platform.clock);
-    this.#times = new CommandTimes(this.#platform.clock);
+    const { clock } = this.#platform;
+    const warn = (text: string): void => this.#platform.warn?.(text);
+    this.#inbox = new SnapshotInbox(clock, warn);
+    this.#silence = new SilentRobotNotice(clock, warn);
+    this.#unreachable = new UnreachableNotice(clock, warn, origin);
+    this.#times = new CommandTimes(clock);
     this.#connection = new Connection({
       urls: connectionUrls(origin, id),
       platform: this.#platform,
@@ -358,7 +365,7 @@ export class RobotClient {
       return readMaze({
         platform: this.#platform,
         api: this.#api,
-        key: this.#key,
+        key: this.#robot.key,
         timeoutMs: this.#responseMs,
       });
     });
@@ -377,8 +384,8 @@ export class RobotClient {
       this.#finish(
         new ClientError(
           "timeout",
-          "The service does not respond",
-          "Check that it runs, that the address is correct and that this computer is online.",
+          "The robot's host does not respond",
+          `Check the network, and that the robot is at ${this.#robot.origin}.`,
         ),
       ),
     );
@@ -415,6 +422,7 @@ export class RobotClient {
       return Promise.reject(new ClientError("bad-command", "Invalid command", hint));
     }
     if (this.#end !== null) return Promise.reject(this.#end);
+    if (isWatchKey(this.#robot.key)) return Promise.reject(watchLinkError());
     return new Promise((resolve, reject) => {
       const key = this.#platform.uniqueText();
       const pending: Pending = {
@@ -427,17 +435,18 @@ export class RobotClient {
         reject,
         cancelTimer: () => undefined,
       };
-      this.#limit(pending, this.#responseMs, "The relay does not respond");
+      this.#limit(pending, this.#responseMs, "The robot's host does not respond");
       this.#queue.push(pending);
+      this.#silence.waits(true);
       if (this.#queue.length === 1) this.#sendFirst();
     });
   }
 
   #hello(): string {
-    const key = this.#key;
+    const { key } = this.#robot;
     const since = this.#since === null ? {} : { since: this.#since };
     // A watch key permits reading only.
-    const role = key.startsWith("wch_") ? "watch" : "drive";
+    const role = isWatchKey(key) ? "watch" : "drive";
     const hello = { type: "hello", version: PROTOCOL_VERSION, role, key } as const;
     return encodeFrame({ ...hello, ...since, ...this.#name, sentAt: this.#times.start() });
   }
@@ -492,6 +501,7 @@ export class RobotClient {
     const wasFirst = this.#queue[0] === pending;
     this.#queue = this.#queue.filter((other) => other !== pending);
     for (const [seq, other] of this.#running) if (other === pending) this.#running.delete(seq);
+    if (this.#queue.length + this.#running.size === 0) this.#silence.waits(false);
     if (wasFirst) this.#sendFirst();
   }
 
@@ -530,6 +540,7 @@ export class RobotClient {
 
   #read(snapshot: Snapshot): void {
     this.#inbox.put(snapshot);
+    this.#silence.read(snapshot);
     this.#publish({ kind: "snapshot", snapshot });
     // The next long poll acknowledges it.
     if (this.#connection.transport === "long-poll") return;
@@ -627,7 +638,8 @@ export class RobotClient {
   }
 
   #changed(status: ConnectionStatus): void {
-    if (status.kind === "over") return this.#finish(closeError(status.reason, this.#key));
+    this.#unreachable.changed(status);
+    if (status.kind === "over") return this.#finish(closeError(status.reason, this.#robot));
     if (status.kind !== "connected") return;
     this.#welcomed();
     // The response to the first command may be lost; states of acknowledged ones follow after
@@ -639,6 +651,8 @@ export class RobotClient {
     if (this.#end !== null) return;
     this.#end = error;
     this.#connection.close();
+    this.#unreachable.close();
+    this.#silence.waits(false);
     this.#cancelRetry();
     this.#notWelcomed(error);
     for (const pending of [...this.#running.values(), ...this.#queue]) {

@@ -79,7 +79,7 @@ function errorOf({ status, body }: { status: number; body: string }): ClientErro
     return new ClientError("not-authorised", "The robot rejects this key", hint);
   }
   if (status === 404) {
-    return new ClientError("no-robot", "There is no robot with this address", hint);
+    return new ClientError("no-robot", "The robot was not found", hint);
   }
   return new ClientError("refused", "The robot's host refused to send the maze", hint);
 }

@@ -2,6 +2,9 @@ import type { Snapshot } from "@corridor/protocol";
 import { ClientError } from "./client-error.ts";
 import type { Clock } from "./platform.ts";
 
+const PAGE_CLOSED = "The robot's page is closed or not connected";
+const REOPEN = "Open the page again and choose Remote. If it says Off, press Connect.";
+
 interface Waiter {
   isNewer: (snapshot: Snapshot) => boolean;
   resolve(snapshot: Snapshot | null): void;
@@ -10,13 +13,16 @@ interface Waiter {
 /** Holds the newest snapshot of a robot, and resolves calls that wait for a newer one. */
 export class SnapshotInbox {
   readonly #clock: Clock;
+  readonly #warn: (text: string) => void;
   #newest: Snapshot | null = null;
   #lastReturned = -1;
   #waiters: Waiter[] = [];
   #end: ClientError | null = null;
 
-  constructor(clock: Clock) {
+  /** @param warn prints that a call waits for the page */
+  constructor(clock: Clock, warn: (text: string) => void) {
     this.#clock = clock;
+    this.#warn = warn;
   }
 
   /** null before the first */
@@ -39,13 +45,18 @@ export class SnapshotInbox {
    */
   async next(timeout: number): Promise<Snapshot> {
     let cancelTimer: () => void = () => undefined;
+    let isReported = false;
+    const isNew = ({ seq, state }: Snapshot): boolean => {
+      if (state === "gone" && !isReported) {
+        this.#warn(`${PAGE_CLOSED}. ${REOPEN} Waiting for the page.`);
+        isReported = true;
+      }
+      return seq > this.#lastReturned && state !== "gone";
+    };
     const timedOut = new Promise<null>((resolve) => {
       cancelTimer = this.#clock.after(timeout, () => resolve(null));
     });
-    const snapshot = await Promise.race([
-      this.#once(({ seq, state }) => seq > this.#lastReturned && state !== "gone"),
-      timedOut,
-    ]);
+    const snapshot = await Promise.race([this.#once(isNew), timedOut]);
     cancelTimer();
     if (this.#end !== null) throw this.#end;
     if (snapshot === null) {
@@ -82,11 +93,7 @@ export class SnapshotInbox {
 }
 
 function pageClosed(): ClientError {
-  return new ClientError(
-    "robot-gone",
-    "The robot's page is closed or not connected",
-    "Open the page again and choose Remote. If it says Off, press Connect.",
-  );
+  return new ClientError("robot-gone", PAGE_CLOSED, REOPEN);
 }
 
 function silent(): ClientError {

@@ -3,6 +3,8 @@ import { execFile } from "node:child_process";
 import { join } from "node:path";
 import { promisify } from "node:util";
 import { describe, expect, it } from "vitest";
+import type { ClientError } from "../../../packages/client/src/client-error.ts";
+import { RobotClient } from "../../../packages/client/src/robot-client.ts";
 import { robotIn } from "../../support/client/robot-in.ts";
 
 const ROOT = join(import.meta.dirname, "../../..");
@@ -38,5 +40,21 @@ describe("an uncaught error of a JavaScript script", () => {
       "await robot.forward(100);",
     ]);
     expect(forward.join("\n")).toContain("Use move(100).");
+  });
+});
+
+describe("an error of RobotClient", () => {
+  it.each([
+    { wrong: "key", change: /#.*/, to: "#drv_AAAAAAAAAAAAAAAAAAAAAA" },
+    { wrong: "id", change: /r\/.*#/, to: "r/AAAAAAAAAAAAAAAAAAAAAA#" },
+  ])("has the words of the relay's HTTP response for a wrong $wrong", async ({ change, to }) => {
+    const { registration } = await robotIn(["###", "#.#", "###"]);
+    const address = registration.address.replace(change, to);
+    const { href, hash } = new URL(address);
+    const url = href.replace("/r/", "/api/v1/robots/").replace(hash, "/sensors");
+    const headers = { Authorization: `Bearer ${hash.slice(1)}` };
+    const { detail } = (await (await fetch(url, { headers })).json()) as { detail: string };
+    const error = await RobotClient.connect(address).catch((reason: unknown) => reason);
+    expect((error as ClientError).hint).toBe(detail.replace("No robot has this id. ", ""));
   });
 });

@@ -22,6 +22,7 @@ interface Timer {
 /** A platform with virtual time, whose sockets the test controls. */
 export class FakePlatform implements Platform {
   readonly sockets: FakeSocket[] = [];
+  readonly warnings: string[] = [];
   /** the value of `random` */
   luck = 0.5;
   #now = 0;
@@ -37,6 +38,7 @@ export class FakePlatform implements Platform {
     },
   };
 
+  readonly warn = (text: string): void => void this.warnings.push(text);
   readonly random = (): number => this.luck;
   readonly uniqueText = (): string => `key-${String((this.#keys += 1)).padStart(6, "0")}`;
 
