@@ -177,7 +177,7 @@ export function bumpEvent(
   tick: number,
   line: LineRef | null = null,
 ): BumpEvent {
-  const { action, side, startedAt, reading, needed } = cause;
+  const { action, side, decidedAt, startedAt, reading, needed } = cause;
   return {
     kind: "bump",
     tick,
@@ -185,7 +185,8 @@ export function bumpEvent(
     action,
     phase: phaseOf(action, cause),
     side,
-    startedAt: startedAt,
+    decidedAt,
+    startedAt,
     reading,
     needs: needed === null ? null : needed + ROBOT_RADIUS,
     contact: contactOf(maze, pose, side),

@@ -41,6 +41,8 @@ export interface BumpEvent {
   phase: BumpPhase;
   /** the direction of the robot */
   side: "front" | "back";
+  /** tick at whose end the line last decided, or the driver requested the motion */
+  decidedAt: number;
   /** tick at which the motion, or this part of it, started, even if other lines repeated it */
   startedAt: number;
   /** the reading on that side at that tick */

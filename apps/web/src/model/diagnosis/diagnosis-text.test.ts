@@ -17,6 +17,7 @@ const bump = {
   action: "delayed left 90" as const,
   phase: "delay" as const,
   side: "front" as const,
+  decidedAt: 100,
   startedAt: 100,
   reading: 49.6,
   needs: 75,
@@ -52,7 +53,25 @@ describe("the words of a diagnosis", () => {
     const facts: Diagnosis = { event: bump, cause: null, fixes: [] };
     expect(diagnosisTitle(words, facts)).toBe("Bump");
     expect(diagnosisText(words, facts)).toBe(
-      "Bump at 2.1 s. “delayed left 90” drives on first and needs 75 cm ahead. Front read 50 cm.",
+      "Bump at 2.1 s. “delayed left 90” drives on first and needs 75 cm ahead. Front read 50 cm. Line 2 decided at 1.6 s.",
+    );
+  });
+
+  it("name the line that decided last as a fact where a steady motion ended at a wall", () => {
+    const words = wordsFor(["diagnosis", "words"]);
+    const event = {
+      ...bump,
+      action: "forward" as const,
+      phase: "steady" as const,
+      line: "default" as const,
+      decidedAt: 129,
+      reading: 250,
+      needs: null,
+    };
+    const facts: Diagnosis = { event, cause: null, fixes: [] };
+    expect(diagnosisTitle(words, facts)).toBe("Bump");
+    expect(diagnosisText(words, facts)).toBe(
+      "Bump at 2.1 s. The robot started to drive forward at 1.6 s. The wall was 250 cm ahead then. “otherwise” decided last.",
     );
   });
 
@@ -82,7 +101,7 @@ describe("the words of a diagnosis", () => {
       contact: { ...contact, isCorner: true },
     };
     expect(diagnosisText(words, { event, cause: null, fixes: [] })).toBe(
-      "Bump at 2.1 s. The robot started to drive forward at 1.6 s. The wall was 250 cm ahead then. The robot touched the corner of a block. The robot is 50 cm wide, and its beam is thin.",
+      "Bump at 2.1 s. The robot started to drive forward at 1.6 s. The wall was 250 cm ahead then. The robot touched the corner of a block. The robot is 50 cm wide, and its beam is thin. Line 2 decided last.",
     );
   });
 });

@@ -57,7 +57,8 @@ export function diagnosisText(
   const { event, cause } = diagnosis;
   const corner = event.kind === "bump" && event.contact.isCorner ? [cornerText(words)] : [];
   const none = diagnosis.solvesFromStart ? [words.t("diagnosis:cause.noneFromStart")] : [];
-  const reason = cause === null ? none : [causeText(words, event, cause)];
+  const reason =
+    cause === null ? [...decidedText(words, event), ...none] : [causeText(words, event, cause)];
   return joinSentences(commonWords(words), [happened, ...corner, ...reason]);
 }
 
@@ -73,6 +74,19 @@ function secondsAt({ language, waited }: DiagnosisWords, tick: number): string {
 
 function cornerText({ t }: DiagnosisWords): string {
   return t("diagnosis:event.corner");
+}
+
+/** The line that drove into the wall, as a fact: no cause is known. */
+function decidedText(words: DiagnosisWords, event: FailureEvent): string[] {
+  if (event.kind !== "bump" || event.line === null) return [];
+  const known = { who: who(words, event.line), seconds: secondsAt(words, event.decidedAt) };
+  // A motion without an end is decided again at each tick.
+  return [
+    words.t(
+      event.needs === null ? "diagnosis:event.decidedLast" : "diagnosis:event.decided",
+      known,
+    ),
+  ];
 }
 
 function eventText(words: DiagnosisWords, { event, cause }: Diagnosis): string {

@@ -59,6 +59,16 @@ const claims: readonly (readonly [sentence: string, holds: Claim])[] = [
       Number(found["reading"]) < Number(found["needs"]),
   ],
   [
+    `${who} decided last\\.`,
+    ({ moments, end }, found) => decidedLast(moments, end) === lineOf(found["who"]),
+  ],
+  [
+    `${who} decided ${at}\\.`,
+    ({ moments, end }, found) =>
+      decidedLast(moments, end) === lineOf(found["who"]) &&
+      ticksAt(found["at"]).some((tick) => moments[tick]?.line === lineOf(found["who"])),
+  ],
+  [
     "The robot touched the corner of a block\\. The robot is 50 cm wide, and its beam is thin\\.",
     ({ maze, moments, end }) => touchesCorner(maze, moments[end]) && beamPasses(moments, end),
   ],
@@ -307,6 +317,11 @@ export function falseSentences(
 function ticksAt(seconds = ""): number[] {
   const first = Math.ceil(Number(seconds) * 60 - 1e-9);
   return Array.from({ length: 6 }, (_, more) => first + more);
+}
+
+/** The line of the last decision before the failure. */
+function decidedLast(moments: readonly PlainMoment[], end: number): LineRef | null {
+  return moments.slice(0, end).findLast(({ line }) => line !== null)?.line ?? null;
 }
 
 function bumpAt(moments: readonly PlainMoment[], end: number, seconds?: string): boolean {
