@@ -26,6 +26,8 @@ const RECENT_TURNS = 3;
 const SIDE_NUMBERS = [60, 75];
 const NUMBER_STEP = 50;
 const MAX_NUMBERS = 40;
+/** Of a run that reached no goal, so many numbers of each line are tried before other changes. */
+const NEAREST_NUMBERS = 10;
 /** Numbers for comparisons of left and right, in units. */
 const DIFFERENCES = [1, 0, 10, 50, 100, -1, -10, -50, -100];
 const WALL_NEAR = 50;
@@ -102,13 +104,15 @@ function* forNoGoal(trace: RunTrace): Generator<Fix> {
   for (const line of backing) yield* actions(program, line, ["turn 180", "left 90", "right 90"]);
   for (const line of turning) yield* sooner(trace, line);
   yield* orders(program, lines);
-  for (const line of lines) yield* numbers(trace, line);
+  for (const line of lines) yield* numbers(trace, line, NEAREST_NUMBERS);
   for (const line of turning) yield* swapped(program, line, turnOnTheSpot);
   for (const line of turning) {
     const other = mirrored[actionOf(program, line)];
     if (other !== undefined) yield* actions(program, line, [other]);
   }
-  for (const line of allLines(program)) if (!lines.includes(line)) yield* numbers(trace, line);
+  for (const line of allLines(program)) {
+    if (!lines.includes(line)) yield* numbers(trace, line, NEAREST_NUMBERS);
+  }
   yield* comparisons(program, allLines(program));
   for (const line of numbered(allLines(program))) {
     yield* actions(program, line, [...plainTurns, ...delayedTurns, "forward"]);
@@ -118,6 +122,7 @@ function* forNoGoal(trace: RunTrace): Generator<Fix> {
   yield* newLines(trace, "front");
   yield* forwardLines(program);
   yield* deletions(lines);
+  for (const line of allLines(program)) yield* numbers(trace, line);
 }
 
 function allLines({ rules }: ProgramDocument): LineRef[] {
@@ -201,7 +206,7 @@ function orders({ rules }: ProgramDocument, lines: readonly LineRef[]): Fix[] {
 }
 
 /** Other numbers of a line, nearest first. */
-function* numbers({ program, maze }: RunTrace, line: LineRef): Generator<Fix> {
+function* numbers({ program, maze }: RunTrace, line: LineRef, most = MAX_NUMBERS): Generator<Fix> {
   const when = typeof line === "number" ? program.rules[line]?.when : null;
   if (typeof line !== "number" || when === null || when === undefined) return;
   const own = numberOf(when);
@@ -214,7 +219,7 @@ function* numbers({ program, maze }: RunTrace, line: LineRef): Generator<Fix> {
   const sorted = menu
     .filter((number) => number !== own && number >= min && number <= max)
     .toSorted((a, b) => Math.abs(a - own) - Math.abs(b - own))
-    .slice(0, MAX_NUMBERS);
+    .slice(0, most);
   for (const number of sorted) yield { kind: "number", line, number };
 }
 

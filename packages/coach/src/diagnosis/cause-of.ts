@@ -81,11 +81,17 @@ function actionCause(
     if (detail?.kind === "into-wall") return null;
     return { kind: "delayed", moment, side, needs: DELAY_NEEDS };
   }
-  return { kind: "action", moment, detail };
+  // The text about lines that undo each other recommends a turn.
+  const isOther = detail?.kind === "undoing" && !isTurn(action);
+  return { kind: "action", moment, detail: isOther ? null : detail };
 }
 
 /** Whether the side opened just before the moment. In a room it is always open. */
-function isAtEdgeOfOpening(trace: RunTrace, { tick, readings }: Decision, side: Side): boolean {
+export function isAtEdgeOfOpening(
+  trace: RunTrace,
+  { tick, readings }: Decision,
+  side: Side,
+): boolean {
   if (readings[side] < OPENING) return false;
   for (let at = tick; at > tick - EDGE_TICKS; at--) {
     const before = trace.decisionBefore(at);
@@ -103,7 +109,7 @@ export function detailOf(trace: RunTrace, moment: Decision): WrongAction["detail
     return { kind: "no-room", needs: DELAY_NEEDS };
   }
   if (side !== null && readings[side] < DELAY_NEEDS && turnsToWall(trace, moment, side)) {
-    const other = side === "left" ? "right" : "left";
+    const other = otherSide(side);
     if (readings[other] >= OPENING) return { kind: "into-wall", side, open: other };
     if (readings.front >= OPENING) return { kind: "into-wall", side, open: "front" };
   }
@@ -189,6 +195,10 @@ function numberKind(
   const hasDecidedBefore = trace.decisionBefore(tick)?.line === line;
   if (decided === line) return hasDecidedBefore ? "too-long" : "too-early";
   return hasDecidedBefore ? "too-short" : "too-late";
+}
+
+export function otherSide(side: Side): Side {
+  return side === "left" ? "right" : "left";
 }
 
 /** The side of a turn; null for other actions. */

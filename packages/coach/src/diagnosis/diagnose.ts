@@ -15,7 +15,7 @@ import {
 import type { Fix } from "../advice.ts";
 import { applyFix } from "../apply-fix.ts";
 import type { LoopNotice } from "../loop-detector.ts";
-import { candidates } from "./candidates.ts";
+import { candidates, isTurn } from "./candidates.ts";
 import { causeOf } from "./cause-of.ts";
 import type {
   BumpEvent,
@@ -25,7 +25,8 @@ import type {
   FailureEvent,
   StuckEvent,
 } from "./diagnosis.ts";
-import { isLeftOut, isShownByRun, isWrongAnyway, ranked, type Found } from "./rank.ts";
+import { isGuess, isShownByRun, isWrongAnyway, type Found } from "./evidence.ts";
+import { isLeftOut, ranked } from "./rank.ts";
 import { RunTrace, type SolvedCheck, type TraceStart } from "./run-trace.ts";
 import { tryProgram, type TrialResult, type TrialTask } from "./trial.ts";
 
@@ -37,6 +38,8 @@ const MAX_TRIAL_TICKS = 60_000;
 /** In a task, the diagnosis stops after this many changes that solve the maze. */
 const MAX_WHOLE_TRIALS = 4;
 const MAX_FIXES = 2;
+/** In free play, the diagnosis stops after this many changes that help. */
+const MAX_GUESSES = 4;
 /** Decisions of a line that are tried as the first changed one. */
 const MAX_MOMENTS = 3;
 /** In free play, the diagnosis starts this many ticks before the failure. */
@@ -234,7 +237,14 @@ function explain(
   });
   const [first] = named;
   if (first === undefined) return { cause: null, fixes: [] };
-  return { cause: first.cause, fixes: named.slice(0, MAX_FIXES).map(({ fix }) => fix) };
+  const fixes = named.map(({ fix }) => fix).filter((fix) => fits(fix, first.cause));
+  return { cause: first.cause, fixes: fixes.slice(0, MAX_FIXES) };
+}
+
+/** Whether a change does what the text about the cause recommends: for "undoing", a turn. */
+function fits(fix: Fix, cause: Cause): boolean {
+  if (cause.kind !== "action" || cause.detail?.kind !== "undoing") return true;
+  return fix.kind === "action" && isTurn(fix.action);
 }
 
 /** The change, if it removes the failure and says something about its cause. */
@@ -251,7 +261,17 @@ function foundBy(
   if (outcome === "further" && !isWrongAnyway(trace, fix, trial)) return null;
   const isWhole = solvesAll === null ? null : outcome === "solved" && solvesAll(program);
   const isShown = isShownByRun(trace, event, fix, trial);
-  const found: Found = { fix, from, program, outcome, offCentre, isWhole, isShown };
+  const isFreeGuess = solvesAll === null && isGuess(trace, { fix, isShown, outcome }, from);
+  const found: Found = {
+    fix,
+    from,
+    program,
+    outcome,
+    offCentre,
+    isWhole,
+    isShown,
+    isGuess: isFreeGuess,
+  };
   if (fix.kind !== "number" && fix.kind !== "condition") return found;
   if (!isIdle(trace, program, fix.line, trial)) return found;
   // It may be the right change for another maze of the task.
@@ -284,15 +304,18 @@ function isIdle(
 function isEnough(found: readonly Found[], { solvesAll, newSolvedCheck }: DiagnosisTask): boolean {
   const best = newSolvedCheck === null ? "lasts" : "solved";
   const solving = found.filter((each) => each.outcome === best && !isLeftOut(each));
-  if (solvesAll === null) return solving.length >= MAX_FIXES;
+  if (solvesAll === null) {
+    const isFounded = solving.filter((each) => !each.isGuess).length >= MAX_FIXES;
+    return isFounded || solving.length >= MAX_GUESSES;
+  }
   const numbers = solving.flatMap(({ fix }) => (fix.kind === "number" ? [fix.line] : []));
   return solving.length - numbers.length + new Set(numbers).size >= MAX_WHOLE_TRIALS;
 }
 
 /**
  * The decision to name. Before a bump, it is the newest one from which on the change still removes
- * the failure, because earlier turns of the line may have been right. Without a bump, it is the
- * first one, or an early one that turned to a wall if the first one shows nothing wrong.
+ * the failure, because the line may have been right, or not needed, before. Without a bump, it is
+ * the first one, or an early one that turned to a wall if the first one shows nothing wrong.
  */
 function momentToName(
   trace: RunTrace,
@@ -300,10 +323,9 @@ function momentToName(
   task: TrialTask,
   isBump: boolean,
 ): number {
-  if (fix.kind !== "action" && !(fix.kind === "delete" && isBump)) return from;
-  const moments = trace.decisions
-    .filter(({ line, tick }) => line === fix.line && tick > from)
-    .map(({ tick }) => tick);
+  const isRepeated = isBump && (fix.kind === "delete" || fix.kind === "insert");
+  if (fix.kind !== "action" && !isRepeated) return from;
+  const moments = trace.differences(new CompiledProgram(program)).filter((tick) => tick > from);
   const helpsFrom = (tick: number, asked: TrialTask): boolean => {
     const trial = tryProgram(trace, program, asked, isBump, tick);
     return trial.outcome !== "fails" && trial.outcome !== "further" && trial.from === tick;

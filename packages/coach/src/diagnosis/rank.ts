@@ -1,68 +1,91 @@
 /** Orders the changes that remove a failure by how likely each is the student's mistake. */
-import type { ProgramDocument } from "@corridor/program";
-import type { Fix } from "../advice.ts";
-import { delayedTurn, lineOfWallAhead } from "./candidates.ts";
-import { causeOf, detailOf } from "./cause-of.ts";
-import type { BumpEvent, Cause, FailureEvent, WrongComparison, WrongOrder } from "./diagnosis.ts";
+import { causeOf } from "./cause-of.ts";
+import type { FailureEvent } from "./diagnosis.ts";
+import {
+  CENTRED,
+  isDelayWithoutRoom,
+  isGuess,
+  isIntoWall,
+  isMissingDelay,
+  isShownByReadings,
+  isStraight,
+  type Found,
+} from "./evidence.ts";
 import type { RunTrace } from "./run-trace.ts";
-import { distanceFromLane, distanceFromMiddle, type TrialResult } from "./trial.ts";
+import { distanceFromLane } from "./trial.ts";
 
-/** At most this many units from the middle of a square, a turn leaves room on both sides. */
-const CENTRED = 5;
-
-/** A change that removes the failure. */
-export interface Found {
-  fix: Fix;
-  from: number;
-  program: ProgramDocument;
-  outcome: TrialResult["outcome"];
-  offCentre: number;
-  /** whether it solves every maze of the task; null in free play */
-  isWhole: boolean | null;
-  /** whether the run itself shows the mistake */
+/** What decides the rank of a change. */
+interface Facts {
+  fix: Found["fix"]["kind"];
+  outcome: Found["outcome"];
+  isFreePlay: boolean;
+  /** whether it passes: in a task, in every maze; in free play, only a change that is no guess */
+  isSolution: boolean;
+  /** whether it only happens to help in free play */
+  isGuess: boolean;
+  /** whether it moves a line, and passes in every maze of the task */
+  isOrder: boolean;
+  /** whether the run itself shows the mistake, at the first moment or at the one to name */
   isShown: boolean;
+  /** whether it changes the decision that led to the failure */
+  isLastDecision: boolean;
+  /** whether the robot turns beside the middle of squares after it */
+  isBeside: boolean;
+  /** whether it adds the delay that is missing at the edge of an opening */
+  addsDelay: boolean;
+  /** whether it removes the delay that had no room and led to the bump */
+  removesDelay: boolean;
+  /** whether a missing delay alone passes in every maze of the task */
+  isDelayEnough: boolean;
+  /** whether it is an action that only avoids the place, where the run shows another mistake */
+  isEvasion: boolean;
+  /** whether the run shows nothing wrong about the line, but a delay that is wrong or missing */
+  isDoubtful: boolean;
 }
 
-/** The kinds of changes, the most plausible first. */
-const kinds = [
-  /** another order of the lines that solves every maze of the task */
-  "order",
-  /** any other change that solves every maze, after which the robot turns in the middle of squares */
-  "solution",
-  /**
-   * A missing delay at the edge of an opening, and a delayed turn that drove into the wall with too
-   * little room ahead. Two mistakes need two changes, so these come before another action with which
-   * the run shows nothing wrong, and before the number of another line.
-   */
-  "delay",
-  /** a missing delay with which the robot only gets further */
-  "further",
-  /** a change that solves every maze, although the run shows nothing wrong about it */
-  "doubtful",
-  /** a change that solves every maze, after which the robot turns beside the middle of squares */
-  "beside",
-  /**
-   * What the run itself shows: the line drove straight into the wall, its readings contradict its
-   * action, or its number started a turn beside the middle of a square. After the second kind,
-   * another failure occurs.
-   */
-  "shown",
-  "shown-past",
-  /** an action that only avoids the place of the failure, where the run shows another mistake */
-  "evasion",
-  /** a missing or extra line, or another order; in free play also a condition or a number */
-  "other",
-  /**
-   * Another action that solves this maze but not every maze: with two wrong lines, each maze may show
-   * one of them. In free play, one with which the run shows nothing wrong.
-   */
-  "action",
-  /** in free play, a change after which another failure occurs */
-  "past",
-  /** a turn to a wall, with another action of which the robot only gets further */
-  "further-turn",
-] as const;
-type Kind = (typeof kinds)[number];
+/**
+ * The ranks, the most plausible first. The first one that applies is the rank of a change. Without
+ * one, it is not named: for example a guess about an early decision, if another failure follows.
+ */
+const ranks: Readonly<Record<string, (change: Facts) => boolean>> = {
+  "another order of the lines, if a delay alone is not enough": (it) =>
+    it.isOrder && !it.isDelayEnough,
+  "a solution": (it) =>
+    it.isSolution &&
+    (it.removesDelay || it.isOrder || !(it.isBeside || it.isEvasion || it.isDoubtful)),
+  // Two mistakes need two changes. So a delay comes before another action with which the run shows
+  // nothing wrong, and before the number of another line.
+  "a delay": (it) => it.outcome !== "further" && (it.addsDelay || it.removesDelay),
+  "a delay that only gets the robot further": (it) => it.addsDelay,
+  "a doubtful solution": (it) => it.isSolution && !it.isBeside && !it.isEvasion,
+  "a solution after which the robot turns beside the middle of squares": (it) =>
+    it.isSolution && !it.isEvasion,
+  "what the run shows": (it) =>
+    !it.isSolution && (it.outcome === "solved" || it.outcome === "lasts") && it.isShown,
+  "what the run shows, if another failure follows": (it) => it.outcome === "past" && it.isShown,
+  "an evasion": (it) => it.isSolution,
+  // With two wrong lines, each maze of a task may show one of them. So an action that does not pass
+  // in every maze comes late, and must pass in this one.
+  "another line, condition or number": (it) =>
+    isPermanent(it) && !it.isGuess && it.fix !== "action" && (it.fix !== "move" || isPassed(it)),
+  "in free play, a guess that passes": (it) =>
+    it.isGuess && it.outcome === "solved" && !it.isBeside,
+  "a change with which the run shows nothing wrong": (it) => isPermanent(it) && isPassed(it),
+  "in free play, a change after which another failure follows": (it) =>
+    it.isFreePlay && it.outcome === "past" && !it.isGuess,
+  "in free play, a guess about the last decision": (it) =>
+    it.isFreePlay && it.outcome === "past" && it.isLastDecision,
+  "another action that only gets the robot further": (it) => it.outcome === "further",
+};
+
+/** In a task, getting past the failure is worth naming even if another one follows. */
+function isPermanent({ outcome, isFreePlay }: Facts): boolean {
+  return outcome !== "further" && !(isFreePlay && outcome === "past");
+}
+
+function isPassed({ outcome, isFreePlay }: Facts): boolean {
+  return isFreePlay || outcome === "solved";
+}
 
 /**
  * Sorts the changes, the most plausible first, and leaves out those that only happen to help: in a
@@ -76,76 +99,67 @@ export function ranked(
   mazes: number,
   momentOf: (found: Found) => number,
 ): Found[] {
-  const lacksDelay = found.some(({ fix, from }) => isMissingDelay(trace, fix, from));
-  const isDelayEnough = found.some(
-    ({ fix, from, isWhole }) => isWhole === true && isMissingDelay(trace, fix, from),
-  );
-  const turnsIntoWall = found.some(({ fix, from }) => isIntoWall(causeOf(trace, fix, from)));
-  const withoutRoom = found.find((each) => isDelayWithoutRoom(trace, event, each));
-  const solutionKind = (each: Found): Kind => {
-    const { fix, isWhole } = each;
-    const isBeside = turnsBeside(each);
-    if (each === withoutRoom) return "solution";
-    if (isMissingDelay(trace, fix, each.from)) return isBeside ? "delay" : "solution";
-    if (fix.kind === "move" && isWhole === true) return isDelayEnough ? "solution" : "order";
-    const isUnfounded = fix.kind === "action" && !each.isShown;
-    const isProved = isWhole === true && mazes > 1;
-    if (isUnfounded && !isProved && (isStraight(event) || turnsIntoWall)) return "evasion";
-    if (isBeside) return "beside";
-    const isOtherNumber = fix.kind === "number" && event.kind === "bump" && fix.line !== event.line;
-    const isDoubtful = (isUnfounded && lacksDelay) || (isOtherNumber && withoutRoom !== undefined);
-    return isDoubtful ? "doubtful" : "solution";
-  };
-  const kindOf = (each: Found): Kind | null => {
-    const { fix, from, outcome, isWhole } = each;
-    if (outcome === "further") {
-      return isMissingDelay(trace, fix, from) ? "further" : "further-turn";
-    }
-    if (outcome === "solved" && isWhole !== false) return solutionKind(each);
-    if (isMissingDelay(trace, fix, from) || each === withoutRoom) return "delay";
-    if (each.isShown || isShownByReadings(trace, fix, momentOf(each))) {
-      return outcome === "past" ? "shown-past" : "shown";
-    }
-    if (isWhole === null && outcome === "past") return "past";
-    if (fix.kind !== "action" && fix.kind !== "move") return "other";
-    if (isWhole !== null && outcome !== "solved") return null;
-    return fix.kind === "action" ? "action" : "other";
-  };
+  const factsOf = factsIn(trace, found, event, mazes, momentOf);
+  const tests = Object.values(ranks);
   return found
     .filter((each) => !isLeftOut(each) && !isCompensation(trace, each))
-    .flatMap((each) => {
-      const kind = kindOf(each);
-      return kind === null ? [] : [{ each, rank: kinds.indexOf(kind) }];
+    .map((each) => {
+      const facts = factsOf(each);
+      return { each, rank: tests.findIndex((applies) => applies(facts)) };
     })
+    .filter(({ rank }) => rank >= 0)
     .toSorted((a, b) => a.rank - b.rank)
     .map(({ each }) => each);
+}
+
+function factsIn(
+  trace: RunTrace,
+  found: readonly Found[],
+  event: FailureEvent,
+  mazes: number,
+  momentOf: (found: Found) => number,
+): (change: Found) => Facts {
+  const delays = found.filter(({ fix, from }) => isMissingDelay(trace, fix, from));
+  const isDelayEnough = delays.some(({ isWhole }) => isWhole === true);
+  const turnsIntoWall = found.some(({ fix, from }) => isIntoWall(causeOf(trace, fix, from)));
+  const withoutRoom = found.find((each) => isDelayWithoutRoom(trace, event, each));
+  return (each) => {
+    const { fix, outcome, isWhole } = each;
+    const isUnfounded = fix.kind === "action" && !each.isShown;
+    const isProved = isWhole === true && mazes > 1;
+    const isOtherNumber = fix.kind === "number" && event.kind === "bump" && fix.line !== event.line;
+    const isFreePlay = isWhole === null;
+    const isFreeGuess = each.isGuess && isGuess(trace, each, momentOf(each));
+    const isSolution = outcome === "solved" && isWhole !== false && !isFreeGuess;
+    return {
+      fix: fix.kind,
+      outcome,
+      isFreePlay,
+      isSolution,
+      isGuess: isFreeGuess,
+      isOrder: isSolution && isWhole === true && fix.kind === "move",
+      // The moment to name needs simulations.
+      get isShown() {
+        return each.isShown || isShownByReadings(trace, fix, momentOf(each));
+      },
+      get isLastDecision() {
+        return momentOf(each) >= (trace.decisions.at(-1)?.tick ?? 0);
+      },
+      isBeside: each.offCentre > CENTRED,
+      addsDelay: delays.includes(each),
+      removesDelay: each === withoutRoom,
+      isDelayEnough,
+      isEvasion: isUnfounded && !isProved && (isStraight(event) || turnsIntoWall),
+      isDoubtful:
+        (isUnfounded && delays.length > 0) || (isOtherNumber && withoutRoom !== undefined),
+    };
+  };
 }
 
 /** Whether the change says nothing about the task, because it only happens to help in this maze. */
 export function isLeftOut({ fix, isWhole, isShown }: Found): boolean {
   if (isWhole !== false) return false;
   return fix.kind === "condition" || (fix.kind === "number" && !isShown);
-}
-
-/** Whether the change is a turn on the spot where the delayed turn had too little room. */
-function isDelayWithoutRoom(trace: RunTrace, event: FailureEvent, { fix, from }: Found): boolean {
-  if (event.kind !== "bump" || event.phase !== "delay") return false;
-  const cause = causeOf(trace, fix, from);
-  return cause?.kind === "delayed" && cause.moment.readings.front < cause.needs;
-}
-
-/**
- * Whether a line chose to drive straight into the wall. "otherwise: forward" did not choose it: a
- * line for that place may be missing.
- */
-function isStraight(event: FailureEvent): event is BumpEvent {
-  if (event.kind !== "bump" || event.phase !== "steady") return false;
-  return typeof event.line === "number" || event.action === "reverse";
-}
-
-/** Whether the robot turns beside the middle of squares after the change. */
-function turnsBeside({ offCentre }: Found): boolean {
-  return offCentre > CENTRED;
 }
 
 /**
@@ -155,80 +169,4 @@ function turnsBeside({ offCentre }: Found): boolean {
 function isCompensation(trace: RunTrace, { from, isWhole }: Found): boolean {
   if (isWhole === null) return false;
   return distanceFromLane(trace.at(from).pose) > CENTRED;
-}
-
-function isIntoWall(cause: Cause | null): boolean {
-  return cause?.kind === "action" && cause.detail?.kind === "into-wall";
-}
-
-/** Whether the run shows the mistake, whatever another change would do. */
-export function isShownByRun(
-  trace: RunTrace,
-  event: FailureEvent,
-  fix: Fix,
-  { from, offCentre, outcome }: Pick<TrialResult, "from" | "offCentre" | "outcome">,
-): boolean {
-  if (from === null) return false;
-  if (isStraight(event)) {
-    if (fix.kind === "action" && fix.line === event.line) return true;
-    // Below the line that drove into the wall, the moved line did not decide.
-    if (fix.kind === "move" && fix.to === event.line && outcome !== "past") return true;
-  }
-  if (fix.kind === "number" && offCentre <= CENTRED && turnsBesideMiddle(trace, fix.line, from))
-    return true;
-  return isShownByReadings(trace, fix, from);
-}
-
-/** Whether the number of a wall ahead started a turn on the spot beside the middle of a square. */
-function turnsBesideMiddle(trace: RunTrace, line: number, from: number): boolean {
-  const moment = trace.decisionAt(from);
-  if (moment === null || !(moment.action in delayedTurn)) return false;
-  if (lineOfWallAhead(trace, moment) !== line) return false;
-  return distanceFromMiddle(trace.at(from).pose) > CENTRED;
-}
-
-function isShownByReadings(trace: RunTrace, fix: Fix, from: number): boolean {
-  const cause = causeOf(trace, fix, from);
-  if (cause === null) return false;
-  if (cause.kind === "action") return cause.detail !== null;
-  if (cause.kind === "delayed") return cause.moment.readings.front < cause.needs;
-  if (cause.kind === "not-delayed") return isMissingDelay(trace, fix, from);
-  if (cause.kind === "order") return isOrderOfWall(trace, cause);
-  if (cause.kind === "comparison") return isIntoWallAhead(trace, cause);
-  return "extreme" in cause && cause.extreme === "always";
-}
-
-/** Whether the upper line turned to a wall where the lower one drives forward. */
-function isOrderOfWall(trace: RunTrace, { line, moment }: WrongOrder): boolean {
-  if (trace.program.rules[line]?.do !== "forward") return false;
-  return detailOf(trace, moment)?.kind === "into-wall";
-}
-
-/** Whether the line turned to a wall because there was room ahead. */
-function isIntoWallAhead(trace: RunTrace, { line, when, moment }: WrongComparison): boolean {
-  if (moment.line !== line || when.sensor !== "front") return false;
-  return detailOf(trace, moment)?.kind === "into-wall";
-}
-
-/**
- * Whether the action is wrong independent of other mistakes. It is named even if the robot only gets
- * further with another one.
- */
-export function isWrongAnyway(
-  trace: RunTrace,
-  fix: Fix,
-  { from, hasBumped }: Pick<TrialResult, "from" | "hasBumped">,
-): boolean {
-  if (from === null) return false;
-  return isMissingDelay(trace, fix, from) || (!hasBumped && isIntoWall(causeOf(trace, fix, from)));
-}
-
-/**
- * A turn at the edge of an opening lacks its delay. If a wall ahead was the reason for the turn, its
- * distance is wrong.
- */
-function isMissingDelay(trace: RunTrace, fix: Fix, from: number): boolean {
-  const cause = causeOf(trace, fix, from);
-  if (cause?.kind !== "not-delayed" || !cause.isAtEdge) return false;
-  return lineOfWallAhead(trace, cause.moment) === null;
 }

@@ -187,6 +187,19 @@ export class RunTrace {
     return null;
   }
 
+  /** The ticks at which another program begins to choose other actions, in order. */
+  differences(other: CompiledProgram): number[] {
+    const ticks: number[] = [];
+    let last = -1;
+    let next = this.firstDifference(other);
+    while (next !== null) {
+      if (next - 1 !== last) ticks.push(next);
+      last = next;
+      next = this.firstDifference(other, next + 1);
+    }
+    return ticks;
+  }
+
   /** Whether a condition is true at any decision. */
   isEverTrue(when: Condition): boolean {
     return this.firstTrue(when) !== null;
