@@ -1,6 +1,7 @@
 /** The store in SQLite on a real disk that is full. */
 import { join } from "node:path";
 import { describe, expect, it, onTestFinished } from "vitest";
+import { addStep } from "../../../apps/relay/src/commands/state-machine.ts";
 import { isDiskFull } from "../../../apps/relay/src/platform/errors/disk-full.ts";
 import type { Compaction, Entry } from "../../../apps/relay/src/store/sqlite/file/journal.ts";
 import { openDatabase } from "../../../apps/relay/src/store/sqlite/file/sqlite-schema.ts";
@@ -20,7 +21,7 @@ describe("a store on a full disk", () => {
       for (let n = 0; n < 2_000; n++) {
         const key = `${"k".repeat(50)}-${n}`;
         const command = { driver: "d", script: null, key, acceptedAt: 1, maxWaiting: 10_000 };
-        await store.add(id, { ...terms, ...command, command: { action: "left 90" } });
+        await store.commit(id, addStep({ ...terms, ...command, command: { action: "left 90" } }));
       }
     }
     disk.fill();

@@ -1,6 +1,8 @@
 /** Test cases for every implementation of the message bus. */
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it, vi } from "vitest";
+import { acquireStep } from "../commands/page-transitions.ts";
+import { addStep, deliverStep } from "../commands/state-machine.ts";
 import { CarriedSnapshot } from "./carried-snapshot.ts";
 import { pageState } from "../store/cases/robot-in-store.ts";
 import { sentCommand } from "../store/cases/sent-command.ts";
@@ -37,7 +39,7 @@ export async function subscribe({ store, bus }: TestRelay, robot = ID) {
     received,
     missed,
     add: async () => {
-      const result = await store.add(robot, sentCommand());
+      const result = await store.commit(robot, addStep(sentCommand()));
       if (result.outcome !== "stored") throw new Error(result.outcome);
       const { record, ended } = result;
       const added = { ...sentCommand(), record };
@@ -45,14 +47,14 @@ export async function subscribe({ store, bus }: TestRelay, robot = ID) {
       return record.seq;
     },
     take: async () => {
-      const taken = await store.acquire(robot, nothingDone);
+      const taken = await store.commit(robot, acquireStep(nothingDone));
       if (taken === null) throw new Error("there is no such robot");
       channel.stepped({ added: null, ended: [], changed: taken.changed });
       channel.notify({ kind: "page", epoch: taken.epoch, name: "page-of-test" });
       return taken.epoch;
     },
     deliver: async (epoch: number) => {
-      const due = await store.deliver(robot, epoch, 8, sentCommand().acceptedAt);
+      const due = await store.commit(robot, deliverStep(epoch, 8, sentCommand().acceptedAt));
       const changed = due.map(({ record }) => record);
       channel.stepped({ added: null, ended: [], changed });
     },

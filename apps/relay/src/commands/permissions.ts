@@ -1,65 +1,17 @@
 /** What a robot's owner permits: its keys, and the scripts that are blocked. */
 import type { RobotCommands, AccessState } from "./robot-commands.ts";
+import type { RobotStep } from "./robot-state.ts";
 import { recallAllOf } from "./state-machine.ts";
-import type { TermedRecord } from "./steps.ts";
-
-/** own: acts as the robot's page. drive: sends commands and reads. watch: reads. */
-export const keyKinds = ["own", "drive", "watch"] as const;
-export type KeyKind = (typeof keyKinds)[number];
-
-export interface StoredKey {
-  kind: KeyKind;
-  /** SHA-256 of the key, as base64url */
-  hash: string;
-}
-
-/** A script that the robot's owner has blocked. */
-export interface StoredScript {
-  id: string;
-  /** hash of its key */
-  driver: string;
-  /** the script's name for itself */
-  name: string | null;
-  /** the script's language */
-  client: string;
-}
-
-export interface KeyChange {
-  add: StoredKey[];
-  /** hashes */
-  remove: string[];
-  /** also removes all keys of this kind */
-  removeKind: KeyKind | null;
-  /** limit for the number of keys; adding beyond it fails */
-  most: number;
-  now: number;
-}
-
-export type KeysResult =
-  /** `ended`: accepted commands of removed keys, which are now cancelled */
-  | { outcome: "changed"; keys: StoredKey[]; ended: TermedRecord[] }
-  | { outcome: "full" }
-  | { outcome: "no-robot" };
-
-export interface ScriptChange {
-  add: StoredScript | null;
-  /** id */
-  remove: string | null;
-  /** limit for the number of blocked scripts; adding beyond it fails */
-  most: number;
-}
-
-export type BlockResult =
-  /** `ended`: accepted commands of the script, which are now cancelled */
-  | { outcome: "changed"; blocked: StoredScript[]; ended: TermedRecord[] }
-  | { outcome: "full" }
-  | { outcome: "no-robot" };
-
-/** The keys and the blocked scripts of a robot. */
-export interface Permissions {
-  keys: StoredKey[];
-  blocked: StoredScript[];
-}
+import type {
+  BlockResult,
+  KeyChange,
+  KeysResult,
+  Permissions,
+  ScriptChange,
+  StoredKey,
+  StoredScript,
+  TermedRecord,
+} from "./steps.ts";
 
 /**
  * Creates and revokes keys, and recalls the commands of revoked ones. Their scripts are no longer
@@ -110,4 +62,39 @@ export function changeBlocked(
   robot.accessState.blocked = new Set(blocked.map(({ id }) => id));
   const ended = add === null ? [] : recallAllOf(robot, { script: add.id }, "blocked");
   return { blocked, ended };
+}
+
+/** Creates and revokes keys. Keys can be revoked on a full disk. */
+export function changeKeysStep(change: KeyChange): RobotStep<KeysResult> {
+  return {
+    none: { outcome: "no-robot" },
+    changesRobot: true,
+    needsSpace: change.add.length > 0,
+    apply: (robot) => {
+      const before = robot.permissions;
+      const changed = changeKeys(robot.commands, before, change);
+      if (changed === null) return { outcome: "full" };
+      const { keys, blocked, revoked, ended } = changed;
+      robot.setKeys({ keys, added: change.add, revoked, now: change.now });
+      if (blocked.length < before.blocked.length) robot.setBlocked(blocked);
+      return { outcome: "changed", keys, ended };
+    },
+  };
+}
+
+/**
+ * Blocks a script, or unblocks one. Blocking is idempotent, and possible on a full disk, because the
+ * number of blocked scripts is limited.
+ */
+export function changeBlockedStep(change: ScriptChange): RobotStep<BlockResult> {
+  return {
+    none: { outcome: "no-robot" },
+    changesRobot: true,
+    apply: (robot) => {
+      const changed = changeBlocked(robot.commands, robot.permissions.blocked, change);
+      if (changed === null) return { outcome: "full" };
+      robot.setBlocked(changed.blocked);
+      return { outcome: "changed", ...changed };
+    },
+  };
 }

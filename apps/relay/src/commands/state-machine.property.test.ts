@@ -4,6 +4,7 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import type { CommandRow } from "./command-row.ts";
 import type { RobotCommands } from "./robot-commands.ts";
+import * as pages from "./page-transitions.ts";
 import * as machine from "./state-machine.ts";
 import { DRIVER, endingOf, newCommand, NOW, pageWith, robotWith } from "./testing/robot-with.ts";
 
@@ -72,7 +73,7 @@ const rare = fc.oneof(
   epochs.map(
     (epoch): Event =>
       (robot) =>
-        machine.abandon(robot, epoch),
+        pages.abandon(robot, epoch),
   ),
   fc
     .record({
@@ -87,9 +88,9 @@ const rare = fc.oneof(
     .map(
       (page): Event =>
         (robot) =>
-          machine.acquire(robot, pageWith(page), {
+          pages.acquire(robot, pageWith(page), {
             row: (seq) => robot.row(seq),
-            newest: (what, after) => machine.newestOvertaking(robot.rows(), what, after),
+            newest: (what, after) => pages.newestOvertaking(robot.rows(), what, after),
           }),
     ),
 );
@@ -163,7 +164,7 @@ describe("after any events", () => {
   it("no command waits before a stop that arrived later", () => {
     inEachState((robot) => {
       const rows = robot.rows();
-      const stop = machine.newestOvertaking(rows, "stop", 0) ?? 0;
+      const stop = pages.newestOvertaking(rows, "stop", 0) ?? 0;
       const isLeft = rows.some(({ seq, state }) => state === "accepted" && seq < stop);
       expect(isLeft).toBe(false);
     });

@@ -1,6 +1,7 @@
 import { commandRecordSchema, hasEnded, type CommandState } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import type { RobotCommands } from "./robot-commands.ts";
+import * as pages from "./page-transitions.ts";
 import * as machine from "./state-machine.ts";
 import type { PageState } from "./steps.ts";
 import {
@@ -20,9 +21,9 @@ const commandStates = commandRecordSchema.shape.state.options;
 const endingStates = commandStates.filter(hasEnded);
 const none = (): null => null;
 const acquire = (robot: RobotCommands, page: Partial<PageState>) =>
-  machine.acquire(robot, pageWith(page), {
+  pages.acquire(robot, pageWith(page), {
     row: (seq) => robot.row(seq),
-    newest: (what, after) => machine.newestOvertaking(robot.rows(), what, after),
+    newest: (what, after) => pages.newestOvertaking(robot.rows(), what, after),
   });
 const end = (robot: RobotCommands, epoch: number, state: "completed" | "collided" = "completed") =>
   machine.end(robot, epoch, endingOf(1, state), (seq) => robot.row(seq));
@@ -72,11 +73,11 @@ const events: Record<
   "the page completes it": [(robot) => end(robot, EPOCH), ["-", "completed", "completed"]],
   "an earlier page completes it": [(robot) => end(robot, EPOCH - 1), ["-", "-", "-"]],
   "the page is considered lost": [
-    (robot) => machine.abandon(robot, EPOCH),
+    (robot) => pages.abandon(robot, EPOCH),
     ["-", "cancelled", "cancelled"],
   ],
   "an earlier page is considered lost": [
-    (robot) => machine.abandon(robot, EPOCH - 1),
+    (robot) => pages.abandon(robot, EPOCH - 1),
     ["-", "-", "-"],
   ],
   "the page reconnects without it": [(robot) => acquire(robot, {}), ["-", "accepted", "-"]],

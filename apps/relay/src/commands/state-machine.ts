@@ -1,9 +1,9 @@
 /**
- * State transitions of a robot's commands: the only place for these rules. `RobotStore` describes
- * their meaning. Each transition names the states that it starts from. An ended command never
- * changes again.
+ * State transitions of a robot's commands. These rules are only here and in `page-transitions.ts`.
+ * Each transition names the states that it starts from. An ended command never changes again.
  *
- * A function receives what it needs of ended commands that are not in memory from its caller.
+ * A function receives what it needs of ended commands that are not in memory from its caller. The
+ * steps at the end of this file apply the functions to the robot of a store.
  */
 import { hasEnded, type CommandRecord, type Ending, type RecallCause } from "@corridor/protocol";
 import {
@@ -16,13 +16,14 @@ import {
 } from "./command-row.ts";
 import type { Cause, RelayReason } from "./reasons.ts";
 import type { RobotCommands } from "./robot-commands.ts";
+import type { RobotStep } from "./robot-state.ts";
 import {
   CLOCK_TOLERANCE_MS,
   type AddResult,
   type CancelResult,
   type EndResult,
+  type Expired,
   type NewCommand,
-  type PageState,
   type TermedRecord,
 } from "./steps.ts";
 
@@ -104,11 +105,7 @@ export function deliver(
  * @param isAbsent whether no page is connected as the robot, for the cause
  * @returns the expired commands, and the next deadline of the waiting ones
  */
-export function expire(
-  robot: RobotCommands,
-  now: number,
-  isAbsent = false,
-): { ended: TermedRecord[]; next: number | null } {
+export function expire(robot: RobotCommands, now: number, isAbsent = false): Expired {
   const ended: TermedRecord[] = [];
   let next: number | null = null;
   for (const row of waiting(robot)) {
@@ -189,97 +186,15 @@ export function end(
 }
 
 /** @returns null if it was neither delivered nor started */
-function finish(robot: RobotCommands, ending: Ending): CommandRecord | null {
+export function finish(robot: RobotCommands, ending: Ending): CommandRecord | null {
   const { seq, state, reason, pose, distance } = ending;
   const row = robot.row(seq);
   if (row === null || !isWithRobot(row)) return null;
   return recordOfRow(robot.change(row, { state, reason, pose, distance }));
 }
 
-/**
- * Gives up the page of this epoch, because it does not return, and cancels all delivered and
- * started commands. Does nothing if a newer page exists.
- */
-export function abandon(robot: RobotCommands, epoch: number): CommandRecord[] {
-  if (robot.accessState.epoch !== epoch) return [];
-  robot.accessState.epoch += 1;
-  const left = [...robot.open].filter(isWithRobot);
-  const ending = { state: "cancelled", reason: becauseOf("disconnected") } as const;
-  return left.map((row) => recordOfRow(robot.change(row, ending)));
-}
-
-/** Where `acquire` finds commands that may not be in memory. */
-export interface KnownCommands {
-  row(seq: number): CommandRow | null;
-  /** The highest seq of a stop or a replacing command after `after`, whatever its state. */
-  newest(what: "stop" | "replace", after: number): number | null;
-}
-
-/** Makes a page the owner of the robot, and reconciles the commands with its report. */
-export function acquire(
-  robot: RobotCommands,
-  page: PageState,
-  known: KnownCommands,
-): { epoch: number; changed: CommandRecord[]; refused: CommandRecord[] } {
-  const { accessState } = robot;
-  const { lastApplied, fresh, settled, endings, pose, left } = page;
-  const isSettled = settled !== null && settled >= accessState.epoch;
-  accessState.epoch += 1;
-  // A page with later commands than the store saw one that lost its newest commands.
-  accessState.lastSeq = Math.max(accessState.lastSeq, lastApplied);
-  // The new page's robot has not moved for these commands.
-  const ending = { state: "cancelled", pose, distance: pose === null ? null : 0 } as const;
-  const changed = new Map<number, CommandRecord>();
-  const refused: CommandRecord[] = [];
-  const change = (row: CommandRow, how: Partial<CommandRow>): void => {
-    changed.set(row.seq, recordOfRow(robot.change(row, how)));
-  };
-  for (const each of endings) {
-    const record = finish(robot, each);
-    if (record !== null) changed.set(record.seq, record);
-    else {
-      const before = known.row(each.seq);
-      if (before !== null && before.state !== each.state) refused.push(recordOfRow(before));
-    }
-  }
-  for (const row of robot.open) {
-    if (row.state !== "delivered") continue;
-    const cause = isSettled ? row.recalled : (`${left}-unsure` as const);
-    if (row.seq <= lastApplied) change(row, { state: "started", reason: null });
-    else if (cause === null) change(row, { state: "accepted", reason: null });
-    else change(row, { ...ending, reason: becauseOf(cause) });
-  }
-  if (fresh || !isSettled) {
-    const why = { ...ending, reason: becauseOf(left) };
-    for (const row of robot.open) if (row.state === "started") change(row, why);
-  }
-  // A delivered command may be accepted again now, although a stop or a replacement arrived after
-  // it.
-  for (const what of ["stop", "replace"] as const) {
-    // The lookup is slow among ten thousand commands.
-    const seq = waiting(robot).length === 0 ? null : known.newest(what, lastApplied);
-    if (seq === null) continue;
-    for (const { record } of overtake(robot, { seq, stops: what === "stop" }))
-      changed.set(record.seq, record);
-  }
-  const { epoch } = accessState;
-  return { epoch, changed: [...changed.values()].toSorted((a, b) => a.seq - b.seq), refused };
-}
-
-/** The highest seq of a stop or a replacing command among these; null: there is none. */
-export function newestOvertaking(
-  rows: readonly CommandRow[],
-  what: "stop" | "replace",
-  after: number,
-): number | null {
-  const isMeant = ({ text, replace }: CommandRow): boolean =>
-    what === "stop" ? isStop(text) : replace;
-  const seqs = rows.filter((row) => row.seq > after && isMeant(row)).map(({ seq }) => seq);
-  return seqs.reduce<number | null>((most, seq) => Math.max(most ?? seq, seq), null);
-}
-
 /** Ends the accepted commands before a stop or a replacing command. */
-function overtake(
+export function overtake(
   robot: RobotCommands,
   { seq, stops }: { seq: number; stops: boolean },
 ): TermedRecord[] {
@@ -294,19 +209,94 @@ function overtake(
   );
 }
 
-function becauseOf(cause: Cause, by: number | null = null): RelayReason {
+export function becauseOf(cause: Cause, by: number | null = null): RelayReason {
   return { cause, by };
 }
 
-function waiting(robot: RobotCommands): CommandRow[] {
+export function waiting(robot: RobotCommands): CommandRow[] {
   return [...robot.open].filter(({ state }) => state === "accepted");
 }
 
-function isWithRobot({ state }: CommandRow): boolean {
+export function isWithRobot({ state }: CommandRow): boolean {
   return state === "delivered" || state === "started";
 }
 
 /** Whether a command must not start any more. */
 function isLate({ deadline, acceptedAt }: CommandRow, now: number): boolean {
   return deadline <= now || acceptedAt > now + CLOCK_TOLERANCE_MS;
+}
+
+// --- steps: see `RobotStore.commit` ---
+
+/**
+ * Stores a command as accepted with the next seq, and deletes old ended commands. A known
+ * idempotency key returns its earlier record, even after the deadline and while scripts are paused.
+ * Robots can be stopped on a full disk.
+ */
+export function addStep(command: NewCommand): RobotStep<AddResult> {
+  const { driver, key } = command;
+  return {
+    none: { outcome: "no-robot" },
+    needsSpace: command.command.action !== "stop",
+    lookup: () => ({ key: key === null ? null : { driver, key } }),
+    apply: (robot) =>
+      add(robot.commands, command, (ofDriver, withKey) => robot.withKey(ofDriver, withKey)),
+  };
+}
+
+/**
+ * Marks the next accepted commands as delivered. At most `window` commands are delivered at a time.
+ * Stops and replacing commands do not count and do not wait. Commands that are due to expire are
+ * skipped.
+ */
+export function deliverStep(epoch: number, window: number, now: number): RobotStep<TermedRecord[]> {
+  return { none: [], apply: ({ commands }) => deliver(commands, { epoch, window, now }) };
+}
+
+/**
+ * Expires commands whose deadline has passed or whose acceptance is in the future. The latter shows
+ * that the clock was set back, so their age is unknown.
+ */
+export function expireStep(now: number, isAbsent?: boolean): RobotStep<Expired> {
+  return {
+    none: { ended: [], next: null },
+    apply: ({ commands }) => expire(commands, now, isAbsent),
+  };
+}
+
+/**
+ * Cancels a command for the driver that sent it. If the robot has the command, the request is stored
+ * and the robot is asked to end it. If the robot turns out not to have received it, it is cancelled.
+ */
+export function cancelStep(seq: number, driver: string): RobotStep<CancelResult> {
+  return {
+    none: { outcome: "no-command" },
+    lookup: () => ({ seqs: [seq] }),
+    apply: (robot) => cancel(robot.commands, robot.row(seq), driver),
+  };
+}
+
+/** @returns the accepted commands that ended; null if there is no such robot */
+export function pauseStep(isPaused: boolean): RobotStep<TermedRecord[] | null> {
+  return {
+    none: null,
+    changesRobot: true,
+    apply: ({ commands }) => pause(commands, isPaused),
+  };
+}
+
+export function recalledStep(): RobotStep<{ seq: number; cause: RecallCause }[]> {
+  return { none: [], apply: ({ commands }) => recalled(commands.open) };
+}
+
+export function startStep(epoch: number, seq: number): RobotStep<CommandRecord | null> {
+  return { none: null, apply: ({ commands }) => start(commands, epoch, seq) };
+}
+
+export function endStep(epoch: number, ending: Ending): RobotStep<EndResult> {
+  return {
+    none: { outcome: "over", record: null },
+    lookup: () => ({ seqs: [ending.seq] }),
+    apply: (robot) => end(robot.commands, epoch, ending, (seq) => robot.row(seq)),
+  };
 }

@@ -1,4 +1,4 @@
-/** What the steps of a robot's commands receive and return. */
+/** What the steps of a robot receive and return. */
 import type { Command, CommandRecord, Ending, Pose } from "@corridor/protocol";
 import type { LeftCause } from "./reasons.ts";
 
@@ -71,6 +71,19 @@ export type EndResult =
   /** this page cannot end it, or it has ended; null: there is no such command */
   | { outcome: "over"; record: CommandRecord | null };
 
+/** The expired commands, and the next deadline of the waiting ones; null: none waits. */
+export interface Expired {
+  ended: TermedRecord[];
+  next: number | null;
+}
+
+export interface Acquired {
+  epoch: number;
+  changed: CommandRecord[];
+  /** records whose ending differs from the page's report */
+  refused: CommandRecord[];
+}
+
 /** A command accepted further in the future than this shows that the clock was set back. */
 export const CLOCK_TOLERANCE_MS = 2_000;
 
@@ -91,4 +104,62 @@ export interface PageState {
   settled: number | null;
   /** why the commands of the previous page end */
   left: LeftCause;
+}
+
+/** own: acts as the robot's page. drive: sends commands and reads. watch: reads. */
+export const keyKinds = ["own", "drive", "watch"] as const;
+export type KeyKind = (typeof keyKinds)[number];
+
+export interface StoredKey {
+  kind: KeyKind;
+  /** SHA-256 of the key, as base64url */
+  hash: string;
+}
+
+/** A script that the robot's owner has blocked. */
+export interface StoredScript {
+  id: string;
+  /** hash of its key */
+  driver: string;
+  /** the script's name for itself */
+  name: string | null;
+  /** the script's language */
+  client: string;
+}
+
+export interface KeyChange {
+  add: StoredKey[];
+  /** hashes */
+  remove: string[];
+  /** also removes all keys of this kind */
+  removeKind: KeyKind | null;
+  /** limit for the number of keys; adding beyond it fails */
+  most: number;
+  now: number;
+}
+
+export type KeysResult =
+  /** `ended`: accepted commands of removed keys, which are now cancelled */
+  | { outcome: "changed"; keys: StoredKey[]; ended: TermedRecord[] }
+  | { outcome: "full" }
+  | { outcome: "no-robot" };
+
+export interface ScriptChange {
+  add: StoredScript | null;
+  /** id */
+  remove: string | null;
+  /** limit for the number of blocked scripts; adding beyond it fails */
+  most: number;
+}
+
+export type BlockResult =
+  /** `ended`: accepted commands of the script, which are now cancelled */
+  | { outcome: "changed"; blocked: StoredScript[]; ended: TermedRecord[] }
+  | { outcome: "full" }
+  | { outcome: "no-robot" };
+
+/** The keys and the blocked scripts of a robot. */
+export interface Permissions {
+  keys: StoredKey[];
+  blocked: StoredScript[];
 }

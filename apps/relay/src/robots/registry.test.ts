@@ -49,9 +49,9 @@ it("checks every robot even if the store fails for another one", async () => {
   const { clock, store, instead, robots, leftAlone } = await withRobots(2);
   for (const each of robots) await leftAlone(each);
   const [first, second] = robots;
-  instead.abandon = async (id, ...rest) => {
+  instead.commit = async (id, step) => {
     if (id === first?.robot.id) throw new Error("locked");
-    return store.abandon(id, ...rest);
+    return store.commit(id, step);
   };
   await clock.pass(limits.pageDisconnectedMs + 5_000);
   expect(await second?.robot.commandsAfter(0)).toMatchObject([{ state: "cancelled" }]);

@@ -4,21 +4,11 @@ import type { RobotStore } from "./port.ts";
 /** Every step that ends in a commit. */
 const COMMITS: ReadonlySet<string | symbol> = new Set([
   "create",
-  "changeKeys",
-  "changeBlocked",
-  "pause",
+  "commit",
   "storeMaze",
   "touch",
   "remove",
   "removeExpired",
-  "add",
-  "deliver",
-  "start",
-  "end",
-  "expire",
-  "cancel",
-  "abandon",
-  "acquire",
 ] as const satisfies readonly (keyof RobotStore)[]);
 
 /**

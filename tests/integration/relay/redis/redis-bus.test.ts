@@ -1,4 +1,5 @@
 import { describe, expect, it, onTestFinished, vi } from "vitest";
+import { abandonStep } from "../../../../apps/relay/src/commands/page-transitions.ts";
 import { systemClock, type Clock } from "../../../../apps/relay/src/platform/time/clock.ts";
 import { connectRedis } from "../../../../apps/relay/src/store/redis/connection.ts";
 import { DeletedBytes } from "../../../../apps/relay/src/store/redis/deleted-bytes.ts";
@@ -104,10 +105,10 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     const [dying, other] = await twoRelays();
     await other.store.create({ id: ID, createdAt: 1, keys: [] });
     const epoch = await (await subscribe(dying)).take();
-    expect(await other.store.abandon(ID, epoch)).toBeNull();
+    expect(await other.store.commit(ID, abandonStep(epoch))).toBeNull();
     dying.die();
     await vi.waitFor(
-      async () => expect(await other.store.abandon(ID, epoch)).toEqual([]),
+      async () => expect(await other.store.commit(ID, abandonStep(epoch))).toEqual([]),
       DETECTION_MS,
     );
   });

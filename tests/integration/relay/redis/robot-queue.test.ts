@@ -1,5 +1,15 @@
 /** Several relays at one Redis: what a step costs, and what happens if another relay came first. */
 import { describe, expect, it, onTestFinished } from "vitest";
+import { acquireStep } from "../../../../apps/relay/src/commands/page-transitions.ts";
+import { changeKeysStep } from "../../../../apps/relay/src/commands/permissions.ts";
+import {
+  addStep,
+  cancelStep,
+  deliverStep,
+  endStep,
+  expireStep,
+  startStep,
+} from "../../../../apps/relay/src/commands/state-machine.ts";
 import { hasRedis, startTestRedis } from "../../../support/relay/test-redis.ts";
 import { completed } from "../../../../apps/relay/src/platform/testing/messages.ts";
 import {
@@ -58,7 +68,7 @@ async function withRelays() {
   await subscriber.subscribe(channelOf(ID), (text) => published.push(JSON.parse(text)));
   const keys = [{ kind: "drive" as const, hash: sent.driver }];
   await a.store.create({ id: ID, createdAt: 1_000, keys });
-  const taken = await a.store.acquire(ID, nothingDone);
+  const taken = await a.store.commit(ID, acquireStep(nothingDone));
   return { a, b, published, epoch: taken?.epoch ?? 0 };
 }
 
@@ -121,33 +131,33 @@ describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
   it("cost one request each while one relay serves the robot", async () => {
     const { a, epoch } = await withRelays();
     // The first command makes Redis load the scripts.
-    await a.store.add(ID, sent);
+    await a.store.commit(ID, addStep(sent));
     const costs = [
-      await a.cost(() => a.store.add(ID, { ...sent, key: "key-0001" })),
-      await a.cost(() => a.store.deliver(ID, epoch, 8, NOW)),
-      await a.cost(() => a.store.start(ID, epoch, 1)),
-      await a.cost(() => a.store.end(ID, epoch, completed(1))),
-      await a.cost(() => a.store.expire(ID, NOW)),
-      await a.cost(() => a.store.cancel(ID, 2, sent.driver)),
+      await a.cost(() => a.store.commit(ID, addStep({ ...sent, key: "key-0001" }))),
+      await a.cost(() => a.store.commit(ID, deliverStep(epoch, 8, NOW))),
+      await a.cost(() => a.store.commit(ID, startStep(epoch, 1))),
+      await a.cost(() => a.store.commit(ID, endStep(epoch, completed(1)))),
+      await a.cost(() => a.store.commit(ID, expireStep(NOW))),
+      await a.cost(() => a.store.commit(ID, cancelStep(2, sent.driver))),
     ];
     expect(costs).toEqual([1, 1, 1, 1, 1, 1]);
   });
 
   it("cost two requests each if another relay has changed the robot", async () => {
     const { a, b } = await withRelays();
-    await a.store.add(ID, sent);
-    await b.store.add(ID, sent);
-    expect(await a.cost(() => a.store.add(ID, sent))).toBe(2);
-    expect(await b.cost(() => b.store.add(ID, sent))).toBe(2);
+    await a.store.commit(ID, addStep(sent));
+    await b.store.commit(ID, addStep(sent));
+    expect(await a.cost(() => a.store.commit(ID, addStep(sent)))).toBe(2);
+    expect(await b.cost(() => b.store.commit(ID, addStep(sent)))).toBe(2);
   });
 
   it("are sent without waiting for each other, and keep their order if another relay came first", async () => {
     const { a, b, epoch } = await withRelays();
-    await b.store.add(ID, sent);
+    await b.store.commit(ID, addStep(sent));
     const both = () =>
       Promise.all([
-        a.store.add(ID, { ...sent, key: "key-0001" }),
-        a.store.deliver(ID, epoch, 8, NOW),
+        a.store.commit(ID, addStep({ ...sent, key: "key-0001" })),
+        a.store.commit(ID, deliverStep(epoch, 8, NOW)),
       ]);
     const requests = await a.cost(async () => {
       const [added, due] = await both();
@@ -161,13 +171,16 @@ describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
     const { a, b, published, epoch } = await withRelays();
     const count = 40;
     const add = async (n: number) =>
-      (n % 2 === 0 ? a : b).store.add(ID, { ...sent, key: `key-${1_000 + n}` });
+      (n % 2 === 0 ? a : b).store.commit(ID, addStep({ ...sent, key: `key-${1_000 + n}` }));
     const twice = [...Array(count).keys()].flatMap((n) => [add(n), add(n)]);
     const results = await Promise.all(twice);
     const outcomes = results.map(({ outcome }) => outcome);
     expect(outcomes.filter((outcome) => outcome === "stored")).toHaveLength(count);
     expect(outcomes.filter((outcome) => outcome === "duplicate")).toHaveLength(count);
-    await Promise.all([a.store.deliver(ID, epoch, 8, NOW), b.store.deliver(ID, epoch, 8, NOW)]);
+    await Promise.all([
+      a.store.commit(ID, deliverStep(epoch, 8, NOW)),
+      b.store.commit(ID, deliverStep(epoch, 8, NOW)),
+    ]);
     const open = await a.store.openCommands(ID);
     expect(open.map(({ seq }) => seq)).toEqual([...Array(count).keys()].map((n) => n + 1));
     expect(open.filter(({ state }) => state === "delivered")).toHaveLength(8);
@@ -180,15 +193,15 @@ describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
   it("recognise the idempotency key of a command that ended at another relay", async () => {
     const { a, b, epoch } = await withRelays();
     const command = { ...sent, key: "key-0001" };
-    await a.store.add(ID, command);
-    await a.store.deliver(ID, epoch, 8, NOW);
-    await a.store.end(ID, epoch, completed(1));
+    await a.store.commit(ID, addStep(command));
+    await a.store.commit(ID, deliverStep(epoch, 8, NOW));
+    await a.store.commit(ID, endStep(epoch, completed(1)));
     for (const { store } of [a, b]) {
-      expect(await store.add(ID, command)).toMatchObject({
+      expect(await store.commit(ID, addStep(command))).toMatchObject({
         outcome: "duplicate",
         record: { seq: 1, state: "completed" },
       });
-      expect(await store.add(ID, { ...command, command: STOP })).toMatchObject({
+      expect(await store.commit(ID, addStep({ ...command, command: STOP }))).toMatchObject({
         outcome: "conflict",
       });
     }
@@ -196,10 +209,10 @@ describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
 
   it("publish a page before the commands that it changes, with the data for readers and pages", async () => {
     const { a, published, epoch } = await withRelays();
-    await a.store.add(ID, sent);
-    await a.store.deliver(ID, epoch, 8, NOW);
-    await a.store.acquire(ID, { ...nothingDone, page: "page-two" });
-    await a.store.changeKeys(ID, keyChange({ remove: [sent.driver] }));
+    await a.store.commit(ID, addStep(sent));
+    await a.store.commit(ID, deliverStep(epoch, 8, NOW));
+    await a.store.commit(ID, acquireStep({ ...nothingDone, page: "page-two" }));
+    await a.store.commit(ID, changeKeysStep(keyChange({ remove: [sent.driver] })));
     await a.store.remove(ID);
     expect(published).toMatchObject([
       { kind: "page", from: "relay-a", epoch: 1, name: "" },
@@ -219,28 +232,28 @@ describe.skipIf(!hasRedis)("steps of a robot in Redis", () => {
 
   it("change nothing while the memory of Redis is full, and succeed again afterwards", async () => {
     const { a, published, epoch } = await withRelays();
-    await a.store.add(ID, sent);
+    await a.store.commit(ID, addStep(sent));
     await a.redis.configSet("maxmemory", "100kb");
     const steps = await Promise.allSettled([
-      a.store.add(ID, { ...sent, replace: true }),
-      a.store.deliver(ID, epoch, 8, NOW),
-      a.store.add(ID, sent),
+      a.store.commit(ID, addStep({ ...sent, replace: true })),
+      a.store.commit(ID, deliverStep(epoch, 8, NOW)),
+      a.store.commit(ID, addStep(sent)),
     ]);
     for (const step of steps)
       expect(step).toMatchObject({ status: "rejected", reason: expect.any(StoreFull) });
     expect(await a.store.openCommands(ID)).toMatchObject([{ seq: 1, state: "accepted" }]);
     expect(published).toHaveLength(2);
     await a.redis.configSet("maxmemory", "0");
-    expect(await a.store.add(ID, { ...sent, command: LEFT })).toMatchObject({
+    expect(await a.store.commit(ID, addStep({ ...sent, command: LEFT }))).toMatchObject({
       record: { seq: 2 },
     });
   });
 
   it("restore nothing of a robot that another relay has deleted", async () => {
     const { a, b } = await withRelays();
-    await a.store.add(ID, sent);
+    await a.store.commit(ID, addStep(sent));
     await b.store.remove(ID);
-    expect(await a.store.add(ID, sent)).toEqual({ outcome: "no-robot" });
+    expect(await a.store.commit(ID, addStep(sent))).toEqual({ outcome: "no-robot" });
     await a.store.touch(ID, 9_000, [{ hash: sent.driver, at: 9_000 }]);
     expect(await a.store.storeMaze(ID, "{}")).toBe(false);
     expect(await a.redis.keys("corridor:*")).toEqual([]);

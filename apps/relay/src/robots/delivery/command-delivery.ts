@@ -3,6 +3,7 @@
  * sent. The page is shown the commands that it may not have yet.
  */
 import { closeReasons, type CommandRecord, type RelayToPage } from "@corridor/protocol";
+import { deliverStep } from "../../commands/state-machine.ts";
 import { keyId } from "../../platform/keys.ts";
 import type { Clock } from "../../platform/time/clock.ts";
 import type { RobotStore, TermedRecord } from "../../store/port.ts";
@@ -20,7 +21,7 @@ export interface Due {
 
 export interface CommandDeliveryParts {
   robot: string;
-  store: Pick<RobotStore, "deliver" | "hasAll">;
+  store: Pick<RobotStore, "commit" | "current">;
   clock: Clock;
   ownership: PageOwnership;
   display: PageDisplay;
@@ -54,12 +55,11 @@ export class CommandDelivery {
     const { link, epoch } = page;
     const now = clock.now();
     try {
-      // After most commands there is nothing more to deliver. `hasAll` detects that without a
-      // query.
-      if (store.hasAll(robot, limits.deliveredWindow)) return null;
+      // After most commands there is nothing more to deliver, which needs no query to detect.
+      if (store.current(robot)?.hasAll(limits.deliveredWindow) === true) return null;
       return {
         link,
-        commands: await store.deliver(robot, epoch, limits.deliveredWindow, now),
+        commands: await store.commit(robot, deliverStep(epoch, limits.deliveredWindow, now)),
         now,
       };
     } catch {

@@ -3,6 +3,7 @@
  * each in its turn. A command that is not stored has no effect, and its sender receives the reason.
  */
 import { hasEnded, PAUSED_REASON, type CommandRecord, type CommandTerms } from "@corridor/protocol";
+import { addStep } from "../../commands/state-machine.ts";
 import type { Clock } from "../../platform/time/clock.ts";
 import type { Step } from "../../bus/bus.ts";
 import { noRobot, Refusal, restarting, retryAfter } from "../../platform/errors/problems.ts";
@@ -81,14 +82,17 @@ export class CommandIntake {
         replace,
         lease,
       };
-      const added = store.add(robot, {
-        key,
-        command,
-        ...terms,
-        acceptedAt: arrivedAt,
-        maxWaiting: limits.waitingCommands,
-        keep: limits.storedCommands,
-      });
+      const added = store.commit(
+        robot,
+        addStep({
+          key,
+          command,
+          ...terms,
+          acceptedAt: arrivedAt,
+          maxWaiting: limits.waitingCommands,
+          keep: limits.storedCommands,
+        }),
+      );
       // In the same turn, so that one commit stores the command and its delivery.
       const due = delivery.take();
       const result = await added.catch(async (error: unknown) => {

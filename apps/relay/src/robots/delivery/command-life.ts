@@ -15,6 +15,8 @@ import {
   type PageToRelay,
   type Resume,
 } from "@corridor/protocol";
+import { abandonStep, acquireStep } from "../../commands/page-transitions.ts";
+import { endStep, expireStep, startStep } from "../../commands/state-machine.ts";
 import type { Clock } from "../../platform/time/clock.ts";
 import type { Step } from "../../bus/bus.ts";
 import type { CoalescedTimers } from "../../platform/time/coalesced-timers.ts";
@@ -151,16 +153,19 @@ export class CommandLife {
   ): Promise<void> {
     const { lastApplied, fresh, endings, snapshot, page: name = "" } = resume;
     await this.#work.run(async () => {
-      const taken = await this.#store.acquire(this.#robot, {
-        lastApplied,
-        // A page can never end a command that another page started.
-        fresh: fresh || (this.#ownership.name !== "" && !this.handover.isSame(resume)),
-        endings,
-        pose: snapshot?.pose ?? null,
-        page: name,
-        settled,
-        left,
-      });
+      const taken = await this.#store.commit(
+        this.#robot,
+        acquireStep({
+          lastApplied,
+          // A page can never end a command that another page started.
+          fresh: fresh || (this.#ownership.name !== "" && !this.handover.isSame(resume)),
+          endings,
+          pose: snapshot?.pose ?? null,
+          page: name,
+          settled,
+          left,
+        }),
+      );
       if (taken === null || this.#end !== null)
         return link.close(closeReasons[this.#end ?? "over"]);
       // Another relay's page may be newer, and its message may arrive before this response.
@@ -224,7 +229,7 @@ export class CommandLife {
     await this.#work.run(async () => {
       if (this.#ownership.page !== null || this.#ownership.isElsewhere) return;
       const { epoch } = this.#ownership;
-      const ended = await this.#store.abandon(this.#robot, epoch);
+      const ended = await this.#store.commit(this.#robot, abandonStep(epoch));
       // Another relay has the page after all, and its message arrives soon.
       if (ended === null) return;
       this.#ownership.settleDisconnected();
@@ -233,7 +238,7 @@ export class CommandLife {
   }
 
   async #started(epoch: number, seq: number): Promise<void> {
-    const started = this.#store.start(this.#robot, epoch, seq);
+    const started = this.#store.commit(this.#robot, startStep(epoch, seq));
     const due = this.#delivery.take();
     const record = await started;
     if (record !== null) {
@@ -244,7 +249,7 @@ export class CommandLife {
   }
 
   async #ended(link: PageLink, epoch: number, ending: Ending): Promise<void> {
-    const ended = this.#store.end(this.#robot, epoch, ending);
+    const ended = this.#store.commit(this.#robot, endStep(epoch, ending));
     const due = this.#delivery.take();
     const { outcome, record } = await ended;
     // The held commands were sent for the same situation as the cancelled one. The page receives
@@ -284,7 +289,10 @@ export class CommandLife {
   async #expireNow(): Promise<void> {
     try {
       const isAbsent = !this.#ownership.isOwned;
-      const { ended, next } = await this.#store.expire(this.#robot, this.#clock.now(), isAbsent);
+      const { ended, next } = await this.#store.commit(
+        this.#robot,
+        expireStep(this.#clock.now(), isAbsent),
+      );
       if (next !== null) this.#deadlines.wake(next);
       this.#endedHere(ended);
     } catch {

@@ -4,6 +4,8 @@
  * page is asked when it reconnects.
  */
 import type { CommandRecord, RecallCause } from "@corridor/protocol";
+import { changeBlockedStep, changeKeysStep } from "../../commands/permissions.ts";
+import { cancelStep, pauseStep, recalledStep } from "../../commands/state-machine.ts";
 import type {
   BlockResult,
   KeyChange,
@@ -42,7 +44,7 @@ export class CommandRecall {
   async one({ hash }: StoredKey, seq: number): Promise<CommandRecord> {
     const { robot, store, work } = this.#parts;
     return work.run(async () => {
-      const result = await store.cancel(robot, seq, hash);
+      const result = await store.commit(robot, cancelStep(seq, hash));
       switch (result.outcome) {
         case "no-command":
           throw noCommand(seq);
@@ -64,7 +66,7 @@ export class CommandRecall {
   async changeKeys(change: KeyChange): Promise<KeysResult> {
     const { robot, store, work } = this.#parts;
     return work.run(async () => {
-      const result = await store.changeKeys(robot, change);
+      const result = await store.commit(robot, changeKeysStep(change));
       if (result.outcome === "changed") this.#parts.ended(result.ended);
       return result;
     });
@@ -74,7 +76,7 @@ export class CommandRecall {
   async changeBlocked(change: ScriptChange): Promise<BlockResult> {
     const { robot, store, work } = this.#parts;
     return work.run(async () => {
-      const result = await store.changeBlocked(robot, change);
+      const result = await store.commit(robot, changeBlockedStep(change));
       if (result.outcome === "changed") this.#parts.ended(result.ended);
       return result;
     });
@@ -87,7 +89,7 @@ export class CommandRecall {
   async pause(isPaused: boolean): Promise<boolean> {
     const { robot, store, work } = this.#parts;
     return work.run(async () => {
-      const ended = await store.pause(robot, isPaused);
+      const ended = await store.commit(robot, pauseStep(isPaused));
       if (ended !== null) this.#parts.ended(ended);
       return ended !== null;
     });
@@ -101,7 +103,8 @@ export class CommandRecall {
   /** Same as `askAgain`, for callers that already run in the serial queue. */
   async repeatRequests(): Promise<void> {
     const { robot, store } = this.#parts;
-    for (const { seq, cause } of await store.recalled(robot)) this.#parts.ask(seq, cause);
+    for (const { seq, cause } of await store.commit(robot, recalledStep()))
+      this.#parts.ask(seq, cause);
   }
 }
 

@@ -1,5 +1,8 @@
 /** Requirements for every store: commands from storage to delivery. */
 import { describe, expect, it } from "vitest";
+import { abandonStep, acquireStep } from "../../commands/page-transitions.ts";
+import { changeKeysStep } from "../../commands/permissions.ts";
+import { addStep, deliverStep, endStep, startStep } from "../../commands/state-machine.ts";
 import { completed } from "../../platform/testing/messages.ts";
 import {
   because,
@@ -51,9 +54,9 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
     it("lets another driver use the same key", async () => {
       const { add, store } = await withRobot();
       await add(LEFT, "key-0001");
-      await store.changeKeys(ID, keyChange({ add: [{ kind: "drive", hash: "e" }] }));
+      await store.commit(ID, changeKeysStep(keyChange({ add: [{ kind: "drive", hash: "e" }] })));
       const other = { ...sent, driver: "e", key: "key-0001", command: STOP };
-      expect(await store.add(ID, other)).toMatchObject({ outcome: "stored" });
+      expect(await store.commit(ID, addStep(other))).toMatchObject({ outcome: "stored" });
     });
 
     it("rejects a command above the limit without using its key, but never a stop", async () => {
@@ -76,7 +79,7 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
       await add(LEFT, "key-0001", { keep });
       await add(LEFT, "key-0002", { keep });
       await deliver(8);
-      await store.end(ID, EPOCH, completed(2));
+      await store.commit(ID, endStep(EPOCH, completed(2)));
       await add(LEFT, "key-0003", { keep });
       expect(await states()).toEqual(["1 delivered", "2 completed", "3 accepted"]);
       await add(LEFT, "key-0004", { keep });
@@ -87,7 +90,7 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
         outcome: "stored",
         record: { seq: 5 },
       });
-      await store.end(ID, EPOCH, completed(1));
+      await store.commit(ID, endStep(EPOCH, completed(1)));
       await add(STOP, null, { keep });
       expect(await states()).toEqual(["5 cancelled", "6 accepted"]);
     });
@@ -96,31 +99,31 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
       const { add, store, states, deliver } = await withRobot();
       await add(LEFT);
       await deliver(8);
-      await store.end(ID, EPOCH, completed(1));
+      await store.commit(ID, endStep(EPOCH, completed(1)));
       const other = "BBBBBBBBBBBBBBBBBBBBBB";
       const keys = [{ kind: "drive" as const, hash: sent.driver }];
       await store.create({ id: other, createdAt: 1_000, keys });
-      for (let n = 0; n < 3; n++) await store.add(other, { ...sent, keep: 1 });
+      for (let n = 0; n < 3; n++) await store.commit(other, addStep({ ...sent, keep: 1 }));
       expect(await states()).toEqual(["1 completed"]);
     });
 
     it("stores nothing for an unknown robot", async () => {
       const { store } = await open();
-      expect(await store.add(ID, sent)).toEqual({ outcome: "no-robot" });
-      expect(await store.acquire(ID, nothingDone)).toBeNull();
+      expect(await store.commit(ID, addStep(sent))).toEqual({ outcome: "no-robot" });
+      expect(await store.commit(ID, acquireStep(nothingDone))).toBeNull();
     });
 
     it("delivers in order, at most a window", async () => {
       const { add, store, states, deliver } = await withRobot();
       for (let n = 0; n < 4; n++) await add(LEFT);
-      const first = await store.deliver(ID, EPOCH, 3, NOW);
+      const first = await store.commit(ID, deliverStep(EPOCH, 3, NOW));
       expect(first.map(({ record }) => [record.seq, record.state])).toEqual([
         [1, "delivered"],
         [2, "delivered"],
         [3, "delivered"],
       ]);
       expect(await deliver(3)).toEqual([]);
-      await store.start(ID, EPOCH, 1);
+      await store.commit(ID, startStep(EPOCH, 1));
       expect(await deliver(3)).toEqual([4]);
       expect(await states()).toEqual(["1 started", "2 delivered", "3 delivered", "4 delivered"]);
     });
@@ -140,23 +143,28 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
     it("never changes the first ending", async () => {
       const { add, store, deliver } = await withRobot();
       await add(LEFT);
-      expect(await store.end(ID, EPOCH, completed(1))).toMatchObject({
+      expect(await store.commit(ID, endStep(EPOCH, completed(1)))).toMatchObject({
         outcome: "over",
         record: { state: "accepted" },
       });
       await deliver(8);
-      expect(await store.start(ID, EPOCH, 1)).toMatchObject({ state: "started" });
-      expect(await store.start(ID, EPOCH, 1)).toBeNull();
-      expect(await store.end(ID, EPOCH, completed(1))).toMatchObject({
+      expect(await store.commit(ID, startStep(EPOCH, 1))).toMatchObject({ state: "started" });
+      expect(await store.commit(ID, startStep(EPOCH, 1))).toBeNull();
+      expect(await store.commit(ID, endStep(EPOCH, completed(1)))).toMatchObject({
         outcome: "ended",
         record: { state: "completed", distance: 100 },
       });
-      expect(await store.end(ID, EPOCH, { ...completed(1), state: "collided" })).toMatchObject({
+      expect(
+        await store.commit(ID, endStep(EPOCH, { ...completed(1), state: "collided" })),
+      ).toMatchObject({
         outcome: "over",
         record: { state: "completed" },
       });
-      expect(await store.end(ID, EPOCH, completed(9))).toEqual({ outcome: "over", record: null });
-      expect(await store.abandon(ID, EPOCH)).toEqual([]);
+      expect(await store.commit(ID, endStep(EPOCH, completed(9)))).toEqual({
+        outcome: "over",
+        record: null,
+      });
+      expect(await store.commit(ID, abandonStep(EPOCH))).toEqual([]);
       expect(await store.command(ID, 1)).toMatchObject({ state: "completed", pose: { x: 250 } });
     });
 
@@ -164,15 +172,15 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
       const { add, store, deliver, states } = await withRobot();
       for (let n = 0; n < 3; n++) await add(LEFT);
       await deliver(2);
-      await store.start(ID, EPOCH, 1);
-      await store.abandon(ID, EPOCH);
+      await store.commit(ID, startStep(EPOCH, 1));
+      await store.commit(ID, abandonStep(EPOCH));
       expect(await states()).toEqual(["1 cancelled", "2 cancelled", "3 accepted"]);
-      expect(await store.end(ID, EPOCH, completed(1))).toMatchObject({
+      expect(await store.commit(ID, endStep(EPOCH, completed(1)))).toMatchObject({
         outcome: "over",
         record: { state: "cancelled", reason: because("disconnected") },
       });
       expect(await deliver(8)).toEqual([]);
-      expect((await store.acquire(ID, nothingDone))?.epoch).toBe(EPOCH + 2);
+      expect((await store.commit(ID, acquireStep(nothingDone)))?.epoch).toBe(EPOCH + 2);
     });
   });
 }

@@ -15,7 +15,7 @@ export function cutStore(whole: RobotStore): CutStore {
       const part: unknown = Reflect.get(target, name);
       if (typeof part !== "function") return part;
       // Needs no connection.
-      if (name === "hasAll") return part.bind(target) as unknown;
+      if (name === "current") return part.bind(target) as unknown;
       return async (...values: unknown[]): Promise<unknown> => {
         if (cut.isCut) throw new StoreUnavailableError("it was cut off");
         const answer: unknown = await Reflect.apply(part, target, values);

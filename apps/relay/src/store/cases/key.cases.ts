@@ -1,5 +1,7 @@
 /** Requirements for every store: the keys of a robot. */
 import { describe, expect, it } from "vitest";
+import { changeKeysStep } from "../../commands/permissions.ts";
+import { recalledStep } from "../../commands/state-machine.ts";
 import { because, ID, LEFT, sent, keyChange, type OpenStore, robotIn } from "./robot-in-store.ts";
 
 export function keyCases(name: string, open: () => Promise<OpenStore>): void {
@@ -13,45 +15,48 @@ export function keyCases(name: string, open: () => Promise<OpenStore>): void {
       const { store, reopen } = await withRobot();
       const change = keyChange({ add: [watch], remove: [first.hash] });
       const changed = { outcome: "changed", keys: [watch], ended: [] };
-      expect(await store.changeKeys(ID, change)).toEqual(changed);
+      expect(await store.commit(ID, changeKeysStep(change))).toEqual(changed);
       const again = keyChange({ add: [first] });
-      expect(await store.changeKeys(ID, again)).toMatchObject({ outcome: "changed" });
+      expect(await store.commit(ID, changeKeysStep(again))).toMatchObject({ outcome: "changed" });
       const keys = (await (await reopen()).find(ID))?.keys ?? [];
       expect(keys.toSorted((a, b) => a.hash.localeCompare(b.hash))).toEqual([first, watch]);
     });
 
     it("rejects a key above the limit without changes, and can still revoke and replace keys", async () => {
       const { store } = await withRobot();
-      const full = await store.changeKeys(ID, keyChange({ add: [watch], most: 1 }));
+      const full = await store.commit(ID, changeKeysStep(keyChange({ add: [watch], most: 1 })));
       expect(full).toEqual({ outcome: "full" });
       expect((await store.find(ID))?.keys).toEqual([first]);
       const change = keyChange({ add: [watch], remove: [first.hash], most: 1 });
-      const replaced = await store.changeKeys(ID, change);
+      const replaced = await store.commit(ID, changeKeysStep(change));
       expect(replaced).toEqual({ outcome: "changed", keys: [watch], ended: [] });
     });
 
     it("revokes all keys of a kind, of every creator", async () => {
       const { store } = await withRobot();
       const other = { kind: "drive" as const, hash: "of-another-relay" };
-      await store.changeKeys(ID, keyChange({ add: [watch, other] }));
+      await store.commit(ID, changeKeysStep(keyChange({ add: [watch, other] })));
       const anew = { kind: "drive" as const, hash: "new" };
-      const replaced = await store.changeKeys(ID, keyChange({ add: [anew], removeKind: "drive" }));
+      const replaced = await store.commit(
+        ID,
+        changeKeysStep(keyChange({ add: [anew], removeKind: "drive" })),
+      );
       expect(replaced).toEqual({ outcome: "changed", keys: [watch, anew], ended: [] });
     });
 
     it("withdraws the commands of a revoked key, and stores no more of them", async () => {
       const { store, add, deliver, states } = await withRobot();
       const other = { kind: "drive" as const, hash: "e" };
-      await store.changeKeys(ID, keyChange({ add: [other] }));
+      await store.commit(ID, changeKeysStep(keyChange({ add: [other] })));
       await add(LEFT);
       await add(LEFT, null, { driver: "e" });
       await deliver(1);
       await add(LEFT);
       const change = keyChange({ remove: [sent.driver] });
-      expect(await store.changeKeys(ID, change)).toMatchObject({
+      expect(await store.commit(ID, changeKeysStep(change))).toMatchObject({
         ended: [{ record: { seq: 3, state: "cancelled", reason: because("revoked") } }],
       });
-      expect(await store.recalled(ID)).toEqual([{ seq: 1, cause: "revoked" }]);
+      expect(await store.commit(ID, recalledStep())).toEqual([{ seq: 1, cause: "revoked" }]);
       expect(await add(LEFT)).toEqual({ outcome: "revoked" });
       expect(await add(LEFT, null, { driver: "e" })).toMatchObject({ outcome: "stored" });
       expect(await states()).toEqual(["1 delivered", "2 accepted", "3 cancelled", "4 accepted"]);
@@ -59,7 +64,7 @@ export function keyCases(name: string, open: () => Promise<OpenStore>): void {
 
     it("returns when each valid key was created and last used, also after a restart", async () => {
       const { store, reopen, holds } = await withRobot();
-      await store.changeKeys(ID, keyChange({ add: [watch], now: 7_000 }));
+      await store.commit(ID, changeKeysStep(keyChange({ add: [watch], now: 7_000 })));
       const made = { hash: first.hash, createdAt: 1_000, lastUsedAt: null };
       const times = async (from = store) =>
         (await from.keyTimes(ID)).toSorted((a, b) => a.createdAt - b.createdAt);
@@ -77,7 +82,7 @@ export function keyCases(name: string, open: () => Promise<OpenStore>): void {
         made,
         { hash: watch.hash, createdAt: 7_000, lastUsedAt: 8_000 },
       ]);
-      await again.changeKeys(ID, keyChange({ remove: [watch.hash] }));
+      await again.commit(ID, changeKeysStep(keyChange({ remove: [watch.hash] })));
       expect(await times(again)).toEqual([made]);
       expect(await again.keyTimes("B".repeat(22))).toEqual([]);
       await again.remove(ID);
@@ -89,7 +94,9 @@ export function keyCases(name: string, open: () => Promise<OpenStore>): void {
     it("has no keys for an unknown robot", async () => {
       const { store } = await withRobot();
       const change = keyChange({ add: [watch] });
-      expect(await store.changeKeys("B".repeat(22), change)).toEqual({ outcome: "no-robot" });
+      expect(await store.commit("B".repeat(22), changeKeysStep(change))).toEqual({
+        outcome: "no-robot",
+      });
     });
   });
 }

@@ -1,5 +1,7 @@
 /** Requirements for every store: a page that acquires a robot. */
 import { describe, expect, it } from "vitest";
+import { abandonStep, acquireStep } from "../../commands/page-transitions.ts";
+import { endStep, startStep } from "../../commands/state-machine.ts";
 import { completed } from "../../platform/testing/messages.ts";
 import {
   because,
@@ -21,26 +23,30 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       const { add, store, states, deliver } = await withRobot();
       for (let n = 0; n < 4; n++) await add(LEFT);
       await deliver(8);
-      const taken = await store.acquire(
+      const taken = await store.commit(
         ID,
-        pageState({
-          lastApplied: 2,
-          fresh: false,
-          endings: [completed(1)],
-        }),
+        acquireStep(
+          pageState({
+            lastApplied: 2,
+            fresh: false,
+            endings: [completed(1)],
+          }),
+        ),
       );
       expect(taken?.epoch).toBe(EPOCH + 1);
       expect(await states()).toEqual(["1 completed", "2 started", "3 accepted", "4 accepted"]);
-      expect((await store.acquire(ID, nothingDone))?.epoch).toBe(EPOCH + 2);
+      expect((await store.commit(ID, acquireStep(nothingDone)))?.epoch).toBe(EPOCH + 2);
     });
 
     it("rejects the messages of the previous page", async () => {
       const { add, store, deliver, states } = await withRobot();
       await add(LEFT);
       await deliver(8);
-      await store.acquire(ID, pageState({ lastApplied: 1, fresh: false, endings: [] }));
-      expect(await store.start(ID, EPOCH, 1)).toBeNull();
-      expect(await store.end(ID, EPOCH, completed(1))).toMatchObject({ outcome: "over" });
+      await store.commit(ID, acquireStep(pageState({ lastApplied: 1, fresh: false, endings: [] })));
+      expect(await store.commit(ID, startStep(EPOCH, 1))).toBeNull();
+      expect(await store.commit(ID, endStep(EPOCH, completed(1)))).toMatchObject({
+        outcome: "over",
+      });
       expect(await deliver(8, EPOCH)).toEqual([]);
       expect(await states()).toEqual(["1 started"]);
     });
@@ -50,10 +56,13 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       await add(LEFT);
       await add(LEFT);
       await deliver(8);
-      await store.end(ID, EPOCH, completed(1));
-      await store.abandon(ID, EPOCH);
+      await store.commit(ID, endStep(EPOCH, completed(1)));
+      await store.commit(ID, abandonStep(EPOCH));
       const endings = [completed(1), completed(2)];
-      const taken = await store.acquire(ID, pageState({ lastApplied: 2, fresh: false, endings }));
+      const taken = await store.commit(
+        ID,
+        acquireStep(pageState({ lastApplied: 2, fresh: false, endings })),
+      );
       expect(taken).toMatchObject({ changed: [], refused: [{ seq: 2, state: "cancelled" }] });
     });
 
@@ -62,7 +71,7 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       for (let n = 0; n < 3; n++) await add(LEFT);
       await deliver(8);
       await add(STOP);
-      await store.acquire(ID, pageState({ lastApplied: 1, fresh: true, endings: [] }));
+      await store.commit(ID, acquireStep(pageState({ lastApplied: 1, fresh: true, endings: [] })));
       expect(await states()).toEqual(["1 cancelled", "2 cancelled", "3 cancelled", "4 accepted"]);
       expect(await store.command(ID, 1)).toMatchObject({ reason: because("reloaded") });
     });
@@ -73,9 +82,9 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
         const { add, store, deliver } = await withRobot();
         for (let n = 0; n < 3; n++) await add(LEFT);
         await deliver(2);
-        await store.start(ID, EPOCH, 1);
+        await store.commit(ID, startStep(EPOCH, 1));
         const page = pageState({ lastApplied: 2, fresh: true, pose, settled });
-        const { changed = [] } = (await store.acquire(ID, page)) ?? {};
+        const { changed = [] } = (await store.commit(ID, acquireStep(page))) ?? {};
         expect(changed.map(({ seq, state }) => [seq, state])).toEqual([
           [1, "cancelled"],
           [2, "cancelled"],
@@ -90,9 +99,9 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
         const { add, store, states, deliver } = await withRobot();
         for (let n = 0; n < 4; n++) await add(LEFT);
         await deliver(3);
-        await store.start(ID, EPOCH, 1);
+        await store.commit(ID, startStep(EPOCH, 1));
         const state = pageState({ lastApplied: 1, settled, left: "taken-over" });
-        const taken = await store.acquire(ID, state);
+        const taken = await store.commit(ID, acquireStep(state));
         expect(taken?.changed.map(({ seq, reason }) => [seq, reason])).toEqual([
           [1, because("taken-over")],
           [2, because("taken-over-unsure")],
@@ -106,9 +115,9 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       const { add, store, deliver } = await withRobot();
       for (let n = 0; n < 2; n++) await add(LEFT);
       await deliver(2);
-      await store.start(ID, EPOCH, 1);
+      await store.commit(ID, startStep(EPOCH, 1));
       const state = pageState({ fresh: true, settled: null, left: "reloaded" });
-      const { changed = [] } = (await store.acquire(ID, state)) ?? {};
+      const { changed = [] } = (await store.commit(ID, acquireStep(state))) ?? {};
       expect(changed.map(({ seq, reason }) => [seq, reason])).toEqual([
         [1, because("reloaded")],
         [2, because("reloaded-unsure")],
@@ -119,14 +128,17 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
       const { add, store, deliver } = await withRobot();
       for (let n = 0; n < 4; n++) await add(LEFT);
       await deliver(3);
-      await store.start(ID, EPOCH, 1);
-      await store.end(ID, EPOCH, {
-        seq: 2,
-        state: "completed",
-        reason: null,
-        pose: null,
-        distance: 0,
-      });
+      await store.commit(ID, startStep(EPOCH, 1));
+      await store.commit(
+        ID,
+        endStep(EPOCH, {
+          seq: 2,
+          state: "completed",
+          reason: null,
+          pose: null,
+          distance: 0,
+        }),
+      );
       const open = await store.openCommands(ID);
       expect(open.map(({ seq, state }) => `${seq} ${state}`)).toEqual([
         "1 started",
@@ -138,7 +150,10 @@ export function pageCases(name: string, open: () => Promise<OpenStore>): void {
 
     it("never reuses a number that the page has seen", async () => {
       const { add, store } = await withRobot();
-      await store.acquire(ID, pageState({ lastApplied: 41, fresh: false, endings: [] }));
+      await store.commit(
+        ID,
+        acquireStep(pageState({ lastApplied: 41, fresh: false, endings: [] })),
+      );
       expect(await add(LEFT)).toMatchObject({ record: { seq: 42 } });
     });
   });

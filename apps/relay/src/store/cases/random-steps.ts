@@ -1,6 +1,18 @@
 /** Random steps of a store, for property tests. */
 import type { Command, EndingState } from "@corridor/protocol";
 import fc from "fast-check";
+import { abandonStep, acquireStep } from "../../commands/page-transitions.ts";
+import { changeBlockedStep, changeKeysStep } from "../../commands/permissions.ts";
+import {
+  addStep,
+  cancelStep,
+  deliverStep,
+  endStep,
+  expireStep,
+  pauseStep,
+  recalledStep,
+  startStep,
+} from "../../commands/state-machine.ts";
 import { completed } from "../../platform/testing/messages.ts";
 import type { RobotStore } from "../port.ts";
 import { DRIVERS, keyChange, NOW, pageState, ROBOTS, sent } from "./robot-in-store.ts";
@@ -34,40 +46,40 @@ const added = (...keep: number[]): fc.Arbitrary<Step> =>
     .map(
       (command): Step =>
         (store, robot) =>
-          store.add(robot, { ...sent, ...command }),
+          store.commit(robot, addStep({ ...sent, ...command })),
     );
 const done = fc.oneof(
   fc.tuple(epochs, fc.constantFrom(1, 8), times).map(
     ([epoch, window, now]): Step =>
       (store, id) =>
-        store.deliver(id, epoch, window, now),
+        store.commit(id, deliverStep(epoch, window, now)),
   ),
   fc.tuple(epochs, seqs).map(
     ([epoch, seq]): Step =>
       (store, id) =>
-        store.start(id, epoch, seq),
+        store.commit(id, startStep(epoch, seq)),
   ),
   fc.tuple(epochs, seqs, fc.constantFrom<EndingState>("completed", "collided", "expired")).map(
     ([epoch, seq, state]): Step =>
       (store, id) =>
-        store.end(id, epoch, { ...completed(seq), state }),
+        store.commit(id, endStep(epoch, { ...completed(seq), state })),
   ),
 );
 const rare = fc.oneof(
   times.map(
     (now): Step =>
       (store, id) =>
-        store.expire(id, now),
+        store.commit(id, expireStep(now)),
   ),
   fc.tuple(seqs, drivers).map(
     ([seq, driver]): Step =>
       (store, id) =>
-        store.cancel(id, seq, driver),
+        store.commit(id, cancelStep(seq, driver)),
   ),
   epochs.map(
     (epoch): Step =>
       (store, id) =>
-        store.abandon(id, epoch),
+        store.commit(id, abandonStep(epoch)),
   ),
   fc
     .record({
@@ -82,29 +94,32 @@ const rare = fc.oneof(
     .map(
       (page): Step =>
         (store, id) =>
-          store.acquire(id, pageState(page)),
+          store.commit(id, acquireStep(pageState(page))),
     ),
   fc.boolean().map(
     (isPaused): Step =>
       (store, id) =>
-        store.pause(id, isPaused),
+        store.commit(id, pauseStep(isPaused)),
   ),
   drivers.map(
     (hash): Step =>
       (store, id) =>
         Promise.all([
-          store.changeKeys(id, keyChange({ remove: [hash] })),
-          store.changeKeys(id, keyChange({ add: [{ kind: "drive", hash }] })),
+          store.commit(id, changeKeysStep(keyChange({ remove: [hash] }))),
+          store.commit(id, changeKeysStep(keyChange({ add: [{ kind: "drive", hash }] }))),
         ]),
   ),
   fc.constantFrom("s", "t").map(
     (script): Step =>
       (store, id) =>
-        store.changeBlocked(id, {
-          add: { id: script, driver: "d", name: null, client: "" },
-          remove: script === "s" ? "t" : "s",
-          most: 4,
-        }),
+        store.commit(
+          id,
+          changeBlockedStep({
+            add: { id: script, driver: "d", name: null, client: "" },
+            remove: script === "s" ? "t" : "s",
+            most: 4,
+          }),
+        ),
   ),
 );
 
@@ -119,7 +134,12 @@ export async function contentsOf(store: RobotStore): Promise<unknown> {
     const listed = await store.commandsAfter(id, 0, 100);
     const each = [];
     for (const { seq } of listed) each.push(await store.command(id, seq));
-    all.push({ listed, each, open: await store.openCommands(id), back: await store.recalled(id) });
+    all.push({
+      listed,
+      each,
+      open: await store.openCommands(id),
+      back: await store.commit(id, recalledStep()),
+    });
   }
   return all;
 }

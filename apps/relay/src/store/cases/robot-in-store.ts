@@ -1,4 +1,6 @@
 /** A robot in an empty store, and helpers for the test cases of stores. */
+import { acquireStep } from "../../commands/page-transitions.ts";
+import { addStep, deliverStep } from "../../commands/state-machine.ts";
 import { reasonText, type Cause } from "../../commands/reasons.ts";
 import type { Command } from "@corridor/protocol";
 import { type KeyChange, type NewCommand, type PageState, type RobotStore } from "../port.ts";
@@ -63,11 +65,11 @@ export async function robotIn(open: () => Promise<OpenStore>) {
   const { store } = opened;
   const keys = [{ kind: "drive" as const, hash: "driver-hash-of-this-robot" }];
   await store.create({ id: ID, createdAt: 1_000, keys });
-  await store.acquire(ID, nothingDone);
+  await store.commit(ID, acquireStep(nothingDone));
   const add = (command: Command, key: string | null = null, change: Partial<NewCommand> = {}) =>
-    store.add(ID, { ...sent, command, key, ...change });
+    store.commit(ID, addStep({ ...sent, command, key, ...change }));
   const deliver = async (window: number, epoch = EPOCH): Promise<number[]> =>
-    (await store.deliver(ID, epoch, window, NOW)).map(({ record }) => record.seq);
+    (await store.commit(ID, deliverStep(epoch, window, NOW))).map(({ record }) => record.seq);
   const states = async (): Promise<string[]> =>
     (await store.commandsAfter(ID, 0, 100)).map(({ seq, state }) => `${seq} ${state}`);
   return { ...opened, add, deliver, states };
@@ -81,6 +83,6 @@ export async function withRobots(store: RobotStore): Promise<void> {
   const keys = DRIVERS.map((hash) => ({ kind: "drive" as const, hash }));
   for (const id of ROBOTS) {
     await store.create({ id, createdAt: 1, keys });
-    await store.acquire(id, pageState());
+    await store.commit(id, acquireStep(pageState()));
   }
 }

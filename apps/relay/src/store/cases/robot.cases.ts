@@ -1,5 +1,7 @@
 /** Requirements for every store: robots. */
 import { describe, expect, it } from "vitest";
+import { changeBlockedStep, changeKeysStep } from "../../commands/permissions.ts";
+import { pauseStep, recalledStep } from "../../commands/state-machine.ts";
 import { because, ID, LEFT, STOP, keyChange, type OpenStore, robotIn } from "./robot-in-store.ts";
 
 export function robotCases(name: string, open: () => Promise<OpenStore>): void {
@@ -14,37 +16,44 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
     it("stay blocked after a restart, each once, until they are unblocked", async () => {
       const { store, reopen } = await withRobot();
       expect((await store.find(ID))?.blocked).toEqual([]);
-      await store.changeBlocked(ID, { add: anna, remove: null, most: 16 });
-      await store.changeBlocked(ID, { add: nameless, remove: null, most: 16 });
-      const again = await store.changeBlocked(ID, { add: anna, remove: null, most: 2 });
+      await store.commit(ID, changeBlockedStep({ add: anna, remove: null, most: 16 }));
+      await store.commit(ID, changeBlockedStep({ add: nameless, remove: null, most: 16 }));
+      const again = await store.commit(ID, changeBlockedStep({ add: anna, remove: null, most: 2 }));
       expect(again).toEqual({ outcome: "changed", blocked: [anna, nameless], ended: [] });
       const reopened = await reopen();
       expect((await reopened.find(ID))?.blocked).toEqual([anna, nameless]);
       const back = { add: null, remove: anna.id, most: 16 };
-      expect(await reopened.changeBlocked(ID, back)).toMatchObject({ blocked: [nameless] });
-      await reopened.changeBlocked(ID, { add: null, remove: nameless.id, most: 16 });
+      expect(await reopened.commit(ID, changeBlockedStep(back))).toMatchObject({
+        blocked: [nameless],
+      });
+      await reopened.commit(ID, changeBlockedStep({ add: null, remove: nameless.id, most: 16 }));
       expect((await reopened.find(ID))?.blocked).toEqual([]);
     });
 
     it("are limited in number, and cannot be added to an unknown robot", async () => {
       const { store } = await withRobot();
-      await store.changeBlocked(ID, { add: anna, remove: null, most: 1 });
+      await store.commit(ID, changeBlockedStep({ add: anna, remove: null, most: 1 }));
       const one = { add: nameless, remove: null, most: 1 };
-      expect(await store.changeBlocked(ID, one)).toEqual({ outcome: "full" });
+      expect(await store.commit(ID, changeBlockedStep(one))).toEqual({ outcome: "full" });
       expect((await store.find(ID))?.blocked).toEqual([anna]);
-      expect(await store.changeBlocked("B".repeat(22), one)).toEqual({ outcome: "no-robot" });
+      expect(await store.commit("B".repeat(22), changeBlockedStep(one))).toEqual({
+        outcome: "no-robot",
+      });
     });
 
     it("are removed with their key, and from the disk with the robot", async () => {
       const { store, holds } = await withRobot();
       const other = { ...nameless, driver: "another-hash" };
-      await store.changeBlocked(ID, {
-        add: { ...anna, name: "Annas-name" },
-        remove: null,
-        most: 16,
-      });
-      await store.changeBlocked(ID, { add: other, remove: null, most: 16 });
-      await store.changeKeys(ID, keyChange({ add: [watcher], remove: [driver] }));
+      await store.commit(
+        ID,
+        changeBlockedStep({
+          add: { ...anna, name: "Annas-name" },
+          remove: null,
+          most: 16,
+        }),
+      );
+      await store.commit(ID, changeBlockedStep({ add: other, remove: null, most: 16 }));
+      await store.commit(ID, changeKeysStep(keyChange({ add: [watcher], remove: [driver] })));
       expect((await store.find(ID))?.blocked).toEqual([other]);
       await store.remove(ID);
       expect(await holds("Annas-name")).toBe(false);
@@ -58,23 +67,26 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
       await deliver(2);
       await add(LEFT, null, byAnna);
       await add(LEFT);
-      const result = await store.changeBlocked(ID, { add: anna, remove: null, most: 16 });
+      const result = await store.commit(
+        ID,
+        changeBlockedStep({ add: anna, remove: null, most: 16 }),
+      );
       expect(result).toMatchObject({
         ended: [
           { record: { seq: 3, state: "cancelled", reason: because("blocked") }, script: anna.id },
         ],
       });
       expect(await states()).toEqual(["1 delivered", "2 delivered", "3 cancelled", "4 accepted"]);
-      expect(await store.recalled(ID)).toEqual([{ seq: 1, cause: "blocked" }]);
+      expect(await store.commit(ID, recalledStep())).toEqual([{ seq: 1, cause: "blocked" }]);
     });
 
     it("sends no commands while it is blocked, even at a relay that has not been notified", async () => {
       const { store, add } = await withRobot();
       const byAnna = { script: anna.id };
-      await store.changeBlocked(ID, { add: anna, remove: null, most: 16 });
+      await store.commit(ID, changeBlockedStep({ add: anna, remove: null, most: 16 }));
       expect(await add(LEFT, null, byAnna)).toEqual({ outcome: "blocked" });
       expect(await add(LEFT)).toMatchObject({ outcome: "stored" });
-      await store.changeBlocked(ID, { add: null, remove: anna.id, most: 16 });
+      await store.commit(ID, changeBlockedStep({ add: null, remove: anna.id, most: 16 }));
       expect(await add(LEFT, null, byAnna)).toMatchObject({ outcome: "stored" });
     });
   });
@@ -86,24 +98,24 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
       await deliver(2);
       await add(STOP);
       await add(LEFT);
-      const ended = await store.pause(ID, true);
+      const ended = await store.commit(ID, pauseStep(true));
       expect(ended).toMatchObject([
         { record: { seq: 5, state: "cancelled", reason: because("paused") } },
       ]);
       const all = ["1 delivered", "2 delivered", "3 cancelled", "4 accepted", "5 cancelled"];
       expect(await states()).toEqual(all);
-      expect((await store.recalled(ID)).map(({ seq }) => seq)).toEqual([1, 2]);
+      expect((await store.commit(ID, recalledStep())).map(({ seq }) => seq)).toEqual([1, 2]);
       expect(await holds(because("paused").slice(0, 30))).toBe(false);
     });
 
     it("rejects commands without using their keys, accepts stops, and returns earlier records to retries", async () => {
       const { store, add } = await withRobot();
       await add(LEFT, "key-0001");
-      await store.pause(ID, true);
+      await store.commit(ID, pauseStep(true));
       expect(await add(LEFT, "key-0002")).toEqual({ outcome: "paused" });
       expect(await add(LEFT, "key-0001")).toMatchObject({ outcome: "duplicate" });
       expect(await add(STOP, "key-0003")).toMatchObject({ outcome: "stored" });
-      expect(await store.pause(ID, false)).toEqual([]);
+      expect(await store.commit(ID, pauseStep(false))).toEqual([]);
       expect(await add(LEFT, "key-0002")).toMatchObject({ outcome: "stored" });
     });
 
@@ -111,10 +123,10 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
       const { store, add, reopen } = await withRobot();
       await add(LEFT);
       expect((await store.find(ID))?.isPaused).toBe(false);
-      await store.pause(ID, true);
+      await store.commit(ID, pauseStep(true));
       const again = await reopen();
       expect((await again.find(ID))?.isPaused).toBe(true);
-      expect(await again.pause("B".repeat(22), true)).toBeNull();
+      expect(await again.commit("B".repeat(22), pauseStep(true))).toBeNull();
     });
   });
 

@@ -1,6 +1,7 @@
 /** Requirements for every store: deadlines. */
 import { expiredReason } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
+import { deliverStep, endStep, expireStep } from "../../commands/state-machine.ts";
 import { completed } from "../../platform/testing/messages.ts";
 import { ID, LEFT, NOW, EPOCH, sent, type OpenStore, robotIn } from "./robot-in-store.ts";
 
@@ -14,21 +15,21 @@ export function timeCases(name: string, open: () => Promise<OpenStore>): void {
       const { add, store, states } = await withRobot();
       await add(LEFT, null, short);
       await add(LEFT);
-      expect(await store.expire(ID, NOW + 399)).toEqual({ ended: [], next: NOW + 400 });
-      const { ended, next } = await store.expire(ID, NOW + 400);
+      expect(await store.commit(ID, expireStep(NOW + 399))).toEqual({ ended: [], next: NOW + 400 });
+      const { ended, next } = await store.commit(ID, expireStep(NOW + 400));
       expect(ended).toMatchObject([
         { ttl: 400, record: { seq: 1, state: "expired", reason: expiredReason(400) } },
       ]);
       expect(next).toBe(NOW + 10_000);
       expect(await states()).toEqual(["1 expired", "2 accepted"]);
-      expect(await store.expire(ID, NOW + 10_000)).toMatchObject({ next: null });
+      expect(await store.commit(ID, expireStep(NOW + 10_000))).toMatchObject({ next: null });
     });
 
     it("leaves commands that were delivered in time to the robot, and delivers none late", async () => {
       const { add, store, states } = await withRobot();
       await add(LEFT, null, short);
       await add(LEFT, null, short);
-      expect(await store.deliver(ID, EPOCH, 1, NOW + 399)).toMatchObject([
+      expect(await store.commit(ID, deliverStep(EPOCH, 1, NOW + 399))).toMatchObject([
         {
           record: { seq: 1 },
           driver: sent.driver,
@@ -37,10 +38,12 @@ export function timeCases(name: string, open: () => Promise<OpenStore>): void {
           lease: null,
         },
       ]);
-      expect(await store.deliver(ID, EPOCH, 8, NOW + 400)).toEqual([]);
-      await store.expire(ID, NOW + 400);
+      expect(await store.commit(ID, deliverStep(EPOCH, 8, NOW + 400))).toEqual([]);
+      await store.commit(ID, expireStep(NOW + 400));
       expect(await states()).toEqual(["1 delivered", "2 expired"]);
-      expect(await store.end(ID, EPOCH, { ...completed(1), state: "expired" })).toMatchObject({
+      expect(
+        await store.commit(ID, endStep(EPOCH, { ...completed(1), state: "expired" })),
+      ).toMatchObject({
         outcome: "ended",
       });
     });
@@ -58,9 +61,11 @@ export function timeCases(name: string, open: () => Promise<OpenStore>): void {
     it("gives no extra time when the clock was set back", async () => {
       const { add, store, states } = await withRobot();
       await add(LEFT);
-      expect(await store.deliver(ID, EPOCH, 8, NOW - 2_001)).toEqual([]);
-      expect(await store.expire(ID, NOW - 2_000)).toMatchObject({ ended: [] });
-      expect(await store.expire(ID, NOW - 2_001)).toMatchObject({ ended: [{ ttl: 10_000 }] });
+      expect(await store.commit(ID, deliverStep(EPOCH, 8, NOW - 2_001))).toEqual([]);
+      expect(await store.commit(ID, expireStep(NOW - 2_000))).toMatchObject({ ended: [] });
+      expect(await store.commit(ID, expireStep(NOW - 2_001))).toMatchObject({
+        ended: [{ ttl: 10_000 }],
+      });
       expect(await states()).toEqual(["1 expired"]);
     });
 
@@ -69,7 +74,7 @@ export function timeCases(name: string, open: () => Promise<OpenStore>): void {
       await add(LEFT, null, short);
       await store.close();
       const again = await reopen();
-      expect(await again.expire(ID, NOW)).toEqual({ ended: [], next: NOW + 400 });
+      expect(await again.commit(ID, expireStep(NOW))).toEqual({ ended: [], next: NOW + 400 });
     });
   });
 }

@@ -1,5 +1,13 @@
 /** Requirements for every store: commands that replace others or are cancelled. */
 import { describe, expect, it } from "vitest";
+import { acquireStep } from "../../commands/page-transitions.ts";
+import {
+  cancelStep,
+  deliverStep,
+  endStep,
+  expireStep,
+  recalledStep,
+} from "../../commands/state-machine.ts";
 import { completed } from "../../platform/testing/messages.ts";
 import {
   because,
@@ -28,7 +36,7 @@ export function withdrawalCases(name: string, open: () => Promise<OpenStore>): v
           { record: { seq: 3, state: "superseded", reason: "Command 4 replaced this command." } },
         ],
       });
-      expect(await store.deliver(ID, EPOCH, 2, NOW)).toMatchObject([
+      expect(await store.commit(ID, deliverStep(EPOCH, 2, NOW))).toMatchObject([
         { record: { seq: 4 }, replace: true },
       ]);
       expect(await states()).toEqual(["1 delivered", "2 delivered", "3 superseded", "4 delivered"]);
@@ -40,7 +48,7 @@ export function withdrawalCases(name: string, open: () => Promise<OpenStore>): v
       await deliver(8);
       await add(LEFT, null, { replace: true });
       await add(LEFT);
-      await store.acquire(ID, pageState({ lastApplied: 1, fresh: false, endings: [] }));
+      await store.commit(ID, acquireStep(pageState({ lastApplied: 1, fresh: false, endings: [] })));
       expect(await states()).toEqual([
         "1 started",
         "2 superseded",
@@ -50,8 +58,8 @@ export function withdrawalCases(name: string, open: () => Promise<OpenStore>): v
       ]);
       await deliver(8, EPOCH + 1);
       await add(STOP);
-      await store.expire(ID, NOW + 60_000);
-      await store.acquire(ID, pageState({ lastApplied: 1, fresh: false, endings: [] }));
+      await store.commit(ID, expireStep(NOW + 60_000));
+      await store.commit(ID, acquireStep(pageState({ lastApplied: 1, fresh: false, endings: [] })));
       expect((await states()).slice(3)).toEqual(["4 cancelled", "5 cancelled", "6 expired"]);
     });
 
@@ -61,17 +69,17 @@ export function withdrawalCases(name: string, open: () => Promise<OpenStore>): v
       await add(LEFT);
       await deliver(8);
       await add(LEFT);
-      expect(await store.cancel(ID, 2, "e")).toEqual({ outcome: "not-yours" });
-      expect(await store.cancel(ID, 2, by)).toMatchObject({
+      expect(await store.commit(ID, cancelStep(2, "e"))).toEqual({ outcome: "not-yours" });
+      expect(await store.commit(ID, cancelStep(2, by))).toMatchObject({
         outcome: "cancelled",
         termed: { record: { state: "cancelled", reason: because("sender") } },
       });
-      expect(await store.cancel(ID, 2, by)).toMatchObject({ outcome: "over" });
-      expect(await store.cancel(ID, 1, by)).toMatchObject({
+      expect(await store.commit(ID, cancelStep(2, by))).toMatchObject({ outcome: "over" });
+      expect(await store.commit(ID, cancelStep(1, by))).toMatchObject({
         outcome: "delivered",
         record: { state: "delivered" },
       });
-      expect(await store.cancel(ID, 3, by)).toEqual({ outcome: "no-command" });
+      expect(await store.commit(ID, cancelStep(3, by))).toEqual({ outcome: "no-command" });
     });
 
     it("stores the request to cancel a delivered command, and ends one that never arrived", async () => {
@@ -79,20 +87,20 @@ export function withdrawalCases(name: string, open: () => Promise<OpenStore>): v
       const by = sent.driver;
       for (let n = 0; n < 4; n++) await add(LEFT);
       await deliver(3);
-      expect(await store.recalled(ID)).toEqual([]);
-      for (const seq of [1, 2, 4]) await store.cancel(ID, seq, by);
-      await store.cancel(ID, 2, by);
-      expect(await store.recalled(ID)).toEqual([
+      expect(await store.commit(ID, recalledStep())).toEqual([]);
+      for (const seq of [1, 2, 4]) await store.commit(ID, cancelStep(seq, by));
+      await store.commit(ID, cancelStep(2, by));
+      expect(await store.commit(ID, recalledStep())).toEqual([
         { seq: 1, cause: "sender" },
         { seq: 2, cause: "sender" },
       ]);
-      await store.acquire(ID, pageState({ lastApplied: 1, fresh: false, endings: [] }));
+      await store.commit(ID, acquireStep(pageState({ lastApplied: 1, fresh: false, endings: [] })));
       expect(await states()).toEqual(["1 started", "2 cancelled", "3 accepted", "4 cancelled"]);
       expect(await store.command(ID, 1)).toMatchObject({ reason: null });
       expect(await store.command(ID, 2)).toMatchObject({ reason: because("sender") });
-      expect(await store.recalled(ID)).toEqual([{ seq: 1, cause: "sender" }]);
-      await store.end(ID, EPOCH + 1, completed(1));
-      expect(await store.recalled(ID)).toEqual([]);
+      expect(await store.commit(ID, recalledStep())).toEqual([{ seq: 1, cause: "sender" }]);
+      await store.commit(ID, endStep(EPOCH + 1, completed(1)));
+      expect(await store.commit(ID, recalledStep())).toEqual([]);
     });
   });
 }

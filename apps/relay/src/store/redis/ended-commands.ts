@@ -1,28 +1,29 @@
-/** Reads ended commands of a robot, which are not in memory. */
+/** Reads commands of a robot, of which only the open ones are in memory. */
 import { z } from "zod";
 import type { CommandRow } from "../../commands/command-row.ts";
 import type { RobotCommands } from "../../commands/robot-commands.ts";
-import type { PageState } from "../../commands/steps.ts";
+import type { Lookup } from "../../commands/robot-state.ts";
 import { asked, type Redis } from "./connection.ts";
-import { keyMember } from "./loaded-robot.ts";
+import { keyMember, type Found } from "./loaded-robot.ts";
 import { endedOf, keysOf, openOf } from "./redis-keys.ts";
 import { rowIn } from "./rows.ts";
 import type { Script } from "./script.ts";
+import { isHeldElsewhere } from "./stored-robots.ts";
 import { counted } from "./words.ts";
 
 const texts = z.array(z.string());
 
-export async function endedRow(redis: Redis, id: string, seq: number): Promise<CommandRow | null> {
+async function endedRow(redis: Redis, id: string, seq: number): Promise<CommandRow | null> {
   const [text] = await asked(redis.zRangeByScore(endedOf(id), seq, seq));
   return text === undefined ? null : rowIn(text);
 }
 
-export async function endedAfter(redis: Redis, id: string, seq: number): Promise<CommandRow[]> {
+async function endedAfter(redis: Redis, id: string, seq: number): Promise<CommandRow[]> {
   return (await asked(redis.zRangeByScore(endedOf(id), `(${seq}`, "+inf"))).map(rowIn);
 }
 
 /** The ended command with this idempotency key. */
-export async function endedWithKey(
+async function endedWithKey(
   redis: Redis,
   id: string,
   { driver, key }: { driver: string; key: string },
@@ -71,21 +72,25 @@ export async function storedOpen(redis: Redis, id: string): Promise<CommandRow[]
 }
 
 /**
- * The ended commands that a page reports as ended, and those that may overtake a waiting one.
- * @returns null if the robot has none to look for
+ * Finds what a step needs and memory lacks.
+ * @param lookup `isPresent`: the index by idempotency key contains the key of the command
+ * @returns null if it lacks nothing
  */
-export function endedForPage(
-  redis: Redis,
-  id: string,
-  { commands, page }: { commands: RobotCommands; page: PageState },
-): Promise<CommandRow[]> | null {
-  const reported = page.endings.map(({ seq }) => seq).filter((seq) => commands.row(seq) === null);
-  const mayWait = [...commands.open].some(({ state }) => state !== "started");
-  if (reported.length === 0 && !mayWait) return null;
-  const after = Math.max(page.lastApplied, commands.openFrom);
-  const reads = reported.map(async (seq) => endedRow(redis, id, seq));
-  const overtaking = mayWait ? endedAfter(redis, id, after) : Promise.resolve([]);
-  return Promise.all([overtaking, ...reads]).then(([later, ...rows]) =>
-    [...later, ...rows].filter((row) => row !== null),
-  );
+export function lookUp(
+  { redis, id, relay }: { redis: Redis; id: string; relay: string },
+  commands: RobotCommands,
+  lookup: Lookup & { isPresent: boolean },
+): Promise<Found> | null {
+  const { seqs = [], key = null, after = null, holder = false, isPresent } = lookup;
+  const one = seqs
+    .filter((seq) => commands.row(seq) === null)
+    .map((seq) => endedRow(redis, id, seq));
+  if (key !== null && isPresent) one.push(endedWithKey(redis, id, key));
+  if (one.length === 0 && after === null && !holder) return null;
+  const later = after === null ? [] : endedAfter(redis, id, after);
+  const held = holder && isHeldElsewhere(redis, id, relay);
+  return Promise.all([later, held, ...one]).then(([rows, isHeld, ...others]) => ({
+    rows: [...rows, ...others].filter((row) => row !== null),
+    isHeldElsewhere: isHeld,
+  }));
 }

@@ -5,9 +5,12 @@
 import { hasEnded } from "@corridor/protocol";
 import { z } from "zod";
 import type { CommandRow } from "../../commands/command-row.ts";
-import { accessStateOf, type Permissions } from "../../commands/permissions.ts";
+import { newestOvertaking } from "../../commands/page-transitions.ts";
+import { accessStateOf } from "../../commands/permissions.ts";
 import { RobotCommands } from "../../commands/robot-commands.ts";
-import { endedOf, keysOf, channelOf, openOf, robotKeyOf } from "./redis-keys.ts";
+import type { KeysChange, RobotState } from "../../commands/robot-state.ts";
+import type { Permissions, StoredScript } from "../../commands/steps.ts";
+import { endedOf, keysOf, channelOf, madeAt, openOf, robotKeyOf, usedAt } from "./redis-keys.ts";
 import { rowIn, textOf } from "./rows.ts";
 import { blockedText, keysText } from "./permission-texts.ts";
 import type { Words } from "./words.ts";
@@ -31,9 +34,20 @@ export function keyMember(driver: string, key: string): string {
   return `${driver}:${key}`;
 }
 
-export class LoadedRobot {
+/** What was read for a step. */
+export interface Found {
+  /** ended commands */
+  rows: readonly CommandRow[];
+  isHeldElsewhere: boolean;
+}
+
+export const nothingFound: Found = { rows: [], isHeldElsewhere: false };
+
+export class LoadedRobot implements RobotState {
   readonly commands: RobotCommands;
   permissions: Permissions;
+  /** what was read for the current step */
+  found = nothingFound;
   version: string;
   readonly #id: string;
   readonly #relay: string;
@@ -46,6 +60,8 @@ export class LoadedRobot {
   #added: CommandRow | null = null;
   #also: Words[] = [];
   #messages: string[] = [];
+  /** whether other relays must read the permissions again */
+  #hasNewRights = false;
 
   constructor(id: string, relay: string, answer: z.output<typeof robotAnswer>) {
     const [[version, epoch, lastSeq, n, keys, blocked, paused], open] = answer;
@@ -65,6 +81,45 @@ export class LoadedRobot {
     });
   }
 
+  get isHeldElsewhere(): boolean {
+    return this.found.isHeldElsewhere;
+  }
+
+  row(seq: number): CommandRow | null {
+    return this.commands.row(seq) ?? this.found.rows.find((row) => row.seq === seq) ?? null;
+  }
+
+  withKey(driver: string, key: string): CommandRow | null {
+    const isMeant = (row: CommandRow): boolean => row.driver === driver && row.key === key;
+    return this.commands.withKey(driver, key) ?? this.found.rows.find(isMeant) ?? null;
+  }
+
+  newest(what: "stop" | "replace", after: number): number | null {
+    return newestOvertaking([...this.commands.rows(), ...this.found.rows], what, after);
+  }
+
+  setKeys({ keys, added, revoked, now }: KeysChange): void {
+    this.permissions = { ...this.permissions, keys };
+    const made = added.map(({ hash }) => [madeAt(hash), String(now)]);
+    this.set({ keys: JSON.stringify(keys), ...Object.fromEntries(made) });
+    const times = revoked.flatMap((hash) => [madeAt(hash), usedAt(hash)]);
+    const gone = times.filter((field) => !made.some(([madeField]) => madeField === field));
+    if (gone.length > 0) this.also("HDEL", robotKeyOf(this.#id), ...gone);
+    this.#hasNewRights = true;
+  }
+
+  setBlocked(blocked: readonly StoredScript[]): void {
+    this.permissions = { ...this.permissions, blocked: [...blocked] };
+    this.set({ blocked: JSON.stringify(blocked) });
+    this.#hasNewRights = true;
+  }
+
+  setPage(name: string): void {
+    const { epoch } = this.commands.accessState;
+    this.set({ page: JSON.stringify({ relay: this.#relay, epoch, name }), name });
+    this.#publish({ kind: "page", epoch, name });
+  }
+
   /** Adds fields of the robot to the changes. */
   set(fields: Record<string, string>): void {
     this.#also.push(["HSET", robotKeyOf(this.#id), ...Object.entries(fields).flat()]);
@@ -76,13 +131,14 @@ export class LoadedRobot {
   }
 
   /** Adds a message to other relays, before that of the step. */
-  publish(message: { kind: string; epoch?: number; name?: string }): void {
+  #publish(message: { kind: string; epoch?: number; name?: string }): void {
     this.#messages.push(JSON.stringify({ ...message, from: this.#relay }));
   }
 
   /** The changes of a step as Redis commands. Releases ended commands from memory. */
   take(): Words[] {
     const changes = [...this.#also, ...this.#ofRows(), ...this.#ofAccessState()];
+    if (this.#hasNewRights) this.#publish({ kind: "keys" });
     const step = this.#stepMessage();
     if (step !== null) {
       changes.push(["HSET", robotKeyOf(this.#id), "n", String(this.#n)]);
@@ -95,6 +151,8 @@ export class LoadedRobot {
     this.#added = null;
     this.#also = [];
     this.#messages = [];
+    this.#hasNewRights = false;
+    this.found = nothingFound;
     return changes;
   }
 
@@ -123,7 +181,10 @@ export class LoadedRobot {
     const fields: string[] = [];
     if (epoch !== before.epoch) fields.push("epoch", String(epoch));
     if (lastSeq !== before.lastSeq) fields.push("seq", String(lastSeq));
-    if (isPaused !== before.isPaused) fields.push("paused", isPaused ? "1" : "0");
+    if (isPaused !== before.isPaused) {
+      fields.push("paused", isPaused ? "1" : "0");
+      this.#hasNewRights = true;
+    }
     return fields.length === 0 ? [] : [["HSET", robotKeyOf(this.#id), ...fields]];
   }
 

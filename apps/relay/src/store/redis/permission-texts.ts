@@ -1,6 +1,6 @@
 /** The keys and the blocked scripts of a robot, as JSON in its hash. */
 import { z } from "zod";
-import { keyKinds } from "../../commands/permissions.ts";
+import { keyKinds } from "../../commands/steps.ts";
 
 export const keysText = z
   .string()

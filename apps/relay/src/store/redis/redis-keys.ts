@@ -43,3 +43,13 @@ export function keysOf(id: string): string {
 export function commitKeys(id: string): string[] {
   return [robotKeyOf(id), openOf(id), keysOf(id), endedOf(id), USES, BIRTHS, channelOf(id)];
 }
+
+/** Field with the time at which a key was created. */
+export function madeAt(hash: string): string {
+  return `made:${hash}`;
+}
+
+/** Field with the time at which a key was last used. */
+export function usedAt(hash: string): string {
+  return `used:${hash}`;
+}

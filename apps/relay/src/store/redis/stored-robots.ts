@@ -2,7 +2,7 @@
 import { z } from "zod";
 import { asked, timeOf, type Redis } from "./connection.ts";
 import type { KeyTimes, StoredRobot } from "../port.ts";
-import { RELAYS, robotKeyOf, USES } from "./redis-keys.ts";
+import { madeAt, RELAYS, robotKeyOf, usedAt, USES } from "./redis-keys.ts";
 import type { Script } from "./script.ts";
 import { blockedText, keysText } from "./permission-texts.ts";
 import { counted } from "./words.ts";
@@ -25,16 +25,6 @@ const holderText = z
   .string()
   .transform((given): unknown => JSON.parse(given))
   .pipe(z.object({ relay: z.string() }));
-
-/** Field with the time at which a key was created. */
-export function madeAt(hash: string): string {
-  return `made:${hash}`;
-}
-
-/** Field with the time at which a key was last used. */
-export function usedAt(hash: string): string {
-  return `used:${hash}`;
-}
 
 export async function robotIn(read: Script, id: string): Promise<StoredRobot | null> {
   const fields = ["version", "epoch", "createdAt", "keys", "blocked", "paused", "name"];

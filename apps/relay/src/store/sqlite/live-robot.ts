@@ -10,9 +10,13 @@ import type { CommandRecord } from "@corridor/protocol";
 import { recordOfRow, STOP, type CommandRow } from "../../commands/command-row.ts";
 import { KeyIndex } from "../../commands/key-index.ts";
 import { RobotCommands, type AccessState } from "../../commands/robot-commands.ts";
-import { newestOvertaking } from "../../commands/state-machine.ts";
+import { newestOvertaking } from "../../commands/page-transitions.ts";
+import type { KeysChange, RobotState } from "../../commands/robot-state.ts";
+import type { Permissions, StoredScript } from "../../commands/steps.ts";
 import { rowsIn } from "./command-entry.ts";
 import type { Statements } from "./file/statements.ts";
+import { blockedScriptsIn, setBlockedScripts } from "./sqlite-blocked-scripts.ts";
+import { addKeys, keysIn, removeKeys } from "./sqlite-keys.ts";
 
 const BY_KEY = "SELECT entry FROM commands WHERE robot = ? AND driver = ? AND key = ?";
 const BY_SEQ = "SELECT entry FROM commands WHERE robot = ? AND seq = ?";
@@ -34,8 +38,10 @@ export interface LiveRobotParts {
   keep: (row: CommandRow, deletedTo: number) => number;
 }
 
-export class LiveRobot {
+export class LiveRobot implements RobotState {
   readonly commands: RobotCommands;
+  /** One relay owns the database. */
+  readonly isHeldElsewhere = false;
   readonly #id: string;
   readonly #statements: Statements;
   /** newest entry of each command whose current row is not in the tables, by seq */
@@ -82,13 +88,45 @@ export class LiveRobot {
   }
 
   /** The highest seq of a stop or a replacing command after `after`; null if there is none. */
-  newestOvertaking(what: "stop" | "replace", after: number): number | null {
+  newest(what: "stop" | "replace", after: number): number | null {
     const condition = what === "stop" ? `command = '${STOP}'` : "replaces = 1";
     const sql = `SELECT max(seq) AS found FROM commands WHERE robot = ? AND seq > ? AND ${condition}`;
     const from = Math.max(after, this.commands.deletedUpTo);
     const inTables = this.#statements.number(sql, [this.#id, from]);
     const inMemory = newestOvertaking(this.commands.rows(), what, after);
     return inMemory === null ? inTables : Math.max(inTables ?? inMemory, inMemory);
+  }
+
+  get permissions(): Permissions {
+    return {
+      keys: keysIn(this.#statements, this.#id),
+      blocked: blockedScriptsIn(this.#statements, this.#id),
+    };
+  }
+
+  setKeys({ added, revoked, now }: KeysChange): void {
+    removeKeys(this.#statements, this.#id, revoked);
+    addKeys(this.#statements, this.#id, added, now);
+  }
+
+  setBlocked(blocked: readonly StoredScript[]): void {
+    setBlockedScripts(this.#statements, this.#id, blocked);
+  }
+
+  setPage(name: string): void {
+    this.#statements.run("UPDATE sessions SET page = ? WHERE id = ?", [name, this.#id]);
+  }
+
+  /** Stores what a step has changed. @param before the state before the step */
+  storeAccessState(before: Pick<AccessState, "epoch" | "lastSeq" | "isPaused">): void {
+    const { epoch, lastSeq, isPaused } = this.commands.accessState;
+    // The journal contains the seqs of new commands.
+    const seq = lastSeq === before.lastSeq ? 0 : lastSeq;
+    if (seq === 0 && epoch === before.epoch && isPaused === before.isPaused) return;
+    this.#statements.run(
+      "UPDATE sessions SET epoch = ?, paused = ?, last_seq = max(last_seq, ?) WHERE id = ?",
+      [epoch, isPaused ? 1 : 0, seq, this.#id],
+    );
   }
 
   /** Whether the tables hold every row and no command is open. */

@@ -1,6 +1,7 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { expect, it, onTestFinished } from "vitest";
+import { expireStep } from "../../commands/state-machine.ts";
 import { testFolder } from "../../testing/test-relay.ts";
 import { SqliteDocumentStore } from "./sqlite-document-store.ts";
 import { SqliteFile } from "./file/sqlite-file.ts";
@@ -45,7 +46,7 @@ it("migrates a file from before short links and deadlines to this schema, with i
   const robots = new SqliteRobotStore(file);
   expect(await documents.read("AAAAAAAAAAAA", 1, 1)).toBeNull();
   expect(await robots.find(id)).toMatchObject({ id });
-  expect(await robots.expire(id, 5_000)).toEqual({ ended: [], next: 15_000 });
+  expect(await robots.commit(id, expireStep(5_000))).toEqual({ ended: [], next: 15_000 });
 });
 
 it("opens a link from before short codes, and assigns a short code to the same text", async () => {

@@ -2,6 +2,16 @@ import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { DatabaseSync } from "node:sqlite";
 import { expect, it, onTestFinished, vi } from "vitest";
+import { abandonStep, acquireStep } from "../../commands/page-transitions.ts";
+import {
+  addStep,
+  cancelStep,
+  deliverStep,
+  endStep,
+  expireStep,
+  pauseStep,
+  startStep,
+} from "../../commands/state-machine.ts";
 import { completed } from "../../platform/testing/messages.ts";
 import { testFolder } from "../../testing/test-relay.ts";
 import { SqliteFile } from "./file/sqlite-file.ts";
@@ -47,20 +57,20 @@ it("finds the commands of a robot by index, for any number of ended ones", async
   await store.create({ id, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
   const terms = { ttl: 9, deadline: 10, replace: false, lease: null, maxWaiting: 64, keep: 100 };
   const command = { driver: "d", script: null, key: "a-key-0001", acceptedAt: 1, ...terms };
-  await store.add(id, { ...command, command: { action: "left 90" } });
-  await store.add(id, { ...command, key: null, command: { action: "stop" } });
-  await store.cancel(id, 1, "d");
-  await store.acquire(id, pageState({ lastApplied: 0, fresh: true, endings: [] }));
-  await store.deliver(id, 1, 8, 2);
-  await store.start(id, 1, 2);
-  await store.end(id, 1, completed(2));
-  await store.abandon(id, 1);
-  await store.expire(id, 2);
+  await store.commit(id, addStep({ ...command, command: { action: "left 90" } }));
+  await store.commit(id, addStep({ ...command, key: null, command: { action: "stop" } }));
+  await store.commit(id, cancelStep(1, "d"));
+  await store.commit(id, acquireStep(pageState({ lastApplied: 0, fresh: true, endings: [] })));
+  await store.commit(id, deliverStep(1, 8, 2));
+  await store.commit(id, startStep(1, 2));
+  await store.commit(id, endStep(1, completed(2)));
+  await store.commit(id, abandonStep(1));
+  await store.commit(id, expireStep(2));
   // Ends a command that is in no table yet, then deletes it and the ones in the tables.
-  await store.add(id, { ...command, key: null, command: { action: "left 90" } });
-  await store.add(id, { ...command, key: null, keep: 1, command: { action: "stop" } });
-  await store.add(id, { ...command, key: "a-key-0002", command: { action: "stop" } });
-  await store.acquire(id, pageState({ lastApplied: 2, fresh: true, endings: [] }));
+  await store.commit(id, addStep({ ...command, key: null, command: { action: "left 90" } }));
+  await store.commit(id, addStep({ ...command, key: null, keep: 1, command: { action: "stop" } }));
+  await store.commit(id, addStep({ ...command, key: "a-key-0002", command: { action: "stop" } }));
+  await store.commit(id, acquireStep(pageState({ lastApplied: 2, fresh: true, endings: [] })));
   await store.command(id, 1);
   await store.commandsAfter(id, 0, 10);
 
@@ -86,12 +96,12 @@ it("reads no ended commands when it searches for open ones", async () => {
   const store = new SqliteRobotStore(file, 0);
   const id = "AAAAAAAAAAAAAAAAAAAAAA";
   await store.create({ id, createdAt: 1, keys: [{ kind: "drive", hash: sent.driver }] });
-  await store.acquire(id, pageState({ lastApplied: 0, fresh: true, endings: [] }));
-  for (let n = 1; n <= 5; n++) await store.add(id, sent);
-  await store.deliver(id, 1, 8, NOW);
-  for (const seq of [1, 2, 3]) await store.end(id, 1, completed(seq));
+  await store.commit(id, acquireStep(pageState({ lastApplied: 0, fresh: true, endings: [] })));
+  for (let n = 1; n <= 5; n++) await store.commit(id, addStep(sent));
+  await store.commit(id, deliverStep(1, 8, NOW));
+  for (const seq of [1, 2, 3]) await store.commit(id, endStep(1, completed(seq)));
   // After the next write, the tables hold all earlier ones.
-  await store.pause(id, false);
+  await store.commit(id, pauseStep(false));
   await store.close();
   const db = new DatabaseSync(file);
   onTestFinished(() => db.close());

@@ -6,32 +6,17 @@
  * journal (`LiveRobots`). All other steps read rows of one robot by index. Only the deletion of
  * expired robots, once a minute, reads all robots, but not their commands.
  */
-import type { CommandRecord, Ending, RecallCause } from "@corridor/protocol";
+import type { CommandRecord } from "@corridor/protocol";
 import { z } from "zod";
 import { recordOfRow } from "../../commands/command-row.ts";
-import { changeBlocked, changeKeys } from "../../commands/permissions.ts";
-import * as machine from "../../commands/state-machine.ts";
+import type { RobotCommands } from "../../commands/robot-commands.ts";
+import type { RobotStep } from "../../commands/robot-state.ts";
 import type { LiveRobot } from "./live-robot.ts";
 import { LiveRobots, LONG } from "./live-robots.ts";
-import {
-  type AddResult,
-  type BlockResult,
-  type CancelResult,
-  type EndResult,
-  type KeyChange,
-  type KeysResult,
-  type KeyTimes,
-  type KeyUse,
-  type NewCommand,
-  type PageState,
-  type ScriptChange,
-  type RobotStore,
-  type StoredRobot,
-  type TermedRecord,
-} from "../port.ts";
-import { blockedScriptsIn, setBlockedScripts } from "./sqlite-blocked-scripts.ts";
+import type { KeyTimes, KeyUse, RobotStore, StoredRobot } from "../port.ts";
+import { blockedScriptsIn } from "./sqlite-blocked-scripts.ts";
 import { SqliteFile } from "./file/sqlite-file.ts";
-import { addKeys, keysIn, keyTimesIn, noteKeyUses, removeKeys } from "./sqlite-keys.ts";
+import { addKeys, keysIn, keyTimesIn, noteKeyUses } from "./sqlite-keys.ts";
 import type { Statements } from "./file/statements.ts";
 
 const robotRow = z.object({
@@ -43,6 +28,11 @@ const robotRow = z.object({
   last_used_at: z.int(),
   paused: z.int(),
 });
+
+/** Reads may use all of a robot in memory. */
+interface Applied<T> {
+  apply(robot: LiveRobot): T;
+}
 
 export class SqliteRobotStore implements RobotStore {
   readonly #file: SqliteFile;
@@ -92,45 +82,16 @@ export class SqliteRobotStore implements RobotStore {
     };
   }
 
-  async changeKeys(id: string, change: KeyChange): Promise<KeysResult> {
-    const work = (): KeysResult =>
-      this.#of<KeysResult>(id, { outcome: "no-robot" }, ({ commands }) => {
-        const before = {
-          keys: keysIn(this.#writing, id),
-          blocked: blockedScriptsIn(this.#writing, id),
-        };
-        const changed = changeKeys(commands, before, change);
-        if (changed === null) return { outcome: "full" };
-        const { keys, blocked, revoked, ended } = changed;
-        removeKeys(this.#writing, id, revoked);
-        addKeys(this.#writing, id, change.add, change.now);
-        if (blocked.length < before.blocked.length) setBlockedScripts(this.#writing, id, blocked);
-        return { outcome: "changed", keys, ended };
-      });
-    // Keys can be revoked on a full disk.
-    return change.add.length === 0 ? this.#file.step(work) : this.#file.growingStep(work);
+  commit<T>(id: string, step: RobotStep<T>): Promise<T> {
+    const kind = step.changesRobot === true ? "rows" : "memory";
+    const work = (): T => this.#of(id, step);
+    return step.needsSpace === true
+      ? this.#file.growingStep(work, kind)
+      : this.#file.step(work, kind);
   }
 
-  async changeBlocked(id: string, change: ScriptChange): Promise<BlockResult> {
-    // Scripts can be blocked on a full disk: their number is limited.
-    return this.#file.step(() =>
-      this.#of<BlockResult>(id, { outcome: "no-robot" }, ({ commands }) => {
-        const changed = changeBlocked(commands, blockedScriptsIn(this.#writing, id), change);
-        if (changed === null) return { outcome: "full" };
-        setBlockedScripts(this.#writing, id, changed.blocked);
-        return { outcome: "changed", ...changed, blocked: blockedScriptsIn(this.#writing, id) };
-      }),
-    );
-  }
-
-  async pause(id: string, isPaused: boolean): Promise<TermedRecord[] | null> {
-    const sql = "UPDATE sessions SET paused = ? WHERE id = ?";
-    return this.#file.step(() =>
-      this.#of<TermedRecord[] | null>(id, null, ({ commands }) => {
-        this.#writing.run(sql, [isPaused ? 1 : 0, id]);
-        return machine.pause(commands, isPaused);
-      }),
-    );
+  current(id: string): Pick<RobotCommands, "hasAll"> | null {
+    return this.#file.isPrompt ? (this.#live.peek(id)?.commands ?? null) : null;
   }
 
   async storeMaze(id: string, text: string): Promise<boolean> {
@@ -186,102 +147,22 @@ export class SqliteRobotStore implements RobotStore {
     return gone;
   }
 
-  add(id: string, command: NewCommand): Promise<AddResult> {
-    const work = (): AddResult =>
-      this.#of<AddResult>(id, { outcome: "no-robot" }, (robot) =>
-        machine.add(robot.commands, command, (driver, key) => robot.withKey(driver, key)),
-      );
-    // Robots can be stopped on a full disk.
-    return command.command.action === "stop"
-      ? this.#file.step(work, "memory")
-      : this.#file.growingStep(work, "memory");
-  }
-
-  deliver(id: string, epoch: number, window: number, now: number): Promise<TermedRecord[]> {
-    return this.#decide<TermedRecord[]>(id, [], ({ commands }) =>
-      machine.deliver(commands, { epoch, window, now }),
-    );
-  }
-
-  hasAll(id: string, window: number): boolean {
-    return this.#file.isPrompt && this.#live.peek(id)?.commands.hasAll(window) === true;
-  }
-
-  expire(
-    id: string,
-    now: number,
-    isAbsent?: boolean,
-  ): Promise<{ ended: TermedRecord[]; next: number | null }> {
-    return this.#decide(id, { ended: [], next: null }, ({ commands }) =>
-      machine.expire(commands, now, isAbsent),
-    );
-  }
-
-  cancel(id: string, seq: number, driver: string) {
-    return this.#decide<CancelResult>(id, { outcome: "no-command" }, (robot) =>
-      machine.cancel(robot.commands, robot.row(seq), driver),
-    );
-  }
-
-  start(id: string, epoch: number, seq: number): Promise<CommandRecord | null> {
-    return this.#decide(id, null, ({ commands }) => machine.start(commands, epoch, seq));
-  }
-
-  end(id: string, epoch: number, ending: Ending): Promise<EndResult> {
-    return this.#decide<EndResult>(id, { outcome: "over", record: null }, (robot) =>
-      machine.end(robot.commands, epoch, ending, (seq) => robot.row(seq)),
-    );
-  }
-
-  async abandon(id: string, epoch: number): Promise<CommandRecord[]> {
-    return this.#file.step(() =>
-      this.#of<CommandRecord[]>(id, [], ({ commands }) => {
-        const ended = machine.abandon(commands, epoch);
-        const { epoch: now } = commands.accessState;
-        if (now > epoch) this.#writing.run("UPDATE sessions SET epoch = ? WHERE id = ?", [now, id]);
-        return ended;
-      }),
-    );
-  }
-
-  async acquire(id: string, page: PageState) {
-    return this.#file.step(() =>
-      this.#of<Awaited<ReturnType<RobotStore["acquire"]>>>(id, null, (robot) => {
-        const taken = machine.acquire(robot.commands, page, {
-          row: (seq) => robot.row(seq),
-          newest: (what, after) => robot.newestOvertaking(what, after),
-        });
-        this.#writing.run(
-          "UPDATE sessions SET epoch = ?, page = ?, last_seq = max(last_seq, ?) WHERE id = ?",
-          [taken.epoch, page.page ?? "", page.lastApplied, id],
-        );
-        return taken;
-      }),
-    );
-  }
-
   // Memory may be ahead of the disk. Reads of commands are steps too, so that they return only
   // stored changes.
 
   command(id: string, seq: number): Promise<CommandRecord | null> {
-    return this.#decide(id, null, (robot) => {
+    return this.#read(id, null, (robot) => {
       const row = robot.row(seq);
       return row && recordOfRow(row);
     });
   }
 
   commandsAfter(id: string, seq: number, limit: number): Promise<CommandRecord[]> {
-    return this.#decide<CommandRecord[]>(id, [], (robot) => robot.recordsAfter(seq, limit));
+    return this.#read<CommandRecord[]>(id, [], (robot) => robot.recordsAfter(seq, limit));
   }
 
   openCommands(id: string): Promise<CommandRecord[]> {
-    return this.#decide(id, [], ({ commands }) => [...commands.open].map(recordOfRow));
-  }
-
-  recalled(id: string): Promise<{ seq: number; cause: RecallCause }[]> {
-    return this.#decide<{ seq: number; cause: RecallCause }[]>(id, [], ({ commands }) =>
-      machine.recalled(commands.open),
-    );
+    return this.#read(id, [], ({ commands }) => [...commands.open].map(recordOfRow));
   }
 
   async check(): Promise<"ok" | "full"> {
@@ -296,16 +177,18 @@ export class SqliteRobotStore implements RobotStore {
     return this.#file.writing;
   }
 
-  /** Runs a step that changes no rows. */
-  #decide<T>(id: string, none: T, work: (robot: LiveRobot) => T): Promise<T> {
-    return this.#file.step(() => this.#of(id, none, work), "memory");
+  /** Reads commands. @param none result if there is no such robot */
+  #read<T>(id: string, none: T, apply: (robot: LiveRobot) => T): Promise<T> {
+    return this.#file.step(() => this.#of(id, { none, apply }), "memory");
   }
 
-  /** Runs the work of a step on a robot. @param none result if there is no such robot */
-  #of<T>(id: string, none: T, work: (robot: LiveRobot) => T): T {
+  /** Applies a step to a robot. */
+  #of<T>(id: string, step: Pick<RobotStep<T>, "none" | "changesRobot"> & Applied<T>): T {
     const robot = this.#live.open(id);
-    if (robot === null) return none;
-    const result = work(robot);
+    if (robot === null) return step.none;
+    const before = step.changesRobot === true ? { ...robot.commands.accessState } : null;
+    const result = step.apply(robot);
+    if (before !== null) robot.storeAccessState(before);
     this.#live.done(id, robot);
     return result;
   }

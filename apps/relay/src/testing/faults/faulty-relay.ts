@@ -158,7 +158,7 @@ function withVirtualTime(
       const part: unknown = Reflect.get(target, name);
       if (typeof part !== "function") return part;
       // Synchronous, so it needs no waiting.
-      if (name === "hasAll") return part.bind(target) as unknown;
+      if (name === "current") return part.bind(target) as unknown;
       return (...values: unknown[]) =>
         time.during(async () => {
           if (!isAlive()) throw new Error("the relay is dead");

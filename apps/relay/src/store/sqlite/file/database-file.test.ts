@@ -11,6 +11,7 @@ import {
 } from "node:fs";
 import { join } from "node:path";
 import { describe, expect, it, onTestFinished, vi } from "vitest";
+import { addStep, deliverStep, endStep } from "../../../commands/state-machine.ts";
 import { completed } from "../../../platform/testing/messages.ts";
 import { testFolder } from "../../../testing/test-relay.ts";
 import { LONG } from "../live-robots.ts";
@@ -38,9 +39,9 @@ async function driven(store: SqliteRobotStore): Promise<void> {
   const [robot = ""] = ROBOTS;
   const pose = { x: 50, y: 50, heading: 90 };
   for (let seq = 1; seq <= 20; seq++) {
-    await store.add(robot, sentCommand());
-    await store.deliver(robot, 1, 8, 5_000);
-    await store.end(robot, 1, { ...completed(seq), pose });
+    await store.commit(robot, addStep(sentCommand()));
+    await store.commit(robot, deliverStep(1, 8, 5_000));
+    await store.commit(robot, endStep(1, { ...completed(seq), pose }));
   }
 }
 

@@ -3,6 +3,7 @@ import { join } from "node:path";
 import { DatabaseSync } from "node:sqlite";
 import { setImmediate as turn } from "node:timers/promises";
 import { describe, expect, it, onTestFinished, vi } from "vitest";
+import { addStep, cancelStep, deliverStep, endStep } from "../../../commands/state-machine.ts";
 import { completed } from "../../../platform/testing/messages.ts";
 import { testFolder } from "../../../testing/test-relay.ts";
 import { LiveRobots } from "../live-robots.ts";
@@ -23,16 +24,17 @@ describe("the journal", () => {
         store = new SqliteRobotStore(`${file}-${restarts}`, 0);
       };
       await withRobots(store);
-      const add = (key: string) => store.add(id, { ...sent, driver: "d", keep: 2, key });
+      const add = (key: string) =>
+        store.commit(id, addStep({ ...sent, driver: "d", keep: 2, key }));
       const seqs = async () => (await store.commandsAfter(id, 0, 10)).map(({ seq }) => seq);
       await add("key-0001");
       for (let seq = 2; seq <= 5; seq++) {
         await add(`key-000${seq}`);
-        await store.cancel(id, seq, "d");
+        await store.commit(id, cancelStep(seq, "d"));
       }
       await maybeRestart();
       expect(await seqs()).toEqual([1, 4, 5]);
-      await store.cancel(id, 1, "d");
+      await store.commit(id, cancelStep(1, "d"));
       expect(await store.command(id, 1)).toMatchObject({ state: "cancelled" });
       expect(await add("key-0001")).toMatchObject({ outcome: "duplicate" });
       await maybeRestart();
@@ -41,7 +43,7 @@ describe("the journal", () => {
       expect(await seqs()).toEqual([5, 6]);
       // From now on, another command has this key.
       expect(await add("key-0001")).toMatchObject({ outcome: "stored", record: { seq: 7 } });
-      await store.cancel(id, 7, "d");
+      await store.commit(id, cancelStep(7, "d"));
       await maybeRestart();
       expect(await add("key-0001")).toMatchObject({ outcome: "duplicate", record: { seq: 7 } });
       await store.close();
@@ -57,19 +59,22 @@ describe("the journal", () => {
     const [id = ""] = ROBOTS;
     for (let n = 1; n <= 40; n++) {
       const command = { ...sent, driver: "d", keep: 1, key: "key-0001" };
-      expect(await store.add(id, command)).toMatchObject({ outcome: "stored", record: { seq: n } });
+      expect(await store.commit(id, addStep(command))).toMatchObject({
+        outcome: "stored",
+        record: { seq: n },
+      });
       if (n % 3 === 0) {
         // Long enough for a checkpoint.
         vi.advanceTimersByTime(15);
         await turn();
       }
-      await store.deliver(id, 1, 8, NOW);
-      await store.end(id, 1, completed(n));
-      expect(await store.add(id, command)).toMatchObject({ outcome: "duplicate" });
+      await store.commit(id, deliverStep(1, 8, NOW));
+      await store.commit(id, endStep(1, completed(n)));
+      expect(await store.commit(id, addStep(command))).toMatchObject({ outcome: "duplicate" });
       // Deletes the previous command, because it retains only itself.
-      await store.add(id, { ...command, key: null, command: { action: "stop" } });
-      await store.deliver(id, 1, 8, NOW);
-      await store.end(id, 1, completed(++n));
+      await store.commit(id, addStep({ ...command, key: null, command: { action: "stop" } }));
+      await store.commit(id, deliverStep(1, 8, NOW));
+      await store.commit(id, endStep(1, completed(++n)));
     }
     const db = new DatabaseSync(file, { readOnly: true });
     onTestFinished(() => db.close());
@@ -84,8 +89,9 @@ describe("the journal", () => {
     const before = new SqliteRobotStore(file);
     await withRobots(before);
     const [id = ""] = ROBOTS;
-    for (let n = 1; n <= 3; n++) await before.add(id, { ...sent, driver: "d", key: `key-000${n}` });
-    await before.cancel(id, 2, "d");
+    for (let n = 1; n <= 3; n++)
+      await before.commit(id, addStep({ ...sent, driver: "d", key: `key-000${n}` }));
+    await before.commit(id, cancelStep(2, "d"));
     const records = await before.commandsAfter(id, 0, 10);
     await before.close();
     const db = new DatabaseSync(file);
@@ -97,7 +103,7 @@ describe("the journal", () => {
     const after = new SqliteRobotStore(file, 0);
     onTestFinished(() => after.close());
     expect(await after.commandsAfter(id, 0, 10)).toEqual(records);
-    await after.add(id, { ...sent, driver: "d", keep: 1 });
+    await after.commit(id, addStep({ ...sent, driver: "d", keep: 1 }));
     const tables = new DatabaseSync(file, { readOnly: true });
     onTestFinished(() => tables.close());
     const entries = () => tables.prepare("SELECT count(*) AS n FROM journal").get()?.["n"];
@@ -111,7 +117,7 @@ describe("the journal", () => {
     const store = new SqliteRobotStore(file);
     await withRobots(store);
     const [id = ""] = ROBOTS;
-    for (let n = 1; n <= 3; n++) await store.add(id, { ...sent, driver: "d" });
+    for (let n = 1; n <= 3; n++) await store.commit(id, addStep({ ...sent, driver: "d" }));
     await store.close();
     const db = openDatabase(file);
     onTestFinished(() => db.close());
@@ -127,7 +133,7 @@ describe("the journal", () => {
     const [id = ""] = ROBOTS;
     const before = new SqliteRobotStore(file);
     await withRobots(before);
-    await before.add(id, { ...sent, driver: "d" });
+    await before.commit(id, addStep({ ...sent, driver: "d" }));
     await before.close();
     const db = new DatabaseSync(file);
     onTestFinished(() => db.close());

@@ -5,6 +5,7 @@ import { DatabaseSync } from "node:sqlite";
 import { setImmediate as turn } from "node:timers/promises";
 import fc from "fast-check";
 import { describe, expect, it, onTestFinished, vi } from "vitest";
+import { addStep, deliverStep, endStep, startStep } from "../../../commands/state-machine.ts";
 import { completed } from "../../../platform/testing/messages.ts";
 import { testFolder } from "../../../testing/test-relay.ts";
 import type { RobotStore } from "../../port.ts";
@@ -99,7 +100,7 @@ describe("the journal", () => {
     const file = join(testFolder(), "corridor.sqlite");
     const before = new SqliteRobotStore(file);
     await withRobots(before);
-    for (const id of ROBOTS) await before.add(id, { ...sent, driver: "d" });
+    for (const id of ROBOTS) await before.commit(id, addStep({ ...sent, driver: "d" }));
     await before.close();
     const [bad = "", good = ""] = ROBOTS;
     const db = new DatabaseSync(file);
@@ -107,11 +108,15 @@ describe("the journal", () => {
     db.close();
     const store = new SqliteRobotStore(file);
     onTestFinished(() => store.close());
-    await expect(store.add(bad, { ...sent, driver: "d" })).rejects.toThrow(/JSON/);
-    expect(await store.add(good, { ...sent, driver: "d" })).toMatchObject({ record: { seq: 2 } });
+    await expect(store.commit(bad, addStep({ ...sent, driver: "d" }))).rejects.toThrow(/JSON/);
+    expect(await store.commit(good, addStep({ ...sent, driver: "d" }))).toMatchObject({
+      record: { seq: 2 },
+    });
     expect(await store.remove(bad)).toBe(true);
     await failing(store, good);
-    expect(await store.add(bad, { ...sent, driver: "d" })).toEqual({ outcome: "no-robot" });
+    expect(await store.commit(bad, addStep({ ...sent, driver: "d" }))).toEqual({
+      outcome: "no-robot",
+    });
     expect((await store.openCommands(good)).length).toBe(2);
   });
 
@@ -120,7 +125,7 @@ describe("the journal", () => {
     const before = new SqliteRobotStore(file);
     await withRobots(before);
     const [bad = "", good = ""] = ROBOTS;
-    for (let n = 0; n < 5; n++) await before.add(bad, { ...sent, driver: "d" });
+    for (let n = 0; n < 5; n++) await before.commit(bad, addStep({ ...sent, driver: "d" }));
     await before.close();
     const db = new DatabaseSync(file);
     onTestFinished(() => db.close());
@@ -131,9 +136,9 @@ describe("the journal", () => {
     db.exec(`UPDATE journal SET entry = '[]' WHERE id = ${newest}`);
     const store = new SqliteRobotStore(file, 2);
     for (let n = 1; n <= 20; n++) {
-      await store.add(good, { ...sent, driver: "d" });
-      await store.deliver(good, 1, 8, NOW);
-      await store.end(good, 1, completed(n));
+      await store.commit(good, addStep({ ...sent, driver: "d" }));
+      await store.commit(good, deliverStep(1, 8, NOW));
+      await store.commit(good, endStep(1, completed(n)));
     }
     await store.close();
     expect(db.prepare("SELECT count(*) AS n FROM commands").get()?.["n"]).toBeGreaterThan(0);
@@ -142,7 +147,9 @@ describe("the journal", () => {
     const after = new SqliteRobotStore(file, 2);
     onTestFinished(() => after.close());
     expect((await after.commandsAfter(bad, 0, 10)).map(({ seq }) => seq)).toEqual([1, 2, 3, 4, 5]);
-    expect(await after.add(bad, { ...sent, driver: "d" })).toMatchObject({ record: { seq: 6 } });
+    expect(await after.commit(bad, addStep({ ...sent, driver: "d" }))).toMatchObject({
+      record: { seq: 6 },
+    });
   });
 
   it("contains nothing of a deleted robot of any size, even if the deletion was interrupted", async () => {
@@ -153,7 +160,10 @@ describe("the journal", () => {
     const fill = async (store: RobotStore, id: string): Promise<void> => {
       for (let n = 0; n < 1_300; n++) {
         const key = `traces-of-${id}-${n}`;
-        await store.add(id, { ...sent, driver: "d", key, keep: 10_000, maxWaiting: 10_000 });
+        await store.commit(
+          id,
+          addStep({ ...sent, driver: "d", key, keep: 10_000, maxWaiting: 10_000 }),
+        );
       }
     };
     const [first = "", second = "", third = ""] = ROBOTS;
@@ -173,7 +183,9 @@ describe("the journal", () => {
     const after = new SqliteRobotStore(file);
     onTestFinished(() => after.close());
     await expect.poll(() => holds(`traces-of-${second}`)).toBe(false);
-    expect(await after.add(third, { ...sent, driver: "d" })).toMatchObject({ outcome: "stored" });
+    expect(await after.commit(third, addStep({ ...sent, driver: "d" }))).toMatchObject({
+      outcome: "stored",
+    });
   });
 
   it("is compacted in small parts: no step writes much, at any length of the journal", async () => {
@@ -187,12 +199,15 @@ describe("the journal", () => {
     for (let n = 1; n <= 1_200; n++) {
       const id = ROBOTS[n % 2] ?? "";
       const before = size();
-      const { record } = (await store.add(id, { ...sent, driver: "d", keep: 10_000 })) as {
+      const { record } = (await store.commit(
+        id,
+        addStep({ ...sent, driver: "d", keep: 10_000 }),
+      )) as {
         record: { seq: number };
       };
-      await store.deliver(id, 1, 8, NOW);
-      await store.start(id, 1, record.seq);
-      await store.end(id, 1, completed(record.seq));
+      await store.commit(id, deliverStep(1, 8, NOW));
+      await store.commit(id, startStep(1, record.seq));
+      await store.commit(id, endStep(1, completed(record.seq)));
       most = Math.max(most, size() - before);
     }
     expect(most).toBeGreaterThan(0);
@@ -207,9 +222,9 @@ describe("the journal", () => {
     const [id = ""] = ROBOTS;
     for (let n = 1; n <= 600; n++) {
       await Promise.all([
-        store.add(id, { ...sent, driver: "d", keep: 10_000 }),
-        store.deliver(id, 1, 8, NOW),
-        store.end(id, 1, completed(n)),
+        store.commit(id, addStep({ ...sent, driver: "d", keep: 10_000 })),
+        store.commit(id, deliverStep(1, 8, NOW)),
+        store.commit(id, endStep(1, completed(n))),
       ]);
     }
     const db = new DatabaseSync(file, { readOnly: true });
@@ -234,9 +249,9 @@ describe("the journal", () => {
     for (let n = 1; n <= 100; n++) {
       await Promise.all(
         ROBOTS.flatMap((id) => [
-          store.add(id, { ...sent, driver: "d" }),
-          store.deliver(id, 1, 8, NOW),
-          store.end(id, 1, completed(n)),
+          store.commit(id, addStep({ ...sent, driver: "d" })),
+          store.commit(id, deliverStep(1, 8, NOW)),
+          store.commit(id, endStep(1, completed(n))),
         ]),
       );
       longest = Math.max(longest, entries());
@@ -245,7 +260,7 @@ describe("the journal", () => {
     expect(longest).toBeLessThan(5 * 64);
     await expect.poll(() => entries()).toBeLessThanOrEqual(64);
     const [gone = ""] = ROBOTS;
-    await store.add(gone, { ...sent, driver: "d" });
+    await store.commit(gone, addStep({ ...sent, driver: "d" }));
     expect(entries(`WHERE robot = '${gone}'`)).toBeGreaterThan(0);
     await store.remove(gone);
     expect(entries(`WHERE robot = '${gone}'`)).toBe(0);

@@ -1,6 +1,8 @@
 import { join } from "node:path";
 import type { Command } from "@corridor/protocol";
 import { describe, expect, it, onTestFinished } from "vitest";
+import { acquireStep } from "../../../commands/page-transitions.ts";
+import { addStep, deliverStep, endStep, startStep } from "../../../commands/state-machine.ts";
 import { completed } from "../../../platform/testing/messages.ts";
 import { withPageLimit } from "../../../platform/testing/page-limit.ts";
 import { testFolder } from "../../../testing/test-relay.ts";
@@ -45,22 +47,25 @@ async function onFillingDisk() {
   onTestFinished(() => store.close());
   await store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
   const add = (command: Command, key: string | null = null) =>
-    store.add(ID, {
-      driver: "d",
-      script: null,
-      key,
-      command,
-      acceptedAt: 1,
-      ttl: 10_000,
-      deadline: 10_001,
-      replace: false,
-      lease: null,
-      maxWaiting: 10_000,
-      keep: 20_000,
-    });
-  await store.acquire(ID, pageState({ settled: 1 }));
+    store.commit(
+      ID,
+      addStep({
+        driver: "d",
+        script: null,
+        key,
+        command,
+        acceptedAt: 1,
+        ttl: 10_000,
+        deadline: 10_001,
+        replace: false,
+        lease: null,
+        maxWaiting: 10_000,
+        keep: 20_000,
+      }),
+    );
+  await store.commit(ID, acquireStep(pageState({ settled: 1 })));
   for (let n = 0; n < 50; n++) await add({ action: "left 90" });
-  await store.deliver(ID, 1, 50, 1);
+  await store.commit(ID, deliverStep(1, 50, 1));
   ballast.release = () => {
     const wasHeld = ballast.isHeld;
     ballast.isHeld = false;
@@ -97,17 +102,17 @@ describe("a full disk", () => {
     const path = join(testFolder(), "corridor.sqlite");
     const before = new SqliteRobotStore(path);
     await before.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: sent.driver }] });
-    await before.acquire(ID, pageState());
+    await before.commit(ID, acquireStep(pageState()));
     await before.close();
     let hasRoom = false;
     const ballast: Ballast = { hold: () => hasRoom, release: () => false };
     const store = new SqliteRobotStore(new SqliteFile(path, { ballast }));
     onTestFinished(() => store.close());
     hasRoom = true;
-    const first = store.add(ID, sent);
-    const due = store.deliver(ID, 1, 8, NOW);
-    const second = store.add(ID, sent);
-    expect(store.hasAll(ID, 0)).toBe(false);
+    const first = store.commit(ID, addStep(sent));
+    const due = store.commit(ID, deliverStep(1, 8, NOW));
+    const second = store.commit(ID, addStep(sent));
+    expect(store.current(ID)).toBeNull();
     expect(await first).toMatchObject({ outcome: "stored", record: { seq: 1 } });
     expect(await second).toMatchObject({ outcome: "stored", record: { seq: 2 } });
     expect((await due)[0]).toMatchObject({ record: { seq: 1, state: "delivered" } });
@@ -126,13 +131,13 @@ describe("a full disk", () => {
   it("still lets robots start and end commands, accept stops, pages connect, and owners delete", async () => {
     const { store, add } = await onFullDisk();
     for (let seq = 1; seq <= 50; seq++) {
-      expect(await store.start(ID, 1, seq)).toMatchObject({ seq, state: "started" });
+      expect(await store.commit(ID, startStep(1, seq))).toMatchObject({ seq, state: "started" });
       const ending = { ...completed(seq), reason: LONG_REASON };
-      expect(await store.end(ID, 1, ending)).toMatchObject({ outcome: "ended" });
+      expect(await store.commit(ID, endStep(1, ending))).toMatchObject({ outcome: "ended" });
     }
     expect(await add({ action: "stop" })).toMatchObject({ outcome: "stored" });
     const page = pageState({ lastApplied: 50, settled: 1 });
-    expect(await store.acquire(ID, page)).toMatchObject({ epoch: 2 });
+    expect(await store.commit(ID, acquireStep(page))).toMatchObject({ epoch: 2 });
     expect(await store.remove(ID)).toBe(true);
     expect(await store.find(ID)).toBeNull();
   });
@@ -140,7 +145,7 @@ describe("a full disk", () => {
   it("completes concurrent steps by releasing the ballast file, including a stop", async () => {
     const { store, add } = await onFillingDisk();
     const endings = Array.from({ length: 50 }, (_, index) =>
-      store.end(ID, 1, { ...completed(index + 1), reason: LONG_REASON }),
+      store.commit(ID, endStep(1, { ...completed(index + 1), reason: LONG_REASON })),
     );
     const stop = add({ action: "stop" });
     const outcomes = (await Promise.all(endings)).map(({ outcome }) => outcome);

@@ -2,6 +2,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { commandRecordSchema, hasEnded } from "@corridor/protocol";
 import { describe, expect, it, onTestFinished } from "vitest";
+import { addStep, deliverStep, recalledStep } from "../../../commands/state-machine.ts";
 import { testFolder } from "../../../testing/test-relay.ts";
 import { openDatabase } from "./sqlite-schema.ts";
 import { SqliteRobotStore } from "../sqlite-robot-store.ts";
@@ -68,10 +69,13 @@ describe("a file of an earlier Corridor", () => {
       duplicate: false,
     });
     expect((await store.openCommands(ID)).map(({ seq }) => seq)).toEqual([3, 4, 5]);
-    expect(await store.recalled(ID)).toEqual([{ seq: 4, cause: "sender" }]);
+    expect(await store.commit(ID, recalledStep())).toEqual([{ seq: 4, cause: "sender" }]);
     const again = { ...sent, key: "a-key-5", command: LEFT };
-    expect(await store.add(ID, again)).toMatchObject({ outcome: "duplicate", record: { seq: 5 } });
-    expect(await store.deliver(ID, 1, 8, 6_000)).toMatchObject([
+    expect(await store.commit(ID, addStep(again))).toMatchObject({
+      outcome: "duplicate",
+      record: { seq: 5 },
+    });
+    expect(await store.commit(ID, deliverStep(1, 8, 6_000))).toMatchObject([
       {
         record: { seq: 5 },
         driver: sent.driver,
@@ -81,7 +85,10 @@ describe("a file of an earlier Corridor", () => {
         lease: 500,
       },
     ]);
-    expect(await store.add(ID, sent)).toMatchObject({ outcome: "stored", record: { seq: 6 } });
+    expect(await store.commit(ID, addStep(sent))).toMatchObject({
+      outcome: "stored",
+      record: { seq: 6 },
+    });
   });
 
   it("deletes a robot completely, including earlier entries", async () => {

@@ -6,6 +6,8 @@ import { DatabaseSync } from "node:sqlite";
 import { setTimeout as wait } from "node:timers/promises";
 import { Worker } from "node:worker_threads";
 import { describe, expect, it, onTestFinished, vi } from "vitest";
+import { acquireStep } from "../../../commands/page-transitions.ts";
+import { addStep, deliverStep, endStep, pauseStep } from "../../../commands/state-machine.ts";
 import { completed } from "../../../platform/testing/messages.ts";
 import { testFolder } from "../../../testing/test-relay.ts";
 import type { Entry, Compaction } from "./journal.ts";
@@ -161,8 +163,8 @@ describe("a store whose journal has a thread", () => {
     const store = new SqliteRobotStore(new SqliteFile(path, { isThreaded: true }));
     onTestFinished(() => store.close());
     await store.create({ id: ID, createdAt: 1, keys: [{ kind: "drive", hash: sent.driver }] });
-    await store.acquire(ID, pageState());
-    const add = (key: string | null = null) => store.add(ID, { ...sent, key });
+    await store.commit(ID, acquireStep(pageState()));
+    const add = (key: string | null = null) => store.commit(ID, addStep({ ...sent, key }));
     /** A second connection, which can block writes. */
     const other = new DatabaseSync(path);
     onTestFinished(() => other.close());
@@ -183,15 +185,15 @@ describe("a store whose journal has a thread", () => {
     const dying = several("dying");
     await untilBusy(thread());
     // These steps see the results of the failed write, so they run again.
-    const behind = [add("behind-01"), store.deliver(ID, 1, 8, NOW), add("behind-02")];
-    const rows = store.pause(ID, true);
+    const behind = [add("behind-01"), store.commit(ID, deliverStep(1, 8, NOW)), add("behind-02")];
+    const rows = store.commit(ID, pauseStep(true));
     const gone = thread().terminate();
     other.exec("ROLLBACK");
     await gone;
     const fates = await Promise.allSettled(dying);
     await Promise.all([...behind, rows]);
     expect(await add("behind-01")).toMatchObject({ outcome: "duplicate" });
-    await store.pause(ID, false);
+    await store.commit(ID, pauseStep(false));
     for (const again of await Promise.all(several("dying")))
       expect(again).toMatchObject({ outcome: expect.stringMatching(/stored|dupl/) });
     const listed = await store.commandsAfter(ID, 0, 100);
@@ -208,9 +210,9 @@ describe("a store whose journal has a thread", () => {
     const { store, add } = await withStore();
     const asked = [
       ...[1, 2, 3].map((n) => add(`key-000${n}`)),
-      store.pause(ID, false),
-      store.deliver(ID, 1, 8, NOW),
-      store.end(ID, 1, completed(1)),
+      store.commit(ID, pauseStep(false)),
+      store.commit(ID, deliverStep(1, 8, NOW)),
+      store.commit(ID, endStep(1, completed(1))),
     ];
     const closed = store.close();
     await expect(add()).rejects.toThrow(/closed/);
