@@ -111,7 +111,7 @@ async function send(
       throw new ClientError(
         "timeout",
         "The service does not respond",
-        "Check that it runs, that the address is correct and that this computer is online.",
+        "Check the network and the address of the page.",
       );
     }
     await new Promise<void>((resolve) => clock.after(wait, resolve));
