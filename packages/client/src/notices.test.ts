@@ -98,7 +98,8 @@ it("a script that reads a closed page prints once that it waits", async () => {
   see(1, "gone");
   expect(platform.warnings).toEqual([
     "The robot's page is closed or not connected. Open the page again and choose Remote. " +
-      "If it says Off, press Connect. Waiting for the page.",
+      "If it says Off, press Connect. If you closed its tab, copy the new address into the script. " +
+      "Waiting for the page.",
   ]);
   see(2, "running");
   await reading;

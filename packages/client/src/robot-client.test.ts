@@ -422,7 +422,8 @@ describe("RobotClient", () => {
       code: "robot-gone",
       message:
         "The robot's page is closed or not connected (robot-gone). " +
-        "Open the page again and choose Remote. If it says Off, press Connect.",
+        "Open the page again and choose Remote. If it says Off, press Connect. " +
+        "If you closed its tab, copy the new address into the script.",
     });
     const back = robot.snapshot();
     platform.socket.receive({ type: "snapshot", snapshot: snapshotOf({ seq: 2 }) });

@@ -3,7 +3,8 @@ import { ClientError } from "./client-error.ts";
 import type { Clock } from "./platform.ts";
 
 const PAGE_CLOSED = "The robot's page is closed or not connected";
-const REOPEN = "Open the page again and choose Remote. If it says Off, press Connect.";
+const REOPEN =
+  "Open the page again and choose Remote. If it says Off, press Connect. If you closed its tab, copy the new address into the script.";
 
 interface Waiter {
   isNewer: (snapshot: Snapshot) => boolean;

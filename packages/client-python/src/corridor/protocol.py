@@ -65,7 +65,10 @@ _FAILED_ENDINGS = {
     "expired": "expired",
 }
 _GONE = "The robot's page is closed or not connected"
-_REOPEN = "Open the page again and choose Remote. If it says Off, press Connect"
+_REOPEN = (
+    "Open the page again and choose Remote. If it says Off, press Connect. "
+    "If you closed its tab, copy the new address into the script"
+)
 
 #: The page shows its first word as the script's language.
 USER_AGENT = "Python-corridor/0.1"
