@@ -115,7 +115,7 @@ import { HostLink } from "@corridor/client/host";
 import { WatchLink } from "@corridor/client/watch";
 export const links = [HostLink, WatchLink];
 // @ts-expect-error: a move needs a distance in cm
-await robot.move("far");
+await robot?.move("far");
 `,
   );
   const options = ["--noEmit", "--strict", "--target", "es2024", "--module", "nodenext"];
