@@ -1,4 +1,7 @@
-/** The robot in the page passes the installed conformance kit, as any robot host must. */
+/**
+ * The robot in the page passes the conformance kit, as any robot host must. The kit is the npm package
+ * that builders of robots install.
+ */
 import { encodeLink } from "@corridor/link";
 import { join } from "node:path";
 import { expect, test } from "./fixtures.ts";

@@ -1,19 +1,18 @@
-/** Serves the machine-readable API descriptions `/openapi.json` and `/asyncapi.json`. */
+/**
+ * Serves the machine-readable API descriptions `/openapi.json` and `/asyncapi.json`, which are
+ * built once at startup.
+ */
 import { Router } from "express";
 import { describeMessages } from "./asyncapi/document.ts";
 import { describeApi } from "./openapi/document.ts";
 import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 import { openToAllSites } from "../platform/http/security-headers.ts";
 
-// Built once, while the relay starts. Relays in one process, as in tests, share them.
-const descriptions = {
-  "/openapi.json": JSON.stringify(describeApi()),
-  "/asyncapi.json": JSON.stringify(describeMessages()),
-};
-
 export function descriptionRoutes(): Router {
   const router = Router();
-  for (const [path, text] of Object.entries(descriptions)) {
+  const descriptions = { "/openapi.json": describeApi(), "/asyncapi.json": describeMessages() };
+  for (const [path, description] of Object.entries(descriptions)) {
+    const text = JSON.stringify(description);
     router
       .route(path)
       .all(openToAllSites)

@@ -24,15 +24,13 @@ const FILES = {
   ),
 };
 
-// Rendered once, while the relay starts. Relays in one process, as in tests, share them.
-const pages = pagesOfSite().map((page) => ({ path: page.path, html: renderPage(page) }));
-
 export function docsRoutes(): Router {
   // Before the routes, because a nested router at the end delays every other request by a turn.
   const router = Router().use(listedFiles(FILES));
-  for (const { path, html } of pages) {
+  for (const page of pagesOfSite()) {
+    const html = renderPage(page);
     router
-      .route(path)
+      .route(page.path)
       .get((_request, response) => {
         // Swagger UI sanitises its markup with DOMPurify, which creates a trusted-types policy of
         // this name.

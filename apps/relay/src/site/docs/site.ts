@@ -41,7 +41,7 @@ function withContents(html: string): string {
   return html.replace("</h1>", `</h1>\n${contents}`);
 }
 
-/** Reads and renders all pages. */
+/** Reads and renders all pages. Called once, at startup. */
 export function pagesOfSite(): Page[] {
   const pages = entries.flatMap(({ path, label, title = label, file }): Page[] => {
     if (file === null) return [];
