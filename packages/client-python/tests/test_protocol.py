@@ -375,12 +375,12 @@ def test_a_host_that_does_not_respond_is_named_once(caplog: pytest.LogCaptureFix
 
 
 def test_a_wrong_id_is_named_with_what_to_check() -> None:
-    detail = "No robot has this id. Check it for typing errors, or copy the address again."
+    detail = "Check the id for typing errors, or copy the address again."
     harness = Harness(problem(404, "no-robot", detail))
     with pytest.raises(RobotGoneError) as error:
         harness.move()
     assert str(error.value) == (
-        "No robot has the id abc (no-robot). Check it for typing errors, or copy the address again."
+        "No robot has the id abc (no-robot). Check the id for typing errors, or copy the address again."
     )
 
 

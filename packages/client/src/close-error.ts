@@ -39,7 +39,7 @@ export function closeError({ code, cause, remedy }: CloseReason, robot: RobotAdd
       return new ClientError(
         "no-robot",
         `No robot has the id ${robot.id}`,
-        "Check it for typing errors, or copy the address again from the robot's page. " +
+        "Check the id for typing errors, or copy the address again from the robot's page. " +
           "The relay deletes robots after 2 hours without use, and 24 hours after their registration.",
       );
     default:

@@ -491,7 +491,7 @@ describe("RobotClient", () => {
     platform.socket.cut(4404);
     await expect(opening).rejects.toMatchObject({
       message: expect.stringMatching(
-        /^No robot has the id A{22} \(no-robot\)\. Check it for typing errors/,
+        /^No robot has the id A{22} \(no-robot\)\. Check the id for typing errors/,
       ),
     });
   });

@@ -86,11 +86,7 @@ def error_of(response: Response, address: Optional[Address] = None) -> RobotErro
     if kind == "too-late":
         return CommandEndedError("expired", "The command arrived too late and was not executed", reason)
     if kind == "no-robot" and address is not None:
-        return RobotGoneError(
-            "no-robot",
-            f"No robot has the id {address.id}",
-            reason.replace("No robot has this id. ", "", 1),
-        )
+        return RobotGoneError("no-robot", f"No robot has the id {address.id}", reason)
     if status in (404, 410) and kind != "no-command":
         return RobotGoneError("no-robot", "There is no robot with this address", reason)
     return CommandError("refused", "The robot's host refused the request", reason)

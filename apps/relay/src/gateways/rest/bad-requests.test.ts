@@ -91,7 +91,7 @@ it("an id with a typing error is answered with advice to check it", async () => 
   const problem = await problemOf(await relay.ask({ ...robot, id }, "/sensors"));
   expect(problem).toMatchObject({ status: 404, type: "/problems/no-robot" });
   expect(problem.detail).toBe(
-    `No robot has this id. Check it for typing errors, or copy the address again from the robot's page. The relay deletes robots after ${limits.robotIdleMs / HOUR_MS} hours without use, and ${limits.robotLifeMs / HOUR_MS} hours after their registration.`,
+    `Check the id for typing errors, or copy the address again from the robot's page. The relay deletes robots after ${limits.robotIdleMs / HOUR_MS} hours without use, and ${limits.robotLifeMs / HOUR_MS} hours after their registration.`,
   );
 });
 

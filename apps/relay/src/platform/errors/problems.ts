@@ -96,7 +96,7 @@ export function restarting(): Refusal {
 export function noRobot(): Refusal {
   return new Refusal(
     "no-robot",
-    "No robot has this id. Check it for typing errors, or copy the address again from the robot's page. The relay deletes robots after 2 hours without use, and 24 hours after their registration.",
+    "Check the id for typing errors, or copy the address again from the robot's page. The relay deletes robots after 2 hours without use, and 24 hours after their registration.",
   );
 }
 
