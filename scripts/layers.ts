@@ -104,7 +104,9 @@ function* importsIn(app: string, sources: Sources): Generator<[from: string, tar
 
 function unitOf(path: string, layers: Layers): string {
   // A test at the top belongs to its file.
-  const [top = "", name = ""] = path.replace(/^([\w-]+)\.test\./, "$1.").split("/");
+  const [top = "", name = ""] = path
+    .replace(/^([\w-]+)(?:\.integration|\.exhaustive)?\.test\./, "$1.")
+    .split("/");
   return layers.some((layer) => layer.includes(`${top}/*`)) ? `${top}/${name}` : top;
 }
 
