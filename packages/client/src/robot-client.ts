@@ -2,16 +2,13 @@ import {
   decodeFrame,
   describeProblem,
   encodeFrame,
-  hasEnded,
   orderSchema,
   PROTOCOL_VERSION,
   readValue,
   relayToDriverSchema,
   sinceOf,
-  TTL_MS,
   type CommandRecord,
   type Order,
-  type ProblemDocument,
   type RelayToDriver,
   type SensorReadings,
   type Snapshot,
@@ -19,7 +16,7 @@ import {
 import { ClientError, withCallSite } from "./client-error.ts";
 import { closeError, isWatchKey, watchLinkError } from "./close-error.ts";
 import { wrongOptions, type CommandName } from "./command-options.ts";
-import { CommandTimes } from "./command-times.ts";
+import { CommandQueue, type Until } from "./command-queue.ts";
 import { Connection, type ConnectionStatus } from "./connection.ts";
 import { EventInbox, type RobotEvent } from "./event-inbox.ts";
 import { SilentRobotNotice, UnreachableNotice } from "./notices.ts";
@@ -64,26 +61,10 @@ export interface RobotClientOptions {
   platform?: Platform;
 }
 
-interface Pending {
-  key: string;
-  order: Order;
-  /** time of the first attempt */
-  firstSentAt: number | null;
-  /** how often the relay rejected it as too late although it was not */
-  falseExpiries: number;
-  /** the state that resolves the promise */
-  until: "started" | "ended";
-  resolve: (record: CommandRecord) => void;
-  reject: (error: ClientError) => void;
-  cancelTimer(): void;
-}
-
 const DEFAULT_RESPONSE_MS = 30_000;
 const DEFAULT_FINISH_MS = 600_000;
 /** The relay rejects longer names. */
 const MAX_SENT_NAME = 200;
-/** Delay before a command is sent again after the relay was busy. */
-const BUSY_DELAY_MS = 500;
 
 /**
  * A robot on the network, simulated or physical.
@@ -107,26 +88,20 @@ export class RobotClient {
   readonly #api: string;
   readonly #platform: Platform;
   readonly #responseMs: number;
-  readonly #finishMs: number;
   readonly #defaults: CommandOptions;
   readonly #name: { name?: string };
   readonly #connection: Connection<RelayToDriver>;
   readonly #inbox: SnapshotInbox;
   readonly #events = new Set<EventInbox>();
   readonly #acknowledgements = new DelayedAcknowledgements();
-  readonly #times: CommandTimes;
+  readonly #commands: CommandQueue;
   readonly #silence: SilentRobotNotice;
   readonly #unreachable: UnreachableNotice;
   #welcomed: () => void = () => undefined;
   #notWelcomed: (reason: ClientError) => void = () => undefined;
-  /** not yet acknowledged on this connection, in order; only the first was sent */
-  #queue: Pending[] = [];
-  /** acknowledged and not yet ended, by seq */
-  readonly #running = new Map<number, Pending>();
   /** the last received state: its stream, and the value for `since` */
   #stream = "";
   #since: string | null = null;
-  #cancelRetry: () => void = () => undefined;
   #end: ClientError | null = null;
 
   private constructor(address: string, options: RobotClientOptions) {
@@ -136,7 +111,6 @@ export class RobotClient {
     this.#api = `${origin}/api/v1/robots/${id}`;
     this.#platform = options.platform ?? globalPlatform();
     this.#responseMs = options.answerTimeout ?? DEFAULT_RESPONSE_MS;
-    this.#finishMs = options.finishTimeout ?? DEFAULT_FINISH_MS;
     this.#defaults = options.ttl === undefined ? {} : { ttl: options.ttl };
     this.#name = options.name === undefined ? {} : { name: options.name.slice(0, MAX_SENT_NAME) };
     const { clock } = this.#platform;
@@ -144,7 +118,6 @@ export class RobotClient {
     this.#inbox = new SnapshotInbox(clock, warn);
     this.#silence = new SilentRobotNotice(clock, warn);
     this.#unreachable = new UnreachableNotice(clock, warn, origin);
-    this.#times = new CommandTimes(clock);
     this.#connection = new Connection({
       urls: connectionUrls(origin, id),
       platform: this.#platform,
@@ -152,6 +125,13 @@ export class RobotClient {
       decode: (text) => decodeFrame(relayToDriverSchema, text),
       received: (message) => this.#received(message),
       changed: (status) => this.#changed(status),
+    });
+    this.#commands = new CommandQueue({
+      platform: this.#platform,
+      responseMs: this.#responseMs,
+      finishMs: options.finishTimeout ?? DEFAULT_FINISH_MS,
+      connection: this.#connection,
+      waits: (isWaiting) => this.#silence.waits(isWaiting),
     });
   }
 
@@ -404,7 +384,7 @@ export class RobotClient {
     name: CommandName,
     command: Order,
     options: DriveOptions,
-    until: Pending["until"],
+    until: Until,
   ): Promise<CommandRecord> {
     return withCallSite(this, name, async () => {
       const wrong = wrongOptions(name, options);
@@ -413,7 +393,7 @@ export class RobotClient {
     });
   }
 
-  #send(requested: Order, until: Pending["until"]): Promise<CommandRecord> {
+  #send(requested: Order, until: Until): Promise<CommandRecord> {
     // A stop must not expire early on a slow network.
     const order = requested.action === "stop" ? requested : { ...this.#defaults, ...requested };
     const checked = readValue(orderSchema, order);
@@ -423,23 +403,7 @@ export class RobotClient {
     }
     if (this.#end !== null) return Promise.reject(this.#end);
     if (isWatchKey(this.#robot.key)) return Promise.reject(watchLinkError());
-    return new Promise((resolve, reject) => {
-      const key = this.#platform.uniqueText();
-      const pending: Pending = {
-        key,
-        order,
-        firstSentAt: null,
-        falseExpiries: 0,
-        until,
-        resolve,
-        reject,
-        cancelTimer: () => undefined,
-      };
-      this.#limit(pending, this.#responseMs, "The robot's host does not respond");
-      this.#queue.push(pending);
-      this.#silence.waits(true);
-      if (this.#queue.length === 1) this.#sendFirst();
-    });
+    return this.#commands.add(order, until);
   }
 
   #hello(): string {
@@ -448,70 +412,14 @@ export class RobotClient {
     // A watch key permits reading only.
     const role = isWatchKey(key) ? "watch" : "drive";
     const hello = { type: "hello", version: PROTOCOL_VERSION, role, key } as const;
-    return encodeFrame({ ...hello, ...since, ...this.#name, sentAt: this.#times.start() });
-  }
-
-  #sendFirst(): void {
-    if (!this.#connection.isConnected) return;
-    this.#dropOldVelocities();
-    const [first] = this.#queue;
-    if (first === undefined) return;
-    const { clock } = this.#platform;
-    const firstSentAt = (first.firstSentAt ??= clock.now());
-    const { key, order } = first;
-    this.#connection.send(() => {
-      const { sentAt, age } = this.#times.next(firstSentAt);
-      const command = age === 0 ? order : { ...order, age };
-      return encodeFrame({ type: "command", key, sentAt, command });
-    });
-  }
-
-  /** After a reconnect, the robot must not execute outdated velocities one by one. */
-  #dropOldVelocities(): void {
-    for (;;) {
-      const [older, newer] = this.#queue;
-      if (newer === undefined || older === undefined) return;
-      if (!isVelocity(older.order) || !isVelocity(newer.order) || older.order.replace === true)
-        return;
-      this.#queue.shift();
-      older.cancelTimer();
-      const { resolve, reject } = newer;
-      newer.resolve = (record) => {
-        older.resolve(record);
-        resolve(record);
-      };
-      newer.reject = (error) => {
-        older.reject(error);
-        reject(error);
-      };
-    }
-  }
-
-  #limit(pending: Pending, ms: number, what: string): void {
-    pending.cancelTimer();
-    pending.cancelTimer = this.#platform.clock.after(ms, () => {
-      this.#remove(pending);
-      const hint = "Check that the robot's page is open, connected and not paused.";
-      pending.reject(new ClientError("timeout", what, hint));
-    });
-  }
-
-  #remove(pending: Pending): void {
-    pending.cancelTimer();
-    const wasFirst = this.#queue[0] === pending;
-    this.#queue = this.#queue.filter((other) => other !== pending);
-    for (const [seq, other] of this.#running) if (other === pending) this.#running.delete(seq);
-    if (this.#queue.length + this.#running.size === 0) this.#silence.waits(false);
-    if (wasFirst) this.#sendFirst();
+    return encodeFrame({ ...hello, ...since, ...this.#name, sentAt: this.#commands.start() });
   }
 
   #received(message: RelayToDriver): void {
     switch (message.type) {
       case "welcome":
-        this.#times.answered();
-        // In a new stream earlier states are lost; in the same one the relay sends the missed
-        // states.
-        if (message.stream !== this.#stream) this.#sendAgain();
+        // In a new stream earlier states are lost.
+        this.#commands.welcomed(message.stream === this.#stream);
         this.#stream = message.stream;
         if (message.n !== null) this.#setSince(message.n);
         this.#acknowledgements.reset();
@@ -520,18 +428,17 @@ export class RobotClient {
       case "snapshot":
         return this.#read(message.snapshot);
       case "ack":
-        return this.#acknowledged(message.record);
+        return this.#commands.acknowledged(message.record);
       case "state":
         this.#setSince(message.n);
         this.#publish({ kind: "command", command: message.record });
-        return this.#progressed(message.record);
+        return this.#commands.progressed(message.record);
       case "gap":
         this.#setSince(message.n);
         this.#publish({ kind: "gap" });
-        this.#sendAgain();
-        return this.#sendFirst();
+        return this.#commands.missed();
       case "problem":
-        return this.#refused(message.problem, message.key);
+        return this.#commands.refused(message.problem, message.key);
       case "maze":
       case "heartbeat":
         return;
@@ -568,83 +475,12 @@ export class RobotClient {
     this.#since = sinceOf(this.#stream, n);
   }
 
-  /** States were missed: sending a command again with the same key returns its current record. */
-  #sendAgain(): void {
-    this.#queue = [...this.#running.values(), ...this.#queue];
-    this.#running.clear();
-  }
-
-  #acknowledged(record: CommandRecord): void {
-    const [first] = this.#queue;
-    if (first === undefined || first.key !== record.key) return;
-    this.#times.answered();
-    this.#queue.shift();
-    this.#limit(first, this.#finishMs, "The robot did not finish");
-    this.#running.set(record.seq, first);
-    this.#progressed(record);
-    this.#sendFirst();
-  }
-
-  #progressed(record: CommandRecord): void {
-    const pending = this.#running.get(record.seq);
-    if (pending === undefined) return;
-    const { state } = record;
-    const isFailed = state === "cancelled" || state === "expired";
-    if (isFailed || (state === "superseded" && pending.until === "ended")) {
-      this.#remove(pending);
-      const ended = state === "expired" ? state : `was ${state}`;
-      const what = `Command ${record.seq} (${record.action}) ${ended}`;
-      const hint = record.reason ?? "Another script drives this robot as well.";
-      return pending.reject(new ClientError(state, what, hint));
-    }
-    if (hasEnded(state) || (state === "started" && pending.until === "started")) {
-      this.#remove(pending);
-      pending.resolve(record);
-    }
-  }
-
-  #refused(problem: ProblemDocument, key: string | null): void {
-    const [first] = this.#queue;
-    if (first === undefined || (key !== null && key !== first.key)) return;
-    if (key !== null) this.#times.answered();
-    if (problem.status === 429 || problem.status >= 500) {
-      this.#cancelRetry();
-      this.#cancelRetry = this.#platform.clock.after(BUSY_DELAY_MS, () => this.#sendFirst());
-      return;
-    }
-    const isLate = problem.type === "/problems/too-late";
-    if (isLate && this.#isInTime(first)) return this.#retryLate(first);
-    this.#remove(first);
-    const code = isLate ? "expired" : "refused";
-    first.reject(new ClientError(code, problem.title, problem.detail));
-  }
-
-  /** Whether a command is younger than its time to live by this computer's clock. */
-  #isInTime({ firstSentAt, order, falseExpiries }: Pending): boolean {
-    const age = this.#platform.clock.now() - (firstSentAt ?? 0);
-    return falseExpiries < 2 && age < (order.ttl ?? TTL_MS.default);
-  }
-
-  /**
-   * The relay rejected a command that has not expired. Either the response has shown a shorter
-   * round trip, or the clock stopped while this computer slept; then a new connection measures
-   * anew.
-   */
-  #retryLate(first: Pending): void {
-    first.falseExpiries += 1;
-    if (first.falseExpiries === 1) return this.#sendFirst();
-    this.#connection.close();
-    this.#connection.open();
-  }
-
   #changed(status: ConnectionStatus): void {
     this.#unreachable.changed(status);
     if (status.kind === "over") return this.#finish(closeError(status.reason, this.#robot));
     if (status.kind !== "connected") return;
     this.#welcomed();
-    // The response to the first command may be lost; states of acknowledged ones follow after
-    // `since`.
-    this.#sendFirst();
+    this.#commands.connected();
   }
 
   #finish(error: ClientError): void {
@@ -652,21 +488,9 @@ export class RobotClient {
     this.#end = error;
     this.#connection.close();
     this.#unreachable.close();
-    this.#silence.waits(false);
-    this.#cancelRetry();
     this.#notWelcomed(error);
-    for (const pending of [...this.#running.values(), ...this.#queue]) {
-      pending.cancelTimer();
-      pending.reject(error);
-    }
-    this.#running.clear();
-    this.#queue = [];
+    this.#commands.close(error);
     this.#inbox.close(error);
     for (const inbox of this.#events) inbox.close();
   }
-}
-
-/** A drive without a time. */
-function isVelocity(order: Order): boolean {
-  return order.action === "drive" && order.milliseconds === undefined;
 }

@@ -1,0 +1,258 @@
+/**
+ * The commands of one script that have not ended. They are sent one at a time, in order: the next
+ * one follows after the relay has acknowledged the previous one.
+ *
+ * After a reconnect a command is sent again with its idempotency key and its age, so that the robot
+ * never executes it twice or late.
+ */
+import {
+  encodeFrame,
+  hasEnded,
+  TTL_MS,
+  type CommandRecord,
+  type Order,
+  type ProblemDocument,
+} from "@corridor/protocol";
+import { ClientError } from "./client-error.ts";
+import { CommandTimes } from "./command-times.ts";
+import type { OutgoingMessage } from "./long-poll-connection.ts";
+import type { Platform } from "./platform.ts";
+
+/** Delay before a command is sent again after the relay was busy. */
+const BUSY_DELAY_MS = 500;
+
+/** The state that resolves the promise of a command. */
+export type Until = "started" | "ended";
+
+export interface CommandQueueOptions {
+  platform: Pick<Platform, "clock" | "uniqueText">;
+  /** timeout for responses of the relay in ms, including reconnects */
+  responseMs: number;
+  /** timeout for the robot to finish a command in ms */
+  finishMs: number;
+  connection: {
+    readonly isConnected: boolean;
+    send(message: OutgoingMessage): void;
+    open(): void;
+    close(): void;
+  };
+  /** called when the first command is added, and after the last one has ended */
+  waits: (isWaiting: boolean) => void;
+}
+
+interface Pending {
+  key: string;
+  order: Order;
+  /** time of the first attempt */
+  firstSentAt: number | null;
+  /** how often the relay rejected it as too late although it was not */
+  falseExpiries: number;
+  until: Until;
+  resolve: (record: CommandRecord) => void;
+  reject: (error: ClientError) => void;
+  cancelTimer(): void;
+}
+
+export class CommandQueue {
+  readonly #options: CommandQueueOptions;
+  readonly #times: CommandTimes;
+  /** not yet acknowledged on this connection, in order; only the first was sent */
+  #queue: Pending[] = [];
+  /** acknowledged and not yet ended, by seq */
+  readonly #running = new Map<number, Pending>();
+  #cancelRetry: () => void = () => undefined;
+
+  constructor(options: CommandQueueOptions) {
+    this.#options = options;
+    this.#times = new CommandTimes(options.platform.clock);
+  }
+
+  /**
+   * Adds a command.
+   * @param order a valid one
+   * @returns the record, once the command has the state `until`
+   * @throws ClientError refused, cancelled, superseded, expired, timeout, or that of `close`
+   */
+  add(order: Order, until: Until): Promise<CommandRecord> {
+    return new Promise((resolve, reject) => {
+      const pending: Pending = {
+        key: this.#options.platform.uniqueText(),
+        order,
+        firstSentAt: null,
+        falseExpiries: 0,
+        until,
+        resolve,
+        reject,
+        cancelTimer: () => undefined,
+      };
+      this.#limit(pending, this.#options.responseMs, "The robot's host does not respond");
+      this.#queue.push(pending);
+      this.#options.waits(true);
+      if (this.#queue.length === 1) this.#sendFirst();
+    });
+  }
+
+  /** To be called when a new connection sends `hello`. @returns its `sentAt` */
+  start(): number {
+    return this.#times.start();
+  }
+
+  /** @param isSameStream whether the relay will send the states that were missed */
+  welcomed(isSameStream: boolean): void {
+    this.#times.answered();
+    if (!isSameStream) this.#repeatRunning();
+  }
+
+  /** The response to the first command may be lost; states of acknowledged ones follow. */
+  connected(): void {
+    this.#sendFirst();
+  }
+
+  /** States were missed. */
+  missed(): void {
+    this.#repeatRunning();
+    this.#sendFirst();
+  }
+
+  acknowledged(record: CommandRecord): void {
+    const [first] = this.#queue;
+    if (first === undefined || first.key !== record.key) return;
+    this.#times.answered();
+    this.#queue.shift();
+    this.#limit(first, this.#options.finishMs, "The robot did not finish");
+    this.#running.set(record.seq, first);
+    this.progressed(record);
+    this.#sendFirst();
+  }
+
+  progressed(record: CommandRecord): void {
+    const pending = this.#running.get(record.seq);
+    if (pending === undefined) return;
+    const { state } = record;
+    const isFailed = state === "cancelled" || state === "expired";
+    if (isFailed || (state === "superseded" && pending.until === "ended")) {
+      this.#remove(pending);
+      const ended = state === "expired" ? state : `was ${state}`;
+      const what = `Command ${record.seq} (${record.action}) ${ended}`;
+      const hint = record.reason ?? "Another script drives this robot as well.";
+      return pending.reject(new ClientError(state, what, hint));
+    }
+    if (hasEnded(state) || (state === "started" && pending.until === "started")) {
+      this.#remove(pending);
+      pending.resolve(record);
+    }
+  }
+
+  /** @param key of the refused command; null if the relay does not know it */
+  refused(problem: ProblemDocument, key: string | null): void {
+    const [first] = this.#queue;
+    if (first === undefined || (key !== null && key !== first.key)) return;
+    if (key !== null) this.#times.answered();
+    if (problem.status === 429 || problem.status >= 500) {
+      this.#cancelRetry();
+      const { clock } = this.#options.platform;
+      this.#cancelRetry = clock.after(BUSY_DELAY_MS, () => this.#sendFirst());
+      return;
+    }
+    const isLate = problem.type === "/problems/too-late";
+    if (isLate && this.#isInTime(first)) return this.#retryLate(first);
+    this.#remove(first);
+    const code = isLate ? "expired" : "refused";
+    first.reject(new ClientError(code, problem.title, problem.detail));
+  }
+
+  /** Rejects all commands. None may be added later. */
+  close(error: ClientError): void {
+    this.#cancelRetry();
+    this.#options.waits(false);
+    for (const pending of [...this.#running.values(), ...this.#queue]) {
+      pending.cancelTimer();
+      pending.reject(error);
+    }
+    this.#running.clear();
+    this.#queue = [];
+  }
+
+  #sendFirst(): void {
+    const { platform, connection } = this.#options;
+    if (!connection.isConnected) return;
+    this.#dropOldVelocities();
+    const [first] = this.#queue;
+    if (first === undefined) return;
+    const firstSentAt = (first.firstSentAt ??= platform.clock.now());
+    const { key, order } = first;
+    connection.send(() => {
+      const { sentAt, age } = this.#times.next(firstSentAt);
+      const command = age === 0 ? order : { ...order, age };
+      return encodeFrame({ type: "command", key, sentAt, command });
+    });
+  }
+
+  /** After a reconnect, the robot must not execute outdated velocities one by one. */
+  #dropOldVelocities(): void {
+    for (;;) {
+      const [older, newer] = this.#queue;
+      if (newer === undefined || older === undefined) return;
+      if (!isVelocity(older.order) || !isVelocity(newer.order) || older.order.replace === true)
+        return;
+      this.#queue.shift();
+      older.cancelTimer();
+      const { resolve, reject } = newer;
+      newer.resolve = (record) => {
+        older.resolve(record);
+        resolve(record);
+      };
+      newer.reject = (error) => {
+        older.reject(error);
+        reject(error);
+      };
+    }
+  }
+
+  #limit(pending: Pending, ms: number, what: string): void {
+    pending.cancelTimer();
+    pending.cancelTimer = this.#options.platform.clock.after(ms, () => {
+      this.#remove(pending);
+      const hint = "Check that the robot's page is open, connected and not paused.";
+      pending.reject(new ClientError("timeout", what, hint));
+    });
+  }
+
+  #remove(pending: Pending): void {
+    pending.cancelTimer();
+    const wasFirst = this.#queue[0] === pending;
+    this.#queue = this.#queue.filter((other) => other !== pending);
+    for (const [seq, other] of this.#running) if (other === pending) this.#running.delete(seq);
+    if (this.#queue.length + this.#running.size === 0) this.#options.waits(false);
+    if (wasFirst) this.#sendFirst();
+  }
+
+  /** Sending a command again with the same key returns its current record. */
+  #repeatRunning(): void {
+    this.#queue = [...this.#running.values(), ...this.#queue];
+    this.#running.clear();
+  }
+
+  /** Whether a command is younger than its time to live by this computer's clock. */
+  #isInTime({ firstSentAt, order, falseExpiries }: Pending): boolean {
+    const age = this.#options.platform.clock.now() - (firstSentAt ?? 0);
+    return falseExpiries < 2 && age < (order.ttl ?? TTL_MS.default);
+  }
+
+  /**
+   * The relay rejected a command that has not expired. Either the response has shown a shorter
+   * round trip, or the clock stopped while this computer slept; then a new connection measures
+   * anew.
+   */
+  #retryLate(first: Pending): void {
+    first.falseExpiries += 1;
+    if (first.falseExpiries === 1) return this.#sendFirst();
+    this.#options.connection.close();
+    this.#options.connection.open();
+  }
+}
+
+/** A drive without a time. */
+function isVelocity(order: Order): boolean {
+  return order.action === "drive" && order.milliseconds === undefined;
+}
