@@ -33,7 +33,6 @@ import {
   introductionOf,
   type GatewayMetrics,
 } from "../conversations/start-conversation.ts";
-import { readPlainTexts } from "./plain-text-reader.ts";
 import type { ReaderConnection } from "../conversations/reader-connection.ts";
 import { refuseUpgrade } from "../../platform/http/refuse-upgrade.ts";
 import { SocketWithReasons } from "./socket-with-reasons.ts";
@@ -187,7 +186,6 @@ export class WebSocketGateway {
         .catch((error: unknown) => this.#refuse(client, error));
     };
     socket.on("message", receive);
-    readPlainTexts(connection, (bytes) => receive(bytes, false));
     socket.on("pong", () => (client.lastMessageAt = clock.now()));
     // On oversized messages or broken framing, `ws` closes the socket with 1009 or 1002.
     socket.on("error", (error) => this.#options.log.debug({ err: error }, "WebSocket error"));
