@@ -48,7 +48,6 @@ export async function openBackend(
 
 function sqliteBackend(dataDir: string, clock: Clock, log: Logger): Backend {
   const file = new SqliteFile(join(dataDir, "corridor.sqlite"), {
-    isThreaded: true,
     setAside: (to) => {
       log.error(
         { path: to },

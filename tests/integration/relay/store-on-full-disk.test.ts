@@ -2,10 +2,8 @@
 import { join } from "node:path";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { addStep } from "../../../apps/relay/src/commands/state-machine.ts";
-import { isDiskFull } from "../../../apps/relay/src/platform/errors/disk-full.ts";
-import type { Compaction, Entry } from "../../../apps/relay/src/store/sqlite/file/journal.ts";
+import { JournalWriter, type Entry } from "../../../apps/relay/src/store/sqlite/file/journal.ts";
 import { openDatabase } from "../../../apps/relay/src/store/sqlite/file/sqlite-schema.ts";
-import { ThreadedJournal } from "../../../apps/relay/src/store/sqlite/file/threaded-journal.ts";
 import { SqliteRobotStore } from "../../../apps/relay/src/store/sqlite/sqlite-robot-store.ts";
 import { smallDisk } from "../../support/test-small-disk.ts";
 
@@ -28,31 +26,22 @@ describe("a store on a full disk", () => {
     for (const id of ids) expect(await store.remove(id)).toBe(true);
   });
 
-  it("reports a full disk as SQLite does, in the thread of the journal", async ({ skip }) => {
+  it("rejects entries of the journal as SQLite does, and continues when there is space", async ({
+    skip,
+  }) => {
     const disk = smallDisk(8, skip);
-    const path = join(disk.folder, "corridor.sqlite");
-    const db = openDatabase(path);
-    const journal = new ThreadedJournal(path);
-    onTestFinished(async () => {
-      await journal.close();
-      db.close();
-    });
-    const write = (entries: Entry[], compaction: Compaction | null = null) =>
-      new Promise<{ lost: unknown; compactionError: unknown }>((resolve) =>
-        journal.write(entries, compaction, (lost, compactionError) =>
-          resolve({ lost, compactionError }),
-        ),
-      );
+    const db = openDatabase(join(disk.folder, "corridor.sqlite"));
+    onTestFinished(() => db.close());
+    const journal = new JournalWriter(db);
     const count = (): unknown => db.prepare("SELECT count(*) AS n FROM journal").get()?.["n"];
-    await write([[1, "robot", "entry 1"]]);
+    journal.write([[1, "robot", "entry 1"]], null);
     disk.fill();
     const much: Entry = [2, "robot", "x".repeat(1024 * 1024)];
-    const { lost } = await write([much], { bringing: [], deleted: 0, stored: [] });
-    expect(lost).toMatchObject({ errcode: 13 });
-    expect(isDiskFull(lost)).toBe(true);
+    const nothing = { bringing: [], deleted: 0, stored: [] };
+    expect(() => journal.write([much], nothing)).toThrow(expect.objectContaining({ errcode: 13 }));
     expect(count()).toBe(1);
     disk.freeSpace();
-    expect(await write([much])).toEqual({ lost: null, compactionError: null });
+    expect(journal.write([much], null)).toBeNull();
     expect(count()).toBe(2);
   });
 });

@@ -1,57 +1,51 @@
 /**
- * A group commit whose journal writes on request of the test. Its steps store their names in memory
- * and in the journal.
+ * A group commit whose writes fail on request of the test. Its steps store their names in memory and
+ * in the journal.
  */
 import { join } from "node:path";
 import type { DatabaseSync } from "node:sqlite";
 import { onTestFinished } from "vitest";
 import { testFolder } from "../../testing/test-relay.ts";
 import { GroupCommit, type Memory } from "../sqlite/file/group-commit.ts";
-import {
-  JournalWriter,
-  type Journal,
-  type Written,
-  type Entry,
-  type Compaction,
-} from "../sqlite/file/journal.ts";
+import { JournalWriter, type Entry, type Compaction } from "../sqlite/file/journal.ts";
 import { openDatabase } from "../sqlite/file/sqlite-schema.ts";
 
 export const LOST = new Error("lost");
 export const NOTHING: Compaction = { bringing: [], deleted: 0, stored: [] };
 
-/** A journal that writes on request of the test. */
-class SlowJournal implements Journal {
+const namesOf = (entries: readonly Entry[]): string[] => entries.map(([, , text]) => text);
+
+/** Writes to the database, except for the failures that a test asks for. */
+class FailingJournal {
   readonly #writer: JournalWriter;
-  writing: { entries: readonly Entry[]; compaction: Compaction | null; written: Written } | null =
-    null;
-  isClosed = false;
+  /** result of the next write; null: it succeeds */
+  fails: { lost?: Error; compactionError?: Error } | null = null;
+  readonly writes: { names: string[]; compaction: Compaction | null }[] = [];
+  readonly lostNames: string[] = [];
 
   constructor(db: DatabaseSync) {
     this.#writer = new JournalWriter(db);
   }
 
-  write(entries: readonly Entry[], compaction: Compaction | null, written: Written): void {
-    if (this.writing !== null) throw new Error("It is still writing.");
-    if (this.isClosed) throw new Error("It is closed.");
-    this.writing = { entries, compaction, written };
+  write(entries: readonly Entry[], compaction: Compaction | null): unknown {
+    this.writes.push({ names: namesOf(entries), compaction });
+    const compactionError = this.fails?.compactionError;
+    this.#lose(entries);
+    this.#writer.write(entries, null);
+    return compactionError ?? null;
   }
 
-  /** Ends the current write: the entries are on disk, or lost. */
-  notify(lost: Error | null = null, compactionError: Error | null = null): void {
-    if (this.writing === null) throw new Error("It was given nothing.");
-    const { entries, written } = this.writing;
-    if (lost === null) this.#writer.write(entries, null);
-    this.writing = null;
-    written(lost, compactionError);
+  append(entries: readonly Entry[]): void {
+    this.#lose(entries);
+    this.#writer.append(entries);
   }
 
-  get names(): string[] | null {
-    return this.writing && this.writing.entries.map(([, , text]) => text);
-  }
-
-  async close(): Promise<void> {
-    if (this.writing !== null) throw new Error("It is still writing.");
-    this.isClosed = true;
+  #lose(entries: readonly Entry[]): void {
+    const lost = this.fails?.lost;
+    this.fails = null;
+    if (lost === undefined) return;
+    this.lostNames.push(...namesOf(entries));
+    throw lost;
   }
 }
 
@@ -85,7 +79,7 @@ export function withJournal() {
   const { memory, parts, compacted, onDisk, names } = namesInMemory(db);
   const anew = () => {
     memory.rolledBack();
-    const journal = new SlowJournal(db);
+    const journal = new FailingJournal(db);
     return { journal, commits: new GroupCommit(db, { memory, journal, now: () => 0 }) };
   };
   const { journal, commits } = anew();

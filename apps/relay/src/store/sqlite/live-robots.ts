@@ -54,8 +54,6 @@ export class LiveRobots implements Memory {
   readonly #live = new Map<string, LiveRobot>();
   /** first entry of each robot with entries that the tables lack, in order of these entries */
   readonly #unsettled = new Map<string, number>();
-  /** the same for robots whose checkpoint is being written */
-  readonly #bringing = new Map<string, number>();
   readonly #owners = new EntryOwners();
   /** number of the next entry */
   #next = 1;
@@ -146,14 +144,13 @@ export class LiveRobots implements Memory {
     const isLong = this.#owners.size > this.#long * (isIdle ? 1 : MUCH_LONGER);
     if (this.#isRolledBack || (!isLong && this.#crowded.size === 0)) return null;
     const bringing: Bringing[] = [];
+    const chosen = new Set<string>();
     let left = Math.max(ROWS_AT_A_TIME, 2 * entries);
     for (const id of this.#inTurn(isLong)) {
       this.#crowded.delete(id);
       const robot = this.#live.get(id);
-      const first = this.#unsettled.get(id);
-      if (robot === undefined || first === undefined) continue;
-      this.#unsettled.delete(id);
-      this.#bringing.set(id, first);
+      if (robot === undefined || !this.#unsettled.has(id) || chosen.has(id)) continue;
+      chosen.add(id);
       const { openFrom, accessState } = robot.commands;
       const { lastSeq } = accessState;
       const { toDelete: deletedTo } = robot;
@@ -171,20 +168,14 @@ export class LiveRobots implements Memory {
 
   /** Called after a compaction. @param failed the error; null if it succeeded */
   compacted({ bringing, deleted }: Compaction, failed: unknown): void {
-    if (failed === null) {
-      for (const { robot: id, upTo } of bringing) {
-        const robot = this.#live.get(id);
-        robot?.settled(upTo);
-        if (robot !== undefined) this.#release(id, robot);
-      }
-      this.#owners.deleteUpTo(deleted);
-    } else {
-      const all = [...new Map([...this.#unsettled, ...this.#bringing])];
-      this.#unsettled.clear();
-      for (const [id, first] of all.toSorted(([, a], [, b]) => a - b))
-        this.#unsettled.set(id, first);
+    if (failed !== null) return;
+    for (const { robot: id, upTo } of bringing) {
+      this.#unsettled.delete(id);
+      const robot = this.#live.get(id);
+      robot?.settled(upTo);
+      if (robot !== undefined) this.#release(id, robot);
     }
-    this.#bringing.clear();
+    this.#owners.deleteUpTo(deleted);
   }
 
   /** Robots in the order of their checkpoints. */
@@ -219,7 +210,6 @@ export class LiveRobots implements Memory {
   #restore(): void {
     this.#live.clear();
     this.#unsettled.clear();
-    this.#bringing.clear();
     this.#crowded.clear();
     this.#broken.clear();
     this.#orphans = [];
@@ -270,7 +260,7 @@ export class LiveRobots implements Memory {
   /** The newest of the oldest entries that the tables fully cover. */
   #settledEntries(most: number): number {
     const [unsettled = this.#next] = this.#unsettled.values();
-    return this.#owners.lastOfOldest(most, Math.min(unsettled, ...this.#bringing.values()));
+    return this.#owners.lastOfOldest(most, unsettled);
   }
 
   #release(id: string, robot: LiveRobot): void {

@@ -14,17 +14,14 @@ import {
 } from "../../commands/state-machine.ts";
 import { completed } from "../../platform/testing/messages.ts";
 import { testFolder } from "../../testing/test-relay.ts";
-import { SqliteFile } from "./file/sqlite-file.ts";
 import { SqliteRobotStore } from "./sqlite-robot-store.ts";
 import { storeCases } from "../cases/store.cases.ts";
 import { NOW, pageState, sent, type OpenStore } from "../cases/robot-in-store.ts";
 
-const openStore = (isThreaded: boolean) => async (): Promise<OpenStore> => {
+const openStore = async (): Promise<OpenStore> => {
   const folder = testFolder();
   const open = (): SqliteRobotStore => {
-    const store = new SqliteRobotStore(
-      new SqliteFile(join(folder, "deep", "corridor.sqlite"), { isThreaded }),
-    );
+    const store = new SqliteRobotStore(join(folder, "deep", "corridor.sqlite"));
     onTestFinished(() => store.close());
     return store;
   };
@@ -42,8 +39,7 @@ const openStore = (isThreaded: boolean) => async (): Promise<OpenStore> => {
   };
 };
 
-storeCases("SqliteRobotStore", openStore(false));
-storeCases("SqliteRobotStore with a thread", openStore(true));
+storeCases("SqliteRobotStore", openStore);
 
 it("finds the commands of a robot by index, for any number of ended ones", async () => {
   const file = join(testFolder(), "corridor.sqlite");

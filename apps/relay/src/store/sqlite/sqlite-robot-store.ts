@@ -91,7 +91,7 @@ export class SqliteRobotStore implements RobotStore {
   }
 
   current(id: string): Pick<RobotCommands, "hasAll"> | null {
-    return this.#file.isPrompt ? (this.#live.peek(id)?.commands ?? null) : null;
+    return this.#file.isWaiting ? null : (this.#live.peek(id)?.commands ?? null);
   }
 
   async storeMaze(id: string, text: string): Promise<boolean> {

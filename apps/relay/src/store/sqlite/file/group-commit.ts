@@ -2,43 +2,32 @@
  * Group commit: many steps of the SQLite stores share one commit. The result of each step is
  * returned only after the commit.
  *
- * Two kinds of steps share groups. A memory step decides about commands in memory and adds entries
- * to the journal. While the journal writes one group, steps of the next group run. A rows step
- * changes rows and needs exclusive access to the database. It waits until no write is in progress.
- * Its group is one transaction of this connection, which includes the journal entries. Steps run in
- * order of arrival, so steps behind a waiting one wait too.
+ * A memory step decides about commands in memory and adds entries to the journal. A rows step
+ * changes rows. Steps run in order of arrival; those of a group and their entries are one
+ * transaction.
  *
- * A group ends with the turn of the event loop, after 50 steps (32 for an idle journal), or after 5
- * ms, whichever is first. It is written after the previous group, and includes the steps that
- * arrived meanwhile. So a single step does not wait for others. Always waiting for 5 ms would limit
- * a sequential client to 230 steps a second instead of 21,000.
+ * A group ends with the turn of the event loop, after 50 steps, or after 5 ms, whichever is first.
+ * So a single step does not wait for others. Always waiting for 5 ms would limit a sequential client
+ * to 230 steps a second instead of 21,000.
  *
  * A step that throws is rolled back alone. If rows were changed, the whole group is rolled back and
  * the earlier steps run again. This is rare, while a savepoint would add a cost to every step. If
  * one of the repeated steps throws, all of them fail.
  */
 import type { DatabaseSync } from "node:sqlite";
-import {
-  InlineJournal,
-  JournalWriter,
-  type Journal,
-  type Entry,
-  type Compaction,
-} from "./journal.ts";
+import { JournalWriter, type Entry, type Compaction } from "./journal.ts";
 import { Statements } from "./statements.ts";
 
 const MOST_STEPS = 50;
-/** An idle journal receives this many steps at once, and writes them while the next steps run. */
-const ENOUGH_STEPS = 32;
 const LONGEST_MS = 5;
-/** The journal is idle if it received nothing for this time. */
+/** Compaction starts after no step arrived for this time. */
 const IDLE_MS = 10;
 
-/** rows: needs the database. memory: adds entries. alone: runs outside of a transaction. */
-type Kind = "rows" | "memory" | "alone";
+/** rows: needs a transaction. memory: adds entries. */
+export type StepKind = "rows" | "memory";
 
 interface Step {
-  kind: Kind;
+  kind: StepKind;
   /** runs the step; may run again after a rollback */
   work: () => void;
   /** called once the group is on disk, or has failed */
@@ -60,7 +49,7 @@ export interface Memory {
   rolledBack(): void;
   /** Compaction to write with a number of entries. @param isIdle nothing else is to be written */
   due(entries: number, isIdle: boolean): Compaction | null;
-  /** whether an idle journal would have something to compact */
+  /** whether there would be something to compact while nothing else is written */
   readonly needsCompaction: boolean;
   /** Called after a compaction. @param failed the error; null if it succeeded */
   compacted(compaction: Compaction, failed: unknown): void;
@@ -68,7 +57,7 @@ export interface Memory {
 
 export interface GroupCommitParts {
   memory?: Memory;
-  journal?: Journal;
+  journal?: Pick<JournalWriter, "write" | "append">;
   /** ms of a monotonic clock */
   now?: () => number;
 }
@@ -83,39 +72,28 @@ const NO_MEMORY: Memory = {
 export class GroupCommit {
   readonly #db: DatabaseSync;
   readonly #statements: Statements;
-  readonly #own: JournalWriter;
-  readonly #journal: Journal;
+  readonly #journal: Pick<JournalWriter, "write" | "append">;
   readonly #memory: Memory;
   readonly #now: () => number;
-  /** steps that have run and are not being written yet */
+  /** steps that have run and are not on disk */
   #open: Group | null = null;
-  /** the group that the journal is writing */
-  #writing: Group | null = null;
-  /** steps that have not run */
-  #waiting: Step[] = [];
-  /** number of steps in `#waiting` that have run; removing each one would shift all others */
-  #doneOfWaiting = 0;
-  /** number of groups that the journal received */
-  #sent = 0;
+  /** number of groups that were begun */
+  #begun = 0;
   #timer: NodeJS.Timeout | null = null;
   #isClosed = false;
-  #isGoingOn = false;
-  /** memory is poisoned: a step that threw left partial changes */
-  #isBroken = false;
 
   constructor(
     db: DatabaseSync,
     {
       memory = NO_MEMORY,
-      journal = new InlineJournal(db),
+      journal = new JournalWriter(db),
       now = () => performance.now(),
     }: GroupCommitParts = {},
   ) {
     this.#db = db;
     this.#statements = new Statements(db);
-    this.#own = new JournalWriter(db);
-    this.#memory = memory;
     this.#journal = journal;
+    this.#memory = memory;
     this.#now = now;
   }
 
@@ -126,18 +104,26 @@ export class GroupCommit {
    * @param kind memory: it changes no rows
    * @returns its result once it is on disk
    */
-  run<T>(step: () => T, kind: "rows" | "memory" = "rows"): Promise<T> {
-    return this.#take(step, kind);
+  run<T>(step: () => T, kind: StepKind = "rows"): Promise<T> {
+    if (this.#isClosed) return Promise.reject(closedError());
+    return new Promise((resolve, reject) => {
+      let result: T;
+      this.#do({
+        kind,
+        work: () => {
+          result = step();
+        },
+        stored: () => resolve(result),
+        lost: reject,
+      });
+    });
   }
 
   /** Runs work outside of a transaction. All earlier steps are on disk by then. */
-  alone<T>(work: () => T): Promise<T> {
-    return this.#take(work, "alone");
-  }
-
-  /** Whether a memory step would run immediately and see the current memory. */
-  get isPrompt(): boolean {
-    return this.#next === null && !this.#isBroken;
+  async alone<T>(work: () => T): Promise<T> {
+    if (this.#isClosed) throw closedError();
+    this.#flush();
+    return work();
   }
 
   /** Adds an entry to the journal. Must be called within a step. */
@@ -146,81 +132,43 @@ export class GroupCommit {
     this.#open.entries.push(entry);
   }
 
-  /** Waits for all steps. Later steps are rejected. */
-  async close(): Promise<void> {
-    const done = this.alone(() => undefined);
+  /** Writes all steps. Later steps are rejected. */
+  close(): void {
+    this.#flush();
     this.#isClosed = true;
     if (this.#timer !== null) clearTimeout(this.#timer);
-    await done;
-    await this.#journal.close();
-  }
-
-  #take<T>(work: () => T, kind: Kind): Promise<T> {
-    if (this.#isClosed) return Promise.reject(new Error("The store is closed."));
-    return new Promise((resolve, reject) => {
-      let result: T;
-      const step: Step = {
-        kind,
-        work: () => {
-          result = work();
-        },
-        stored: () => resolve(result),
-        lost: reject,
-      };
-      if (this.#next === null && this.#mayDo(kind)) this.#do(step);
-      else this.#waiting.push(step);
-    });
-  }
-
-  #mayDo(kind: Kind): boolean {
-    return !this.#isBroken && (kind === "memory" || this.#writing === null);
   }
 
   #do(step: Step): void {
-    if (step.kind === "alone") return this.#doAlone(step);
     const group = this.#open ?? this.#begin();
     const entries = group.entries.length;
     try {
       if (step.kind === "rows") this.#openTransaction(group);
-    } catch (error) {
-      return step.lost(error);
-    }
-    try {
       step.work();
     } catch (error) {
       step.lost(error);
-      return group.isTransaction ? this.#undoNewest(group, error) : this.#fail(group, entries);
+      if (group.isTransaction) this.#undoNewest(group, error);
+      else if (group.entries.length > entries) this.#undoEntries(group, entries);
+      return;
     }
     group.steps.push(step);
-    if (
-      group.steps.length >= (group.isTransaction ? MOST_STEPS : ENOUGH_STEPS) ||
-      this.#now() - group.startedAt >= LONGEST_MS
-    )
+    if (group.steps.length >= MOST_STEPS || this.#now() - group.startedAt >= LONGEST_MS)
       this.#flush();
   }
 
-  #doAlone(step: Step): void {
-    const group = this.#open;
-    if (group !== null) this.#commit(group);
-    try {
-      step.work();
-    } catch (error) {
-      return step.lost(error);
-    }
-    step.stored();
-  }
-
   #begin(): Group {
-    const group = this.#newGroup();
+    const group: Group = {
+      startedAt: this.#now(),
+      steps: [],
+      entries: [],
+      isTransaction: false,
+    };
     this.#open = group;
+    this.#begun += 1;
     setImmediate(() => {
       if (this.#open === group) this.#flush();
     });
     return group;
-  }
-
-  #newGroup(): Group {
-    return { startedAt: this.#now(), steps: [], entries: [], isTransaction: false };
   }
 
   #openTransaction(group: Group): void {
@@ -229,11 +177,13 @@ export class GroupCommit {
     group.isTransaction = true;
   }
 
-  /** Handles an error of a step that changes no rows. Its entries are not written. */
-  #fail(group: Group, entries: number): void {
-    if (group.entries.length === entries) return;
+  /** Drops the entries of a step that threw. Memory holds its changes, so it must be restored. */
+  #undoEntries(group: Group, entries: number): void {
     group.entries.length = entries;
-    this.#isBroken = true;
+    this.#open = null;
+    // Without a compaction, which would be computed from that memory.
+    this.#write(group, null);
+    this.#memory.rolledBack();
   }
 
   /** Rolls back a step that threw, and runs the earlier steps of its group again. */
@@ -258,136 +208,79 @@ export class GroupCommit {
     this.#memory.rolledBack();
   }
 
-  /** Writes the open group unless a write is in progress. */
-  #flush(): void {
-    const group = this.#open;
-    if (group === null || this.#writing !== null) return;
-    if (group.isTransaction) {
-      this.#commit(group);
-      // Sends an empty group, so that overdue compaction also runs if every group changes rows.
-      this.#send(this.#newGroup());
-    } else this.#send(group);
-    this.#goOn();
-  }
-
-  /** Commits a group through this connection. */
-  #commit(group: Group): void {
-    try {
-      this.#openTransaction(group);
-      this.#own.append(group.entries);
-      this.#statements.run("COMMIT");
-    } catch (error) {
-      this.#rollBack(group);
-      return this.#lose(group, error);
-    }
-    this.#open = null;
-    for (const { stored } of group.steps) stored();
-  }
-
-  /** Writes a group through the journal. */
-  #send(group: Group, isIdle = false): void {
-    this.#open = null;
-    this.#sent += 1;
-    // Poisoned memory must not reach the tables, because the failed step has no entries.
-    const compaction = this.#isBroken ? null : this.#memory.due(group.entries.length, isIdle);
-    if (group.entries.length === 0 && compaction === null) {
-      for (const { stored } of group.steps) stored();
-      return;
-    }
-    this.#writing = group;
-    this.#journal.write(group.entries, compaction, (lost, compactionError) => {
-      this.#writing = null;
-      if (compaction !== null) this.#memory.compacted(compaction, lost ?? compactionError);
-      if (lost === null) for (const { stored } of group.steps) stored();
-      else this.#undoSince(group, lost);
-      // A failed compaction is retried with the next write, not in a loop.
-      const isWell = lost === null && compactionError === null;
-      this.#goOn(isWell);
-      if (isIdle && isWell) this.#compactMore();
-    });
-  }
-
-  /** Fails a group, and runs all later steps again, because they saw its results. */
-  #undoSince(group: Group, error: unknown): void {
-    this.#waiting = [...(this.#open?.steps ?? []), ...this.#waiting.slice(this.#doneOfWaiting)];
-    this.#doneOfWaiting = 0;
-    this.#open = null;
-    this.#isBroken = false;
-    this.#memory.rolledBack();
-    for (const { lost } of group.steps) lost(error);
-  }
-
   #lose(group: Group, error: unknown): void {
     this.#open = null;
     for (const { lost } of group.steps) lost(error);
   }
 
-  /**
-   * Continues after a write: runs waiting steps, and writes finished steps if no write is in
-   * progress.
-   */
-  #goOn(mayCompact = true): void {
-    if (mayCompact && this.#memory.needsCompaction) this.#compactSoon();
-    // The running loop handles the work of nested calls. Recursion could be thousands of calls deep
-    // behind a slow disk.
-    if (this.#isGoingOn) return;
-    this.#isGoingOn = true;
+  /** Writes the open group, and a compaction if one is due. */
+  #flush(isIdle = false): void {
+    let group = this.#open;
+    this.#open = null;
+    if (group?.isTransaction === true) {
+      this.#commit(group);
+      // A failed compaction must not roll back rows, so it is written after them.
+      group = null;
+    }
+    const compaction = this.#memory.due(group?.entries.length ?? 0, isIdle);
+    const isWritten = this.#write(group, compaction);
+    // A failed compaction is retried with the next write, not in a loop.
+    if (!isWritten || !this.#memory.needsCompaction) return;
+    if (isIdle) this.#compactMore();
+    else this.#compactSoon();
+  }
+
+  /** Commits a group that has changed rows. */
+  #commit(group: Group): void {
     try {
-      while (this.#hasMore()) {
-        this.#doWaiting();
-        this.#flush();
-      }
-    } finally {
-      this.#isGoingOn = false;
+      this.#journal.append(group.entries);
+      this.#statements.run("COMMIT");
+    } catch (error) {
+      this.#rollBack(group);
+      return this.#lose(group, error);
     }
+    for (const { stored } of group.steps) stored();
   }
 
-  #hasMore(): boolean {
-    if (this.#writing === null && (this.#open !== null || this.#isBroken)) return true;
-    return this.#next !== null && this.#mayDo(this.#next.kind);
-  }
-
-  /** The first step that has not run. */
-  get #next(): Step | null {
-    return this.#waiting[this.#doneOfWaiting] ?? null;
-  }
-
-  #doWaiting(): void {
-    if (this.#isBroken && this.#writing === null && this.#open === null) {
-      this.#isBroken = false;
+  /** Commits the entries of a group and a compaction. @returns whether both are on disk */
+  #write(group: Group | null, compaction: Compaction | null): boolean {
+    const { entries, steps } = group ?? { entries: [], steps: [] };
+    let compactionError: unknown = null;
+    try {
+      if (entries.length > 0 || compaction !== null)
+        compactionError = this.#journal.write(entries, compaction);
+    } catch (error) {
+      if (compaction !== null) this.#memory.compacted(compaction, error);
       this.#memory.rolledBack();
+      for (const { lost } of steps) lost(error);
+      return false;
     }
-    for (let next = this.#next; next !== null && this.#mayDo(next.kind); next = this.#next) {
-      this.#doneOfWaiting += 1;
-      if (this.#next === null) {
-        this.#waiting = [];
-        this.#doneOfWaiting = 0;
-      }
-      this.#do(next);
-    }
+    if (compaction !== null) this.#memory.compacted(compaction, compactionError);
+    for (const { stored } of steps) stored();
+    return compactionError === null;
   }
 
-  /** Schedules compaction for when the journal is idle. */
+  /** Schedules compaction for when no steps arrive. */
   #compactSoon(): void {
     if (this.#timer !== null || this.#isClosed) return;
-    const sent = this.#sent;
+    const begun = this.#begun;
     this.#timer = setTimeout(() => {
       this.#timer = null;
-      if (this.#isIdleSince(sent)) this.#send(this.#newGroup(), true);
+      if (this.#begun === begun) this.#flush(true);
       else if (this.#memory.needsCompaction) this.#compactSoon();
     }, IDLE_MS).unref();
   }
 
-  /** Continues compaction without a delay while there is nothing else to write. */
+  /** Continues compaction without a delay while no steps arrive. */
   #compactMore(): void {
-    const sent = this.#sent;
+    const begun = this.#begun;
     setImmediate(() => {
-      if (this.#isClosed || !this.#memory.needsCompaction || !this.#isIdleSince(sent)) return;
-      this.#send(this.#newGroup(), true);
+      if (this.#isClosed || !this.#memory.needsCompaction || this.#begun !== begun) return;
+      this.#flush(true);
     });
   }
+}
 
-  #isIdleSince(sent: number): boolean {
-    return this.#sent === sent && this.#open === null && this.#writing === null;
-  }
+function closedError(): Error {
+  return new Error("The store is closed.");
 }

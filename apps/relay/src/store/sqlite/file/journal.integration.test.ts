@@ -9,7 +9,6 @@ import { addStep, deliverStep, endStep, startStep } from "../../../commands/stat
 import { completed } from "../../../platform/testing/messages.ts";
 import { testFolder } from "../../../testing/test-relay.ts";
 import type { RobotStore } from "../../port.ts";
-import { SqliteFile } from "./sqlite-file.ts";
 import { SqliteRobotStore } from "../sqlite-robot-store.ts";
 import { NOW, ROBOTS, sent, withRobots } from "../../cases/robot-in-store.ts";
 import { stepsKeeping, contentsOf, type StepOfRobot } from "../../cases/random-steps.ts";
@@ -43,58 +42,50 @@ const failing = async (store: RobotStore, id = ROBOTS[0] ?? ""): Promise<void> =
 };
 
 describe("the journal", () => {
-  it.each([
-    { where: "", isThreaded: false, numRuns: 25 },
-    { where: " on a thread of its own", isThreaded: true, numRuns: 8 },
-  ])(
-    "loses and changes nothing$where at any length, across restarts and rolled-back steps",
-    async ({ isThreaded, numRuns }) => {
-      vi.useFakeTimers({ toFake: ["setTimeout", "clearTimeout"] });
-      onTestFinished(() => void vi.useRealTimers());
-      const folder = testFolder();
-      let runs = 0;
-      await fc.assert(
-        fc.asyncProperty(
-          turns,
-          fc.constantFrom(...(isThreaded ? [0, 1, 2, 8] : [0, 1, 3, 8, 30])),
-          fc.boolean(),
-          async (all, long, isHurried) => {
-            const file = join(folder, `${runs++}.sqlite`);
-            const open = () => new SqliteRobotStore(new SqliteFile(file, { isThreaded }), long);
-            const plain = new SqliteRobotStore(`${file}-plain`, 1_000_000);
-            let store = open();
-            await Promise.all([withRobots(plain), withRobots(store)]);
-            let asked: Promise<unknown>[] = [];
-            const answered = async (): Promise<void> => {
-              for (const each of asked) await each;
-              asked = [];
-            };
-            for (const { step, robot, after } of all) {
-              const pair = [step(store, robot), step(plain, robot)];
-              asked.push(
-                Promise.all(pair).then(([got, expected]) => expect(got).toEqual(expected)),
-              );
-              if (after === "rolled back") asked.push(failing(store));
-              if (after === "nothing" && isHurried) continue;
-              await answered();
-              if (after === "idle") {
-                // Long enough for a checkpoint.
-                vi.advanceTimersByTime(15);
-                await turn();
-              }
-              if (after !== "restart") continue;
-              await store.close();
-              store = open();
-            }
+  it("loses and changes nothing at any length, across restarts and rolled-back steps", async () => {
+    vi.useFakeTimers({ toFake: ["setTimeout", "clearTimeout"] });
+    onTestFinished(() => void vi.useRealTimers());
+    const folder = testFolder();
+    let runs = 0;
+    await fc.assert(
+      fc.asyncProperty(
+        turns,
+        fc.constantFrom(0, 1, 3, 8, 30),
+        fc.boolean(),
+        async (all, long, isHurried) => {
+          const file = join(folder, `${runs++}.sqlite`);
+          const open = () => new SqliteRobotStore(file, long);
+          const plain = new SqliteRobotStore(`${file}-plain`, 1_000_000);
+          let store = open();
+          await Promise.all([withRobots(plain), withRobots(store)]);
+          let asked: Promise<unknown>[] = [];
+          const answered = async (): Promise<void> => {
+            for (const each of asked) await each;
+            asked = [];
+          };
+          for (const { step, robot, after } of all) {
+            const pair = [step(store, robot), step(plain, robot)];
+            asked.push(Promise.all(pair).then(([got, expected]) => expect(got).toEqual(expected)));
+            if (after === "rolled back") asked.push(failing(store));
+            if (after === "nothing" && isHurried) continue;
             await answered();
-            expect(await contentsOf(store)).toEqual(await contentsOf(plain));
-            await Promise.all([store.close(), plain.close()]);
-          },
-        ),
-        { numRuns },
-      );
-    },
-  );
+            if (after === "idle") {
+              // Long enough for a checkpoint.
+              vi.advanceTimersByTime(15);
+              await turn();
+            }
+            if (after !== "restart") continue;
+            await store.close();
+            store = open();
+          }
+          await answered();
+          expect(await contentsOf(store)).toEqual(await contentsOf(plain));
+          await Promise.all([store.close(), plain.close()]);
+        },
+      ),
+      { numRuns: 25 },
+    );
+  });
 
   it("keeps serving other robots when one record is corrupt, and is deleted with that robot", async () => {
     const file = join(testFolder(), "corridor.sqlite");

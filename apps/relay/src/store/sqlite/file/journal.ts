@@ -1,7 +1,6 @@
 /**
- * The journal of commands: its interface, the choice between this thread and another one, and the
- * SQL that writes entries. A checkpoint copies rows from the journal to the tables. It only needs
- * numbers, so a thread without the robots in memory can write it (`ThreadedJournal`).
+ * The SQL of the journal of commands. A checkpoint copies rows from the journal to the tables. It
+ * only needs the numbers of entries, so their texts are not read again.
  */
 import type { DatabaseSync } from "node:sqlite";
 import { Statements } from "./statements.ts";
@@ -31,104 +30,6 @@ export interface Compaction {
   /** entries up to this number are deleted, except those of the robots in `stored` */
   deleted: number;
   stored: string[];
-}
-
-/**
- * Receives the result of a write.
- * @param lost the error if nothing was written, or null
- * @param compactionError the error if only the compaction failed, or null
- */
-export type Written = (lost: unknown, compactionError: unknown) => void;
-
-export interface Journal {
-  /**
-   * Commits entries, together with a compaction if possible. No other write to the database may
-   * start before `written` is called, which can happen before this method returns.
-   */
-  write(entries: readonly Entry[], compaction: Compaction | null, written: Written): void;
-  close(): Promise<void>;
-}
-
-/**
- * Larger batches occur only under load. A small batch right after a large one usually has more
- * behind it.
- */
-const FEW = 4;
-/** A synchronous write blocks all other work for its duration. */
-const SLOW_MS = 2;
-/**
- * Slow writes in excess of fast ones before the thread takes over. A single slow write shows a busy
- * machine, which delays the thread too.
- */
-const MANY_SLOW = 3;
-/** Time after which synchronous writes are tried again. */
-const TRY_AGAIN_MS = 10_000;
-
-/**
- * Selects the faster of two journals for each write. On a fast disk, waking a thread and waiting
- * for its answer takes longer than writing a few entries. Small batches are therefore written
- * synchronously. Large batches, and all batches while the disk is slow, go to the thread.
- */
-export class AdaptiveJournal implements Journal {
-  readonly #own: Journal;
-  readonly #thread: Journal;
-  readonly #now: () => number;
-  /** number of slow writes minus fast ones, at least 0 */
-  #slow = 0;
-  #slowUntil = -Infinity;
-  /** number of entries in the previous write */
-  #before = 0;
-
-  /**
-   * @param own writes before it returns
-   * @param now ms of a monotonic clock
-   */
-  constructor(own: Journal, thread: Journal, now: () => number = () => performance.now()) {
-    this.#own = own;
-    this.#thread = thread;
-    this.#now = now;
-  }
-
-  write(entries: readonly Entry[], compaction: Compaction | null, written: Written): void {
-    const begun = this.#now();
-    const isLittle = compaction === null && Math.max(entries.length, this.#before) <= FEW;
-    this.#before = entries.length;
-    const isOwn = isLittle && begun >= this.#slowUntil;
-    (isOwn ? this.#own : this.#thread).write(entries, compaction, (...how) => {
-      if (isOwn) this.#took(this.#now() - begun);
-      written(...how);
-    });
-  }
-
-  #took(ms: number): void {
-    this.#slow = ms > SLOW_MS ? Math.min(this.#slow + 1, MANY_SLOW) : Math.max(this.#slow - 1, 0);
-    if (this.#slow === MANY_SLOW) this.#slowUntil = this.#now() + TRY_AGAIN_MS;
-  }
-
-  async close(): Promise<void> {
-    await this.#thread.close();
-  }
-}
-
-/** Writes on the caller's thread and connection. */
-export class InlineJournal implements Journal {
-  readonly #writer: JournalWriter;
-
-  constructor(db: DatabaseSync) {
-    this.#writer = new JournalWriter(db);
-  }
-
-  write(entries: readonly Entry[], compaction: Compaction | null, written: Written): void {
-    let compactionError: unknown;
-    try {
-      compactionError = this.#writer.write(entries, compaction);
-    } catch (error) {
-      return written(error, null);
-    }
-    written(null, compactionError);
-  }
-
-  async close(): Promise<void> {}
 }
 
 /** CROSS JOIN makes SQLite process the entries in the given order. */

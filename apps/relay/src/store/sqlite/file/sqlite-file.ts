@@ -10,11 +10,10 @@ import { BallastFile, type Ballast } from "./ballast.ts";
 import { openIntactDatabase, preparePrivateFile } from "./database-file.ts";
 import { isDiskFull, StoreFull, reserveSpace } from "../../../platform/errors/disk-full.ts";
 import { FileLock } from "./file-lock.ts";
-import { GroupCommit, type Memory } from "./group-commit.ts";
-import { InlineJournal, AdaptiveJournal, type Entry } from "./journal.ts";
+import { GroupCommit, type Memory, type StepKind } from "./group-commit.ts";
+import type { Entry } from "./journal.ts";
 import { openForReading } from "./sqlite-schema.ts";
 import { Statements } from "./statements.ts";
-import { ThreadedJournal } from "./threaded-journal.ts";
 
 /** Minimum time between checks for free space while the disk is full. */
 const LOOK_MS = 1_000;
@@ -48,8 +47,6 @@ export interface SqliteFileParts {
   ballast?: Ballast;
   /** ms to wait for another relay to release the database */
   waitMs?: number;
-  /** a separate thread writes large batches, and all batches while the disk is slow */
-  isThreaded?: boolean;
   /** receives the new path of a damaged database; a new database replaces it */
   setAside?: (to: string) => void;
 }
@@ -76,10 +73,7 @@ export class SqliteFile {
    * @throws DatabaseFileError if the file is not accessible; Error if another relay uses it or a
    *   newer version wrote it
    */
-  constructor(
-    path: string,
-    { ballast, waitMs, isThreaded = false, setAside }: SqliteFileParts = {},
-  ) {
+  constructor(path: string, { ballast, waitMs, setAside }: SqliteFileParts = {}) {
     preparePrivateFile(path);
     this.#ballast = ballast ?? new BallastFile(`${path}-ballast`);
     this.#lock = new FileLock(path, waitMs);
@@ -93,11 +87,7 @@ export class SqliteFile {
       this.#lock.free();
       throw error;
     }
-    const own = new InlineJournal(this.#db);
-    this.#commits = new GroupCommit(this.#db, {
-      journal: isThreaded ? new AdaptiveJournal(own, new ThreadedJournal(path)) : own,
-      memory: this.#memoryWithRoom(),
-    });
+    this.#commits = new GroupCommit(this.#db, { memory: this.#memoryWithRoom() });
     this.writing = new Statements(this.#db);
     this.reading = new Statements(this.#readOnly);
     this.#isFull = !this.#ballast.hold();
@@ -124,9 +114,9 @@ export class SqliteFile {
     };
   }
 
-  /** Whether the current memory is what the next memory step would see. */
-  get isPrompt(): boolean {
-    return this.#spaceCheck === null && this.#commits.isPrompt;
+  /** Whether steps wait for a check of the free space. */
+  get isWaiting(): boolean {
+    return this.#spaceCheck !== null;
   }
 
   /** Adds an entry to the journal. Must be called within a step. */
@@ -138,7 +128,7 @@ export class SqliteFile {
    * Runs one atomic step that ends, moves or deletes data. It may use the space of the ballast.
    * @param kind memory: it changes no rows
    */
-  step<T>(work: () => T, kind: "rows" | "memory" = "rows"): Promise<T> {
+  step<T>(work: () => T, kind: StepKind = "rows"): Promise<T> {
     if (this.#spaceCheck !== null) return this.#stepAfter(this.#spaceCheck, work, kind);
     return this.#commits.run(work, kind).catch((error: unknown) => {
       if (!isDiskFull(error)) throw error;
@@ -153,7 +143,7 @@ export class SqliteFile {
    * @param kind memory: it changes no rows
    * @throws StoreFull, or the error of SQLite, if the disk is full
    */
-  growingStep<T>(work: () => T, kind: "rows" | "memory" = "rows"): Promise<T> {
+  growingStep<T>(work: () => T, kind: StepKind = "rows"): Promise<T> {
     const grow = (): Promise<T> =>
       this.#commits.run(work, kind).catch((error: unknown) => {
         this.#noteFull(error);
@@ -166,11 +156,7 @@ export class SqliteFile {
     });
   }
 
-  async #stepAfter<T>(
-    finding: Promise<boolean>,
-    work: () => T,
-    kind: "rows" | "memory",
-  ): Promise<T> {
+  async #stepAfter<T>(finding: Promise<boolean>, work: () => T, kind: StepKind): Promise<T> {
     try {
       await finding;
     } catch {
@@ -249,7 +235,7 @@ export class SqliteFile {
 
   async #close(): Promise<void> {
     try {
-      await this.#commits.close();
+      this.#commits.close();
     } finally {
       this.#readOnly.close();
       this.#db.close();

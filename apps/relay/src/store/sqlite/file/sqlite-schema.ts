@@ -247,13 +247,6 @@ export function openDatabase(file: string, newest = STEPS.length): DatabaseSync 
   return db;
 }
 
-/** Opens another connection to a prepared database, with the same guarantees. */
-export function openForWriting(file: string): DatabaseSync {
-  const db = new DatabaseSync(file);
-  db.exec(PROMISES);
-  return db;
-}
-
 /** Opens a read-only connection to a prepared database. It sees committed data only. */
 export function openForReading(file: string): DatabaseSync {
   return new DatabaseSync(file, { readOnly: true });
