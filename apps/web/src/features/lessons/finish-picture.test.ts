@@ -6,7 +6,10 @@ import { finishPicture } from "./finish-picture.ts";
 /** Returns the same colour for every key. */
 const palette = new Proxy({} as Palette, { get: () => "#123456" });
 
-beforeAll(() => vi.stubGlobal("Path2D", class {}));
+beforeAll(() => {
+  vi.stubGlobal("Path2D", class {});
+  return () => vi.unstubAllGlobals();
+});
 
 function draw(dir: "ltr" | "rtl" = "ltr") {
   return finishPicture({

@@ -1,4 +1,4 @@
-import { describe, expect, it, vi } from "vitest";
+import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { MemoryStorage } from "../storage/testing/memory-storage.ts";
 import { createChallengeStore, noChallenge } from "../challenge/challenge-store.ts";
 import { createWorkspaceStore, setMaze, setProgram } from "../workspace/workspace-store.ts";
@@ -13,6 +13,7 @@ import { BonusChecker } from "./bonus-checker.ts";
 
 function openPage(answer: (question: BonusQuestion) => BonusAnswer) {
   vi.useFakeTimers();
+  onTestFinished(() => void vi.useRealTimers());
   const challenge = createChallengeStore();
   const workspace = createWorkspaceStore(firstMaze, firstProgram);
   const storage = new LessonsStorage(new MemoryStorage());

@@ -5,7 +5,10 @@ import { beforeAll, describe, expect, it, vi } from "vitest";
 import { readPalette } from "../drawing/palette.ts";
 import { mazeSvg, type PictureScene } from "./maze-svg.ts";
 
-beforeAll(() => vi.stubGlobal("Path2D", class {}));
+beforeAll(() => {
+  vi.stubGlobal("Path2D", class {});
+  return () => vi.unstubAllGlobals();
+});
 
 const [, , spiral] = mazePresets.map(({ maze }) => maze);
 if (spiral === undefined) throw new Error("a preset is gone");
