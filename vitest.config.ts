@@ -3,6 +3,11 @@ import { components } from "./apps/web/components.config.ts";
 
 const report = process.env["VITEST_JSON_REPORT"];
 
+const folders = "{packages,apps,scripts,benches,e2e}";
+const integration = `${folders}/**/*.integration.test.ts`;
+const exhaustive = `${folders}/**/*.exhaustive.test.ts`;
+const exclude = ["**/node_modules/**", "**/dist/**"];
+
 export default defineConfig({
   test: {
     // By default one core is left idle, which on CI's two cores is half of the machine.
@@ -11,22 +16,24 @@ export default defineConfig({
       {
         test: {
           name: "unit",
-          include: [
-            "packages/**/*.test.ts",
-            "apps/**/*.test.ts",
-            "scripts/**/*.test.ts",
-            "benches/**/*.test.ts",
-            "e2e/**/*.test.ts",
-          ],
-          exclude: ["**/node_modules/**", "**/dist/**"],
+          include: [`${folders}/**/*.test.ts`],
+          exclude: [...exclude, integration, exhaustive],
+          // Modules load once per worker. Tests restore the globals and timers that they replace.
+          isolate: false,
           testTimeout: 60_000,
         },
       },
       {
-        // Tests that start processes: relays, Redis, Python, Java and others.
+        // Sweeps over many programs, mazes and runs.
+        test: { name: "exhaustive", include: [exhaustive], exclude, testTimeout: 60_000 },
+      },
+      {
+        // Tests that start relays, listen on sockets or open SQLite files, and in
+        // tests/integration those that start processes: relays, Redis, Python, Java and others.
         test: {
           name: "integration",
-          include: ["tests/integration/**/*.test.ts"],
+          include: [integration, "tests/integration/**/*.test.ts"],
+          exclude,
           testTimeout: 60_000,
         },
       },

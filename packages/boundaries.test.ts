@@ -2,6 +2,7 @@ import { globSync, readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import { importsOf, violations, type Sources } from "../scripts/boundaries.ts";
 import { layerViolations } from "../scripts/layers.ts";
+import { testsThatKeepStubs, testsThatOpen } from "../scripts/test-kinds.ts";
 
 const root = new URL("../", import.meta.url).pathname;
 
@@ -26,6 +27,14 @@ describe("imports between workspaces", () => {
 });
 
 describe("unit tests", () => {
+  const planted = "packages/boundaries.test.ts";
+  const kinds = "**/*.{integration,exhaustive,component}.test.{ts,tsx}";
+  const testsOnDisk = (...exclude: string[]): Sources => {
+    const testSources = ["**/*.test.{ts,tsx}", "**/*.cases.ts", "**/{cases,testing}/**/*.{ts,tsx}"];
+    const without = ["**/node_modules/**", "tests/**", ...exclude];
+    const files = globSync(testSources, { cwd: root, exclude: without });
+    return new Map(files.map((file) => [file, readFileSync(root + file, "utf8")]));
+  };
   const starters = (sources: Sources): string[] =>
     [...sources]
       .filter(([, source]) =>
@@ -34,9 +43,7 @@ describe("unit tests", () => {
       .map(([file]) => file);
 
   it("start no process: tests that do are in tests/integration", () => {
-    const testSources = ["**/*.test.{ts,tsx}", "**/{cases,testing}/**/*.{ts,tsx}"];
-    const files = globSync(testSources, { cwd: root, exclude: ["**/node_modules/**", "tests/**"] });
-    const sources = new Map(files.map((file) => [file, readFileSync(root + file, "utf8")]));
+    const sources = testsOnDisk();
     expect(sources.size).toBeGreaterThan(200);
     expect(starters(sources)).toEqual([]);
   });
@@ -47,6 +54,40 @@ describe("unit tests", () => {
   ])("are found if they do: %s", (source) => {
     expect(starters(new Map([["apps/relay/src/a.test.ts", source]]))).toHaveLength(1);
   });
+
+  it("open no socket and no SQLite file: tests that do end in .integration.test.ts", () => {
+    const sources = testsOnDisk(kinds, planted);
+    expect(sources.size).toBeGreaterThan(200);
+    expect(testsThatOpen(sources)).toEqual([]);
+  });
+
+  it.each([
+    'import { startTestRelay } from "./testing/test-relay.ts";',
+    'import { connect } from "node:net";',
+    'import { createServer } from "node:http";',
+    'import { DatabaseSync } from "node:sqlite";',
+    'import { SqliteRobotStore } from "./store/sqlite/sqlite-robot-store.ts";',
+    "const server = app.listen(0);",
+    'import { withRobot } from "./testing/robot.ts";',
+  ])("are found if they do: %s", (source) => {
+    const helper = 'import { openDatabase } from "../store/sqlite/file/sqlite-schema.ts";';
+    const sources = {
+      "apps/relay/src/a.test.ts": source,
+      "apps/relay/src/testing/robot.ts": helper,
+    };
+    expect(testsThatOpen(new Map(Object.entries(sources)))).toEqual(["apps/relay/src/a.test.ts"]);
+  });
+
+  it("restore the timers, globals and methods that they replace", () => {
+    expect(testsThatKeepStubs(testsOnDisk(kinds, planted))).toEqual([]);
+  });
+
+  it.each(["vi.useFakeTimers();", 'vi.stubGlobal("Intl", {});', 'vi.spyOn(Math, "random");'])(
+    "are found if they do not: %s",
+    (source) => {
+      expect(testsThatKeepStubs(new Map([["apps/web/src/a.test.ts", source]]))).toHaveLength(1);
+    },
+  );
 });
 
 describe("a planted violation", () => {

@@ -1,7 +1,7 @@
 /**
- * `npm test`: types, lint, format, spelling, unused code, audit, unit tests, integration tests,
- * component tests, Python tests, build, end-to-end tests. Every stage runs even if an earlier stage
- * failed. The last line prints the totals.
+ * `npm test`: types, lint, format, spelling, unused code, audit, unit tests, exhaustive tests,
+ * integration tests, component tests, Python tests, build, end-to-end tests. Every stage runs even
+ * if an earlier stage failed. The last line prints the totals.
  */
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
@@ -40,6 +40,7 @@ stage("spelling", ["cspell", "--no-progress", "--no-summary"]);
 stage("unused code", ["knip"]);
 auditStage();
 vitestStage("unit");
+vitestStage("exhaustive");
 vitestStage("integration");
 if (hasRequirements) vitestStage("components");
 else add("components", { passed: 0, failed: 1, skipped: 0 });
