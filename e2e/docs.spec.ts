@@ -2,8 +2,9 @@
  * The documentation at /docs, read on its own, with calls from its console. The page fixture fails
  * the test at every policy violation.
  */
-import { AxeBuilder } from "@axe-core/playwright";
+import type { AxeBuilder } from "@axe-core/playwright";
 import { expect, test } from "./fixtures.ts";
+import { allRules, onlyColours } from "./support/axe.ts";
 
 test("executes the calls that the documentation shows", async ({ page, relay }) => {
   const hosts = new Set<string>();
@@ -116,13 +117,9 @@ test("has no axe violations on any page, in both themes and on the smallest phon
     for (const link of await links.all()) paths.add((await link.getAttribute("href")) ?? "");
     const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     expect(overflow, path).toBeLessThanOrEqual(0);
-    const allRules = new AxeBuilder({ page }).options({
-      rules: { "target-size": { enabled: true } },
-    });
-    await expectNone(allRules, path);
+    await expectNone(allRules(page), path);
     await page.emulateMedia({ colorScheme: "dark" });
-    // The themes differ only in their colours.
-    await expectNone(new AxeBuilder({ page }).withRules("color-contrast"), path);
+    await expectNone(onlyColours(page), path);
   }
   expect([...paths]).toEqual(
     expect.arrayContaining(["/docs/python-reference", "/docs/conformance", "/docs/run-format"]),
