@@ -306,13 +306,7 @@ export class StageController {
   #divide(): void {
     const room = this.#room();
     if (room === null) return;
-    const layout = divideStage(room);
-    const before = this.view.getState().layout;
-    if (before !== null && JSON.stringify(before) === JSON.stringify(layout)) {
-      this.#show();
-      return;
-    }
-    setLayout(this.view, layout);
+    if (!setLayout(this.view, divideStage(room))) this.#show();
   }
 
   /** What the layout depends on; null while the stage has no size. */

@@ -47,9 +47,7 @@ export function openWatchStage(ports: WatchStagePorts): () => void {
     const { maze } = store.getState();
     const room = { width: scroller.clientWidth, height: scroller.clientHeight };
     if (maze === null || maze === undefined || room.width === 0 || room.height === 0) return;
-    const next = stageLayout(sizeOf(maze), room, true);
-    const before = view.getState().layout;
-    if (before === null || JSON.stringify(next) !== JSON.stringify(before)) setLayout(view, next);
+    setLayout(view, stageLayout(sizeOf(maze), room, true));
     const { layout, scroll, answers } = view.getState();
     if (layout === null) return;
     screen.show({

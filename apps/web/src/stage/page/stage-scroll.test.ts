@@ -126,10 +126,7 @@ class Stage {
 
   divide(): void {
     const layout = divideStage(this.#divided());
-    const before = this.view.getState().layout;
-    if (JSON.stringify(before) === JSON.stringify(layout)) return;
-    setLayout(this.view, layout);
-    this.#applyLayout(layout);
+    if (setLayout(this.view, layout)) this.#applyLayout(layout);
   }
 
   zoom(by: ZoomBy, at: Scroll | null): void {

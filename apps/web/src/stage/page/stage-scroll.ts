@@ -7,6 +7,7 @@
  * without an event. A container that scrolls again can start at its earlier position.
  */
 import { clampScroll, type Layout, type Scroll } from "../drawing/viewport.ts";
+import { isSameStageLayout } from "./same-stage-layout.ts";
 import type { StageViewStore } from "./stage-view.ts";
 
 /** The part of a scroll container that is used here. */
@@ -14,9 +15,15 @@ export type ScrollBox = Pick<HTMLElement, "scrollLeft" | "scrollTop"> & {
   scrollTo(options: ScrollToOptions): void;
 };
 
-/** Sets the layout and clamps the scroll position to it. */
-export function setLayout(view: StageViewStore, layout: Layout): void {
-  view.setState({ layout, scroll: clampScroll(layout, view.getState().scroll) });
+/**
+ * Sets the layout and clamps the scroll position to it.
+ * @returns false for an equal layout, which changes nothing
+ */
+export function setLayout(view: StageViewStore, layout: Layout): boolean {
+  const { layout: before, scroll } = view.getState();
+  if (before !== null && isSameStageLayout(before, layout)) return false;
+  view.setState({ layout, scroll: clampScroll(layout, scroll) });
+  return true;
 }
 
 /** Scrolls the container to the stored position, once it has the layout's sizes. */
