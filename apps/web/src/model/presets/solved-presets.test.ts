@@ -47,6 +47,15 @@ describe("solved presets", () => {
     expect(ids()).toEqual([]);
   });
 
+  it("are marked when the robot starts in another direction", async () => {
+    const { workspace, report, ids } = open();
+    const { start } = solvedSpiral;
+    const heading = start.heading === "south" ? "north" : "south";
+    setMaze(workspace, { ...solvedSpiral, start: { ...start, heading } });
+    await report("goal");
+    expect(ids()).toEqual(["spiral"]);
+  });
+
   it.each([
     {
       change: "a block taken out",

@@ -83,7 +83,7 @@ export class RunJudge {
     const judged = this.#rested ?? this.#judge.judgement;
     if (judged === this.#reported) return null;
     // An equal judgement after a repeated one is not reported again.
-    const isSame = JSON.stringify(judged) === JSON.stringify(this.#reported);
+    const isSame = isSameJudgement(judged, this.#reported);
     this.#reported = judged;
     return isSame ? null : judged;
   }
@@ -106,5 +106,21 @@ export class RunJudge {
       playback.step();
       this.#judge.after(playback.run);
     }
+  }
+}
+
+function isSameJudgement(one: Judgement, other: Judgement): boolean {
+  switch (one.kind) {
+    case "open":
+      return other.kind === "open";
+    case "met":
+      return (
+        other.kind === "met" &&
+        one.driver === other.driver &&
+        one.tick === other.tick &&
+        one.bumps === other.bumps
+      );
+    case "failed":
+      return other.kind === "failed" && one.code === other.code && one.tick === other.tick;
   }
 }
