@@ -5,9 +5,11 @@
 import type { MazeDocument } from "@corridor/maze";
 import type { Race } from "./race.ts";
 import { loadRaceGhosts } from "../../stage/layers/lazy-race-ghosts.ts";
+import { afterMessages } from "./after-messages.ts";
 import { describeFault } from "./describe-fault.ts";
 import { earlyProject, type FirstProject } from "../protocol/first-project.ts";
 import { FrameThrottle } from "./frame-throttle.ts";
+import { Lazy } from "./lazy.ts";
 import type { RemoteHost } from "./remote-host.ts";
 import type { RestoredJournal } from "./restored-world.ts";
 import type { RunLoader } from "./run-loader.ts";
@@ -46,24 +48,16 @@ let pastMaze: MazeDocument | null = null;
 let judgeId = 0;
 
 /** The relay link is loaded when Remote is opened for the first time. */
-let remote: RemoteHost | null = null;
-let remoteLoading: Promise<RemoteHost> | null = null;
+const remote = new Lazy(loadRemote, guarded);
 
-/** Calls a function with the relay link, in the order of the calls. */
 function withRemote(use: (host: RemoteHost) => void): void {
-  remoteLoading ??= loadRemote();
-  void remoteLoading.then(
-    (host) => guarded(() => use(host)),
-    () => {
-      // The file did not load: the connection is lost, and the next attempt loads it again.
-      remoteLoading = null;
-      const status = { kind: "lost", reason: "connectionLost" } as const;
-      post({
-        type: "remote",
-        remote: { status, session: null, commands: [], scripts: [], isPaused: false },
-      });
-    },
-  );
+  remote.use(use, () => {
+    const status = { kind: "lost", reason: "connectionLost" } as const;
+    post({
+      type: "remote",
+      remote: { status, session: null, commands: [], scripts: [], isPaused: false },
+    });
+  });
 }
 
 async function loadRemote(): Promise<RemoteHost> {
@@ -86,7 +80,6 @@ async function loadRemote(): Promise<RemoteHost> {
     fetch: (url, request) => fetch(url, request),
   });
   loop?.connect((robot) => new RemoteDriver(host, robot, now));
-  remote = host;
   return host;
 }
 
@@ -120,11 +113,11 @@ async function startKeeper(): Promise<WorldRepository> {
         return loop.recording;
       },
       journal: () => {
-        const journal = remote?.journal ?? null;
+        const journal = remote.loaded?.journal ?? null;
         return journal === null ? restored : { ...journal, running: loop?.remote?.running ?? null };
       },
       storeKey,
-      onClaimed: () => remote?.worldClaimed(),
+      onClaimed: () => remote.loaded?.worldClaimed(),
       newId: () => crypto.getRandomValues(new Uint32Array(4)).join("-"),
       now,
       after: (milliseconds, call) => {
@@ -155,7 +148,7 @@ async function restoreRun(message: RestoreRun): Promise<void> {
     repository: storage,
     run: () => loop,
     load: (run, open) =>
-      withLoader(
+      loader.use(
         (runs) => runs.load({ id: message.id, run }, open),
         () => failedLoad(message.id),
       ),
@@ -189,76 +182,46 @@ const painter = new StagePainter({
   },
 });
 
-/** Calls back after the messages that are already queued. */
-const afterMessages = new MessageChannel();
-afterMessages.port1.onmessage = () => guarded(postUpdate);
-
-/** The same for the slices of a run that is being opened. */
-const afterSlice = new MessageChannel();
-afterSlice.port1.onmessage = () =>
-  guarded(() => {
-    loader?.next();
-    postUpdate();
-  });
+const postSoon = afterMessages(() => guarded(postUpdate));
 
 /** The loader of recorded runs is loaded with the first of them. */
-let loader: RunLoader | null = null;
-let loaderLoading: Promise<RunLoader> | null = null;
-
-function withLoader(use: (runs: RunLoader) => void, orElse: () => void): void {
-  loaderLoading ??= loadLoader();
-  void loaderLoading.then(
-    (runs) => guarded(() => use(runs)),
-    () => {
-      loaderLoading = null;
-      orElse();
-    },
-  );
-}
+const loader = new Lazy(loadLoader, guarded);
 
 async function loadLoader(): Promise<RunLoader> {
   const { RunLoader: Loader } = await import("./run-loader.ts");
-  loader = new Loader({
+  const runs: RunLoader = new Loader({
     now,
-    later: () => afterSlice.port2.postMessage(null),
+    later: afterMessages(() =>
+      guarded(() => {
+        runs.next();
+        postUpdate();
+      }),
+    ),
     onPart: (id, part) => post({ type: "run-loading", id, part }),
     answer: runLoaded,
   });
-  return loader;
+  return runs;
 }
 
 /** The race is loaded with the first ghost. */
-let raceLoading: Promise<Race> | null = null;
-
-function withRace(use: (race: Race) => void, orElse: () => void): void {
-  raceLoading ??= loadRace();
-  void raceLoading.then(
-    (race) => guarded(() => use(race)),
-    () => {
-      raceLoading = null;
-      orElse();
-    },
-  );
-}
+const ghosts = new Lazy(loadRace, guarded);
 
 async function loadRace(): Promise<Race> {
   const [{ Race: Ghosts }] = await Promise.all([import("./race.ts"), loadRaceGhosts()]);
-  const slices = new MessageChannel();
-  const race = new Ghosts({
+  const race: Race = new Ghosts({
     now,
-    later: () => slices.port2.postMessage(null),
+    later: afterMessages(() => guarded(() => race.next())),
     post,
     onChange: () => {
       loop?.raceWith(race);
       postUpdate();
     },
   });
-  slices.port1.onmessage = () => guarded(() => race.next());
   return race;
 }
 
 function addGhost(message: AddGhost): void {
-  withRace(
+  ghosts.use(
     (race) => race.add(message),
     () => post({ type: "ghost-added", id: message.id, added: { ok: false, problems: [] } }),
   );
@@ -269,10 +232,10 @@ worker.onmessage = ({ data }: MessageEvent<ToWorker>) => {
     handle(data);
     // Of several requested ticks, only the newest is displayed: the others arrived before this
     // message.
-    if (data.type === "seek") afterMessages.port2.postMessage(null);
+    if (data.type === "seek") postSoon();
     else advance();
   } catch (error) {
-    post({ type: "fault", reason: describeFault(error) });
+    reportFault(error);
   }
 };
 
@@ -296,21 +259,24 @@ function guarded(work: () => void): void {
     work();
   } catch (error) {
     loop?.pause();
-    post({ type: "fault", reason: describeFault(error) });
+    reportFault(error);
   }
 }
+
+function reportFault(error: unknown): void {
+  post({ type: "fault", reason: describeFault(error) });
+}
+
+const digests = new Lazy(() => import("./digest.ts"), guarded);
 
 function handle(message: ToWorker): void {
   if (message.type === "load") return load(message);
   if (message.type === "digest") {
-    import("./digest.ts").then(
-      ({ digestOf }) => guarded(() => post({ type: "digest", digest: digestOf(message) })),
-      (error: unknown) => post({ type: "fault", reason: describeFault(error) }),
-    );
+    digests.use(({ digestOf }) => post({ type: "digest", digest: digestOf(message) }), reportFault);
     return;
   }
   if (message.type === "load-run") {
-    return withLoader(
+    return loader.use(
       (runs) =>
         runs.load(message, (recording) => {
           if (loop === null) throw new Error("a run comes before the documents");
@@ -337,11 +303,7 @@ function handle(message: ToWorker): void {
     case "step":
       return loop.step(message.length);
     case "reset":
-      if (loaderLoading !== null)
-        withLoader(
-          (runs) => runs.cancel(),
-          () => undefined,
-        );
+      if (loader.isRequested) loader.use((runs) => runs.cancel());
       return loop.reset();
     case "judge":
       return judge(message.id, message.attempt);
@@ -368,15 +330,9 @@ function handle(message: ToWorker): void {
     case "add-ghost":
       return addGhost(message);
     case "remove-ghost":
-      return withRace(
-        (race) => race.remove(message.id),
-        () => undefined,
-      );
+      return ghosts.use((race) => race.remove(message.id));
     case "cancel-load":
-      return withLoader(
-        (runs) => runs.cancel(message.id),
-        () => undefined,
-      );
+      return loader.use((runs) => runs.cancel(message.id));
     case "remote-open":
       return withRemote((host) => host.open(message.session, message.fresh));
     case "remote-close":
@@ -412,37 +368,33 @@ function saveRun(run: RunLoop, id: number): void {
   post({ type: "run-saved", id, saved });
 }
 
+const judges = new Lazy(() => import("./run-judge.ts"), guarded);
+
 /** Ticks that run before the judge has loaded are judged afterwards. */
 function judge(id: number, attempt: Extract<ToWorker, { type: "judge" }>["attempt"]): void {
   judgeId = id;
   loop?.judgeBy(null);
   if (attempt === null) return;
   const { challenge, maze } = attempt;
-  void import("./run-judge.ts").then(
-    ({ RunJudge }) => guarded(() => id === judgeId && loop?.judgeBy(new RunJudge(challenge, maze))),
-    (error: unknown) => post({ type: "fault", reason: describeFault(error) }),
-  );
+  judges.use(({ RunJudge }) => {
+    if (id === judgeId) loop?.judgeBy(new RunJudge(challenge, maze));
+  }, reportFault);
 }
 
 /** Diagnostics load once the robot drives; without them runs continue unexplained. */
-let hasAskedForDiagnostics = false;
+const diagnostics = new Lazy(() => import("./diagnose-run.ts"), guarded);
 
 function loadDiagnostics(): void {
-  if (hasAskedForDiagnostics) return;
-  hasAskedForDiagnostics = true;
+  if (diagnostics.isRequested) return;
   loop?.awaitDiagnostics(true);
-  import("./diagnose-run.ts").then(
-    (diagnostics) =>
-      guarded(() => {
-        loop?.useDiagnostics(diagnostics);
-        postUpdate();
-      }),
+  diagnostics.use(
+    (loaded) => {
+      loop?.useDiagnostics(loaded);
+      postUpdate();
+    },
     () => {
-      hasAskedForDiagnostics = false;
-      guarded(() => {
-        loop?.awaitDiagnostics(false);
-        postUpdate();
-      });
+      loop?.awaitDiagnostics(false);
+      postUpdate();
     },
   );
 }
@@ -477,10 +429,11 @@ function postUpdate(): void {
   if (judgement !== null) post({ type: "judgement", id: judgeId, judgement });
   hasUnsentNews ||= update !== null;
   const wait = hasUnsentNews ? RELAY_INTERVAL_MS : RELAY_HEARTBEAT_MS;
-  if (remote?.isOpen === true && now() - sentToRelayAt >= wait) {
+  const host = remote.loaded;
+  if (host?.isOpen === true && now() - sentToRelayAt >= wait) {
     sentToRelayAt = now();
     hasUnsentNews = false;
-    remote.sendSnapshot(loop.snapshot(), loop.maze);
+    host.sendSnapshot(loop.snapshot(), loop.maze);
   }
 }
 
