@@ -70,8 +70,8 @@ export class RobotPage {
   /** Advances the page by the elapsed time. Called as often as in the worker. */
   advance(): void {
     this.#loop.advance();
-    this.#hasUnsentChanges ||= this.#loop.takeUpdate() !== null;
-    this.#loop.takeTimeline();
+    this.#hasUnsentChanges ||= this.#loop.updates.take() !== null;
+    this.#loop.updates.takeTimeline();
     this.#reportMotion();
     const wait = this.#hasUnsentChanges ? RELAY_INTERVAL_MS : RELAY_HEARTBEAT_MS;
     if (!this.#host.isOpen || performance.now() - this.#sentAt < wait) return;

@@ -128,8 +128,8 @@ export class FaultyPage {
     this.#queued = [];
     for (const deliver of queued) deliver();
     this.#loop.advance();
-    this.#loop.takeUpdate();
-    this.#loop.takeTimeline();
+    this.#loop.updates.take();
+    this.#loop.updates.takeTimeline();
     if (this.#host.isOpen && time.now() - this.#shownAt >= SNAPSHOT_MS) {
       this.#shownAt = time.now();
       this.#host.sendSnapshot(this.#loop.snapshot());

@@ -70,7 +70,7 @@ function openMission(id: MissionId) {
   if (open === null) throw new Error("no challenge");
   let time = 0;
   const loop = new RunLoop(workspace.getState().maze, workspace.getState().program, () => time);
-  loop.judgeBy(new RunJudge(open, 0));
+  loop.updates.judgeBy(new RunJudge(open, 0));
   return {
     service,
     challenge,
@@ -95,7 +95,7 @@ function openMission(id: MissionId) {
         time += 8;
         loop.advance();
       }
-      const judgement = loop.takeJudgement();
+      const judgement = loop.updates.takeJudgement();
       if (judgement !== null) emit({ type: "judgement", id: judgeId, judgement });
     },
   };

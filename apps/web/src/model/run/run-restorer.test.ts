@@ -32,7 +32,7 @@ function openPage(
     for (const listener of listeners) listener(message);
   };
   const postUpdate = () => {
-    const update = loop.takeUpdate();
+    const update = loop.updates.take();
     if (update !== null) post({ type: "frame", frame: update.frame, timeline: null });
     worlds.update();
   };

@@ -10,7 +10,7 @@ function causeOfFirstBump(bench: Bench): RunEvent["cause"] {
   while (bench.time < 20_000) {
     bench.time += 8;
     bench.loop.advance();
-    const cause = bench.loop.takeUpdate()?.events[0]?.cause ?? null;
+    const cause = bench.loop.updates.take()?.events[0]?.cause ?? null;
     if (cause !== null) return cause;
   }
   return null;

@@ -80,9 +80,8 @@ export class DisplayedTick {
     this.#trail.begin();
   }
 
-  /** @param isRunning whether the live run continues */
-  frame(isRunning: boolean): Frame {
-    const { recording, program, driver, revision } = this.#live;
+  frame(): Frame {
+    const { recording, program, driver, revision, isRunning } = this.#live;
     const run = this.#run;
     const snapshot = this.#snapshotOf(run, this.#past === null ? isRunning : this.isPlaying);
     const endLine = this.#past === null && !isRunning ? lastLine(run) : null;
@@ -103,12 +102,9 @@ export class DisplayedTick {
     };
   }
 
-  /**
-   * The newest state, for scripts; every snapshot has its own seq.
-   * @param isRunning whether the run continues
-   */
-  newest(isRunning: boolean): Snapshot {
-    return this.#snapshotOf(this.#live.run, isRunning);
+  /** The newest state, for scripts; every snapshot has its own seq. */
+  newest(): Snapshot {
+    return this.#snapshotOf(this.#live.run, this.#live.isRunning);
   }
 
   get #run(): Run {

@@ -15,15 +15,15 @@ const FIVE_MINUTES = 5 * 3600;
 function saidOnPage(maze: MazeDocument, program: ProgramDocument, until: number): Diagnosis | null {
   let time = 0;
   const loop = new RunLoop(maze, program, () => time);
-  loop.useDiagnostics(diagnostics);
+  loop.updates.useDiagnostics(diagnostics);
   loop.setSpeed(16);
   loop.run();
   let said: Diagnosis | null = null;
   while (loop.isRunning && loop.snapshot().tick < until) {
     time += 8;
     loop.advance();
-    const bumps = loop.takeUpdate()?.events.flatMap(({ diagnosis }) => diagnosis ?? []) ?? [];
-    said = bumps[0] ?? loop.takeDiagnosed()?.diagnosis ?? said;
+    const bumps = loop.updates.take()?.events.flatMap(({ diagnosis }) => diagnosis ?? []) ?? [];
+    said = bumps[0] ?? loop.updates.takeDiagnosed()?.diagnosis ?? said;
   }
   if (loop.snapshot().goalReached) return null;
   return said !== null && said.event.tick <= until ? said : null;

@@ -12,6 +12,8 @@ export class LiveRun {
   #maze: MazeDocument;
   #program: NewestProgram;
   #recording: Recording;
+  /** whether simulated time passes in it */
+  isRunning = false;
   /** changes of the inputs of all previous runs */
   #revisions = 0;
 

@@ -39,11 +39,11 @@ describe("the displayed past", () => {
     expect(rest.trailReset).toBe(false);
     const whole = new Bench();
     whole.loop.run();
-    const corners = [...(whole.loop.takeUpdate()?.frame.corners ?? [])];
+    const corners = [...(whole.loop.updates.take()?.frame.corners ?? [])];
     for (let i = 0; i < 10_000 / 8; i++) {
       whole.time += 8;
       whole.loop.advance();
-      corners.push(...(whole.loop.takeUpdate()?.frame.corners ?? []));
+      corners.push(...(whole.loop.updates.take()?.frame.corners ?? []));
     }
     expect([...early.corners, ...later.corners, ...rest.corners]).toEqual(corners);
     expect(all.snapshot.tick).toBe(whole.loop.snapshot().tick);
@@ -126,12 +126,12 @@ describe("the displayed past", () => {
     const bench = tenSeconds();
     const then = firstMaze;
     bench.loop.editMaze({ ...firstMaze, goals: [] });
-    expect(bench.loop.pastMaze).toBeNull();
+    expect(bench.loop.updates.pastMaze).toBeNull();
     bench.loop.seek(30);
-    expect(bench.loop.pastMaze).toEqual(then);
+    expect(bench.loop.updates.pastMaze).toEqual(then);
     bench.loop.editMaze({ ...firstMaze, name: "another" });
     expect(bench.frame().view).toBe("now");
-    expect(bench.loop.pastMaze).toBeNull();
+    expect(bench.loop.updates.pastMaze).toBeNull();
   });
 
   it("is continued by hand with a drive key", () => {

@@ -25,7 +25,7 @@ it("Pause pauses at any speed, whatever was pressed just before it", () => {
     fc.property(fc.array(anyAction, { minLength: 1, maxLength: 12 }), (actions) => {
       let time = 0;
       const loop = new RunLoop(firstMaze, firstProgram, () => time);
-      loop.useDiagnostics(diagnostics);
+      loop.updates.useDiagnostics(diagnostics);
       loop.setSpeed(8);
       loop.run();
       for (const action of actions) {
@@ -48,7 +48,7 @@ it("Pause pauses at any speed, whatever was pressed just before it", () => {
       if (loop.isRunning) ran++;
       loop.pause();
       expect(loop.isRunning).toBe(false);
-      loop.takeUpdate();
+      loop.updates.take();
       const { tick } = loop.snapshot();
       time += 1000;
       loop.advance();

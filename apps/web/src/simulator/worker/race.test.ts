@@ -30,7 +30,7 @@ function raceOf(bench: Bench | null = null) {
     now: () => ++time,
     later: () => void due++,
     post: ({ id, added }) => void answers.set(id, added),
-    onChange: () => bench?.loop.raceWith(race),
+    onChange: () => bench?.loop.updates.raceWith(race),
   });
   const settle = () => {
     for (; due > 0; due--) race.next();
@@ -142,7 +142,7 @@ describe("the ghosts of a race", () => {
             loop.hold("stop");
           } else if (each.do === "reset") loop.reset();
           else loop.pause();
-          const frame = loop.takeUpdate()?.frame ?? bench.frame();
+          const frame = loop.updates.take()?.frame ?? bench.frame();
           const { tick } = frame.snapshot;
           expect(frame.ghosts).toEqual([
             { badge: "A", ...poseIn(rightWall, tick) },

@@ -19,7 +19,7 @@ function programOf(rules: Rule[]): ProgramDocument {
 /** With the diagnostics loaded from the start. */
 function newLoop(...[maze, program, now]: ConstructorParameters<typeof RunLoop>): RunLoop {
   const loop = new RunLoop(maze, program, now);
-  loop.useDiagnostics(diagnostics);
+  loop.updates.useDiagnostics(diagnostics);
   return loop;
 }
 
@@ -32,7 +32,7 @@ function pass(loop: RunLoop, seconds: number): RunEvent[] {
   for (let frame = 0; frame < seconds * 60; frame++) {
     time += 1000 / 60 + 1e-9;
     loop.advance();
-    moments.push(...(loop.takeUpdate()?.events ?? []));
+    moments.push(...(loop.updates.take()?.events ?? []));
   }
   return moments;
 }
@@ -60,7 +60,7 @@ describe("a bump of the program", () => {
   describe("while the diagnostics load", () => {
     function bumped(): RunLoop {
       const loop = new RunLoop(corner, delayedAtTheWall, () => time);
-      loop.awaitDiagnostics(true);
+      loop.updates.awaitDiagnostics(true);
       loop.run();
       expect(pass(loop, 5)).toEqual([]);
       expect(loop.isRunning).toBe(false);
@@ -70,7 +70,7 @@ describe("a bump of the program", () => {
 
     it("is reported once, with its explanation", () => {
       const loop = bumped();
-      loop.useDiagnostics(diagnostics);
+      loop.updates.useDiagnostics(diagnostics);
       const [bump, ...others] = pass(loop, 1);
       expect(others).toEqual([]);
       expect(bump).toMatchObject({ kind: "bump", tick: loop.snapshot().tick });
@@ -78,20 +78,23 @@ describe("a bump of the program", () => {
     });
 
     it.each([
-      { cause: "they cannot be loaded", act: (loop: RunLoop) => loop.awaitDiagnostics(false) },
+      {
+        cause: "they cannot be loaded",
+        act: (loop: RunLoop) => loop.updates.awaitDiagnostics(false),
+      },
       { cause: "the robot drives on", act: (loop: RunLoop) => loop.run() },
     ])("is reported without an explanation if $cause", ({ act }) => {
       const loop = bumped();
       act(loop);
       expect(pass(loop, 0.1)).toMatchObject(unexplained);
-      loop.useDiagnostics(diagnostics);
+      loop.updates.useDiagnostics(diagnostics);
       expect(pass(loop, 0.1)).toEqual([]);
     });
 
     it("is not reported any more after a reset", () => {
       const loop = bumped();
       loop.reset();
-      loop.useDiagnostics(diagnostics);
+      loop.updates.useDiagnostics(diagnostics);
       expect(pass(loop, 1)).toEqual([]);
     });
   });
@@ -104,7 +107,7 @@ describe("a bump of the program", () => {
       loop.advance();
     }
     loop.editProgram(other);
-    const [moment] = loop.takeUpdate()?.events ?? [];
+    const [moment] = loop.updates.take()?.events ?? [];
     expect(moment?.program).toEqual(delayedAtTheWall);
   });
 
@@ -194,10 +197,10 @@ describe("a robot that gets nowhere", () => {
     pass(loop, 5);
     loop.run();
     pass(loop, 3);
-    expect(loop.takeDiagnosed()).toBeNull();
+    expect(loop.updates.takeDiagnosed()).toBeNull();
     const { tick } = loop.snapshot();
-    loop.useDiagnostics(diagnostics);
-    const event = loop.takeDiagnosed()?.diagnosis.event;
+    loop.updates.useDiagnostics(diagnostics);
+    const event = loop.updates.takeDiagnosed()?.diagnosis.event;
     expect(event).toMatchObject({ kind: "pushing", line: "default" });
     expect(event?.tick).toBeLessThan(tick);
   });
@@ -208,15 +211,17 @@ describe("a robot that gets nowhere", () => {
     pass(loop, 5);
     loop.run();
     pass(loop, 1);
-    expect(loop.takeDiagnosed()).toBeNull();
+    expect(loop.updates.takeDiagnosed()).toBeNull();
     pass(loop, 2);
-    expect(loop.takeDiagnosed()).toMatchObject({
+    expect(loop.updates.takeDiagnosed()).toMatchObject({
       diagnosis: { event: { kind: "pushing", line: "default" } },
     });
     pass(loop, 5);
-    expect(loop.takeDiagnosed()).toBeNull();
+    expect(loop.updates.takeDiagnosed()).toBeNull();
     loop.editProgram(other);
     pass(loop, 3);
-    expect(loop.takeDiagnosed()).toMatchObject({ diagnosis: { event: { kind: "pushing" } } });
+    expect(loop.updates.takeDiagnosed()).toMatchObject({
+      diagnosis: { event: { kind: "pushing" } },
+    });
   });
 });

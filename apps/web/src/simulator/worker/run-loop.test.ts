@@ -31,7 +31,7 @@ beforeEach(() => {
 function loopOf(maze: MazeDocument = firstMaze, program: ProgramDocument = firstProgram): RunLoop {
   const loop = new RunLoop(maze, program, () => time);
   loop.connect((robot) => new RemoteDriver(events, robot, () => time));
-  loop.useDiagnostics(diagnostics);
+  loop.updates.useDiagnostics(diagnostics);
   return loop;
 }
 
@@ -41,7 +41,7 @@ function pass(loop: RunLoop, milliseconds: number): RunEvent[] {
   for (const end = time + milliseconds; time < end;) {
     time += 8;
     loop.advance();
-    const update = loop.takeUpdate();
+    const update = loop.updates.take();
     events.push(...(update?.events ?? []));
   }
   return events;
@@ -93,7 +93,7 @@ describe("a program", () => {
     while (loop.isRunning) {
       time += 8;
       loop.advance();
-      const snapshot = loop.takeUpdate()?.frame.snapshot;
+      const snapshot = loop.updates.take()?.frame.snapshot;
       if (snapshot === undefined || snapshot.line === line) continue;
       line = snapshot.line;
       lit++;
@@ -219,7 +219,7 @@ describe("Reset", () => {
     loop.run();
     pass(loop, 3000);
     loop.reset();
-    const frame = loop.takeUpdate()?.frame;
+    const frame = loop.updates.take()?.frame;
     expect(frame).toMatchObject({
       trailReset: true,
       corners: [50, 650],
@@ -386,7 +386,7 @@ it("a script that reaches the goal and bumps within one frame receives both", ()
   deliver(loop, 1, { action: "forward" });
   time += 240;
   loop.advance();
-  const kinds = loop.takeUpdate()?.events.map(({ kind }) => kind);
+  const kinds = loop.updates.take()?.events.map(({ kind }) => kind);
   expect(kinds).toEqual(["goal", "bump"]);
 });
 

@@ -1,53 +1,44 @@
 /**
- * The run: driver, clock, speed, displayed tick, and updates for the page.
+ * The run: driver, clock, speed and displayed tick. `updates` is what the page receives from it.
  *
  * It depends on neither timers nor sockets nor the worker: the entry calls `advance` as real time
  * passes and forwards messages. Speed changes how many ticks run, never what happens in one. While
  * an earlier tick is displayed, the live run waits.
  */
-import type { Judgement } from "@corridor/challenge";
 import type { ProgramDocument } from "@corridor/program";
-import type { DeliveredCommand, DriverName, Pose, Snapshot } from "@corridor/protocol";
+import type { DeliveredCommand, DriverName, Snapshot } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
-import type { Recording, TimelineDelta, WrittenRun } from "@corridor/recording";
+import type { Recording, WrittenRun } from "@corridor/recording";
 import type { CancelReason } from "../protocol/cancel-reason.ts";
 import { commandOfKey } from "../drivers/hand-driver.ts";
 import type { RemoteDriver, RemoteRobot } from "../drivers/remote-driver.ts";
 import { LiveRun } from "./live-run.ts";
 import { RunClock } from "./run-clock.ts";
-import type { DiagnosedRun } from "./diagnose-run.ts";
-import type { Diagnostics } from "./run-diagnosis.ts";
-import type { RunJudge } from "./run-judge.ts";
 import { RunObserver } from "./run-observer.ts";
 import { DisplayedTick } from "./displayed-tick.ts";
-import type { DriveKey, RunEvent, Speed, StepLength } from "../protocol/worker-messages.ts";
-import type { Frame, GhostPose } from "../../stage/drawing/frame.ts";
-
-/** Poses of a race's ghosts at the end of a tick. */
-interface Ghosts {
-  posesAt(tick: number): readonly GhostPose[];
-}
+import { isChangeOfDecision } from "./change-of-decision.ts";
+import { RunUpdates } from "./run-updates.ts";
+import type { DriveKey, Speed, StepLength } from "../protocol/worker-messages.ts";
 
 export class RunLoop {
   #remote: RemoteDriver | null = null;
-  /** null without a race */
-  #ghosts: Ghosts | null = null;
   readonly #clock: RunClock;
   readonly #observer = new RunObserver();
   readonly #live: LiveRun;
   readonly #screen: DisplayedTick;
+  /** changes for the page */
+  readonly updates: RunUpdates;
   /** a script's robot continues as soon as the newest tick is displayed again */
   #resumesNow = false;
-  #isRunning = false;
   /** pause after the next tick, or at the next change of decision */
   #stepping: StepLength | null = null;
-  #isDirty = true;
 
   /** @param now monotonic milliseconds */
   constructor(maze: MazeDocument, program: ProgramDocument, now: () => number) {
     this.#clock = new RunClock(now);
     this.#live = new LiveRun(maze, program);
     this.#screen = new DisplayedTick(this.#live);
+    this.updates = new RunUpdates(this.#live, this.#screen, this.#observer);
   }
 
   /** Enables driving by scripts, whose code loads on demand. */
@@ -77,7 +68,7 @@ export class RunLoop {
 
   /** Whether simulated time passes, live or in a playback. */
   get isRunning(): boolean {
-    return this.#isRunning || this.#screen.isPlaying;
+    return this.#live.isRunning || this.#screen.isPlaying;
   }
 
   /** The driver at the newest tick. */
@@ -89,7 +80,7 @@ export class RunLoop {
   editMaze(maze: MazeDocument): void {
     if (!this.#live.editMaze(maze)) return;
     this.now();
-    this.#isDirty = true;
+    this.updates.changed();
     if (this.#live.run.tick > 0 && this.#live.applyMaze()) return;
     this.#remote?.cancel("mazeChanged");
     this.#startRun();
@@ -99,7 +90,7 @@ export class RunLoop {
   editProgram(program: ProgramDocument): void {
     this.#live.editProgram(program);
     if (!this.#screen.isPast) this.#live.bringProgram();
-    this.#isDirty = true;
+    this.updates.changed();
   }
 
   /** Starts the clock, from the displayed tick on; if a user drove, the program takes over. */
@@ -112,10 +103,10 @@ export class RunLoop {
 
   pause(): void {
     this.#screen.pause();
-    this.#isRunning = false;
+    this.#live.isRunning = false;
     this.#stepping = null;
     this.#resumesNow = false;
-    this.#isDirty = true;
+    this.updates.changed();
   }
 
   /**
@@ -155,7 +146,7 @@ export class RunLoop {
 
   /** Changes the driver of a robot that waits at its start; a run that has started continues. */
   offerDriver(driver: DriverName): void {
-    if (this.#live.run.tick > 0 || this.#isRunning || this.driver !== "program") return;
+    if (this.#live.run.tick > 0 || this.#live.isRunning || this.driver !== "program") return;
     this.setDriver(driver);
   }
 
@@ -180,7 +171,7 @@ export class RunLoop {
     this.#remote?.accept(delivery);
     if (this.driver === "remote") this.now();
     else this.#remote?.cancel("notRemote");
-    this.#isDirty = true;
+    this.updates.changed();
   }
 
   /** Ends running and queued remote commands, and stops the robot. */
@@ -188,7 +179,7 @@ export class RunLoop {
     if (this.driver !== "remote") return;
     this.#remote?.cancel(reason);
     this.recording.addInput({ do: "cancel" });
-    this.#isDirty = true;
+    this.updates.changed();
   }
 
   /** Displays the state at the end of a tick; the live run waits. */
@@ -220,7 +211,7 @@ export class RunLoop {
   now(): void {
     if (!this.#screen.isPast) return;
     this.#screen.leavePast();
-    this.#isDirty = true;
+    this.updates.changed();
     this.#live.bringProgram();
     if (this.#resumesNow) this.#start();
   }
@@ -261,83 +252,22 @@ export class RunLoop {
     return this.driver === "remote" && !this.#screen.isPast && this.#remote?.isIdle !== false;
   }
 
-  /** Changes to draw and to report since the last call; null without any. */
-  takeUpdate(): { frame: Frame; events: RunEvent[]; truncatedAfter: number | null } | null {
-    if (!this.#isDirty) return null;
-    this.#isDirty = false;
-    const frame = this.#screen.frame(this.#isRunning);
-    if (this.#ghosts !== null) frame.ghosts = this.#ghosts.posesAt(frame.snapshot.tick);
-    const truncatedAfter = this.#observer.takeTruncatedAfter();
-    return { frame, events: this.#observer.takeEvents(), truncatedAfter };
-  }
-
-  /**
-   * Frames contain the ghosts of a race from now on, each at the displayed tick. Called again when
-   * they change.
-   */
-  raceWith(ghosts: Ghosts): void {
-    this.#ghosts = ghosts;
-    this.#isDirty = true;
-  }
-
-  /** The diagnostics module has loaded. */
-  useDiagnostics(diagnostics: Diagnostics): void {
-    this.#observer.useDiagnostics(diagnostics, this.recording);
-    this.#isDirty = true;
-  }
-
-  /** The diagnostics module is loading, or could not be loaded. */
-  awaitDiagnostics(isLoading: boolean): void {
-    this.#observer.awaitDiagnostics(isLoading, this.recording.run);
-    this.#isDirty = true;
-  }
-
-  /**
-   * Why the program's robot does not reach the goal; null without a new diagnosis since the last
-   * call.
-   */
-  takeDiagnosed(): DiagnosedRun | null {
-    return this.#observer.takeDiagnosed();
-  }
-
-  /** Judges the run by a challenge from its first tick on; null: by none. */
-  judgeBy(judge: RunJudge | null): void {
-    this.#observer.judgeBy(judge, this.recording);
-    this.#isDirty = true;
-  }
-
-  /** The judgement of the challenge if it changed since the last call; otherwise null. */
-  takeJudgement(): Judgement | null {
-    const isResting = !this.#screen.isPast && !this.#isRunning;
-    return this.#observer.takeJudgement(this.#live.run, isResting);
-  }
-
-  /** Changes of the timeline since the last call; null without any. */
-  takeTimeline(): TimelineDelta | null {
-    return this.recording.timeline.takeDelta();
-  }
-
   /** The newest maze, whichever tick is displayed. */
   get maze(): MazeDocument {
     return this.#live.maze;
   }
 
-  /** The maze at the displayed tick if it is not the newest one; otherwise null. */
-  get pastMaze(): MazeDocument | null {
-    return this.#screen.maze;
-  }
-
   /** The newest state, for scripts; every call has its own seq. */
   snapshot(): Snapshot {
-    return this.#screen.newest(this.#isRunning);
+    return this.#screen.newest();
   }
 
   /** The live run waits while an earlier tick is displayed. */
   #waitForPast(): void {
-    if (!this.#screen.isPast) this.#resumesNow = this.#isRunning && this.driver === "remote";
-    this.#isRunning = false;
+    if (!this.#screen.isPast) this.#resumesNow = this.#live.isRunning && this.driver === "remote";
+    this.#live.isRunning = false;
     this.#stepping = null;
-    this.#isDirty = true;
+    this.updates.changed();
   }
 
   /** Truncates the run at the displayed tick, and applies the newest maze and program. */
@@ -347,7 +277,7 @@ export class RunLoop {
     const { tick } = this.#screen;
     this.#screen.leavePast();
     this.#resumesNow = false;
-    this.#isDirty = true;
+    this.updates.changed();
     this.#remote?.cancel("movedInTime");
     this.recording.truncate(tick);
     this.#observer.truncate(this.recording);
@@ -361,24 +291,24 @@ export class RunLoop {
   }
 
   #start(): void {
-    if (!this.#isRunning) this.#startClock();
-    this.#isRunning = true;
+    if (!this.#live.isRunning) this.#startClock();
+    this.#live.isRunning = true;
   }
 
   #startClock(): void {
     this.#clock.start();
-    this.#isDirty = true;
+    this.updates.changed();
   }
 
   /** @returns whether the clock continues in the same way */
   #runTicks(count: number, isAtSpeed: boolean): boolean {
-    if (count > 0) this.#isDirty = true;
+    if (count > 0) this.updates.changed();
     if (this.#screen.isPast) {
       this.#screen.playOn(count);
       if (this.#screen.isAtEnd) this.now();
       return this.isRunning;
     }
-    const flowsOn = (): boolean => this.#isRunning && !(isAtSpeed && this.#isAwaitingScript);
+    const flowsOn = (): boolean => this.#live.isRunning && !(isAtSpeed && this.#isAwaitingScript);
     for (let i = 0; i < count && flowsOn(); i++) this.#tick();
     return flowsOn();
   }
@@ -395,10 +325,7 @@ export class RunLoop {
     if (isRemote) this.#remote?.finish();
     if (isToWait) this.pause();
     if (this.#stepping === null) return;
-    // Constant readings choose the same line for ever.
-    const isStanding = !run.isManoeuvring && isSamePose(run.pose, pose);
-    const isChange = run.decidedAt === run.tick || run.bumps !== bumps || isStanding;
-    if (isChange || this.#stepping === "tick") this.pause();
+    if (this.#stepping === "tick" || isChangeOfDecision(run, { bumps, pose })) this.pause();
   }
 
   /**
@@ -420,6 +347,3 @@ export class RunLoop {
     this.pause();
   }
 }
-
-const isSamePose = (one: Pose, other: Pose): boolean =>
-  one.x === other.x && one.y === other.y && one.heading === other.heading;

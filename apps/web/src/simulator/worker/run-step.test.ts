@@ -58,7 +58,7 @@ describe("Step", () => {
       pass(loop, 20_000);
       stops.push(loop.snapshot().tick);
     }
-    const shown = () => loop.takeUpdate()?.frame.snapshot.tick;
+    const shown = () => loop.updates.take()?.frame.snapshot.tick;
     const back = stops.slice(0, -1).map(() => {
       loop.seekStep(-1);
       return shown();
@@ -78,7 +78,7 @@ describe("Step", () => {
     expect(loop.snapshot()).toMatchObject({ tick: 1, state: "paused" });
     loop.seek(0);
     loop.step("tick");
-    expect(loop.takeUpdate()?.frame).toMatchObject({ view: "now", snapshot: { tick: 1 } });
+    expect(loop.updates.take()?.frame).toMatchObject({ view: "now", snapshot: { tick: 1 } });
   });
 
   it("ends where the robot stands or bumps, because nothing is decided there any more", () => {

@@ -213,7 +213,7 @@ async function loadRace(): Promise<Race> {
     later: afterMessages(() => guarded(() => race.next())),
     post,
     onChange: () => {
-      loop?.raceWith(race);
+      loop?.updates.raceWith(race);
       postUpdate();
     },
   });
@@ -353,7 +353,7 @@ function load({ maze, program }: FirstProject): void {
   if (loop === null) {
     loop = new RunLoop(maze, program, now);
     // They load after the first tick.
-    loop.awaitDiagnostics(true);
+    loop.updates.awaitDiagnostics(true);
     return;
   }
   loop.editMaze(maze);
@@ -373,11 +373,11 @@ const judges = new Lazy(() => import("./run-judge.ts"), guarded);
 /** Ticks that run before the judge has loaded are judged afterwards. */
 function judge(id: number, attempt: Extract<ToWorker, { type: "judge" }>["attempt"]): void {
   judgeId = id;
-  loop?.judgeBy(null);
+  loop?.updates.judgeBy(null);
   if (attempt === null) return;
   const { challenge, maze } = attempt;
   judges.use(({ RunJudge }) => {
-    if (id === judgeId) loop?.judgeBy(new RunJudge(challenge, maze));
+    if (id === judgeId) loop?.updates.judgeBy(new RunJudge(challenge, maze));
   }, reportFault);
 }
 
@@ -386,21 +386,21 @@ const diagnostics = new Lazy(() => import("./diagnose-run.ts"), guarded);
 
 function loadDiagnostics(): void {
   if (diagnostics.isRequested) return;
-  loop?.awaitDiagnostics(true);
+  loop?.updates.awaitDiagnostics(true);
   diagnostics.use(
     (loaded) => {
-      loop?.useDiagnostics(loaded);
+      loop?.updates.useDiagnostics(loaded);
       postUpdate();
     },
     () => {
-      loop?.awaitDiagnostics(false);
+      loop?.updates.awaitDiagnostics(false);
       postUpdate();
     },
   );
 }
 
 function postUpdate(): void {
-  const update = loop?.takeUpdate();
+  const update = loop?.updates.take();
   if (loop === null || update === undefined) return;
   if (update !== null && update.frame.nowTick > 0) loadDiagnostics();
   if (repository !== null) repository.update();
@@ -413,19 +413,19 @@ function postUpdate(): void {
   }
   const frame = pace.take();
   if (frame !== null) {
-    if (loop.pastMaze !== pastMaze) {
-      pastMaze = loop.pastMaze;
+    if (loop.updates.pastMaze !== pastMaze) {
+      pastMaze = loop.updates.pastMaze;
       post({ type: "past-maze", maze: pastMaze });
     }
     const corners = Float64Array.from(frame.corners);
-    post({ type: "frame", frame: { ...frame, corners }, timeline: loop.takeTimeline() });
+    post({ type: "frame", frame: { ...frame, corners }, timeline: loop.updates.takeTimeline() });
   }
   if (update !== null) {
     for (const event of update.events) post({ type: "event", event });
-    const diagnosed = loop.takeDiagnosed();
+    const diagnosed = loop.updates.takeDiagnosed();
     if (diagnosed !== null) post({ type: "diagnosed", ...diagnosed });
   }
-  const judgement = loop.takeJudgement();
+  const judgement = loop.updates.takeJudgement();
   if (judgement !== null) post({ type: "judgement", id: judgeId, judgement });
   hasUnsentNews ||= update !== null;
   const wait = hasUnsentNews ? RELAY_INTERVAL_MS : RELAY_HEARTBEAT_MS;

@@ -12,10 +12,10 @@ const straight: ProgramDocument = { ...firstProgram, rules: [] };
 function newBench(program = straight) {
   let time = 0;
   const loop = new RunLoop(firstMaze, program, () => time);
-  loop.useDiagnostics(diagnostics);
+  loop.updates.useDiagnostics(diagnostics);
   const truncated: number[] = [];
   const takeEvents = (): RunEvent[] => {
-    const taken = loop.takeUpdate();
+    const taken = loop.updates.take();
     if (taken === null) return [];
     if (taken.truncatedAfter !== null) truncated.push(taken.truncatedAfter);
     return taken.events;

@@ -33,7 +33,7 @@ function challengeIn(seconds: number, bumps: number | null): ChallengeDocument {
 /** A run of a program, paused where it ended. */
 function ended(program: ProgramDocument, challenge?: ChallengeDocument): Bench {
   const bench = new Bench(firstMaze, program);
-  if (challenge !== undefined) bench.loop.judgeBy(new RunJudge(challenge, 0));
+  if (challenge !== undefined) bench.loop.updates.judgeBy(new RunJudge(challenge, 0));
   bench.loop.run();
   bench.pass(60_000);
   return bench;
@@ -86,7 +86,7 @@ describe("where a run has ended", () => {
   it("the line that decides next is displayed as soon as the run goes on", () => {
     const bench = ended(tooLate);
     bench.loop.run();
-    expect(bench.loop.takeUpdate()?.frame).toMatchObject({
+    expect(bench.loop.updates.take()?.frame).toMatchObject({
       hasEnded: false,
       progress: { left: 180 },
       snapshot: { state: "running", line: 0 },
@@ -112,8 +112,8 @@ describe("where a run has ended", () => {
 describe("a failed run", () => {
   function bumpedWhileLoading() {
     const bench = new Bench(firstMaze, tooLate);
-    bench.loop.awaitDiagnostics(true);
-    bench.loop.judgeBy(new RunJudge(challengeIn(60, 0), 0));
+    bench.loop.updates.awaitDiagnostics(true);
+    bench.loop.updates.judgeBy(new RunJudge(challengeIn(60, 0), 0));
     bench.loop.run();
     bench.pass(60_000);
     return bench.loop;
@@ -121,14 +121,14 @@ describe("a failed run", () => {
 
   it("is reported only together with its explanation, which may still load", () => {
     const loop = bumpedWhileLoading();
-    expect(loop.takeJudgement()).toBeNull();
-    loop.useDiagnostics(diagnostics);
-    expect(loop.takeJudgement()).toMatchObject({ kind: "failed", code: "bump" });
+    expect(loop.updates.takeJudgement()).toBeNull();
+    loop.updates.useDiagnostics(diagnostics);
+    expect(loop.updates.takeJudgement()).toMatchObject({ kind: "failed", code: "bump" });
   });
 
   it("is reported without an explanation if none can load", () => {
     const loop = bumpedWhileLoading();
-    loop.awaitDiagnostics(false);
-    expect(loop.takeJudgement()).toMatchObject({ kind: "failed", code: "bump" });
+    loop.updates.awaitDiagnostics(false);
+    expect(loop.updates.takeJudgement()).toMatchObject({ kind: "failed", code: "bump" });
   });
 });

@@ -85,7 +85,7 @@ class Bench {
     const document = challenge.mazes[maze];
     if (document === undefined) throw new Error("no such maze");
     this.loop = new RunLoop(document, program, () => (this.time += 0.5));
-    this.loop.judgeBy(new RunJudge(challenge, maze));
+    this.loop.updates.judgeBy(new RunJudge(challenge, maze));
   }
 
   pass(milliseconds: number, each = 100): Judgement {
@@ -108,7 +108,7 @@ class Bench {
   }
 
   look(): Judgement {
-    this.judgement = this.loop.takeJudgement() ?? this.judgement;
+    this.judgement = this.loop.updates.takeJudgement() ?? this.judgement;
     return this.judgement;
   }
 }
@@ -210,10 +210,10 @@ describe("the judge of the run", () => {
     const { solution } = answers["right-wall"];
     const [outcome] = checkChallenge(lap, solution).mazes;
     const bench = new Bench(lap, solution as ProgramDocument);
-    bench.loop.judgeBy(null);
+    bench.loop.updates.judgeBy(null);
     bench.loop.run();
     bench.pass(3000);
-    bench.loop.judgeBy(new RunJudge(lap, 0));
+    bench.loop.updates.judgeBy(new RunJudge(lap, 0));
     expect(bench.runThrough("max")).toMatchObject({ kind: "met", tick: outcome?.ticks });
   });
 

@@ -28,14 +28,14 @@ export class Bench {
     for (const end = this.time + milliseconds; this.time < end;) {
       this.time += each;
       this.loop.advance();
-      frame = this.loop.takeUpdate()?.frame ?? frame;
+      frame = this.loop.updates.take()?.frame ?? frame;
     }
     return frame;
   }
 
   frame(): Frame {
     this.loop.pause();
-    const update = this.loop.takeUpdate();
+    const update = this.loop.updates.take();
     if (update === null) throw new Error("no update after a pause");
     return update.frame;
   }
