@@ -7,13 +7,10 @@ import { RemoteDriver } from "../../../apps/web/src/simulator/drivers/remote-dri
 import { firstMaze, firstProgram } from "../../../apps/web/src/simulator/protocol/first-project.ts";
 import { RemoteHost } from "../../../apps/web/src/simulator/worker/remote-host.ts";
 import { RunLoop } from "../../../apps/web/src/simulator/worker/run-loop.ts";
+import { SnapshotThrottle } from "../../../apps/web/src/simulator/worker/snapshot-throttle.ts";
 import { machineNow } from "../clock.ts";
 import { withListener, platformFor } from "../platforms.ts";
 import type { FromPages, ToPages } from "./page-messages.ts";
-
-/** intervals of simulator.worker.ts */
-const RELAY_INTERVAL_MS = 50;
-const RELAY_HEARTBEAT_MS = 1000;
 
 type OpenMessage = Extract<ToPages, { type: "open" }>;
 
@@ -24,8 +21,7 @@ export class RobotPage {
   readonly #host: RemoteHost;
   #isMoving = false;
   #lastPose = "";
-  #sentAt = Number.NEGATIVE_INFINITY;
-  #hasUnsentChanges = false;
+  readonly #throttle = new SnapshotThrottle(() => performance.now());
 
   constructor(
     { page, origin, session, transports }: OpenMessage,
@@ -70,14 +66,12 @@ export class RobotPage {
   /** Advances the page by the elapsed time. Called as often as in the worker. */
   advance(): void {
     this.#loop.advance();
-    this.#hasUnsentChanges ||= this.#loop.updates.take() !== null;
+    if (this.#loop.updates.take() !== null) this.#throttle.changed();
     this.#loop.updates.takeTimeline();
     this.#reportMotion();
-    const wait = this.#hasUnsentChanges ? RELAY_INTERVAL_MS : RELAY_HEARTBEAT_MS;
-    if (!this.#host.isOpen || performance.now() - this.#sentAt < wait) return;
-    this.#sentAt = performance.now();
-    this.#hasUnsentChanges = false;
-    this.#host.sendSnapshot(this.#loop.snapshot());
+    if (this.#host.isOpen && this.#throttle.take()) {
+      this.#host.sendSnapshot(this.#loop.snapshot());
+    }
   }
 
   /** Closes the tab: its connection closes without further messages. */

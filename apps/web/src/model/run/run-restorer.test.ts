@@ -77,7 +77,7 @@ function openPage(
       const { id } = message;
       void restoreWorld(message, {
         repository: worlds,
-        run: () => loop,
+        run: loop,
         load: (run, open) => loader.load({ id, run }, open),
         answer: (loaded) => answer(id, loaded),
         restored: (journal) => (of.restored = journal),

@@ -2,8 +2,9 @@
  * Restores the run from the world that this tab stored before a reload. In its own file, because it
  * needs the schemas, and most visits restore nothing.
  */
-import { parseRun, type Recording, type Run, type RunDocument } from "@corridor/recording";
+import { parseRun, type Run, type RunDocument } from "@corridor/recording";
 import { RELOADED } from "../protocol/cancel-reason.ts";
+import type { OpenRecording } from "./run-loader.ts";
 import type { RunLoop } from "./run-loop.ts";
 import type { LoadedRun, RestoreRun } from "../protocol/worker-messages.ts";
 import type { WorldRepository } from "./world-repository.ts";
@@ -14,10 +15,9 @@ export type RestoredJournal = WorldJournal & { running: null };
 
 export interface RestorePorts {
   repository: Pick<WorldRepository, "claim">;
-  /** null before the documents have arrived */
-  run: () => Pick<RunLoop, "isUntouched" | "isOf" | "open"> | null;
+  run: Pick<RunLoop, "isUntouched" | "isOf" | "open">;
   /** replays the document, then calls `open`, and answers with its result */
-  load: (run: RunDocument, open: (recording: Recording) => LoadedRun) => void;
+  load: (run: RunDocument, open: OpenRecording) => void;
   /** answers if there is nothing to load */
   answer: (loaded: LoadedRun) => void;
   restored: (journal: RestoredJournal | null) => void;
@@ -29,16 +29,15 @@ export async function restoreWorld(
   { repository, run, load, answer, restored }: RestorePorts,
 ): Promise<void> {
   const world = await repository.claim(key);
-  const loop = run();
-  if (world === null || loop === null) return answer({ ok: false, reason: "not-stored" });
+  if (world === null) return answer({ ok: false, reason: "not-stored" });
   const read = parseRun({ format: "corridor/run", version: 1, name: "", seed: 0, ...world.run });
   if (!read.ok) return answer({ ...read, reason: "refused" });
-  if (!loop.isUntouched) return answer({ ok: false, reason: "cancelled" });
+  if (!run.isUntouched) return answer({ ok: false, reason: "cancelled" });
   load(read.value, (recording) => {
     const { maze, program } = recording.run;
-    if (!isSameProject && !loop.isOf(maze, program)) return { ok: false, reason: "other-project" };
+    if (!isSameProject && !run.isOf(maze, program)) return { ok: false, reason: "other-project" };
     restored(world.journal === null ? null : endedBy(world.journal, recording.run));
-    return loop.open(recording);
+    return run.open(recording);
   });
 }
 

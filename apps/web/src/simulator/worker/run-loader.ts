@@ -21,12 +21,12 @@ export interface RunLoaderPorts {
 }
 
 /** Displays the run from now on, or returns why not. */
-type Open = (recording: Recording) => LoadedRun;
+export type OpenRecording = (recording: Recording) => LoadedRun;
 
 interface Load {
   id: number;
   replay: Replay;
-  open: Open;
+  open: OpenRecording;
   reportedAt: number;
 }
 
@@ -39,7 +39,7 @@ export class RunLoader {
   }
 
   /** Starts to open a run, and cancels one that is being opened. */
-  load({ id, run }: Pick<LoadRun, "id" | "run">, open: Open): void {
+  load({ id, run }: Pick<LoadRun, "id" | "run">, open: OpenRecording): void {
     this.cancel();
     this.#answering(id, () => {
       this.#load = { id, replay: new Replay(run), open, reportedAt: this.#ports.now() };

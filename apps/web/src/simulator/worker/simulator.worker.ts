@@ -1,174 +1,53 @@
 /**
  * Entry of the simulator worker: simulation, program and relay link run here, so that they continue
- * while the page is hidden. A thin shell; the logic is in `run-loop.ts` and `remote-host.ts`.
+ * while the page is hidden. A thin shell that handles the messages of the page; the logic is in
+ * `run-loop.ts`, and in parts that load on first use.
  */
-import type { MazeDocument } from "@corridor/maze";
-import type { Race } from "./race.ts";
 import { loadRaceGhosts } from "../../stage/layers/lazy-race-ghosts.ts";
+import { earlyProject, type FirstProject } from "../protocol/first-project.ts";
+import type { FromWorker, RemoteView, ToWorker } from "../protocol/worker-messages.ts";
 import { afterMessages } from "./after-messages.ts";
 import { describeFault } from "./describe-fault.ts";
-import { earlyProject, type FirstProject } from "../protocol/first-project.ts";
-import { FrameThrottle } from "./frame-throttle.ts";
 import { Lazy } from "./lazy.ts";
+import { PageFeed } from "./page-feed.ts";
+import type { Race } from "./race.ts";
+import { RecordedRuns } from "./recorded-runs.ts";
 import type { RemoteHost } from "./remote-host.ts";
-import type { RestoredJournal } from "./restored-world.ts";
-import type { RunLoader } from "./run-loader.ts";
+import { RunEvaluation } from "./run-evaluation.ts";
 import { RunLoop } from "./run-loop.ts";
+import { SimulationLock } from "./simulation-lock.ts";
+import { StoredWorld } from "./stored-world.ts";
 import { StagePainter } from "../../stage/stage-painter.ts";
-import type {
-  AddGhost,
-  FromWorker,
-  LoadedRun,
-  RestoreRun,
-  SavedRun,
-  ToWorker,
-} from "../protocol/worker-messages.ts";
-import type { WorldRepository } from "./world-repository.ts";
 
 /** Half of a 60 Hz frame, so that no frame waits for a whole interval. */
 const INTERVAL_MS = 8;
-/**
- * Least interval of snapshots to the relay while the robot moves, and the interval while it stands.
- */
-const RELAY_INTERVAL_MS = 50;
-const RELAY_HEARTBEAT_MS = 1000;
-/** Held while a robot runs, so that browsers do not freeze the hidden page. */
-const LOCK_NAME = "corridor-simulation";
+/** Least milliseconds between two catch-ups before drawing. */
+const RECENT_MS = 2;
+
+/** The relay link did not load. */
+const unreachable: RemoteView = {
+  status: { kind: "lost", reason: "connectionLost" },
+  session: null,
+  commands: [],
+  scripts: [],
+  isPaused: false,
+};
+
+/** A message for the run, after the documents. */
+type RunMessage = Exclude<
+  ToWorker,
+  { type: "load" | "digest" | "load-run" | "restore-run" | "run-key-noted" }
+>;
 
 const worker = self as unknown as DedicatedWorkerGlobalScope;
 const post = (message: FromWorker): void => worker.postMessage(message);
 const now = (): number => performance.now();
 
+/** null before the documents have arrived */
 let loop: RunLoop | null = null;
-let releaseLock: (() => void) | null = null;
-let sentToRelayAt = Number.NEGATIVE_INFINITY;
-let hasUnsentNews = false;
-let pastMaze: MazeDocument | null = null;
-/** id of the newest `judge` message */
-let judgeId = 0;
-
-/** The relay link is loaded when Remote is opened for the first time. */
-const remote = new Lazy(loadRemote, guarded);
-
-function withRemote(use: (host: RemoteHost) => void): void {
-  remote.use(use, () => {
-    const status = { kind: "lost", reason: "connectionLost" } as const;
-    post({
-      type: "remote",
-      remote: { status, session: null, commands: [], scripts: [], isPaused: false },
-    });
-  });
-}
-
-async function loadRemote(): Promise<RemoteHost> {
-  const [{ RemoteHost: Host }, { RemoteDriver }] = await Promise.all([
-    import("./remote-host.ts"),
-    import("../drivers/remote-driver.ts"),
-  ]);
-  const host = new Host({
-    origin: worker.location.origin,
-    now: () => Date.now(),
-    snapshot: () => loop?.snapshot() ?? null,
-    onView: (view) => post({ type: "remote", remote: view }),
-    onDelivery: (delivery) => loop?.accept(delivery),
-    cancel: (reason) => loop?.cancelRemote(reason),
-    cancelOne: (seq, reason) => loop?.remote?.cancelOne(seq, reason),
-    reset: () => loop?.remote?.reset(),
-    renew: (alive) => loop?.remote?.renew(alive),
-    save: saveWorld,
-    restored: () => restored,
-    fetch: (url, request) => fetch(url, request),
-  });
-  loop?.connect((robot) => new RemoteDriver(host, robot, now));
-  return host;
-}
-
-/** The world repository is loaded once there is something to store. */
-let repository: WorldRepository | null = null;
-let keeperLoading: Promise<WorldRepository> | null = null;
-/** of the world before a reload, if it was restored */
-let restored: RestoredJournal | null = null;
-const keyNotes: ((isNoted: boolean) => void)[] = [];
-
-function storeKey(key: string | null): Promise<boolean> {
-  post({ type: "run-key", key });
-  return new Promise((resolve) => keyNotes.push(resolve));
-}
-
-function loadRepository(): Promise<WorldRepository> {
-  keeperLoading ??= startKeeper();
-  return keeperLoading;
-}
-
-async function startKeeper(): Promise<WorldRepository> {
-  try {
-    const [{ WorldRepository: Keeper }, { openWorldStore }] = await Promise.all([
-      import("./world-repository.ts"),
-      import("./world-store.ts"),
-    ]);
-    repository = new Keeper({
-      openStore: () => openWorldStore(Date.now),
-      recording: () => {
-        if (loop === null) throw new Error("a world is stored before the documents came");
-        return loop.recording;
-      },
-      journal: () => {
-        const journal = remote.loaded?.journal ?? null;
-        return journal === null ? restored : { ...journal, running: loop?.remote?.running ?? null };
-      },
-      storeKey,
-      onClaimed: () => remote.loaded?.worldClaimed(),
-      newId: () => crypto.getRandomValues(new Uint32Array(4)).join("-"),
-      now,
-      after: (milliseconds, call) => {
-        const timer = setTimeout(call, milliseconds);
-        return () => clearTimeout(timer);
-      },
-    });
-    return repository;
-  } catch (error) {
-    // The file did not load: a reload restores nothing.
-    await storeKey(null);
-    throw error;
-  }
-}
-
-/** Before an ending is sent. */
-async function saveWorld(): Promise<void> {
-  const loaded = await loadRepository().catch(() => null);
-  await loaded?.save();
-}
-
-async function restoreRun(message: RestoreRun): Promise<void> {
-  const [storage, { restoreWorld }] = await Promise.all([
-    loadRepository(),
-    import("./restored-world.ts"),
-  ]);
-  await restoreWorld(message, {
-    repository: storage,
-    run: () => loop,
-    load: (run, open) =>
-      loader.use(
-        (runs) => runs.load({ id: message.id, run }, open),
-        () => failedLoad(message.id),
-      ),
-    answer: (loaded) => runLoaded(message.id, loaded),
-    restored: (journal) => (restored = journal),
-  });
-}
-
-function runLoaded(id: number, loaded: LoadedRun): void {
-  repository?.claimed();
-  post({ type: "run-loaded", id, loaded });
-}
-
-const failedLoad = (id: number): void => runLoaded(id, { ok: false, reason: "fault" });
-
-/** Least milliseconds between two catch-ups before drawing. */
-const RECENT_MS = 2;
 let advancedAt = Number.NEGATIVE_INFINITY;
 
-const pace = new FrameThrottle(now);
+const lock = new SimulationLock();
 const painter = new StagePainter({
   post,
   requestFrame: (paint) => requestAnimationFrame(() => guarded(paint)),
@@ -182,50 +61,59 @@ const painter = new StagePainter({
   },
 });
 
-const postSoon = afterMessages(() => guarded(postUpdate));
+const feed = new PageFeed({ post, draw: (frame) => painter.add(frame), now });
+const evaluation = new RunEvaluation({
+  post,
+  guarded,
+  onFault: reportFault,
+  onDiagnostics: postUpdate,
+});
 
-/** The loader of recorded runs is loaded with the first of them. */
-const loader = new Lazy(loadLoader, guarded);
-
-async function loadLoader(): Promise<RunLoader> {
-  const { RunLoader: Loader } = await import("./run-loader.ts");
-  const runs: RunLoader = new Loader({
+const relay = new Lazy(async () => {
+  const { RelayLink } = await import("./relay-link.ts");
+  return new RelayLink({
+    run: loadedRun(),
     now,
-    later: afterMessages(() =>
-      guarded(() => {
-        runs.next();
-        postUpdate();
-      }),
-    ),
-    onPart: (id, part) => post({ type: "run-loading", id, part }),
-    answer: runLoaded,
+    origin: worker.location.origin,
+    onView: (remote) => post({ type: "remote", remote }),
+    save: () => world.save(),
+    restored: () => world.restored,
   });
-  return runs;
-}
+}, guarded);
 
-/** The race is loaded with the first ghost. */
-const ghosts = new Lazy(loadRace, guarded);
+const world = new StoredWorld({
+  run: loadedRun,
+  journal: () => relay.loaded?.journal ?? null,
+  onClaimed: () => relay.loaded?.host.worldClaimed(),
+  sendKey: (key) => post({ type: "run-key", key }),
+  now,
+});
+const recorded = new RecordedRuns({
+  run: loadedRun,
+  world,
+  post,
+  guarded,
+  onSlice: postUpdate,
+  now,
+});
 
-async function loadRace(): Promise<Race> {
+const race = new Lazy(async () => {
   const [{ Race: Ghosts }] = await Promise.all([import("./race.ts"), loadRaceGhosts()]);
-  const race: Race = new Ghosts({
+  const ghosts: Race = new Ghosts({
     now,
-    later: afterMessages(() => guarded(() => race.next())),
+    later: afterMessages(() => guarded(() => ghosts.next())),
     post,
     onChange: () => {
-      loop?.updates.raceWith(race);
+      loop?.updates.raceWith(ghosts);
       postUpdate();
     },
   });
-  return race;
-}
+  return ghosts;
+}, guarded);
 
-function addGhost(message: AddGhost): void {
-  ghosts.use(
-    (race) => race.add(message),
-    () => post({ type: "ghost-added", id: message.id, added: { ok: false, problems: [] } }),
-  );
-}
+const digests = new Lazy(() => import("./digest.ts"), guarded);
+
+const postSoon = afterMessages(() => guarded(postUpdate));
 
 worker.onmessage = ({ data }: MessageEvent<ToWorker>) => {
   try {
@@ -242,7 +130,7 @@ worker.onmessage = ({ data }: MessageEvent<ToWorker>) => {
 setInterval(() => {
   guarded(() => {
     advance();
-    holdLock(loop?.isRunning === true);
+    lock.hold(loop?.isRunning === true);
   });
 }, INTERVAL_MS);
 
@@ -267,78 +155,71 @@ function reportFault(error: unknown): void {
   post({ type: "fault", reason: describeFault(error) });
 }
 
-const digests = new Lazy(() => import("./digest.ts"), guarded);
-
 function handle(message: ToWorker): void {
   if (message.type === "load") return load(message);
+  if (message.type === "load-run") return recorded.open(message);
+  if (message.type === "restore-run") return recorded.restore(message);
+  if (message.type === "run-key-noted") return world.keyNoted(message.ok);
   if (message.type === "digest") {
-    digests.use(({ digestOf }) => post({ type: "digest", digest: digestOf(message) }), reportFault);
-    return;
-  }
-  if (message.type === "load-run") {
-    return loader.use(
-      (runs) =>
-        runs.load(message, (recording) => {
-          if (loop === null) throw new Error("a run comes before the documents");
-          return loop.open(recording);
-        }),
-      () => failedLoad(message.id),
+    return digests.use(
+      ({ digestOf }) => post({ type: "digest", digest: digestOf(message) }),
+      reportFault,
     );
   }
-  if (message.type === "restore-run") {
-    void restoreRun(message).catch(() => failedLoad(message.id));
-    return;
-  }
-  if (message.type === "run-key-noted") return keyNotes.shift()?.(message.ok);
-  if (loop === null) return;
+  if (loop !== null) control(loop, message);
+}
+
+function control(run: RunLoop, message: RunMessage): void {
   switch (message.type) {
     case "edit-maze":
-      return loop.editMaze(message.maze);
+      return run.editMaze(message.maze);
     case "edit-program":
-      return loop.editProgram(message.program);
+      return run.editProgram(message.program);
     case "run":
-      return loop.run();
-    case "pause":
-      return loop.pause();
-    case "step":
-      return loop.step(message.length);
-    case "reset":
-      if (loader.isRequested) loader.use((runs) => runs.cancel());
-      return loop.reset();
-    case "judge":
-      return judge(message.id, message.attempt);
-    case "speed":
-      return loop.setSpeed(message.speed);
-    case "driver":
-      return loop.setDriver(message.driver);
-    case "offer-driver":
-      return loop.offerDriver(message.driver);
-    case "hold":
-      return loop.hold(message.key);
-    case "seek":
-      return loop.seek(message.tick);
-    case "seek-step":
-      return loop.seekStep(message.by);
-    case "play":
-      return loop.play();
-    case "now":
-      return loop.now();
     case "run-here":
-      return loop.run();
+      return run.run();
+    case "pause":
+      return run.pause();
+    case "step":
+      return run.step(message.length);
+    case "reset":
+      recorded.cancel();
+      return run.reset();
+    case "judge":
+      return evaluation.judge(run.updates, message);
+    case "speed":
+      return run.setSpeed(message.speed);
+    case "driver":
+      return run.setDriver(message.driver);
+    case "offer-driver":
+      return run.offerDriver(message.driver);
+    case "hold":
+      return run.hold(message.key);
+    case "seek":
+      return run.seek(message.tick);
+    case "seek-step":
+      return run.seekStep(message.by);
+    case "play":
+      return run.play();
+    case "now":
+      return run.now();
     case "save-run":
-      return saveRun(loop, message.id);
+      return recorded.save(message.id);
     case "add-ghost":
-      return addGhost(message);
+      return race.use(
+        (ghosts) => ghosts.add(message),
+        () => post({ type: "ghost-added", id: message.id, added: { ok: false, problems: [] } }),
+      );
     case "remove-ghost":
-      return ghosts.use((race) => race.remove(message.id));
+      return race.use((ghosts) => ghosts.remove(message.id));
     case "cancel-load":
-      return loader.use((runs) => runs.cancel(message.id));
+      return recorded.cancel(message.id);
     case "remote-open":
-      return withRemote((host) => host.open(message.session, message.fresh));
+      return withHost((host) => host.open(message.session, message.fresh));
     case "remote-close":
-      return withRemote((host) => host.close());
+      return withHost((host) => host.close());
     case "remote-clear":
-      return withRemote((host) => host.clearCommands());
+      return withHost((host) => host.clearCommands());
     case "stage-mount":
     case "stage-mount-here":
     case "stage-model":
@@ -360,92 +241,29 @@ function load({ maze, program }: FirstProject): void {
   loop.editProgram(program);
 }
 
-function saveRun(run: RunLoop, id: number): void {
-  const written = run.saveRun();
-  const saved: SavedRun = written.ok
-    ? { ok: true, text: written.text, ticks: written.run.ticks }
-    : written;
-  post({ type: "run-saved", id, saved });
+/** @throws before the documents have arrived */
+function loadedRun(): RunLoop {
+  if (loop === null) throw new Error("a message came before the documents");
+  return loop;
 }
 
-const judges = new Lazy(() => import("./run-judge.ts"), guarded);
-
-/** Ticks that run before the judge has loaded are judged afterwards. */
-function judge(id: number, attempt: Extract<ToWorker, { type: "judge" }>["attempt"]): void {
-  judgeId = id;
-  loop?.updates.judgeBy(null);
-  if (attempt === null) return;
-  const { challenge, maze } = attempt;
-  judges.use(({ RunJudge }) => {
-    if (id === judgeId) loop?.updates.judgeBy(new RunJudge(challenge, maze));
-  }, reportFault);
-}
-
-/** Diagnostics load once the robot drives; without them runs continue unexplained. */
-const diagnostics = new Lazy(() => import("./diagnose-run.ts"), guarded);
-
-function loadDiagnostics(): void {
-  if (diagnostics.isRequested) return;
-  loop?.updates.awaitDiagnostics(true);
-  diagnostics.use(
-    (loaded) => {
-      loop?.updates.useDiagnostics(loaded);
-      postUpdate();
-    },
-    () => {
-      loop?.updates.awaitDiagnostics(false);
-      postUpdate();
-    },
+function withHost(use: (host: RemoteHost) => void): void {
+  relay.use(
+    ({ host }) => use(host),
+    () => post({ type: "remote", remote: unreachable }),
   );
 }
 
 function postUpdate(): void {
-  const update = loop?.updates.take();
-  if (loop === null || update === undefined) return;
-  if (update !== null && update.frame.nowTick > 0) loadDiagnostics();
-  if (repository !== null) repository.update();
-  else if (update !== null && !loop.isUntouched) void loadRepository().catch(() => undefined);
-  if (update !== null) {
-    const { frame, truncatedAfter } = update;
-    if (truncatedAfter !== null) post({ type: "truncated", after: truncatedAfter });
-    painter.add(frame);
-    pace.add(frame);
-  }
-  const frame = pace.take();
-  if (frame !== null) {
-    if (loop.updates.pastMaze !== pastMaze) {
-      pastMaze = loop.updates.pastMaze;
-      post({ type: "past-maze", maze: pastMaze });
-    }
-    const corners = Float64Array.from(frame.corners);
-    post({ type: "frame", frame: { ...frame, corners }, timeline: loop.updates.takeTimeline() });
-  }
-  if (update !== null) {
-    for (const event of update.events) post({ type: "event", event });
-    const diagnosed = loop.updates.takeDiagnosed();
-    if (diagnosed !== null) post({ type: "diagnosed", ...diagnosed });
-  }
-  const judgement = loop.updates.takeJudgement();
-  if (judgement !== null) post({ type: "judgement", id: judgeId, judgement });
-  hasUnsentNews ||= update !== null;
-  const wait = hasUnsentNews ? RELAY_INTERVAL_MS : RELAY_HEARTBEAT_MS;
-  const host = remote.loaded;
-  if (host?.isOpen === true && now() - sentToRelayAt >= wait) {
-    sentToRelayAt = now();
-    hasUnsentNews = false;
-    host.sendSnapshot(loop.snapshot(), loop.maze);
-  }
-}
-
-function holdLock(isWanted: boolean): void {
-  if (isWanted === (releaseLock !== null)) return;
-  releaseLock?.();
-  releaseLock = null;
-  if (!isWanted) return;
-  const held = new Promise<void>((resolve) => (releaseLock = resolve));
-  // Without the Web Locks API (insecure origins) the robot runs all the same, but browsers may
-  // freeze it.
-  void navigator.locks?.request(LOCK_NAME, { mode: "shared" }, () => held);
+  if (loop === null) return;
+  const { updates } = loop;
+  const update = updates.take();
+  const hasChanged = update !== null;
+  if (hasChanged && update.frame.nowTick > 0) evaluation.loadDiagnostics(updates);
+  world.update(hasChanged);
+  feed.send(updates, update);
+  evaluation.post(updates);
+  relay.loaded?.update(hasChanged);
 }
 
 guarded(() => {
