@@ -2,27 +2,23 @@
  * The robot at the relay: registers it, maintains the link, and lists the endings of commands for
  * the Remote panel. The client library loads with the first connection.
  */
-import type * as ClientLibrary from "@corridor/client/host";
 import type { CommandJournal, HostLink, HostLinkOptions, HostStatus } from "@corridor/client/host";
 import type { MazeDocument } from "@corridor/maze";
 import { expiredReason } from "@corridor/protocol";
 import type {
   AliveDriver,
-  CommandRecord,
   DeliveredCommand,
   Drivers,
   RecallCause,
   ScriptView,
   Snapshot,
 } from "@corridor/protocol";
-import {
-  cancelReasons,
-  RELOADED,
-  pageReasons,
-  type CancelReason,
-} from "../protocol/cancel-reason.ts";
+import { cancelReasons, RELOADED, type CancelReason } from "../protocol/cancel-reason.ts";
 import type { Ending, RemoteDriverEvents } from "../drivers/remote-driver.ts";
+import { CommandList } from "./command-list.ts";
+import { CommandSweep } from "./command-sweep.ts";
 import { MazePublisher } from "./maze-publisher.ts";
+import { registerWithRetries } from "./register-with-retries.ts";
 import type { troubleOf } from "./remote-trouble.ts";
 import type {
   ListedCommand,
@@ -40,9 +36,6 @@ const recallReasons = {
   blocked: "blocked",
   paused: "paused",
 } as const satisfies Record<RecallCause, CancelReason>;
-
-/** Largest number of listed commands. */
-const MAX_LISTED = 100;
 
 export interface RemoteHostPorts {
   /** origin of the page and its relay */
@@ -75,8 +68,8 @@ export interface RemoteHostPorts {
 
 export class RemoteHost implements RemoteDriverEvents {
   readonly #ports: RemoteHostPorts;
-  /** by seq */
-  readonly #commands = new Map<number, ListedCommand>();
+  readonly #commands = new CommandList();
+  readonly #sweep = new CommandSweep();
   #session: RemoteSession | null = null;
   /**
    * of `#session`; retained while it is closed, because it knows delivered commands and their
@@ -88,13 +81,6 @@ export class RemoteHost implements RemoteDriverEvents {
   #drivers = noDrivers;
   #scripts: ListedScript[] = [];
   #isPaused = false;
-  /** the page took the robot: commands sent before never run, even if they arrive later */
-  #swept: { upTo: number; reason: CancelReason } | null = null;
-  /**
-   * seq of the first such command until the relay confirms it; commands reported before it were
-   * sent before, too
-   */
-  #sweeping: number | null = null;
   /** increases with each open and close; results of older attempts are dropped */
   #attempt = 0;
 
@@ -134,8 +120,7 @@ export class RemoteHost implements RemoteDriverEvents {
     this.#endSession();
     if (session === null || session.id !== this.#session?.id) {
       this.#commands.clear();
-      this.#swept = null;
-      this.#sweeping = null;
+      this.#sweep.reset();
     }
     this.#session = session;
     this.#setStatus({ kind: "connecting" });
@@ -158,9 +143,7 @@ export class RemoteHost implements RemoteDriverEvents {
 
   /** Clears the list of commands, except for those that have not ended. */
   clearCommands(): void {
-    for (const [seq, { state }] of this.#commands) {
-      if (isEnding(state)) this.#commands.delete(seq);
-    }
+    this.#commands.removeEnded();
     this.#setStatus(this.#status);
   }
 
@@ -181,14 +164,13 @@ export class RemoteHost implements RemoteDriverEvents {
   }
 
   ended(seq: number, ending: Ending): void {
-    if (ending.reason !== null && pageReasons.has(ending.reason)) this.#sweeping ??= seq;
+    this.#sweep.ended(seq, ending.reason);
     this.#link?.ended(seq, { ...ending, reason: this.#reasonFor(seq, ending) });
     this.#change(seq, ending);
   }
 
   swept(reason: CancelReason): void {
-    if (!pageReasons.has(reason)) return;
-    this.#swept = { upTo: Math.max(0, ...this.#commands.keys()), reason };
+    this.#sweep.begin(reason, this.#commands.newestSeq);
   }
 
   async #connect(wanted: RemoteSession | null, fresh: boolean, attempt: number): Promise<void> {
@@ -196,9 +178,13 @@ export class RemoteHost implements RemoteDriverEvents {
       import("@corridor/client/host"),
       import("./remote-trouble.ts"),
     ]);
-    const { origin, platform, save } = this.#ports;
-    const session = wanted ?? (await this.#register(client, attempt));
-    if (session === null || attempt !== this.#attempt) return;
+    const { origin, platform, save, fetch } = this.#ports;
+    const isCurrent = (): boolean => attempt === this.#attempt;
+    const onStatus = (status: RemoteStatus): void => this.#setStatus(status);
+    const session =
+      wanted ??
+      (await registerWithRetries({ client, origin, fetch, platform, isCurrent, onStatus }));
+    if (session === null || !isCurrent()) return;
     this.#session = session;
     this.#mazes.begin();
     const restored = fresh ? (this.#ports.restored?.() ?? null) : null;
@@ -225,14 +211,14 @@ export class RemoteHost implements RemoteDriverEvents {
       onGiveBack: () => this.#reset(),
       onYield: () => this.#ports.cancel("addressEnded"),
       onState: (record, ttl) => {
-        this.#sweepOn(record.seq);
+        this.#sweep.queued(record.seq);
         this.#show({ ...record, ttl, reason: null });
       },
       onRefused: ({ seq, state }) => {
-        this.#sweptUntil(seq);
+        this.#sweep.confirmed(seq);
         this.#change(seq, { state, reason: null });
       },
-      onStored: (seq) => this.#sweptUntil(seq),
+      onStored: (seq) => this.#sweep.confirmed(seq),
       onStatus: (status) => this.#linkChanged(status, trouble.troubleOf),
       onDrivers: (drivers, alive, { scripts, paused }) => {
         this.#drivers = drivers;
@@ -250,46 +236,6 @@ export class RemoteHost implements RemoteDriverEvents {
     if (seq === 0) return [];
     const pose = this.#ports.snapshot()?.pose ?? null;
     return [{ seq, state: "cancelled", reason: RELOADED, pose, distance: 0 }];
-  }
-
-  /**
-   * Registers a robot. Without an answer it retries by itself, as the link does: devices report a
-   * network before requests get through.
-   * @returns null if the service has no robot for this page, or another attempt has started
-   */
-  async #register(client: typeof ClientLibrary, attempt: number): Promise<RemoteSession | null> {
-    const { origin, fetch, platform } = this.#ports;
-    const { clock, random } = platform ?? client.globalPlatform();
-    const backoff = new client.Backoff();
-    while (attempt === this.#attempt) {
-      try {
-        return { ...(await client.registerRobot(origin, fetch)), lastApplied: 0 };
-      } catch (error) {
-        if (attempt !== this.#attempt) break;
-        const reason = error instanceof client.RegistrationError ? error.code : "noService";
-        if (reason !== "noAnswer") {
-          this.#setStatus({ kind: "lost", reason });
-          break;
-        }
-      }
-      this.#setStatus({ kind: "lost", reason: "connectionLost" });
-      const pause = Promise.withResolvers<void>();
-      clock.after(backoff.next(clock.now(), random()), pause.resolve);
-      await pause.promise;
-      if (attempt === this.#attempt) this.#setStatus({ kind: "connecting" });
-    }
-    return null;
-  }
-
-  /** A command is queued at the relay: cancels it if it was sent before the page took the robot. */
-  #sweepOn(seq: number): void {
-    if (this.#sweeping === null || this.#swept === null) return;
-    this.#swept.upTo = Math.max(this.#swept.upTo, seq);
-  }
-
-  /** The relay has confirmed that this command ended. */
-  #sweptUntil(seq: number): void {
-    if (seq === this.#sweeping) this.#sweeping = null;
   }
 
   /** For viewers: snapshots do not contain the maze. */
@@ -313,9 +259,9 @@ export class RemoteHost implements RemoteDriverEvents {
 
   #deliver(command: DeliveredCommand): void {
     this.#list(command);
+    const reason = this.#sweep.reasonFor(command.seq);
     const pose = this.#ports.snapshot()?.pose;
-    if (this.#swept !== null && command.seq <= this.#swept.upTo && pose !== undefined) {
-      const { reason } = this.#swept;
+    if (reason !== null && pose !== undefined) {
       return this.ended(command.seq, { state: "cancelled", reason, pose, distance: 0 });
     }
     this.#ports.onDelivery(command);
@@ -324,9 +270,7 @@ export class RemoteHost implements RemoteDriverEvents {
   /** Commands queued here may end at the relay before they are delivered again. */
   #reset(): void {
     this.#ports.reset();
-    for (const [seq, record] of this.#commands) {
-      if (record.state === "delivered") this.#commands.set(seq, { ...record, state: "accepted" });
-    }
+    this.#commands.returnDelivered();
   }
 
   /** Why a command ended early, for scripts. */
@@ -338,31 +282,18 @@ export class RemoteHost implements RemoteDriverEvents {
     return expiredReason(record.ttl, isPaused ? "paused" : undefined);
   }
 
-  #list({ seq, key, command, acceptedAt, ttl }: DeliveredCommand): void {
-    this.#show({
-      seq,
-      key,
-      action: command.action,
-      command,
-      state: "delivered",
-      reason: null,
-      acceptedAt,
-      pose: null,
-      distance: null,
-      duplicate: false,
-      ttl,
-    });
+  #list(command: DeliveredCommand): void {
+    this.#commands.deliver(command);
+    this.#setStatus(this.#status);
   }
 
   #show(record: ListedCommand): void {
-    this.#commands.set(record.seq, record);
-    if (this.#commands.size > MAX_LISTED) this.#commands.delete(Math.min(...this.#commands.keys()));
+    this.#commands.set(record);
     this.#setStatus(this.#status);
   }
 
   #change(seq: number, change: Partial<ListedCommand>): void {
-    const record = this.#commands.get(seq);
-    if (record !== undefined) this.#commands.set(seq, { ...record, ...change });
+    this.#commands.change(seq, change);
     if (this.#session !== null && this.#link !== null) {
       this.#session = { ...this.#session, lastApplied: this.#link.lastApplied };
     }
@@ -404,11 +335,7 @@ export class RemoteHost implements RemoteDriverEvents {
       session: this.#session,
       scripts: this.#scripts,
       isPaused: this.#isPaused,
-      commands: [...this.#commands.values()].toSorted((a, b) => b.seq - a.seq),
+      commands: this.#commands.toArray(),
     });
   }
-}
-
-function isEnding(state: CommandRecord["state"]): boolean {
-  return state !== "accepted" && state !== "delivered" && state !== "started";
 }
