@@ -9,7 +9,7 @@ import type { Services } from "../../model/services.ts";
 import type { CameraState } from "../../model/screen/camera-store.ts";
 import type { EditPreview } from "../../stage/layers/edit-preview.ts";
 import { Camera } from "../../stage/camera.ts";
-import { PointerInput, type PointerDetails } from "../../stage/page/pointer-input.ts";
+import { PointerInput } from "../../stage/page/pointer-input.ts";
 import type { Measured } from "../../stage/layers/measure.ts";
 import { readPalette, type Palette } from "../../stage/drawing/palette.ts";
 import {
@@ -17,11 +17,11 @@ import {
   observePixelRatio,
   observeTheme,
 } from "../../stage/page/observe-theme.ts";
-import { cellAt, type Scroll } from "../../stage/drawing/viewport.ts";
+import type { Scroll } from "../../stage/drawing/viewport.ts";
 import { showMessage } from "../../model/screen/screen-store.ts";
 import { MazeEditor } from "./maze-editor.ts";
 import { MeasureTool } from "./measure-tool.ts";
-import { gridOffset, isInPort } from "../../stage/page/grid-place.ts";
+import { gridOffset } from "../../stage/page/grid-place.ts";
 import { divideStage, hasRulers, type StageRoom } from "../../stage/page/stage-layout.ts";
 import {
   applyScroll,
@@ -33,8 +33,10 @@ import {
 import { stageLinkOf } from "../../simulator/stage-link.ts";
 import { openStageScreen } from "../../stage/page/open-stage-screen.ts";
 import type { StageScreen } from "../../stage/page/stage-screen.ts";
-import { tapePointAt, tapeWords, type Tape, type TapePoint } from "../../stage/page/tape.ts";
+import { tapeWords, type Tape } from "../../stage/page/tape.ts";
 import { createStageView } from "../../stage/page/stage-view.ts";
+import { listenToPointer } from "./stage-pointer.ts";
+import { startLater } from "./start-later.ts";
 import { showUndoable } from "../../model/workspace/show-undoable.ts";
 import { previewOf, type ToolRefusal } from "./tool-edit.ts";
 
@@ -47,13 +49,6 @@ export interface StageElements {
   /** contains the canvases */
   layers: HTMLElement;
 }
-
-type PointerEventName =
-  | "pointerdown"
-  | "pointermove"
-  | "pointerup"
-  | "pointercancel"
-  | "pointerleave";
 
 export class StageController {
   readonly view = createStageView();
@@ -95,7 +90,7 @@ export class StageController {
   /** Starts drawing and adds the listeners. @returns a function that stops both */
   mount(elements: StageElements): () => void {
     const { workspace, screen, run, simulator, camera } = this.#services;
-    const { scroller } = elements;
+    const { scroller, grid } = elements;
     const drawing = openStageScreen(stageLinkOf(simulator), elements.layers, (scroll) =>
       followRequest(this.view, scroller, scroll),
     );
@@ -108,8 +103,11 @@ export class StageController {
     recolour();
     const measure = new ResizeObserver(() => this.#divide());
     measure.observe(scroller);
+    const listeners = new AbortController();
+    const { signal } = listeners;
     const onScroll = (): void => readScroll(this.view, scroller);
-    scroller.addEventListener("scroll", onScroll, { passive: true });
+    scroller.addEventListener("scroll", onScroll, { passive: true, signal });
+    grid.addEventListener("focusin", () => this.#seeFocus(grid), { signal });
     const onKey = (event: KeyboardEvent): void => {
       if (event.key !== "Escape") return;
       this.#pointer.cancel();
@@ -117,7 +115,7 @@ export class StageController {
       const isCovered = document.querySelector("dialog:modal, :popover-open") !== null;
       if (!isCovered && this.measure.clear()) event.preventDefault();
     };
-    window.addEventListener("keydown", onKey, { capture: true });
+    window.addEventListener("keydown", onKey, { capture: true, signal });
     const calm = matchMedia("(prefers-reduced-motion: reduce)");
     const onCalm = (): void => {
       this.#isCalm = calm.matches;
@@ -125,9 +123,16 @@ export class StageController {
       this.#show();
     };
     onCalm();
-    calm.addEventListener("change", onCalm);
+    calm.addEventListener("change", onCalm, { signal });
     const stops = [
-      this.#listenToPointer(elements.grid),
+      listenToPointer({
+        services: this.#services,
+        view: this.view,
+        scroller,
+        grid,
+        input: this.#pointer,
+        measure: this.measure,
+      }),
       observeTheme(recolour),
       observePixelRatio((pixelRatio) => {
         this.#pixelRatio = pixelRatio;
@@ -157,9 +162,7 @@ export class StageController {
       this.#listenToZoom(scroller),
       this.#publishRobotSide(),
       () => measure.disconnect(),
-      () => scroller.removeEventListener("scroll", onScroll),
-      () => window.removeEventListener("keydown", onKey, { capture: true }),
-      () => calm.removeEventListener("change", onCalm),
+      () => listeners.abort(),
       () => drawing.end(),
     ];
     this.#divide();
@@ -218,45 +221,6 @@ export class StageController {
     return () => stop();
   }
 
-  /** @returns a function that removes the listeners */
-  #listenToPointer(grid: HTMLElement): () => void {
-    const end = new AbortController();
-    const on = (type: PointerEventName, handle: (event: PointerEvent) => void): void =>
-      grid.addEventListener(
-        type,
-        (event) => {
-          // In the Drive tab the pointer does not edit, because the tools are hidden.
-          if (!this.#services.camera.getState().isDriving) handle(event);
-        },
-        { signal: end.signal },
-      );
-    on("pointerdown", (event) => {
-      // A drag that leaves the maze still ends here.
-      grid.setPointerCapture(event.pointerId);
-      if (!this.#isMeasuring()) return this.#pointer.down(this.#detailsOf(event));
-      const point = this.#pointUnder(event);
-      if (event.isPrimary && event.button === 0 && point !== null) {
-        this.measure.begin(event.pointerId, point);
-      }
-    });
-    on("pointermove", (event) => {
-      if (!this.#isMeasuring()) return this.#pointer.move(this.#detailsOf(event));
-      const point = this.#pointUnder(event);
-      if (point !== null) this.measure.drag(event.pointerId, point);
-    });
-    on("pointerup", (event) => {
-      if (!this.#isMeasuring()) return this.#pointer.up(this.#detailsOf(event));
-      this.measure.end(event.pointerId);
-    });
-    on("pointercancel", () => {
-      if (this.#isMeasuring()) this.measure.clear();
-      else this.#pointer.cancel();
-    });
-    on("pointerleave", () => this.#pointer.leave());
-    grid.addEventListener("focusin", () => this.#seeFocus(grid), { signal: end.signal });
-    return () => end.abort();
-  }
-
   /**
    * The keyboard can move to a square that the camera does not show; then the whole maze is
    * displayed.
@@ -269,35 +233,10 @@ export class StageController {
     if (isDriving && !isWhole) camera.setState({ isWhole: true });
   }
 
-  #detailsOf(event: PointerEvent): PointerDetails {
-    const { pointerId, pointerType, button, isPrimary } = event;
-    return { pointerId, pointerType, button, isPrimary, cell: this.#cellUnder(event) };
-  }
-
-  #cellUnder(event: PointerEvent): Cell | null {
-    const { layout } = this.view.getState();
-    if (layout === null || this.#elements === null) return null;
-    const view = this.#elements.scroller.getBoundingClientRect();
-    if (!isInPort(layout, event.clientX - view.left, event.clientY - view.top)) return null;
-    const maze = this.#elements.grid.getBoundingClientRect();
-    return cellAt(layout, event.clientX - maze.left, event.clientY - maze.top);
-  }
-
-  #isMeasuring(): boolean {
-    return this.#services.screen.getState().tool === "measure";
-  }
-
   #toolChanged(): void {
     this.#pointer.cancel();
     this.#pointer.leave();
     this.measure.clear();
-  }
-
-  #pointUnder(event: PointerEvent): TapePoint | null {
-    const { layout } = this.view.getState();
-    if (layout === null || this.#elements === null) return null;
-    const maze = this.#elements.grid.getBoundingClientRect();
-    return tapePointAt(layout, event.clientX - maze.left, event.clientY - maze.top);
   }
 
   /**
@@ -405,13 +344,4 @@ export class StageController {
       text: this.#words.t(`stage.refused.${code}`, { most }),
     });
   }
-}
-
-/**
- * @param start starts something and returns the function that ends it
- * @returns a function that ends it, even before it has started
- */
-function startLater(start: () => Promise<() => void>): () => void {
-  const begun = start();
-  return () => void begun.then((stop) => stop());
 }
