@@ -11,20 +11,17 @@ import { deliveryOf } from "./testing/bench.ts";
 import type { RunEvent } from "../protocol/worker-messages.ts";
 
 let time = 0;
-let story: string[] = [];
 let endings: Record<number, Ending> = {};
 
 const events = {
-  started: (seq: number) => story.push(`started ${seq}`),
+  started: () => undefined,
   ended: (seq: number, ending: Ending) => {
-    story.push(`${ending.state} ${seq}`);
     endings[seq] = ending;
   },
 };
 
 beforeEach(() => {
   time = 0;
-  story = [];
   endings = {};
 });
 
@@ -280,78 +277,6 @@ describe("a hand", () => {
   });
 });
 
-describe("a remote script", () => {
-  it("has its commands run one after the other, each started and ended once", () => {
-    const loop = loopOf();
-    loop.setDriver("remote");
-    deliver(loop, 1, { action: "move", distance: 100 });
-    deliver(loop, 2, { action: "left 90" });
-    deliver(loop, 3, { action: "move", distance: 500 });
-    pass(loop, 8000);
-    expect(story).toEqual([
-      "started 1",
-      "completed 1",
-      "started 2",
-      "completed 2",
-      "started 3",
-      "collided 3",
-    ]);
-    expect(endings[1]?.distance).toBeCloseTo(100, 6);
-    expect(endings[1]?.pose.x).toBeCloseTo(150, 6);
-  });
-
-  it("drives forward until its next command, or until a wall", () => {
-    const loop = loopOf();
-    loop.setDriver("remote");
-    deliver(loop, 1, { action: "forward" });
-    pass(loop, 1000);
-    expect(loop.snapshot()).toMatchObject({ command: 1, motion: "forward" });
-    deliver(loop, 2, { action: "stop" });
-    deliver(loop, 3, { action: "forward" });
-    pass(loop, 10_000);
-    expect(story).toEqual([
-      "started 1",
-      "completed 1",
-      "started 2",
-      "completed 2",
-      "started 3",
-      "collided 3",
-    ]);
-    expect(loop.snapshot()).toMatchObject({ command: null, motion: "stop", bumping: true });
-  });
-
-  it("learns at once that it may not drive while another driver does", () => {
-    const loop = loopOf();
-    deliver(loop, 1, { action: "forward" });
-    expect(endings[1]).toMatchObject({ state: "cancelled" });
-    expect(endings[1]?.reason).toBe("notRemote");
-  });
-
-  it.each([
-    { name: "the user takes over", act: (loop: RunLoop) => loop.hold("forward") },
-    { name: "the robot is reset", act: (loop: RunLoop) => loop.reset() },
-    { name: "the program is chosen", act: (loop: RunLoop) => loop.setDriver("program") },
-    {
-      name: "a block falls on the robot",
-      act: (loop: RunLoop) =>
-        loop.editMaze({
-          ...firstMaze,
-          blocks: ["...", "...", "..."],
-          goals: [],
-          start: { column: 0, row: 0, heading: "east" },
-        }),
-    },
-  ])("has every command cancelled when $name", ({ act }) => {
-    const loop = loopOf();
-    loop.setDriver("remote");
-    deliver(loop, 1, { action: "move", distance: 200 });
-    deliver(loop, 2, { action: "left 90" });
-    pass(loop, 500);
-    act(loop);
-    expect(story).toEqual(["started 1", "cancelled 1", "cancelled 2"]);
-  });
-});
-
 describe("an offered driver", () => {
   it("takes a robot that waits at its start", () => {
     const loop = loopOf();
@@ -371,23 +296,6 @@ describe("an offered driver", () => {
     expect(loop.driver).toBe(driver);
     expect(loop.isRunning).toBe(isRunning);
   });
-});
-
-it("a script that reaches the goal and bumps within one frame receives both", () => {
-  const corridor = {
-    ...firstMaze,
-    blocks: ["..."],
-    start: { column: 0, row: 0, heading: "east" as const },
-    goals: [{ column: 2, row: 0 }],
-  };
-  const loop = loopOf(corridor);
-  loop.setDriver("remote");
-  loop.setSpeed(16);
-  deliver(loop, 1, { action: "forward" });
-  time += 240;
-  loop.advance();
-  const kinds = loop.updates.take()?.events.map(({ kind }) => kind);
-  expect(kinds).toEqual(["goal", "bump"]);
 });
 
 describe("editing the maze", () => {

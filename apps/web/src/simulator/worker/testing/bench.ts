@@ -2,7 +2,7 @@
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { Command, DeliveredCommand, Snapshot } from "@corridor/protocol";
-import { RemoteDriver } from "../../drivers/remote-driver.ts";
+import { RemoteDriver, type Ending } from "../../drivers/remote-driver.ts";
 import { firstMaze, firstProgram } from "../../protocol/first-project.ts";
 import { RunLoop } from "../run-loop.ts";
 import type { Frame } from "../../../stage/drawing/frame.ts";
@@ -11,13 +11,17 @@ import type { Frame } from "../../../stage/drawing/frame.ts";
 export class Bench {
   time = 0;
   story: string[] = [];
+  /** of commands, by seq */
+  readonly endings = new Map<number, Ending>();
   readonly loop: RunLoop;
   #seq = 0;
 
   constructor(maze: MazeDocument = firstMaze, program: ProgramDocument = firstProgram) {
     const started = (seq: number) => void this.story.push(`started ${seq}`);
-    const ended = (seq: number, { state }: { state: string }) =>
-      void this.story.push(`${state} ${seq}`);
+    const ended = (seq: number, ending: Ending) => {
+      this.story.push(`${ending.state} ${seq}`);
+      this.endings.set(seq, ending);
+    };
     this.loop = new RunLoop(maze, program, () => this.time);
     this.loop.connect((robot) => new RemoteDriver({ started, ended }, robot, () => this.time));
   }
