@@ -8,7 +8,7 @@ import { CopyButton } from "../../ui/CopyButton.tsx";
 import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { useMinutesLeft } from "./use-minutes-left.ts";
 import type { RobotAddress } from "./robot-address.ts";
-import styles from "./remote.module.css";
+import styles from "./fields.module.css";
 
 interface AddressFieldProps {
   address: RobotAddress;
@@ -23,7 +23,7 @@ export function AddressField({ address, session }: AddressFieldProps) {
     <dl className={styles["fields"]}>
       <dt className={styles["label"]}>{t("remote.address")}</dt>
       <dd className={styles["value"]}>
-        <span dir="ltr" className={styles["mono"]}>
+        <span dir="ltr" className={styles["text"]}>
           {/* Where the browser refuses to copy, the user needs the whole address to select it. */}
           {isRefused ? address.full : address.shown}
         </span>

@@ -19,7 +19,7 @@ import { classNames } from "../../ui/class-names.ts";
 import type { ListedCommand } from "../../simulator/protocol/worker-messages.ts";
 import { commandText, cutShortAfter } from "../../text/command-text.ts";
 import { useSelectedCommand } from "./use-selected-command.ts";
-import styles from "./remote.module.css";
+import styles from "./command-table.module.css";
 
 type Tone = ComponentProps<typeof Chip>["tone"];
 
@@ -82,7 +82,7 @@ function CommandRow({ record, isSelected }: CommandRowProps) {
     >
       <td className={styles["seq"]}>{record.seq}</td>
       <td>
-        <span dir="ltr" className={styles["mono"]}>
+        <span dir="ltr" className={styles["command"]}>
           {commandText(record.command)}
         </span>
         {distance !== null && (

@@ -7,7 +7,8 @@ import { classNames } from "../../ui/class-names.ts";
 import { useOnline } from "../../ui/use-online.ts";
 import { viewConnection, type ConnectionView } from "./connection-view.ts";
 import { useNow } from "./use-now.ts";
-import styles from "./remote.module.css";
+import panel from "./remote.module.css";
+import styles from "./connection-card.module.css";
 
 export function ConnectionCard() {
   const { t } = useTranslation();
@@ -31,7 +32,7 @@ export function ConnectionCard() {
         <p className={styles["cardTitle"]} aria-hidden={view.kind !== "quiet"}>
           {title}
         </p>
-        <p className={styles["note"]}>{isOnline ? note : t("offline.offline")}</p>
+        <p className={panel["note"]}>{isOnline ? note : t("offline.offline")}</p>
       </div>
       {isOpen ? (
         <Button size="small" onClick={() => connection.disconnect()}>

@@ -10,7 +10,7 @@ import { CopyButton } from "../../ui/CopyButton.tsx";
 import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { NewKey } from "./NewKey.tsx";
 import { maskKey } from "./robot-address.ts";
-import styles from "./remote.module.css";
+import styles from "./fields.module.css";
 
 export function KeyField({ session }: { session: RemoteSession }) {
   const { t } = useTranslation();
@@ -22,7 +22,7 @@ export function KeyField({ session }: { session: RemoteSession }) {
     <>
       <dt className={styles["label"]}>{t("remote.key")}</dt>
       <dd className={styles["value"]}>
-        <span dir="ltr" className={styles["mono"]}>
+        <span dir="ltr" className={styles["text"]}>
           {isKeyShown ? key : maskKey(key)}
         </span>
         <IconButton

@@ -9,7 +9,8 @@ import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts"
 import { agoText } from "./ago-text.ts";
 import { listKeys, revokeKey, type ListedKey } from "./key-calls.ts";
 import { pairingOf } from "./robot-pairing.ts";
-import styles from "./remote.module.css";
+import panel from "./remote.module.css";
+import rows from "./list-rows.module.css";
 
 const LOOK_EVERY_MS = 20_000;
 
@@ -27,16 +28,16 @@ export function KeyList({ session }: { session: RemoteSession }) {
   };
   if (keys === null) return null;
   return (
-    <section className={styles["section"]} aria-labelledby="keys-heading">
-      <h2 id="keys-heading" ref={heading} tabIndex={-1} className={styles["heading"]}>
+    <section className={panel["section"]} aria-labelledby="keys-heading">
+      <h2 id="keys-heading" ref={heading} tabIndex={-1} className={panel["heading"]}>
         {t("remote.keys.title")}
       </h2>
-      <ul className={styles["scripts"]}>
+      <ul className={rows["rows"]}>
         {keys.map((key) => (
           <KeyRow key={key.id} listed={key} onRevoke={() => void revoke(key)} />
         ))}
       </ul>
-      <p className={styles["note"]}>
+      <p className={panel["note"]}>
         <output>
           {outcome === "done" && t("remote.keys.revoked")}
           {outcome === "failed" && t("remote.actionFailed")}
@@ -59,12 +60,12 @@ function KeyRow({ listed, onRevoke }: { listed: ListedKey; onRevoke: () => void 
       ? t("remote.keys.unused")
       : t("remote.keys.used", { when: agoText(usedAgo, i18n.language) });
   return (
-    <li className={styles["script"]}>
-      <div className={styles["cardWords"]}>
-        <p id={id} className={styles["scriptName"]}>
+    <li className={rows["row"]}>
+      <div className={rows["words"]}>
+        <p id={id} className={rows["name"]}>
           <bdi>{names.length === 0 ? what : joinList(t, names)}</bdi>
         </p>
-        <p className={styles["note"]}>
+        <p className={panel["note"]}>
           {joinList(t, [...(names.length === 0 ? [] : [what]), made, used])}
         </p>
       </div>

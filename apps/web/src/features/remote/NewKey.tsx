@@ -9,7 +9,7 @@ import { Button } from "../../ui/Button.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
 import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { withNewKey } from "./owner-calls.ts";
-import styles from "./remote.module.css";
+import styles from "./new-key.module.css";
 
 interface NewKeyProps {
   session: RemoteSession;

@@ -12,7 +12,9 @@ import { groupedCode, timeText } from "./pairing-text.ts";
 import { newsText, questionText } from "./pairing-words.ts";
 import { pairingOf } from "./robot-pairing.ts";
 import { useTimeLeft } from "./use-time-left.ts";
-import styles from "./remote.module.css";
+import panel from "./remote.module.css";
+import fields from "./fields.module.css";
+import styles from "./pairing-field.module.css";
 
 /** Minimum share of the field that counts as in view. */
 const ENOUGH = 0.95;
@@ -47,7 +49,7 @@ export function PairingField({ session }: { session: RemoteSession }) {
   };
   return (
     <>
-      <dt className={styles["label"]}>{t("remote.pair.title")}</dt>
+      <dt className={fields["label"]}>{t("remote.pair.title")}</dt>
       <dd ref={field} className={classNames(isShown && styles["pairing"])}>
         {view.kind === "open" && <Code code={view.code} />}
         <output className={classNames(view.kind === "asked" && styles["question"])}>
@@ -68,12 +70,12 @@ export function PairingField({ session }: { session: RemoteSession }) {
             </Button>
           </div>
         ) : (
-          <Button size="small" className={styles["long"]} onClick={() => void pairing.open()}>
+          <Button size="small" className={panel["long"]} onClick={() => void pairing.open()}>
             {t("remote.pair.make")}
           </Button>
         )}
       </dd>
-      <dd className={styles["fieldNote"]}>
+      <dd className={fields["fieldNote"]}>
         <p>
           <output>{newsText(t, view)}</output>
           {view.kind === "open" && view.trouble === null && <TimeLeft endsAt={view.endsAt} />}

@@ -6,7 +6,8 @@ import { useServices } from "../../model/use-services.ts";
 import { Button } from "../../ui/Button.tsx";
 import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { pauseDriving } from "./owner-calls.ts";
-import styles from "./remote.module.css";
+import panel from "./remote.module.css";
+import styles from "./paused-note.module.css";
 
 export function PausedNote({ session }: { session: RemoteSession }) {
   const { t } = useTranslation();
@@ -19,11 +20,11 @@ export function PausedNote({ session }: { session: RemoteSession }) {
   };
   return (
     <div className={styles["pausedNote"]}>
-      <p className={styles["note"]}>{t("remote.pausedNote")}</p>
-      <Button size="small" kind="primary" className={styles["long"]} onClick={() => void resume()}>
+      <p className={panel["note"]}>{t("remote.pausedNote")}</p>
+      <Button size="small" kind="primary" className={panel["long"]} onClick={() => void resume()}>
         {t("remote.letDrive")}
       </Button>
-      <output className={styles["note"]}>{isFailed && t("remote.actionFailed")}</output>
+      <output className={panel["note"]}>{isFailed && t("remote.actionFailed")}</output>
     </div>
   );
 }

@@ -18,7 +18,7 @@ export function RecentCommands() {
         <h2 id="commands-heading" className={styles["heading"]}>
           {t("remote.commands")}
         </h2>
-        <span className={styles["order"]}>
+        <span className={styles["note"]}>
           {waiting === 0 ? t("remote.newestFirst") : t("remote.waitingCommands", { waiting })}
         </span>
       </div>

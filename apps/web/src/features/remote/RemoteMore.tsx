@@ -15,7 +15,9 @@ import { ScriptList } from "./ScriptList.tsx";
 import { Snippets } from "./Snippets.tsx";
 import { WatchField } from "./WatchField.tsx";
 import { Icon } from "../../ui/Icon.tsx";
-import styles from "./remote.module.css";
+import panel from "./remote.module.css";
+import fields from "./fields.module.css";
+import styles from "./remote-more.module.css";
 
 interface RemoteMoreProps {
   /** null while scripts cannot reach the robot: then only the log is displayed */
@@ -41,13 +43,13 @@ export function RemoteMore({ address, session }: RemoteMoreProps) {
       <summary className={styles["summary"]}>
         <Icon of={ChevronRight} isDirectional size={18} />
         <span className={styles["summaryWords"]}>
-          <span className={styles["heading"]}>{t("remote.more")}</span>
-          <span className={styles["note"]}>{t("remote.moreNote")}</span>
+          <span className={panel["heading"]}>{t("remote.more")}</span>
+          <span className={panel["note"]}>{t("remote.moreNote")}</span>
         </span>
       </summary>
       {isOpen && session !== null && (
-        <div className={styles["section"]}>
-          <dl className={styles["fields"]}>
+        <div className={panel["section"]}>
+          <dl className={fields["fields"]}>
             <KeyField session={session} />
             <PairingField session={session} />
             <WatchField session={session} />

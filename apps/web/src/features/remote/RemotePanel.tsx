@@ -11,7 +11,8 @@ import { RecentCommands } from "./RecentCommands.tsx";
 import { RemoteMore } from "./RemoteMore.tsx";
 import { robotAddress } from "./robot-address.ts";
 import { StarterScript } from "./StarterScript.tsx";
-import styles from "./remote.module.css";
+import panel from "./remote.module.css";
+import styles from "./remote-panel.module.css";
 
 export function RemotePanel() {
   const { remote } = useServices();
@@ -21,7 +22,7 @@ export function RemotePanel() {
   const isShown = session !== null && address !== null && kind !== "off" && kind !== "over";
   return (
     <div className={styles["panel"]}>
-      <div className={styles["section"]}>
+      <div className={panel["section"]}>
         <ConnectionCard />
         {isShown && <AddressField address={address} session={session} />}
         {isShown && <PausedNote session={session} />}

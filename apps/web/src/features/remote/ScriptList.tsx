@@ -13,7 +13,9 @@ import type { ListedScript, RemoteSession } from "../../simulator/protocol/worke
 import { quietSeconds, shownScripts } from "./listed-scripts.ts";
 import { unblockScript, pauseDriving, blockScript } from "./owner-calls.ts";
 import { useNow } from "./use-now.ts";
-import styles from "./remote.module.css";
+import panel from "./remote.module.css";
+import rows from "./list-rows.module.css";
+import styles from "./script-list.module.css";
 
 export function ScriptList({ session }: { session: RemoteSession }) {
   const { t } = useTranslation();
@@ -33,24 +35,24 @@ export function ScriptList({ session }: { session: RemoteSession }) {
     setFailed(!isDone);
   };
   return (
-    <section className={styles["section"]} aria-labelledby="scripts-heading">
-      <div className={styles["bar"]}>
-        <h2 id="scripts-heading" className={styles["heading"]}>
+    <section className={panel["section"]} aria-labelledby="scripts-heading">
+      <div className={panel["bar"]}>
+        <h2 id="scripts-heading" className={panel["heading"]}>
           {t("remote.scripts")}
         </h2>
         <Button
           size="small"
           kind={isPaused ? "primary" : "outline"}
-          className={styles["long"]}
+          className={panel["long"]}
           onClick={() => void pause()}
         >
           {isPaused ? t("remote.letDrive") : t("remote.pauseScripts")}
         </Button>
       </div>
-      <output className={classNames(styles["note"], isPaused && styles["paused"])}>
+      <output className={isPaused ? styles["paused"] : panel["note"]}>
         {isPaused && t("remote.pausedNote")}
       </output>
-      <ul className={styles["scripts"]}>
+      <ul className={rows["rows"]}>
         {shown.map((script) => (
           <ScriptRow
             key={script.id}
@@ -60,7 +62,7 @@ export function ScriptList({ session }: { session: RemoteSession }) {
           />
         ))}
       </ul>
-      <p className={styles["note"]}>
+      <p className={panel["note"]}>
         <output>{isFailed && t("remote.actionFailed")}</output>
         {!isFailed && shown.length > 0 && t("remote.scriptsNote")}
       </p>
@@ -80,12 +82,12 @@ function ScriptRow({ script, now, onChange }: ScriptRowProps) {
   const language = useLanguageName(script.client);
   const details = useDetails(script, now);
   return (
-    <li className={classNames(styles["script"], script.isBlocked && styles["blocked"])}>
-      <div className={styles["cardWords"]}>
-        <p id={id} className={styles["scriptName"]}>
+    <li className={classNames(rows["row"], script.isBlocked && rows["blocked"])}>
+      <div className={rows["words"]}>
+        <p id={id} className={rows["name"]}>
           <bdi>{script.name ?? language}</bdi>
         </p>
-        <p className={styles["note"]}>
+        <p className={panel["note"]}>
           {joinList(t, script.name === null ? details : [language, ...details])}
         </p>
       </div>

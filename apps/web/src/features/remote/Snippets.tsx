@@ -7,7 +7,9 @@ import { useTranslation } from "react-i18next";
 import { CopyButton } from "../../ui/CopyButton.tsx";
 import { maskKey, type RobotAddress } from "./robot-address.ts";
 import { snippet, snippetFiles, snippetLanguages, type SnippetLanguage } from "./snippets.ts";
-import styles from "./remote.module.css";
+import panel from "./remote.module.css";
+import code from "./script-code.module.css";
+import styles from "./snippets.module.css";
 
 /** Lines of the longest script. */
 const SHOWN_LINES = 12;
@@ -20,8 +22,8 @@ export function Snippets({ address }: { address: RobotAddress }) {
   const { file, command, program } = snippetFiles[language];
   const full = snippet(language, address.api, address.key);
   return (
-    <section className={styles["section"]} aria-label={t("remote.otherLanguages")}>
-      <div className={styles["bar"]}>
+    <section className={panel["section"]} aria-label={t("remote.otherLanguages")}>
+      <div className={panel["bar"]}>
         <fieldset className={styles["tabs"]}>
           <legend className="visually-hidden">{t("remote.scriptLanguage")}</legend>
           {snippetLanguages.map((each) => (
@@ -49,7 +51,7 @@ export function Snippets({ address }: { address: RobotAddress }) {
       {/* A field instead of a `pre`: every browser can scroll and select it by keyboard. */}
       <textarea
         dir="ltr"
-        className={styles["code"]}
+        className={code["code"]}
         readOnly
         rows={SHOWN_LINES}
         wrap="off"
@@ -57,7 +59,7 @@ export function Snippets({ address }: { address: RobotAddress }) {
         aria-label={t("remote.otherLanguages")}
         value={isRefused ? full : snippet(language, address.api, maskKey(address.key))}
       />
-      <p className={styles["note"]}>
+      <p className={panel["note"]}>
         {t(isRefused ? "remote.copyByHand" : "remote.scriptNote", { file, command })}{" "}
         {program !== null && t("remote.scriptNeeds", { program })}
       </p>

@@ -9,7 +9,9 @@ import { CopyButton } from "../../ui/CopyButton.tsx";
 import { maskKey, type RobotAddress } from "./robot-address.ts";
 import { starterLines, starterScript } from "./snippets.ts";
 import { Icon } from "../../ui/Icon.tsx";
-import styles from "./remote.module.css";
+import panel from "./remote.module.css";
+import code from "./script-code.module.css";
+import styles from "./starter-script.module.css";
 
 export function StarterScript({ address }: { address: RobotAddress }) {
   const { t, ready } = useTranslation(["words", "watch"], { useSuspense: false });
@@ -17,9 +19,9 @@ export function StarterScript({ address }: { address: RobotAddress }) {
   const full = starterScript(address.full);
   const masked = starterScript(address.full.replace(address.key, maskKey(address.key)));
   return (
-    <section className={styles["section"]} aria-labelledby="starter-heading">
-      <div className={styles["bar"]}>
-        <h2 id="starter-heading" className={styles["heading"]}>
+    <section className={panel["section"]} aria-labelledby="starter-heading">
+      <div className={panel["bar"]}>
+        <h2 id="starter-heading" className={panel["heading"]}>
           {t("remote.python")}
         </h2>
         <a className={styles["library"]} href="/corridor.py" download="corridor.py">
@@ -38,7 +40,7 @@ export function StarterScript({ address }: { address: RobotAddress }) {
       {/* A field instead of a `pre`: every browser can scroll and select it by keyboard. */}
       <textarea
         dir="ltr"
-        className={styles["code"]}
+        className={code["code"]}
         readOnly
         rows={starterLines}
         wrap="off"
@@ -46,7 +48,7 @@ export function StarterScript({ address }: { address: RobotAddress }) {
         aria-label={t("remote.script")}
         value={(isRefused ? full : masked).trimEnd()}
       />
-      <p className={styles["note"]}>
+      <p className={panel["note"]}>
         {isRefused ? t("remote.copyByHand") : t("remote.libraryNote")}
       </p>
       {/* Opens in a new tab: leaving this page ends the robot. */}

@@ -6,7 +6,8 @@ import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts"
 import { CopyButton } from "../../ui/CopyButton.tsx";
 import { watchAddress } from "./owner-calls.ts";
 import { maskKey } from "./robot-address.ts";
-import styles from "./remote.module.css";
+import panel from "./remote.module.css";
+import fields from "./fields.module.css";
 
 export function WatchField({ session }: { session: RemoteSession }) {
   const { t } = useTranslation();
@@ -19,16 +20,16 @@ export function WatchField({ session }: { session: RemoteSession }) {
   };
   return (
     <>
-      <dt className={styles["label"]}>{t("remote.watch")}</dt>
+      <dt className={fields["label"]}>{t("remote.watch")}</dt>
       {address === null ? (
         <dd>
-          <Button size="small" className={styles["long"]} onClick={() => void make()}>
+          <Button size="small" className={panel["long"]} onClick={() => void make()}>
             {t("remote.makeWatch")}
           </Button>
         </dd>
       ) : (
-        <dd className={styles["value"]} ref={focusIn}>
-          <span dir="ltr" className={styles["mono"]}>
+        <dd className={fields["value"]} ref={focusIn}>
+          <span dir="ltr" className={fields["text"]}>
             {maskKey(address)}
           </span>
           <CopyButton
@@ -39,7 +40,7 @@ export function WatchField({ session }: { session: RemoteSession }) {
           />
         </dd>
       )}
-      <dd className={styles["fieldNote"]}>
+      <dd className={fields["fieldNote"]}>
         <output>{isFailed ? t("remote.watchFailed") : t("remote.watchNote")}</output>
       </dd>
     </>
