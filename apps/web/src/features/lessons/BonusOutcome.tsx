@@ -3,7 +3,8 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useAnnouncement } from "../../model/use-announcement.ts";
 import type { LessonsService } from "../../model/lessons/lessons-service.ts";
-import styles from "./lessons.module.css";
+import styles from "./bonus-outcome.module.css";
+import shared from "./mission-text.module.css";
 import type { BonusMissionId } from "../../model/lessons/missions/bonus-missions.ts";
 import { bestText, isReached, statusText } from "./bonus-text.ts";
 
@@ -20,7 +21,7 @@ export function BonusOutcome({ id, service }: BonusOutcomeProps) {
   useAnnouncement(status.kind === "checking" ? null : text, "mission");
   return (
     <>
-      <p role="note" className={styles["outcome"]} data-state={isReached(status) ? "met" : "open"}>
+      <p role="note" className={shared["outcome"]} data-state={isReached(status) ? "met" : "open"}>
         {text}
       </p>
       {best !== undefined && <p className={styles["best"]}>{bestText(words, id, best)}</p>}

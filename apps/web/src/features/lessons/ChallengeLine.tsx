@@ -10,7 +10,7 @@ import { challengeResult } from "../../model/challenge/challenge-store.ts";
 import { allOf } from "../../text/all-of.ts";
 import { metText } from "../../model/lessons/failure-text.ts";
 import { Icon } from "../../ui/Icon.tsx";
-import styles from "./lessons.module.css";
+import styles from "./challenge-line.module.css";
 import { missionIds } from "../../model/lessons/missions/mission.ts";
 import { bonusMissionOf } from "../../model/lessons/missions/bonus-missions.ts";
 

@@ -12,7 +12,7 @@ import { saveFile } from "../../ui/save-file.ts";
 import { finishPicture } from "./finish-picture.ts";
 import type { LessonsRecord } from "../../model/lessons/lessons-storage.ts";
 import type { LessonsService } from "../../model/lessons/lessons-service.ts";
-import styles from "./lessons.module.css";
+import styles from "./finish.module.css";
 import { missionIds } from "../../model/lessons/missions/mission.ts";
 
 interface FinishProps {
@@ -80,7 +80,7 @@ export function Finish({ service, done }: FinishProps) {
         />
       )}
       <div className={styles["finishText"]}>
-        <h3 className={styles["chapterName"]}>{title}</h3>
+        <h3 className={styles["title"]}>{title}</h3>
         <p>{t("missions:finish.text")}</p>
         {hasFailed !== null && (
           <FieldError id="finish-error">

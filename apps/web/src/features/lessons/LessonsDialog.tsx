@@ -9,7 +9,7 @@ import { Button } from "../../ui/Button.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
 import type { LessonsService } from "../../model/lessons/lessons-service.ts";
 import type { LessonsRecord } from "../../model/lessons/lessons-storage.ts";
-import styles from "./lessons.module.css";
+import styles from "./lessons-dialog.module.css";
 import { Finish } from "./Finish.tsx";
 import { bestText } from "./bonus-text.ts";
 import { bonusMissionIdeas, bonusMissions } from "../../model/lessons/missions/bonus-missions.ts";

@@ -13,7 +13,8 @@ import { HintButton, HintList } from "./MissionHints.tsx";
 import { MissionMazes } from "./MissionMazes.tsx";
 import { MissionOutcome } from "./MissionOutcome.tsx";
 import { BonusOutcome } from "./BonusOutcome.tsx";
-import styles from "./lessons.module.css";
+import styles from "./mission-card.module.css";
+import shared from "./mission-text.module.css";
 import { missionIds, nextMission } from "../../model/lessons/missions/mission.ts";
 import { bonusMissionIds, bonusMissionOf } from "../../model/lessons/missions/bonus-missions.ts";
 import { useTask } from "./use-task.ts";
@@ -102,7 +103,7 @@ function OpenMission({ service }: { service: LessonsService }) {
           {isFolded ? <Icon of={ChevronDown} /> : <Icon of={ChevronUp} />}
         </IconButton>
       </div>
-      {!isFolded && <p className={styles["task"]}>{task}</p>}
+      {!isFolded && <p className={shared["task"]}>{task}</p>}
       {bonus === null ? (
         <MissionOutcome challenge={challenge} />
       ) : (
@@ -130,7 +131,7 @@ function SlimMission({ service }: { service: LessonsService }) {
   const bonus = bonusMissionOf(mission);
   return (
     <section className={styles["slim"]} aria-label={t("missions:card.label")}>
-      {!isMet && <p className={styles["task"]}>{task}</p>}
+      {!isMet && <p className={shared["slimTask"]}>{task}</p>}
       {bonus === null ? (
         <MissionOutcome challenge={challenge} />
       ) : (

@@ -6,7 +6,7 @@ import { Lightbulb } from "lucide";
 import { useTranslation } from "react-i18next";
 import { Icon } from "../../ui/Icon.tsx";
 import { IconButton } from "../../ui/Button.tsx";
-import styles from "./lessons.module.css";
+import styles from "./mission-hints.module.css";
 
 interface HintButtonProps {
   /** number of open hints */

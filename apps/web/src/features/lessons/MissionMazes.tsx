@@ -6,7 +6,7 @@ import { useServices } from "../../model/use-services.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import type { LessonsService } from "../../model/lessons/lessons-service.ts";
-import styles from "./lessons.module.css";
+import styles from "./mission-mazes.module.css";
 
 export function MissionMazes({ service }: { service: LessonsService }) {
   const { t } = useTranslation("missions", { useSuspense: false });

@@ -19,7 +19,7 @@ import {
 import { handAdvice } from "../../model/lessons/hand-advice.ts";
 import { stationaryRobot } from "./stationary-robot.ts";
 import type { MissionWords } from "../../model/lessons/mission-words.ts";
-import styles from "./lessons.module.css";
+import styles from "./mission-text.module.css";
 
 export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) {
   const { t, i18n } = useTranslation(["missions", "words", "diagnosis"], { useSuspense: false });
