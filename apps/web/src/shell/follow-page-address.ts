@@ -42,7 +42,7 @@ export async function followPageAddress(
       return openRun(services, words, run);
     },
     openChallenge: (challenge, program) => services.lessons.openShared(challenge, program),
-    openMission: async (id) => (await services.lessons.load()).follow(id),
+    openMission: async (id) => (await services.lessons.load()).navigation.follow(id),
     refuseMission: () => {
       const { mission } = services.challenge.getState();
       const { pathname, search } = location;

@@ -55,7 +55,7 @@ function AfterChallenge({ onClose }: Pick<OnwardProps, "onClose">) {
         icon={<Icon of={ListChecks} />}
         onClick={() => {
           onClose();
-          void service.check();
+          void service.attempt.check();
         }}
       >
         {t("missions:card.check", allOf(count))}
@@ -63,7 +63,7 @@ function AfterChallenge({ onClose }: Pick<OnwardProps, "onClose">) {
     );
   }
   if (state !== "met" || mission === null) return null;
-  const next = service.nextMission();
+  const next = nextMission(mission);
   return (
     <>
       {next !== null && (
@@ -81,7 +81,7 @@ function AfterChallenge({ onClose }: Pick<OnwardProps, "onClose">) {
 function FinishButton({ service, mission }: { service: LessonsService; mission: string }) {
   const { t } = useTranslation("missions", { useSuspense: false });
   const { challenge } = useServices();
-  const isAllDone = useStore(service.progress, ({ done }) =>
+  const isAllDone = useStore(service.progress.results, ({ done }) =>
     missionIds.every((id) => done[id] !== undefined),
   );
   // A bonus mission has a result of its own.

@@ -16,7 +16,7 @@ interface BonusOutcomeProps {
 export function BonusOutcome({ id, service }: BonusOutcomeProps) {
   const words = useTranslation(["missions", "words"], { useSuspense: false });
   const status = useStore(service.bonus.status, (state) => state.status);
-  const best = useStore(service.progress, (state) => state.best[id]);
+  const best = useStore(service.progress.results, (state) => state.best[id]);
   const text = statusText(words, status);
   useAnnouncement(status.kind === "checking" ? null : text, "mission");
   return (

@@ -30,7 +30,7 @@ export function Finish({ service, done }: FinishProps) {
   const [today] = useState(() => new Date());
   useEffect(() => {
     let isOver = false;
-    void service.solvedTrail().then(
+    void service.trails.last().then(
       (found) => {
         if (!isOver) setTrail(found);
       },

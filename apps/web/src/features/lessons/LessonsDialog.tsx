@@ -33,7 +33,7 @@ export function LessonsDialog({ isOpen, onClose }: LessonsDialogProps) {
     if (isOpen && service === null) void lessons.load().then(setService, onClose);
   }, [isOpen, service, lessons, onClose]);
   useEffect(() => {
-    if (isOpen) service?.showProgress();
+    if (isOpen) service?.progress.refresh();
   }, [isOpen, service]);
   return (
     <Dialog
@@ -50,8 +50,8 @@ export function LessonsDialog({ isOpen, onClose }: LessonsDialogProps) {
 function MissionPath({ service, onClose }: { service: LessonsService; onClose: () => void }) {
   const { t } = useTranslation("missions");
   const { lessons, challenge } = useServices();
-  const done = useStore(service.progress, (state) => state.done);
-  const best = useStore(service.progress, (state) => state.best);
+  const done = useStore(service.progress.results, (state) => state.done);
+  const best = useStore(service.progress.results, (state) => state.best);
   const open = useStore(challenge, (state) => state.mission);
   const isInChallenge = useStore(challenge, (state) => state.challenge !== null);
   const openMission = (id: string): void => {
@@ -73,7 +73,7 @@ function MissionPath({ service, onClose }: { service: LessonsService; onClose: (
             size="small"
             onClick={() => {
               onClose();
-              service.goHome();
+              service.navigation.goHome();
             }}
           >
             {t("path.own")}
@@ -83,7 +83,7 @@ function MissionPath({ service, onClose }: { service: LessonsService; onClose: (
           kind="quiet"
           size="small"
           disabled={count === 0 && Object.keys(best).length === 0}
-          onClick={() => service.deleteProgress()}
+          onClick={() => service.progress.delete()}
         >
           {t("path.reset")}
         </Button>

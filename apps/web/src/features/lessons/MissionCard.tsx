@@ -90,10 +90,10 @@ function OpenMission({ service }: { service: LessonsService }) {
             setFolded(false);
           }}
         />
-        <IconButton label={t("missions:card.again")} onClick={() => service.beginAgain()}>
+        <IconButton label={t("missions:card.again")} onClick={() => service.attempt.restart()}>
           <Icon of={ListRestart} />
         </IconButton>
-        <IconButton label={t("missions:card.own")} onClick={() => service.goHome()}>
+        <IconButton label={t("missions:card.own")} onClick={() => service.navigation.goHome()}>
           <Icon of={House} />
         </IconButton>
         <IconButton
@@ -176,7 +176,7 @@ function Actions({ service }: { service: LessonsService }) {
           kind="primary"
           disabled={isChecking}
           icon={<Icon of={ListChecks} />}
-          onClick={() => void service.check()}
+          onClick={() => void service.attempt.check()}
         >
           {isChecking
             ? t("missions:card.checking")

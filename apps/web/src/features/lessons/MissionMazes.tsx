@@ -36,7 +36,7 @@ export function MissionMazes({ service }: { service: LessonsService }) {
                 className={styles["maze"]}
                 data-state={state ?? undefined}
                 aria-pressed={at === shown}
-                onClick={() => service.showMaze(at)}
+                onClick={() => service.navigation.showMaze(at)}
               >
                 {state === "passes" && <Icon of={Check} size={14} />}
                 {state === "fails" && <Icon of={X} size={14} />}
@@ -59,7 +59,7 @@ export function MissionMazes({ service }: { service: LessonsService }) {
         <div className={styles["passed"]}>
           <p>{t("card.passed", { passed, count })}</p>
           {failing !== null && failing !== shown && (
-            <Button size="small" onClick={() => service.showMaze(failing)}>
+            <Button size="small" onClick={() => service.navigation.showMaze(failing)}>
               {t("card.openMaze", { number: failing + 1 })}
             </Button>
           )}

@@ -6,6 +6,7 @@ import type { BonusAnswer, BonusQuestion } from "../../simulator/protocol/bonus-
 import { firstMaze, firstProgram } from "../../simulator/protocol/first-project.ts";
 import type { FromWorker } from "../../simulator/protocol/worker-messages.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
+import { LessonsProgress } from "./lessons-progress.ts";
 import { LessonsStorage } from "./lessons-storage.ts";
 import { challengeOf } from "./missions/mission.ts";
 import { bonusMissions, type BonusMissionId } from "./missions/bonus-missions.ts";
@@ -27,14 +28,10 @@ function openPage(answer: (question: BonusQuestion) => BonusAnswer) {
     },
   };
   const ports = { challenge, workspace, storage, simulator } as unknown as LessonsPorts;
-  const checker = new BonusChecker(
-    ports,
-    () => undefined,
-    (question) => {
-      asked.push(question);
-      return Promise.resolve(answer(question));
-    },
-  );
+  const checker = new BonusChecker(ports, new LessonsProgress(ports), (question) => {
+    asked.push(question);
+    return Promise.resolve(answer(question));
+  });
   const open = async (id: BonusMissionId) => {
     const mission = bonusMissions.find((each) => each.id === id);
     if (mission === undefined) throw new Error("no bonus mission");

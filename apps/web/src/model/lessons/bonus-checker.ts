@@ -4,13 +4,10 @@
  */
 import { startingProgram, type ChallengeDocument } from "@corridor/challenge";
 import { createStore } from "zustand/vanilla";
-import type {
-  BonusAnswer,
-  BonusAnswers,
-  BonusQuestion,
-  SolvedTrail,
-} from "../../simulator/protocol/bonus-request.ts";
+import type { BonusAnswer, BonusAnswers } from "../../simulator/protocol/bonus-request.ts";
+import { askWorker, type AskBonus } from "./ask-bonus.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
+import type { LessonsProgress } from "./lessons-progress.ts";
 import { BONUS_SECONDS, bonusMissionOf, type BonusMissionId } from "./missions/bonus-missions.ts";
 
 /** Current state of the open bonus mission. */
@@ -25,23 +22,23 @@ export type BonusStatus =
 /** Edits arrive with each key, so the check waits until they pause. */
 const PAUSE_MS = 300;
 
-/** Sends a question to the worker. */
-export type AskBonus = (question: BonusQuestion) => Promise<BonusAnswer>;
-
 export class BonusChecker {
   readonly #ports: LessonsPorts;
+  readonly #progress: Pick<LessonsProgress, "add">;
   readonly #ask: AskBonus;
   readonly status = createStore<{ status: BonusStatus }>(() => ({ status: { kind: "none" } }));
   #timer: ReturnType<typeof setTimeout> | undefined;
   /** rises with each change; answers to older questions are discarded */
   #asked = 0;
-  readonly #onBest: (isStored: boolean) => void;
 
-  /** @param onBest called after each attempt to store a result */
-  constructor(ports: LessonsPorts, onBest: (isStored: boolean) => void, ask: AskBonus = askWorker) {
+  constructor(
+    ports: LessonsPorts,
+    progress: Pick<LessonsProgress, "add">,
+    ask: AskBonus = askWorker,
+  ) {
     this.#ports = ports;
+    this.#progress = progress;
     this.#ask = ask;
-    this.#onBest = onBest;
     ports.challenge.subscribe((next, before) => {
       if (next.challenge !== before.challenge) this.#changed();
       else if (next.result !== before.result) this.#followHand();
@@ -56,17 +53,6 @@ export class BonusChecker {
     ports.workspace.subscribe((next, before) => {
       if (next.maze !== before.maze || next.program !== before.program) this.#changed();
     });
-  }
-
-  /**
-   * The trail of the first attempt that reaches its goal; null if none does.
-   * @throws if the worker fails to load
-   */
-  async trailOf(
-    attempts: Extract<BonusQuestion, { kind: "trail" }>["attempts"],
-  ): Promise<SolvedTrail | null> {
-    const answer = await this.#ask({ kind: "trail", attempts, seconds: BONUS_SECONDS });
-    return answer.kind === "trail" ? answer.value : null;
   }
 
   #changed(): void {
@@ -127,26 +113,6 @@ export class BonusChecker {
   }
 
   #store(bonus: BonusMissionId, result: readonly number[]): void {
-    this.#onBest(this.#ports.storage.add({ best: { [bonus]: result } }));
+    this.#progress.add({ best: { [bonus]: result } });
   }
 }
-
-/** Starts one worker for each question. */
-const askWorker: AskBonus = async (question) =>
-  new Promise((resolve, reject) => {
-    const worker = new Worker(
-      new URL("../../simulator/check-worker/bonus-check.worker.ts", import.meta.url),
-      {
-        type: "module",
-      },
-    );
-    worker.onmessage = ({ data }: MessageEvent<BonusAnswer>) => {
-      worker.terminate();
-      resolve(data);
-    };
-    worker.onerror = ({ message }) => {
-      worker.terminate();
-      reject(new Error(message));
-    };
-    worker.postMessage(question);
-  });

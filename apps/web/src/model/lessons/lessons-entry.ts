@@ -43,7 +43,7 @@ export class LessonsEntry {
 
   /** Opens a mission in its own project. Shows a message if the lessons fail to load. */
   async openMission(id: string): Promise<void> {
-    await this.#withService((lessons) => lessons.openMission(id));
+    await this.#withService(({ navigation }) => navigation.openMission(id));
   }
 
   /**
@@ -55,7 +55,7 @@ export class LessonsEntry {
     challenge: ChallengeDocument,
     program: ProgramDocument | null,
   ): Promise<boolean> {
-    return this.#withService((lessons) => lessons.openShared(challenge, program));
+    return this.#withService(({ navigation }) => navigation.openShared(challenge, program));
   }
 
   /**
@@ -63,7 +63,8 @@ export class LessonsEntry {
    * knows whether it restores a run.
    */
   async handOver(): Promise<void> {
-    if (this.#belongsToChallenge()) await this.#withService((lessons) => lessons.handOver());
+    if (this.#belongsToChallenge())
+      await this.#withService(({ navigation }) => navigation.handOver());
   }
 
   /** Hides the invitation for good. */
@@ -80,7 +81,7 @@ export class LessonsEntry {
   }
 
   async #sync(): Promise<void> {
-    await this.#withService((lessons) => lessons.sync());
+    await this.#withService(({ navigation }) => navigation.sync());
   }
 
   /** @returns whether the lessons loaded */

@@ -1,55 +1,21 @@
 import type { Judgement } from "@corridor/challenge";
 import type { Diagnosis } from "@corridor/coach";
 import { describe, expect, it } from "vitest";
-import { MemoryStorage } from "../storage/testing/memory-storage.ts";
-import { createChallengeStore } from "../challenge/challenge-store.ts";
-import { createScreenStore } from "../screen/screen-store.ts";
-import { createWorkspaceStore, openProject, setProgram } from "../workspace/workspace-store.ts";
 import { checkProgram } from "../../simulator/check-worker/check-program.ts";
 import type { CheckAnswer, CheckRequest } from "../../simulator/protocol/check-request.ts";
-import { firstMaze, firstProgram } from "../../simulator/protocol/first-project.ts";
 import { RunJudge } from "../../simulator/worker/run-judge.ts";
 import { RunLoop } from "../../simulator/worker/run-loop.ts";
-import type { FromWorker } from "../../simulator/protocol/worker-messages.ts";
+import { setProgram } from "../workspace/workspace-store.ts";
+import { Attempt } from "./attempt.ts";
 import { ChallengeChecker } from "./challenge-checker.ts";
-import type { LessonsPorts } from "./lessons-ports.ts";
-import { LessonsService } from "./lessons-service.ts";
-import { LessonsStorage } from "./lessons-storage.ts";
+import { LessonsNavigation } from "./lessons-navigation.ts";
+import { LessonsProgress } from "./lessons-progress.ts";
 import { lines, type MissionId } from "./missions/mission.ts";
+import { lessonsPage, noAddressBar } from "./testing/lessons-page.ts";
 
 /** A page with an open mission, its robot, and the check in this thread. */
 function openMission(id: MissionId) {
-  const challenge = createChallengeStore();
-  const workspace = createWorkspaceStore(firstMaze, firstProgram);
-  const storage = new LessonsStorage(new MemoryStorage());
-  let judgeId = 0;
-  const sent: string[] = [];
-  let emit: (message: FromWorker) => void = () => undefined;
-  const ports = {
-    challenge,
-    workspace,
-    storage,
-    screen: createScreenStore(),
-    words: { t: (key: string) => key, loadNamespaces: () => Promise.resolve() },
-    projects: {
-      beginNew: (...[maze, program]: Parameters<LessonsPorts["projects"]["beginNew"]>) => {
-        openProject(workspace, maze, program ?? firstProgram);
-      },
-      backAction: () => () => undefined,
-      currentId: () => "project",
-      list: () => [],
-    },
-    simulator: {
-      send: (message: Parameters<LessonsPorts["simulator"]["send"]>[0]) => {
-        sent.push(message.type);
-        if (message.type === "judge") judgeId = message.id;
-      },
-      listen: (listener: typeof emit) => {
-        emit = listener;
-        return () => undefined;
-      },
-    },
-  } as unknown as LessonsPorts;
+  const { ports, challenge, workspace, storage, sent, report } = lessonsPage();
   const port: ReturnType<ConstructorParameters<typeof ChallengeChecker>[0]> = {
     postMessage: (request: CheckRequest) => {
       queueMicrotask(() =>
@@ -60,29 +26,31 @@ function openMission(id: MissionId) {
     onerror: null,
     terminate: () => undefined,
   };
-  const service = new LessonsService(ports, new ChallengeChecker(() => port), {
-    location: { pathname: "/", search: "", hash: "" },
-    history: { pushState: () => undefined, replaceState: () => undefined },
-    onMove: () => undefined,
-  });
-  service.openMission(id);
+  const checker = new ChallengeChecker(() => port);
+  const attempt = new Attempt(ports, new LessonsProgress(ports), checker);
+  const navigation = new LessonsNavigation(ports, attempt, noAddressBar);
+  navigation.openMission(id);
   const open = challenge.getState().challenge;
   if (open === null) throw new Error("no challenge");
   let time = 0;
   const loop = new RunLoop(workspace.getState().maze, workspace.getState().program, () => time);
   loop.updates.judgeBy(new RunJudge(open, 0));
+  const judge = (judgement: Judgement): void => {
+    const judgeId = sent.findLast((message) => message.type === "judge")?.id ?? 0;
+    report({ type: "judgement", id: judgeId, judgement });
+  };
   return {
-    service,
+    attempt,
+    navigation,
     challenge,
     storage,
     sent,
-    /** A message of the worker. */
-    report: (message: FromWorker) => emit(message),
+    report,
     reportLate: () => {
       const { program } = workspace.getState();
-      emit({ type: "diagnosed", diagnosis: lateAt(1201), program });
+      report({ type: "diagnosed", diagnosis: lateAt(1201), program });
     },
-    judge: (judgement: Judgement) => emit({ type: "judgement", id: judgeId, judgement }),
+    judge,
     clock: () => loop.snapshot().tick,
     program: (program: ReturnType<typeof lines>) => {
       setProgram(workspace, program);
@@ -96,7 +64,7 @@ function openMission(id: MissionId) {
         loop.advance();
       }
       const judgement = loop.updates.takeJudgement();
-      if (judgement !== null) emit({ type: "judgement", id: judgeId, judgement });
+      if (judgement !== null) judge(judgement);
     },
   };
 }
@@ -167,8 +135,8 @@ describe("the verdict of a failed run", () => {
     const page = openMission("every-maze");
     page.reportLate();
     page.sent.length = 0;
-    page.service.showMaze(1);
-    expect(page.sent).toEqual(["reset", "judge"]);
+    page.navigation.showMaze(1);
+    expect(page.sent.map(({ type }) => type)).toEqual(["reset", "judge"]);
     expect(page.challenge.getState()).toMatchObject({ failedRun: null, result: { state: "open" } });
   });
 });
@@ -180,7 +148,7 @@ describe("the marks of the mazes", () => {
   async function checked(program: ReturnType<typeof lines>) {
     const page = openMission("every-maze");
     page.program(program);
-    await page.service.check();
+    await page.attempt.check();
     return page;
   }
   const rightWall = lines(
@@ -204,7 +172,7 @@ describe("the marks of the mazes", () => {
   it("keep a program solved that runs again in another maze", async () => {
     const page = await checked(rightWall);
     expect(page.challenge.getState().result.state).toBe("met");
-    page.service.showMaze(1);
+    page.navigation.showMaze(1);
     expect(page.challenge.getState().result.state).toBe("open");
     page.judge({ kind: "met", driver: "program", tick: 700, bumps: 0 });
     expect(page.challenge.getState()).toMatchObject({

@@ -1,0 +1,213 @@
+/**
+ * The attempt at the open challenge: the judgement of the run on the screen, the check of the
+ * program in all mazes, and the result of both.
+ */
+import {
+  startingProgram,
+  type ChallengeDocument,
+  type Judgement,
+  type Verdict,
+} from "@corridor/challenge";
+import type { Diagnosis } from "@corridor/coach";
+import { isSameBehaviour, type ProgramDocument } from "@corridor/program";
+import type { CheckAnswer } from "../../simulator/protocol/check-request.ts";
+import type { FromWorker } from "../../simulator/protocol/worker-messages.ts";
+import { showMessage } from "../screen/screen-store.ts";
+import { showUndoable } from "../workspace/show-undoable.ts";
+import { newLineIds, setProgram } from "../workspace/workspace-store.ts";
+import type { ChallengeChecker } from "./challenge-checker.ts";
+import type { LessonsPorts } from "./lessons-ports.ts";
+import type { LessonsProgress } from "./lessons-progress.ts";
+import type { Done } from "./lessons-storage.ts";
+import { bonusMissionOf } from "./missions/bonus-missions.ts";
+
+type Met = Extract<Judgement, { kind: "met" }>;
+
+/** State without a known failure of the current program. */
+const nothingKnown = { checked: null, verdict: null, diagnoses: [], failedRun: null } as const;
+
+export class Attempt {
+  readonly #ports: LessonsPorts;
+  readonly #progress: Pick<LessonsProgress, "add">;
+  readonly #checker: ChallengeChecker;
+  /** rises with each challenge and maze to judge; judgements with another id are ignored */
+  #judgeId = 0;
+  #judged: Judgement = { kind: "open" };
+
+  constructor(
+    ports: LessonsPorts,
+    progress: Pick<LessonsProgress, "add">,
+    checker: ChallengeChecker,
+  ) {
+    this.#ports = ports;
+    this.#progress = progress;
+    this.#checker = checker;
+    ports.simulator.listen((message) => this.#follow(message));
+    ports.challenge.subscribe((next, before) => {
+      if (next.challenge !== null || before.challenge === null) return;
+      ports.simulator.send({ type: "judge", id: ++this.#judgeId, attempt: null });
+    });
+    ports.workspace.subscribe((next, before) => {
+      if (next.program === before.program || ports.challenge.getState().challenge === null) return;
+      ports.challenge.setState({ ...nothingKnown, result: { state: "open" } });
+    });
+  }
+
+  /** Judges the run on the screen in one maze of a challenge from now on. */
+  begin(challenge: ChallengeDocument, maze: number, mission: string | null): void {
+    this.#judged = { kind: "open" };
+    // The worker for bonus missions decides whether a maze defeats its program. No run on the
+    // screen decides it.
+    const attempt = bonusMissionOf(mission) === "beat-right-wall" ? null : { challenge, maze };
+    this.#ports.simulator.send({ type: "judge", id: ++this.#judgeId, attempt });
+  }
+
+  /** Restores the starting program of the mission. The message offers undo. */
+  restart(): void {
+    const { challenge: store, workspace, simulator, screen, words } = this.#ports;
+    const { challenge } = store.getState();
+    if (challenge === null) return;
+    const start = startingProgram(challenge);
+    const { program } = workspace.getState();
+    simulator.send({ type: "reset" });
+    if (isSameBehaviour(program, start)) {
+      store.setState({ ...nothingKnown, result: { state: "open" } });
+      showMessage(screen, { tone: "info", text: words.t("missions:card.restartedUnchanged") });
+      return;
+    }
+    setProgram(workspace, start, newLineIds(start.rules.length));
+    showUndoable({ screen, workspace }, words, words.t("missions:card.restarted"));
+  }
+
+  /**
+   * Runs the program in all mazes of the challenge, in a worker.
+   * @param run the run on the screen that met the challenge. Its figures are displayed beside its
+   *   clock; those of the check differ if the program was edited on the way, and are stored
+   */
+  async check(run: Met | null = null): Promise<void> {
+    const { challenge: store, screen, words } = this.#ports;
+    store.setState({ isChecking: true });
+    let answer: CheckAnswer | null;
+    try {
+      answer = await this.#ask();
+    } catch {
+      showMessage(screen, { tone: "bad", text: words.t("lessons.notLoaded") });
+      return;
+    } finally {
+      store.setState({ isChecking: false });
+    }
+    if (answer === null) return;
+    const { verdict } = answer;
+    store.setState({ ...answer, checked: verdict, failedRun: null });
+    if (verdict.passed) this.#passed(verdict, run);
+    else {
+      const isMet = this.#judged.kind === "met" && verdict.mazes.length === 1;
+      const code = isMet ? "edited" : (verdict.failure?.code ?? "edited");
+      const tick = this.#judged.kind === "open" ? 0 : this.#judged.tick;
+      store.setState({ result: { state: "failed", code, tick } });
+    }
+  }
+
+  /** @returns null if the program or the challenge changed in the meantime */
+  async #ask(): Promise<CheckAnswer | null> {
+    const { challenge: store, workspace } = this.#ports;
+    const { challenge } = store.getState();
+    const { program } = workspace.getState();
+    if (challenge === null) return null;
+    const answer = await this.#checker.check({ challenge, program });
+    const isSame =
+      store.getState().challenge === challenge && workspace.getState().program === program;
+    return isSame ? answer : null;
+  }
+
+  #follow(message: FromWorker): void {
+    if (message.type === "diagnosed") this.#failed(message.diagnosis, message.program);
+    if (message.type === "event" && message.event.diagnosis !== null) {
+      this.#failed(message.event.diagnosis, message.event.program);
+    }
+    if (message.type === "truncated") this.#truncated(message.after);
+    // An edit of the program restarts the judgement but not the run. At the goal, the store
+    // receives again why the run does not count.
+    const isGoal = message.type === "event" && message.event.kind === "goal";
+    if (isGoal && this.#judged.kind === "failed") this.#receive(this.#judged);
+    if (message.type !== "judgement" || message.id !== this.#judgeId) return;
+    this.#judged = message.judgement;
+    this.#receive(message.judgement);
+  }
+
+  /**
+   * Stores a failed run on the screen. Its diagnosis replaces the verdict of the last check, whose
+   * marks on the mazes stay: the program is the same.
+   */
+  #failed(diagnosis: Diagnosis, program: ProgramDocument | null): void {
+    const { challenge: store, workspace } = this.#ports;
+    const { challenge } = store.getState();
+    if (challenge === null || !challenge.allowed.drivers.includes("program")) return;
+    // The program was edited in the meantime, so the diagnosis belongs to another program.
+    if (program !== null && !isSameBehaviour(program, workspace.getState().program)) return;
+    store.setState({ failedRun: diagnosis, verdict: null, diagnoses: [] });
+  }
+
+  /**
+   * The run lost the ticks after this one. What they decided is withdrawn with its reason, before
+   * the worker judges the rest: one without the other would be another verdict.
+   */
+  #truncated(after: number): void {
+    const { challenge: store } = this.#ports;
+    const { failedRun: said, result: decided } = store.getState();
+    const failedRun = said !== null && said.event.tick > after ? null : said;
+    const isUndecided = this.#judged.kind !== "open" && this.#judged.tick > after;
+    if (isUndecided) this.#judged = { kind: "open" };
+    store.setState({ failedRun, result: isUndecided ? { state: "open" } : decided });
+  }
+
+  /** Stores a new judgement of the attempt on the screen. */
+  #receive(judged: Judgement): void {
+    const { challenge: store } = this.#ports;
+    const { challenge } = store.getState();
+    if (challenge === null) return;
+    if (judged.kind === "open") store.setState({ result: { state: "open" } });
+    else if (judged.kind === "failed") {
+      store.setState({ result: { state: "failed", code: judged.code, tick: judged.tick } });
+    } else this.#meet(challenge, judged);
+  }
+
+  /**
+   * A drive by hand counts as it is. A program must also pass a check from the start in every maze.
+   */
+  #meet(challenge: ChallengeDocument, met: Met): void {
+    const { challenge: store, workspace } = this.#ports;
+    const { driver, tick: ticks, bumps } = met;
+    const { checked } = store.getState();
+    const lines = driver === "program" ? workspace.getState().program.rules.length : 0;
+    if (driver !== "program") {
+      store.setState({ result: { state: "met", driver, ticks, bumps, lines } });
+      this.#setDone({ lines, ticks });
+      return;
+    }
+    // The same program has already passed in every maze.
+    if (checked?.passed === true && challenge.mazes.length > 1) {
+      this.#passed(checked, null);
+      return;
+    }
+    store.setState({ result: { state: "here", ticks, bumps, lines } });
+    if (challenge.mazes.length === 1) void this.check(met);
+  }
+
+  /** The program works in all mazes. */
+  #passed({ mazes }: Verdict, run: Met | null): void {
+    const { challenge: store, workspace } = this.#ports;
+    const ticks = Math.max(...mazes.map((each) => each.ticks));
+    const bumps = Math.max(...mazes.map((each) => each.bumps));
+    const lines = workspace.getState().program.rules.length;
+    const shown = run === null ? { ticks, bumps } : { ticks: run.tick, bumps: run.bumps };
+    store.setState({ result: { state: "met", driver: "program", ...shown, lines } });
+    this.#setDone({ lines, ticks });
+  }
+
+  #setDone(done: Done): void {
+    const { mission } = this.#ports.challenge.getState();
+    if (mission === null || bonusMissionOf(mission) !== null) return;
+    this.#progress.add({ done: { [mission]: done } });
+  }
+}
