@@ -1,7 +1,7 @@
 -- Liveness of relays and ownership of pages. All times are those of Redis.
 -- KEYS: 1 the robot's session, 2 its channel, 3 relays by the time until which they count as alive.
 local step, given, relay = ARGV[1], cjson.decode(ARGV[2]), ARGV[3]
-local SESSION, LINE, RELAYS = unpack(KEYS)
+local SESSION, CHANNEL, RELAYS = unpack(KEYS)
 local clock = redis.call('TIME')
 local now = clock[1] * 1000 + math.floor(clock[2] / 1000)
 
@@ -39,7 +39,7 @@ function steps.left()
   local page = redis.call('HGET', SESSION, 'page')
   if page and cjson.decode(page).epoch == given.epoch then
     redis.call('HDEL', SESSION, 'page')
-    redis.call('PUBLISH', LINE,
+    redis.call('PUBLISH', CHANNEL,
       '{"kind":"page-left","from":"' .. relay .. '","epoch":' .. given.epoch ..
       ',"closedByPage":' .. tostring(given.closedByPage) .. '}')
   end
