@@ -77,7 +77,7 @@ export async function storedOpen(redis: Redis, id: string): Promise<CommandRow[]
  * @returns null if it lacks nothing
  */
 export function lookUp(
-  { redis, id, relay }: { redis: Redis; id: string; relay: string },
+  { redis, holders, id, relay }: { redis: Redis; holders: Script; id: string; relay: string },
   commands: RobotCommands,
   lookup: Lookup & { isPresent: boolean },
 ): Promise<Found> | null {
@@ -88,7 +88,7 @@ export function lookUp(
   if (key !== null && isPresent) one.push(endedWithKey(redis, id, key));
   if (one.length === 0 && after === null && !holder) return null;
   const later = after === null ? [] : endedAfter(redis, id, after);
-  const held = holder && isHeldElsewhere(redis, id, relay);
+  const held = holder && isHeldElsewhere(holders, id, relay);
   return Promise.all([later, held, ...one]).then(([rows, isHeld, ...others]) => ({
     rows: [...rows, ...others].filter((row) => row !== null),
     isHeldElsewhere: isHeld,

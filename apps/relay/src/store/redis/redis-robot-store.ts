@@ -26,6 +26,7 @@ export class RedisRobotStore implements RobotStore {
   readonly #relay: string;
   readonly #robots: RobotCommits;
   readonly #read: Script;
+  readonly #holders: Script;
   readonly #deletion: Script;
   readonly #deletedBytes: DeletedBytes;
 
@@ -39,6 +40,7 @@ export class RedisRobotStore implements RobotStore {
     this.#relay = relay;
     this.#robots = new RobotCommits(redis, relay, most);
     this.#read = new Script(redis, "read.lua");
+    this.#holders = new Script(redis, "page-holders.lua", [relay]);
     this.#deletion = new Script(redis, "deletion.lua", [relay]);
     this.#deletedBytes = deletedBytes;
   }
@@ -67,7 +69,12 @@ export class RedisRobotStore implements RobotStore {
       none: step.none,
       read: ({ commands }, isPresent) => {
         const lookup = step.lookup?.(commands);
-        const where = { redis: this.#redis, id, relay: this.#relay };
+        const where = {
+          redis: this.#redis,
+          holders: this.#holders,
+          id,
+          relay: this.#relay,
+        };
         // Most keys are new, which the commit checks.
         return lookup === undefined ? null : lookUp(where, commands, { ...lookup, isPresent });
       },

@@ -1,8 +1,8 @@
 /** Reads robots and the times of their keys. */
 import { z } from "zod";
-import { asked, timeOf, type Redis } from "./connection.ts";
+import { asked, type Redis } from "./connection.ts";
 import type { KeyTimes, StoredRobot } from "../port.ts";
-import { madeAt, RELAYS, robotKeyOf, usedAt, USES } from "./redis-keys.ts";
+import { channelOf, madeAt, RELAYS, robotKeyOf, usedAt, USES } from "./redis-keys.ts";
 import type { Script } from "./script.ts";
 import { blockedText, keysText } from "./permission-texts.ts";
 import { counted } from "./words.ts";
@@ -21,10 +21,7 @@ const robotReply = z.tuple([
   ]),
   z.coerce.number(),
 ]);
-const holderText = z
-  .string()
-  .transform((given): unknown => JSON.parse(given))
-  .pipe(z.object({ relay: z.string() }));
+const holderReply = z.object({ relay: z.string() }).nullable();
 
 export async function robotIn(read: Script, id: string): Promise<StoredRobot | null> {
   const fields = ["version", "epoch", "createdAt", "keys", "blocked", "paused", "name"];
@@ -78,12 +75,16 @@ export async function usesIn(
   return new Map(hashes.map((hash, index) => [hash, Number(times[index] ?? 0)]));
 }
 
-/** Whether a running relay other than this one is connected to the robot's page. */
-export async function isHeldElsewhere(redis: Redis, id: string, relay: string): Promise<boolean> {
-  const page = await asked(redis.hGet(robotKeyOf(id), "page"));
-  if (page === null || page === undefined) return false;
-  const { relay: holder } = holderText.parse(page);
-  if (holder === relay) return false;
-  const [aliveUntil, now] = await Promise.all([asked(redis.zScore(RELAYS, holder)), timeOf(redis)]);
-  return aliveUntil !== null && aliveUntil >= Math.floor(now);
+/**
+ * Whether a running relay other than this one is connected to the robot's page.
+ * @param holders runs page-holders.lua
+ */
+export async function isHeldElsewhere(
+  holders: Script,
+  id: string,
+  relay: string,
+): Promise<boolean> {
+  const keys = [robotKeyOf(id), channelOf(id), RELAYS];
+  const holder = holderReply.parse(await holders.run("holder", keys, {}));
+  return holder !== null && holder.relay !== relay;
 }
