@@ -17,21 +17,6 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     return { store: await open(), reopen: open, holds: async (text) => server.holds(text) };
   });
 
-  it("opens a link from before short codes, and assigns a short code to the same text", async () => {
-    const server = await startTestRedis();
-    const redis = await connectRedis(server.url, () => undefined);
-    onTestFinished(() => redis.destroy());
-    const store = new RedisDocumentStore(redis, new DeletedBytes(redis));
-    const document = { hash: "h", text: "{}", keyHash: "old", now: 1 };
-    await store.add({ ...document, ids: ["abcdefghijkl"] });
-    const again = { ...document, keyHash: "new" };
-    expect(await store.add({ ...again, ids: ["BCDF"] })).toBe("BCDF");
-    expect(await store.read("abcdefghijkl", 1, 1)).toBe("{}");
-    expect(await store.remove("abcdefghijkl", "old")).toBe("removed");
-    // Deleting the older document does not delete the index from the text to the new code.
-    expect(await store.add({ ...again, keyHash: "newer", ids: ["GHJK"] })).toBe("BCDF");
-  });
-
   it("never assigns one code to two texts, even if two relays request the same codes concurrently", async () => {
     const server = await startTestRedis();
     const relays = await Promise.all(

@@ -43,6 +43,13 @@ export function documentStoreCases(name: string, open: () => Promise<OpenDocumen
       expect(await read(store, "BBBB")).toBe("{}");
     });
 
+    it("returns the first id for the same text even if it is long, because no code was free", async () => {
+      const { store } = await open();
+      const long = { ...document, ids: ["abcdefghijkl"] };
+      expect(await store.add(long)).toBe("abcdefghijkl");
+      expect(await store.add({ ...document, keyHash: "k" })).toBe("abcdefghijkl");
+    });
+
     it("uses the first free id, and reports if none is free", async () => {
       const { store } = await open();
       const texts = ["a", "b", "c"].map((hash) => ({ ...document, hash, text: `"${hash}"` }));

@@ -11,14 +11,9 @@ local function used(id, now)
   redis.call('ZADD', uses, 'GT', now, id)
 end
 
--- Maximum length of a code. Ids from before codes are longer. Storing the same text again creates a
--- code.
-local LONGEST_CODE = 6
-
 local function remove(id)
   local hash = redis.call('HGET', document(id), 'hash')
-  if redis.call('GET', byHash(hash)) == id then redis.call('DEL', byHash(hash)) end
-  redis.call('DEL', document(id), keys(id))
+  redis.call('DEL', document(id), keys(id), byHash(hash))
   redis.call('ZREM', uses, id)
 end
 
@@ -26,8 +21,7 @@ local steps = {}
 
 function steps.add()
   local id = redis.call('GET', byHash(given.hash))
-  if not id or #id > LONGEST_CODE then
-    id = nil
+  if not id then
     for _, candidate in ipairs(given.ids) do
       if redis.call('EXISTS', document(candidate)) == 0 then
         id = candidate
