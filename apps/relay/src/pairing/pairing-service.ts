@@ -10,7 +10,12 @@ import { hashKey, isSameHash, keyId, mintCode, mintKey } from "../platform/keys.
 import { noRobot, Refusal } from "../platform/errors/problems.ts";
 import type { WaitLimit } from "../platform/time/wait-limit.ts";
 import { limits } from "../platform/limits/limits.ts";
-import type { PairingStore, StoredPairing } from "../store/pairing-store.ts";
+import type {
+  PairingFinder,
+  PairingStore,
+  PairingTransition,
+  StoredPairing,
+} from "../store/pairing-store.ts";
 import type { RobotStore } from "../store/port.ts";
 import { CheckQueue } from "../platform/limits/check-queue.ts";
 import { Waits } from "./waits.ts";
@@ -99,14 +104,15 @@ export class PairingService {
     const found = await this.#find({ robot: id });
     const key = found?.question?.key ?? "";
     const to = accept ? "accepted" : "refused";
-    const isAnswered = keyId(key) === question && (await this.#transition(key, "asked", to));
+    const isAnswered =
+      keyId(key) === question && (await this.#transition({ key }, { from: "asked", to }));
     if (!isAnswered) throw requestClosed();
     if (accept) {
       try {
         await keys.admit(key);
       } catch (error) {
         // Reopens the request, so that the owner can revoke a key and accept again.
-        await this.#transition(key, "accepted", "asked").catch(() => false);
+        await this.#transition({ key }, { from: "accepted", to: "asked" }).catch(() => false);
         throw error;
       }
     }
@@ -136,8 +142,8 @@ export class PairingService {
     if (found.state !== "open") throw codeUsed();
     const key = mintKey("drive");
     const question = { key: hashKey(key), name, client };
-    const now = this.#parts.clock.now();
-    if (!(await this.#parts.pairings.ask(hash, question, now))) throw codeUsed();
+    const asked = { from: "open", to: "asked", question } as const;
+    if (!(await this.#transition({ code: hash }, asked))) throw codeUsed();
     this.#waits.wake();
     return { key, endsInSeconds: this.#left(found.endsAt) };
   }
@@ -183,16 +189,12 @@ export class PairingService {
     return isValid ? found : { ...found, state: "asked" };
   }
 
-  async #find(by: Parameters<PairingStore["find"]>[0]): Promise<StoredPairing | null> {
+  async #find(by: PairingFinder): Promise<StoredPairing | null> {
     return this.#parts.pairings.find(by, this.#parts.clock.now());
   }
 
-  async #transition(
-    key: string,
-    from: StoredPairing["state"],
-    to: StoredPairing["state"],
-  ): Promise<boolean> {
-    return this.#parts.pairings.settle(key, { from, to }, this.#parts.clock.now());
+  async #transition(by: PairingFinder, transition: PairingTransition): Promise<boolean> {
+    return this.#parts.pairings.transition(by, transition, this.#parts.clock.now());
   }
 
   #left(endsAt: number): number {

@@ -3,7 +3,8 @@
  * row is deleted with its robot, by the next code, when it is revoked, and when it expires.
  *
  * Each method is one atomic step, so that several relays can share a store. If two scripts use the
- * same code, one succeeds. If there are two answers, the first counts. Every implementation passes
+ * same code, one succeeds. If there are two answers, the first counts. A store checks the state that
+ * a transition starts from, and knows no order of states. Every implementation passes
  * `cases/pairing-store.cases.ts`.
  */
 export interface NewPairing {
@@ -23,10 +24,20 @@ export interface PairingQuestion {
   client: string;
 }
 
+/** open: no script has used the code yet */
+export type PairingState = "open" | "asked" | "accepted" | "refused";
+
 export interface StoredPairing extends NewPairing {
-  /** open: no script has used the code yet */
-  state: "open" | "asked" | "accepted" | "refused";
+  state: PairingState;
   question: PairingQuestion | null;
+}
+
+/** A transition, as the caller decides it. */
+export interface PairingTransition {
+  from: PairingState;
+  to: PairingState;
+  /** the script that requests access; default: unchanged */
+  question?: PairingQuestion;
 }
 
 export type PairingFinder =
@@ -42,17 +53,10 @@ export interface PairingStore {
   open(pairing: NewPairing): Promise<"opened" | "taken" | "no-robot">;
   /** The pairing, unless it has expired. */
   find(by: PairingFinder, now: number): Promise<StoredPairing | null>;
-  /** open → asked. @returns false if the code is unknown, expired or used */
-  ask(code: string, question: PairingQuestion, now: number): Promise<boolean>;
   /**
-   * Changes the state of the request with this key.
-   * @returns false if it is not in the state `from`
+   * Changes the pairing. @returns false if it is unknown, has expired or is not in the state `from`
    */
-  settle(
-    key: string,
-    change: { from: StoredPairing["state"]; to: StoredPairing["state"] },
-    now: number,
-  ): Promise<boolean>;
+  transition(by: PairingFinder, transition: PairingTransition, now: number): Promise<boolean>;
   /** Deletes the robot's code. @returns false if there was none */
   remove(robot: string): Promise<boolean>;
   /** Deletes expired codes. @returns how many */

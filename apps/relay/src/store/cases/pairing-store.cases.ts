@@ -1,6 +1,6 @@
 /** Requirements for every pairing store, for any database. */
 import { describe, expect, it } from "vitest";
-import type { PairingStore } from "../pairing-store.ts";
+import type { PairingQuestion, PairingState, PairingStore } from "../pairing-store.ts";
 import type { RobotStore } from "../port.ts";
 
 const ROBOT = "AAAAAAAAAAAAAAAAAAAAAA";
@@ -8,6 +8,12 @@ const OTHER = "BBBBBBBBBBBBBBBBBBBBBB";
 const pairing = { robot: ROBOT, code: "hash-of-the-code", endsAt: 600_000 };
 const question = { key: "hash-of-the-new-key", name: "Right wall", client: "Python" };
 const NOW = 1_000;
+/** A script uses the code. */
+const ask = (store: PairingStore, asked: PairingQuestion = question, now = NOW): Promise<boolean> =>
+  store.transition({ code: pairing.code }, { from: "open", to: "asked", question: asked }, now);
+/** The owner answers. */
+const settle = (store: PairingStore, to: PairingState, key = question.key, now = NOW) =>
+  store.transition({ key }, { from: "asked", to }, now);
 
 export interface OpenPairingStore {
   store: PairingStore;
@@ -34,7 +40,7 @@ export function pairingStoreCases(name: string, open: () => Promise<OpenPairingS
       expect(await store.find({ robot: ROBOT }, NOW)).toEqual(opened);
       expect(await store.find({ code: pairing.code }, NOW)).toEqual(opened);
       expect(await store.find({ key: question.key }, NOW)).toBeNull();
-      expect(await store.ask(pairing.code, question, NOW)).toBe(true);
+      expect(await ask(store)).toBe(true);
       const again = await reopen();
       const asked = { ...pairing, state: "asked", question };
       expect(await again.find({ key: question.key }, NOW)).toEqual(asked);
@@ -45,13 +51,11 @@ export function pairingStoreCases(name: string, open: () => Promise<OpenPairingS
       const { store } = await withRobots();
       await store.open(pairing);
       const second = { key: "hash-of-a-second-key", name: null, client: "curl" };
-      const asked = [question, second].map((each) => store.ask(pairing.code, each, NOW));
+      const asked = [question, second].map((each) => ask(store, each));
       expect(await Promise.all(asked)).toEqual([true, false]);
-      const answers = (["accepted", "refused"] as const).map((to) =>
-        store.settle(question.key, { from: "asked", to }, NOW),
-      );
+      const answers = (["accepted", "refused"] as const).map((to) => settle(store, to));
       expect(await Promise.all(answers)).toEqual([true, false]);
-      expect(await store.settle(second.key, { from: "asked", to: "accepted" }, NOW)).toBe(false);
+      expect(await settle(store, "accepted", second.key)).toBe(false);
       expect(await store.find({ robot: ROBOT }, NOW)).toMatchObject({
         state: "accepted",
         question: { name: "Right wall" },
@@ -61,7 +65,7 @@ export function pairingStoreCases(name: string, open: () => Promise<OpenPairingS
     it("belong to one robot, and a new one replaces the previous one", async () => {
       const { store } = await withRobots();
       await store.open(pairing);
-      await store.ask(pairing.code, question, NOW);
+      await ask(store);
       expect(await store.open({ ...pairing, robot: OTHER })).toBe("taken");
       expect(await store.open({ ...pairing, robot: "C".repeat(22) })).toBe("no-robot");
       expect(await store.open({ ...pairing, code: "another" })).toBe("opened");
@@ -75,10 +79,9 @@ export function pairingStoreCases(name: string, open: () => Promise<OpenPairingS
       await store.open(pairing);
       expect(await store.find({ robot: ROBOT }, pairing.endsAt - 1)).not.toBeNull();
       expect(await store.find({ robot: ROBOT }, pairing.endsAt)).toBeNull();
-      expect(await store.ask(pairing.code, question, pairing.endsAt)).toBe(false);
-      expect(await store.ask(pairing.code, question, NOW)).toBe(true);
-      const yes = { from: "asked", to: "accepted" } as const;
-      expect(await store.settle(question.key, yes, pairing.endsAt)).toBe(false);
+      expect(await ask(store, question, pairing.endsAt)).toBe(false);
+      expect(await ask(store)).toBe(true);
+      expect(await settle(store, "accepted", question.key, pairing.endsAt)).toBe(false);
     });
 
     it.each([
@@ -106,7 +109,7 @@ export function pairingStoreCases(name: string, open: () => Promise<OpenPairingS
       const opened = await withRobots();
       const { store, holds } = opened;
       await store.open(pairing);
-      await store.ask(pairing.code, question, NOW);
+      await ask(store);
       expect(await holds(question.key)).toBe(true);
       await remove(opened);
       expect(await store.find({ robot: ROBOT }, NOW)).toBeNull();

@@ -17,10 +17,9 @@ local function remove(robot)
   return redis.call('DEL', pairing(robot)) > 0
 end
 
--- Whether the robot's code is in this state and has not expired.
-local function isNow(robot, state)
-  local found, ends = unpack(redis.call('HMGET', pairing(robot), 'state', 'endsAt'))
-  return found == state and tonumber(ends) > given.now
+-- The robot of the pairing that is looked for.
+local function robotOf()
+  return given.robot or redis.call('GET', byHash(given.hash))
 end
 
 local steps = {}
@@ -39,7 +38,7 @@ function steps.open()
 end
 
 function steps.find()
-  local robot = given.robot or redis.call('GET', byHash(given.hash))
+  local robot = robotOf()
   if not robot then return 'null' end
   local code, ends, state, question =
     unpack(redis.call('HMGET', pairing(robot), 'code', 'endsAt', 'state', 'question'))
@@ -48,18 +47,16 @@ function steps.find()
     question = question or 'null' })
 end
 
-function steps.ask()
-  local robot = redis.call('GET', byHash(given.code))
-  if not robot or not isNow(robot, 'open') then return 'false' end
-  redis.call('SET', byHash(given.key), robot)
-  redis.call('HSET', pairing(robot), 'state', 'asked', 'key', given.key, 'question', given.question)
-  return 'true'
-end
-
-function steps.settle()
-  local robot = redis.call('GET', byHash(given.key))
-  if not robot or redis.call('HGET', pairing(robot), 'key') ~= given.key then return 'false' end
-  if not isNow(robot, given.from) then return 'false' end
+function steps.transition()
+  local robot = robotOf()
+  if not robot then return 'false' end
+  local state, ends = unpack(redis.call('HMGET', pairing(robot), 'state', 'endsAt'))
+  if state ~= given.from or tonumber(ends) <= given.now then return 'false' end
+  -- The first write is one that Redis rejects if its memory is full.
+  if given.key then
+    redis.call('SET', byHash(given.key), robot)
+    redis.call('HSET', pairing(robot), 'key', given.key, 'question', given.question)
+  end
   redis.call('HSET', pairing(robot), 'state', given.to)
   return 'true'
 end

@@ -5,8 +5,8 @@ import { z } from "zod";
 import type {
   NewPairing,
   PairingFinder,
-  PairingQuestion,
   PairingStore,
+  PairingTransition,
   StoredPairing,
 } from "../pairing-store.ts";
 import type { Redis } from "./connection.ts";
@@ -50,21 +50,17 @@ export class RedisPairingStore implements PairingStore {
   }
 
   async find(by: PairingFinder, now: number): Promise<StoredPairing | null> {
-    const which = "robot" in by ? by : { hash: "code" in by ? by.code : by.key };
-    return findAnswer.parse(await this.#step("find", { ...which, now }));
+    return findAnswer.parse(await this.#step("find", { ...robotOrHash(by), now }));
   }
 
-  async ask(code: string, asking: PairingQuestion, now: number): Promise<boolean> {
-    const values = { code, key: asking.key, question: JSON.stringify(asking), now };
-    return z.boolean().parse(await this.#step("ask", values));
-  }
-
-  async settle(
-    key: string,
-    change: { from: StoredPairing["state"]; to: StoredPairing["state"] },
+  async transition(
+    by: PairingFinder,
+    { from, to, question: asked }: PairingTransition,
     now: number,
   ): Promise<boolean> {
-    return z.boolean().parse(await this.#step("settle", { key, ...change, now }));
+    const stored = asked && { key: asked.key, question: JSON.stringify(asked) };
+    const values = { ...robotOrHash(by), from, to, ...stored, now };
+    return z.boolean().parse(await this.#step("transition", values));
   }
 
   async remove(robot: string): Promise<boolean> {
@@ -85,4 +81,8 @@ export class RedisPairingStore implements PairingStore {
   async #step(name: string, values: unknown): Promise<unknown> {
     return this.#script.run(name, [ENDS], values);
   }
+}
+
+function robotOrHash(by: PairingFinder): { robot: string } | { hash: string } {
+  return "robot" in by ? by : { hash: "code" in by ? by.code : by.key };
 }

@@ -3,8 +3,8 @@ import { z } from "zod";
 import type {
   NewPairing,
   PairingFinder,
-  PairingQuestion,
   PairingStore,
+  PairingTransition,
   StoredPairing,
 } from "../pairing-store.ts";
 import type { SqliteFile } from "./file/sqlite-file.ts";
@@ -43,7 +43,7 @@ export class SqlitePairingStore implements PairingStore {
   }
 
   async find(by: PairingFinder, now: number): Promise<StoredPairing | null> {
-    const [column = "", value = ""] = Object.entries(by)[0] ?? [];
+    const [column, value] = columnOf(by);
     const sql = `SELECT ${COLUMNS} FROM pairings WHERE ${column} = ? AND ends_at > ?`;
     const [found] = this.#file.reading.all(sql, [value, now]);
     if (found === undefined) return null;
@@ -52,21 +52,22 @@ export class SqlitePairingStore implements PairingStore {
     return { ...rest, endsAt, question };
   }
 
-  async ask(code: string, question: PairingQuestion, now: number): Promise<boolean> {
-    const { key, name, client } = question;
-    const sql = `UPDATE pairings SET state = 'asked', key = ?, name = ?, client = ?
-      WHERE code = ? AND state = 'open' AND ends_at > ?`;
-    const values = [key, name, client, code, now];
-    return this.#file.growingStep(() => this.#file.writing.run(sql, values) > 0);
-  }
-
-  async settle(
-    key: string,
-    { from, to }: { from: StoredPairing["state"]; to: StoredPairing["state"] },
+  async transition(
+    by: PairingFinder,
+    { from, to, question }: PairingTransition,
     now: number,
   ): Promise<boolean> {
-    const sql = "UPDATE pairings SET state = ? WHERE key = ? AND state = ? AND ends_at > ?";
-    return this.#file.step(() => this.#file.writing.run(sql, [to, key, from, now]) > 0);
+    const { writing } = this.#file;
+    const [column, value] = columnOf(by);
+    const isMeant = `${column} = ? AND state = ? AND ends_at > ?`;
+    if (question === undefined) {
+      const sql = `UPDATE pairings SET state = ? WHERE ${isMeant}`;
+      return this.#file.step(() => writing.run(sql, [to, value, from, now]) > 0);
+    }
+    const { key, name, client } = question;
+    const sql = `UPDATE pairings SET state = ?, key = ?, name = ?, client = ? WHERE ${isMeant}`;
+    const values = [to, key, name, client, value, from, now];
+    return this.#file.growingStep(() => writing.run(sql, values) > 0);
   }
 
   async remove(robot: string): Promise<boolean> {
@@ -82,4 +83,9 @@ export class SqlitePairingStore implements PairingStore {
       (count) => count > 0,
     );
   }
+}
+
+function columnOf(by: PairingFinder): [column: string, value: string] {
+  const [column = "", value = ""] = Object.entries(by)[0] ?? [];
+  return [column, value];
 }
