@@ -3,6 +3,7 @@
  * they are written. Validating them again in each step took a third of the cost of a command.
  */
 import type { Command, CommandRecord, CommandState, RecallCause } from "@corridor/protocol";
+import type { Overtaking } from "./overtaking.ts";
 import { reasonText, type Reason } from "./reasons.ts";
 import type { TermedRecord } from "./steps.ts";
 
@@ -19,8 +20,8 @@ export interface CommandRow {
   readonly deadline: number;
   readonly replace: boolean;
   readonly lease: number | null;
-  /** it does not wait for earlier commands */
-  readonly overtakes: boolean;
+  /** null: it waits for earlier commands */
+  readonly overtakes: Overtaking | null;
   state: CommandState;
   reason: Reason | null;
   /** why it was cancelled although the robot already has it */
@@ -54,13 +55,6 @@ export function commandIn(text: string): KnownCommand {
   const made = { command: Object.freeze(JSON.parse(text) as Command), text };
   known.set(text, made);
   return made;
-}
-
-/** A stop command as JSON. */
-export const STOP = '{"action":"stop"}';
-
-export function isStop(text: string): boolean {
-  return text === STOP;
 }
 
 const newest = { at: Number.NaN, text: "" };

@@ -3,7 +3,8 @@
  * return.
  */
 import type { CommandRecord } from "@corridor/protocol";
-import { isStop, recordOfRow, type CommandRow } from "./command-row.ts";
+import { recordOfRow, type CommandRow } from "./command-row.ts";
+import { overtakingKinds, type Overtaking } from "./overtaking.ts";
 import type { RobotCommands } from "./robot-commands.ts";
 import type { KnownCommands, RobotStep } from "./robot-state.ts";
 import { becauseOf, finish, isWithRobot, overtake, waiting } from "./state-machine.ts";
@@ -61,26 +62,24 @@ export function acquire(
   }
   // A delivered command may be accepted again now, although a stop or a replacement arrived after
   // it.
-  for (const what of ["stop", "replace"] as const) {
+  for (const overtakes of overtakingKinds) {
     // The lookup is slow among ten thousand commands.
-    const seq = waiting(robot).length === 0 ? null : known.newest(what, lastApplied);
+    const seq = waiting(robot).length === 0 ? null : known.newest(overtakes, lastApplied);
     if (seq === null) continue;
-    for (const { record } of overtake(robot, { seq, stops: what === "stop" }))
-      changed.set(record.seq, record);
+    for (const { record } of overtake(robot, { seq, overtakes })) changed.set(record.seq, record);
   }
   const { epoch } = accessState;
   return { epoch, changed: [...changed.values()].toSorted((a, b) => a.seq - b.seq), refused };
 }
 
-/** The highest seq of a stop or a replacing command among these; null: there is none. */
+/** The highest seq after `after` of these commands that overtakes in this way; null: there is none. */
 export function newestOvertaking(
   rows: readonly CommandRow[],
-  what: "stop" | "replace",
+  overtakes: Overtaking,
   after: number,
 ): number | null {
-  const isMeant = ({ text, replace }: CommandRow): boolean =>
-    what === "stop" ? isStop(text) : replace;
-  const seqs = rows.filter((row) => row.seq > after && isMeant(row)).map(({ seq }) => seq);
+  const isMeant = (row: CommandRow): boolean => row.seq > after && row.overtakes === overtakes;
+  const seqs = rows.filter(isMeant).map(({ seq }) => seq);
   return seqs.reduce<number | null>((most, seq) => Math.max(most ?? seq, seq), null);
 }
 

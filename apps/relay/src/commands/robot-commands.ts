@@ -154,7 +154,7 @@ export class RobotCommands {
   }
 
   #count({ state, overtakes }: CommandRow, by: 1 | -1): void {
-    if (state === "delivered" && !overtakes) this.#delivered += by;
-    if (state === "accepted") this.#waiting[overtakes ? "overtaking" : "others"] += by;
+    if (state === "delivered" && overtakes === null) this.#delivered += by;
+    if (state === "accepted") this.#waiting[overtakes === null ? "others" : "overtaking"] += by;
   }
 }

@@ -3,6 +3,7 @@
  * robot, and commits the changes if nothing else has changed the robot since. It knows no rule.
  */
 import type { CommandRow } from "./command-row.ts";
+import type { Overtaking } from "./overtaking.ts";
 import type { RobotCommands } from "./robot-commands.ts";
 import type { Permissions, StoredKey, StoredScript } from "./steps.ts";
 
@@ -11,8 +12,8 @@ export interface KnownCommands {
   row(seq: number): CommandRow | null;
   /** The command with this idempotency key. */
   withKey(driver: string, key: string): CommandRow | null;
-  /** The highest seq of a stop or a replacing command after `after`. */
-  newest(what: "stop" | "replace", after: number): number | null;
+  /** The highest seq of a command after `after` that overtakes in this way. */
+  newest(overtakes: Overtaking, after: number): number | null;
 }
 
 export interface KeysChange {

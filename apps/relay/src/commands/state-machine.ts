@@ -7,13 +7,13 @@
  */
 import { hasEnded, type CommandRecord, type Ending, type RecallCause } from "@corridor/protocol";
 import {
-  isStop,
   recordOfRow,
   termedOfRow,
   commandIn,
   type CommandRow,
   type KnownCommand,
 } from "./command-row.ts";
+import { overtakingOf, type Overtaking } from "./overtaking.ts";
 import type { Cause, RelayReason } from "./reasons.ts";
 import type { RobotCommands } from "./robot-commands.ts";
 import type { RobotStep } from "./robot-state.ts";
@@ -52,11 +52,12 @@ export function add(
 function addNew(robot: RobotCommands, command: NewCommand, known: KnownCommand): AddResult {
   const { accessState } = robot;
   const { driver, script, key, acceptedAt, ttl, deadline, replace, lease } = command;
-  const stops = isStop(known.text);
+  const overtakes = overtakingOf(known.command, replace);
+  const stops = overtakes === "stop";
   if (accessState.isPaused && !stops) return { outcome: "paused" };
   if (deadline <= acceptedAt) return { outcome: "late" };
   const seq = accessState.lastSeq + 1;
-  const ended = stops || replace ? overtake(robot, { seq, stops }) : [];
+  const ended = overtakes === null ? [] : overtake(robot, { seq, overtakes });
   if (!stops && robot.waitingCount >= command.maxWaiting) return { outcome: "full" };
   robot.deleteEnded(seq - command.keep);
   const row = robot.add({
@@ -71,7 +72,7 @@ function addNew(robot: RobotCommands, command: NewCommand, known: KnownCommand):
     deadline: Math.round(deadline),
     replace,
     lease: lease === null ? null : Math.round(lease),
-    overtakes: stops || replace,
+    overtakes,
     state: "accepted",
     reason: null,
     recalled: null,
@@ -94,7 +95,7 @@ export function deliver(
   let at = 0;
   for (const row of robot.open) {
     if (row.state !== "accepted" || isLate(row, now)) continue;
-    if (at < free || row.overtakes) due.push(row);
+    if (at < free || row.overtakes !== null) due.push(row);
     at += 1;
   }
   return due.map((row) => termedOfRow(robot.change(row, { state: "delivered", epoch })));
@@ -144,8 +145,8 @@ export function recallAllOf(
   whose: { driver: string } | { script: string } | "all",
   cause: RecallCause,
 ): TermedRecord[] {
-  const isMeant = ({ text, driver, script }: CommandRow): boolean => {
-    if (whose === "all") return !isStop(text);
+  const isMeant = ({ overtakes, driver, script }: CommandRow): boolean => {
+    if (whose === "all") return overtakes !== "stop";
     return "driver" in whose ? driver === whose.driver : script === whose.script;
   };
   const meant = [...robot.open].filter(isMeant);
@@ -193,11 +194,12 @@ export function finish(robot: RobotCommands, ending: Ending): CommandRecord | nu
   return recordOfRow(robot.change(row, { state, reason, pose, distance }));
 }
 
-/** Ends the accepted commands before a stop or a replacing command. */
+/** Ends the accepted commands before a command that overtakes. */
 export function overtake(
   robot: RobotCommands,
-  { seq, stops }: { seq: number; stops: boolean },
+  { seq, overtakes }: { seq: number; overtakes: Overtaking },
 ): TermedRecord[] {
+  const stops = overtakes === "stop";
   const before = waiting(robot).filter((row) => row.seq < seq);
   return before.map((row) =>
     termedOfRow(

@@ -1,6 +1,7 @@
 /** A robot in memory, for tests of the state machine. */
 import type { CommandState, Ending } from "@corridor/protocol";
-import { STOP, commandIn, type CommandRow } from "../command-row.ts";
+import { commandIn, type CommandRow } from "../command-row.ts";
+import { overtakingOf } from "../overtaking.ts";
 import { RobotCommands, type OnChange } from "../robot-commands.ts";
 import type { NewCommand, PageState } from "../steps.ts";
 
@@ -8,22 +9,23 @@ export const NOW = 5_000;
 export const EPOCH = 1;
 export const DRIVER = "driver-hash";
 export const LEFT = '{"action":"left 90"}';
-export { STOP };
+export const STOP = '{"action":"stop"}';
 
 export function rowOf(change: Partial<CommandRow> = {}): CommandRow {
   const { text = LEFT, replace = false } = change;
+  const known = commandIn(text);
   return {
     seq: 1,
     driver: DRIVER,
     script: null,
     key: null,
-    ...commandIn(text),
+    ...known,
     acceptedAt: NOW,
     ttl: 10_000,
     deadline: NOW + 10_000,
     replace,
     lease: null,
-    overtakes: replace || text === STOP,
+    overtakes: overtakingOf(known.command, replace),
     state: "accepted",
     reason: null,
     recalled: null,

@@ -6,6 +6,7 @@ import { hasEnded } from "@corridor/protocol";
 import { z } from "zod";
 import type { CommandRow } from "../../commands/command-row.ts";
 import { newestOvertaking } from "../../commands/page-transitions.ts";
+import type { Overtaking } from "../../commands/overtaking.ts";
 import { accessStateOf } from "../../commands/permissions.ts";
 import { RobotCommands } from "../../commands/robot-commands.ts";
 import type { KeysChange, RobotState } from "../../commands/robot-state.ts";
@@ -94,8 +95,8 @@ export class LoadedRobot implements RobotState {
     return this.commands.withKey(driver, key) ?? this.found.rows.find(isMeant) ?? null;
   }
 
-  newest(what: "stop" | "replace", after: number): number | null {
-    return newestOvertaking([...this.commands.rows(), ...this.found.rows], what, after);
+  newest(overtakes: Overtaking, after: number): number | null {
+    return newestOvertaking([...this.commands.rows(), ...this.found.rows], overtakes, after);
   }
 
   setKeys({ keys, added, revoked, now }: KeysChange): void {

@@ -2,7 +2,8 @@
 import { commandRecordSchema } from "@corridor/protocol";
 import { z } from "zod";
 import { causes, recallCauseIn } from "../../commands/reasons.ts";
-import { isStop, termedOfRow, commandIn, type CommandRow } from "../../commands/command-row.ts";
+import { termedOfRow, commandIn, type CommandRow } from "../../commands/command-row.ts";
+import { overtakingOf } from "../../commands/overtaking.ts";
 
 const { state, pose, distance } = commandRecordSchema.shape;
 
@@ -28,11 +29,10 @@ const stored = z.object({
 });
 
 /** Parses the row of a command. */
-const commandRow = stored.transform(({ command, ...row }): CommandRow => ({
-  ...row,
-  ...commandIn(command),
-  overtakes: row.replace || isStop(command),
-}));
+const commandRow = stored.transform(({ command: text, ...row }): CommandRow => {
+  const known = commandIn(text);
+  return { ...row, ...known, overtakes: overtakingOf(known.command, row.replace) };
+});
 /** Parses a row into what a relay shows of the command and sends to the robot. */
 export const termedRow = commandRow.transform(termedOfRow);
 

@@ -1,7 +1,8 @@
 /** A command as an entry of the journal and of the tables in SQLite. */
 import type { SQLInputValue } from "node:sqlite";
-import type { CommandRecord, CommandState } from "@corridor/protocol";
-import { isStop, commandIn, type CommandRow } from "../../commands/command-row.ts";
+import { hasEnded, type CommandRecord, type CommandState } from "@corridor/protocol";
+import { commandIn, type CommandRow } from "../../commands/command-row.ts";
+import type { Overtaking } from "../../commands/overtaking.ts";
 import { recallCauseIn, type Reason } from "../../commands/reasons.ts";
 import type { Statements } from "./file/statements.ts";
 
@@ -24,8 +25,10 @@ type Entry = [
   pose: string | null,
   distance: number | null,
   epoch: number | null,
-  /** missing in entries of the first journals */
-  deletedTo?: number,
+  deletedTo: number,
+  overtakes: Overtaking | null,
+  /** for queries */
+  isOpen: 0 | 1,
 ];
 
 /**
@@ -34,7 +37,7 @@ type Entry = [
  */
 export function entryOf(row: CommandRow, deletedTo: number): string {
   const { seq, driver, script, key, text, acceptedAt, ttl, deadline, replace, lease } = row;
-  const { state, reason, recalled, pose, distance, epoch } = row;
+  const { state, reason, recalled, pose, distance, epoch, overtakes } = row;
   const entry: Entry = [
     seq,
     driver,
@@ -53,6 +56,8 @@ export function entryOf(row: CommandRow, deletedTo: number): string {
     distance,
     epoch,
     deletedTo,
+    overtakes,
+    hasEnded(state) ? 0 : 1,
   ];
   return JSON.stringify(entry);
 }
@@ -61,7 +66,7 @@ export function entryOf(row: CommandRow, deletedTo: number): string {
 export function rowIn(entry: string): { row: CommandRow; deletedTo: number } {
   const [seq, driver, script, key, text, acceptedAt, ttl, deadline, replaces, lease, ...rest] =
     JSON.parse(entry) as Entry;
-  const [state, reason, recalled, pose, distance, epoch, deletedTo = 0] = rest;
+  const [state, reason, recalled, pose, distance, epoch, deletedTo, overtakes] = rest;
   const row: CommandRow = {
     seq,
     driver,
@@ -73,7 +78,7 @@ export function rowIn(entry: string): { row: CommandRow; deletedTo: number } {
     deadline,
     replace: replaces === 1,
     lease,
-    overtakes: replaces === 1 || isStop(text),
+    overtakes,
     state,
     reason,
     recalled: recallCauseIn(recalled),

@@ -7,9 +7,10 @@
  * All methods must be called within a step, except those of `commands` that only read.
  */
 import type { CommandRecord } from "@corridor/protocol";
-import { recordOfRow, STOP, type CommandRow } from "../../commands/command-row.ts";
+import { recordOfRow, type CommandRow } from "../../commands/command-row.ts";
 import { KeyIndex } from "../../commands/key-index.ts";
 import { RobotCommands, type AccessState } from "../../commands/robot-commands.ts";
+import type { Overtaking } from "../../commands/overtaking.ts";
 import { newestOvertaking } from "../../commands/page-transitions.ts";
 import type { KeysChange, RobotState } from "../../commands/robot-state.ts";
 import type { Permissions, StoredScript } from "../../commands/steps.ts";
@@ -21,6 +22,8 @@ import { addKeys, keysIn, removeKeys } from "./sqlite-keys.ts";
 const BY_KEY = "SELECT entry FROM commands WHERE robot = ? AND driver = ? AND key = ?";
 const BY_SEQ = "SELECT entry FROM commands WHERE robot = ? AND seq = ?";
 const AFTER = "SELECT entry FROM commands WHERE robot = ? AND seq > ? ORDER BY seq LIMIT ?";
+const NEWEST =
+  "SELECT max(seq) AS found FROM commands WHERE robot = ? AND seq > ? AND overtakes = ?";
 
 /** Looking up a key in the tables takes as long as all other work of the store for a command. */
 const MOST_LEFT = 1_000;
@@ -87,13 +90,10 @@ export class LiveRobot implements RobotState {
     return rows.slice(0, limit).map(recordOfRow);
   }
 
-  /** The highest seq of a stop or a replacing command after `after`; null if there is none. */
-  newest(what: "stop" | "replace", after: number): number | null {
-    const condition = what === "stop" ? `command = '${STOP}'` : "replaces = 1";
-    const sql = `SELECT max(seq) AS found FROM commands WHERE robot = ? AND seq > ? AND ${condition}`;
+  newest(overtakes: Overtaking, after: number): number | null {
     const from = Math.max(after, this.commands.deletedUpTo);
-    const inTables = this.#statements.number(sql, [this.#id, from]);
-    const inMemory = newestOvertaking(this.commands.rows(), what, after);
+    const inTables = this.#statements.number(NEWEST, [this.#id, from, overtakes]);
+    const inMemory = newestOvertaking(this.commands.rows(), overtakes, after);
     return inMemory === null ? inTables : Math.max(inTables ?? inMemory, inMemory);
   }
 

@@ -12,6 +12,9 @@ import { SqliteRobotStore } from "../sqlite-robot-store.ts";
 import { Statements } from "./statements.ts";
 import { NOW, ROBOTS, sent, withRobots } from "../../cases/robot-in-store.ts";
 
+/** The last version whose entries did not contain how a command overtakes. */
+const WITHOUT_RULES = 15;
+
 describe("the journal", () => {
   it("deletes as much across a restart: a command that ended late exists until the next command", async () => {
     const file = join(testFolder(), "corridor.sqlite");
@@ -85,8 +88,9 @@ describe("the journal", () => {
   });
 
   it("is readable as an earlier version wrote it, whose entries did not list deleted commands", async () => {
-    const file = join(testFolder(), "corridor.sqlite");
-    const before = new SqliteRobotStore(file);
+    const folder = testFolder();
+    const newer = join(folder, "newer.sqlite");
+    const before = new SqliteRobotStore(newer);
     await withRobots(before);
     const [id = ""] = ROBOTS;
     for (let n = 1; n <= 3; n++)
@@ -94,8 +98,14 @@ describe("the journal", () => {
     await before.commit(id, cancelStep(2, "d"));
     const records = await before.commandsAfter(id, 0, 10);
     await before.close();
-    const db = new DatabaseSync(file);
-    db.exec("UPDATE journal SET entry = json_remove(entry, '$[16]')");
+    const file = join(folder, "corridor.sqlite");
+    const db = openDatabase(file, WITHOUT_RULES);
+    db.prepare("ATTACH ? AS newer").run(newer);
+    db.exec(`
+      INSERT INTO sessions SELECT * FROM newer.sessions;
+      INSERT INTO keys SELECT * FROM newer.keys;
+      INSERT INTO journal SELECT id, robot, json_remove(entry, '$[18]', '$[17]', '$[16]') FROM newer.journal;
+    `);
     expect(db.prepare("SELECT json_array_length(entry) AS n FROM journal").get()).toEqual({
       n: 16,
     });

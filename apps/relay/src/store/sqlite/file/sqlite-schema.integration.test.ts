@@ -1,15 +1,19 @@
-import { readFileSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { commandRecordSchema, hasEnded } from "@corridor/protocol";
+import type { Command, CommandState } from "@corridor/protocol";
 import { describe, expect, it, onTestFinished } from "vitest";
+import { acquireStep } from "../../../commands/page-transitions.ts";
 import { addStep, deliverStep, recalledStep } from "../../../commands/state-machine.ts";
 import { testFolder } from "../../../testing/test-relay.ts";
 import { openDatabase } from "./sqlite-schema.ts";
 import { SqliteRobotStore } from "../sqlite-robot-store.ts";
-import { LEFT, ID, sent } from "../../cases/robot-in-store.ts";
+import { LEFT, ID, nothingDone, sent, STOP } from "../../cases/robot-in-store.ts";
 
 /** The last version that stored the commands of a robot together. */
 const BY_ROBOT = 10;
+
+/** The last version whose entries did not contain how a command overtakes. */
+const WITHOUT_RULES = 15;
 
 /** A file of that version with open and ended commands of two robots. */
 function fileOfBefore(): string {
@@ -113,19 +117,8 @@ describe("a file of an earlier Corridor", () => {
     const file = fileOfBefore();
     openDatabase(file).close();
     expect(() => openDatabase(file, BY_ROBOT)).toThrow(
-      /newer Corridor \(schema 15, this version supports 10\)/,
+      /newer Corridor \(schema 16, this version supports 10\)/,
     );
-  });
-
-  it("treats every state as open except the final ones", () => {
-    const db = openDatabase(fileOfBefore());
-    onTestFinished(() => db.close());
-    const isOpen = db.prepare("SELECT is_open FROM commands WHERE robot = ? AND seq = 3");
-    const states = commandRecordSchema.shape.state.options.filter((state) => {
-      db.prepare("UPDATE commands SET entry = json_replace(entry, '$[10]', ?)").run(state);
-      return isOpen.get(ID)?.["is_open"] === (hasEnded(state) ? 0 : 1);
-    });
-    expect(states).toEqual(commandRecordSchema.shape.state.options);
   });
 
   it("stores the number from which a robot may have open commands", () => {
@@ -135,5 +128,55 @@ describe("a file of an earlier Corridor", () => {
       { open_from: 3 },
       { open_from: 3 },
     ]);
+  });
+
+  it("lets its stops and replacements overtake, from the tables and the journal", async () => {
+    const file = join(testFolder(), "corridor.sqlite");
+    const db = openDatabase(file, WITHOUT_RULES);
+    db.exec(`INSERT INTO sessions (id, epoch, last_seq, created_at, last_used_at, open_from)
+      VALUES ('${ID}', 1, 3, 1, 1, 1)`);
+    const entryOf = (seq: number, command: Command, replaces: 0 | 1, state: CommandState) =>
+      JSON.stringify(
+        [
+          seq,
+          "d",
+          null,
+          null,
+          JSON.stringify(command),
+          5_000,
+          9_000,
+          14_000,
+          replaces,
+          null,
+        ].concat([state, null, null, null, null, 1]),
+      );
+    const add = db.prepare("INSERT INTO commands (robot, entry) VALUES (?, ?)");
+    add.run(ID, entryOf(1, LEFT, 0, "delivered"));
+    add.run(ID, entryOf(2, STOP, 0, "expired"));
+    add.run(ID, entryOf(3, LEFT, 0, "delivered"));
+    const append = db.prepare("INSERT INTO journal (id, robot, entry) VALUES (?, ?, ?)");
+    append.run(1, ID, entryOf(4, LEFT, 1, "accepted"));
+    db.close();
+    const store = new SqliteRobotStore(file);
+    onTestFinished(() => store.close());
+    await store.commit(ID, acquireStep(nothingDone));
+    const all = await store.commandsAfter(ID, 0, 10);
+    expect(all.map(({ seq, state }) => [seq, state])).toEqual([
+      [1, "cancelled"],
+      [2, "expired"],
+      [3, "superseded"],
+      [4, "accepted"],
+    ]);
+    expect((await store.openCommands(ID)).map(({ seq }) => seq)).toEqual([4]);
+  });
+
+  it("is set aside if it is damaged, instead of preventing the start", async () => {
+    const file = join(testFolder(), "corridor.sqlite");
+    const db = openDatabase(file, WITHOUT_RULES);
+    db.exec(`INSERT INTO journal (id, robot, entry) VALUES (1, '${ID}', 'not JSON')`);
+    db.close();
+    const store = new SqliteRobotStore(file);
+    onTestFinished(() => store.close());
+    expect(existsSync(`${file}.damaged`)).toBe(true);
   });
 });

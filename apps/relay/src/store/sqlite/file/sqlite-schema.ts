@@ -217,6 +217,24 @@ const BLOCKED_SCRIPTS = `
 ALTER TABLE away RENAME TO blocked_scripts;
 `;
 
+// An entry contains what the rules say of its command: how it overtakes, and whether it is open.
+// Queries use these values, so that no rule is repeated here. Older entries get them from the rules
+// of their time. Damaged ones stay, because the check of the texts follows.
+const RULES_IN_ENTRIES = `
+UPDATE commands SET entry = json_insert(entry, '$[16]', 0,
+  '$[17]', CASE WHEN command = '{"action":"stop"}' THEN 'stop' WHEN replaces = 1 THEN 'replace' END,
+  '$[18]', is_open);
+UPDATE journal SET entry = json_insert(entry, '$[16]', 0,
+  '$[17]', CASE WHEN entry ->> 4 = '{"action":"stop"}' THEN 'stop' WHEN entry ->> 8 = 1 THEN 'replace' END,
+  '$[18]', entry ->> 10 NOT IN ('completed', 'collided', 'cancelled', 'superseded', 'expired'))
+  WHERE json_valid(entry);
+ALTER TABLE commands DROP COLUMN command;
+ALTER TABLE commands DROP COLUMN replaces;
+ALTER TABLE commands DROP COLUMN is_open;
+ALTER TABLE commands ADD COLUMN overtakes TEXT AS (entry ->> 17);
+ALTER TABLE commands ADD COLUMN is_open INTEGER NOT NULL AS (entry ->> 18);
+`;
+
 /** The migration for each version. The first one creates version 1 from an empty file. */
 const STEPS: readonly string[] = [
   SESSIONS,
@@ -234,6 +252,7 @@ const STEPS: readonly string[] = [
   COMMANDS_AS_ENTRIES,
   SHORT_CODES,
   BLOCKED_SCRIPTS,
+  RULES_IN_ENTRIES,
 ];
 
 /**
