@@ -254,6 +254,30 @@ def test_a_command_that_is_not_too_late_is_retried_then_with_another_clock() -> 
     assert len([1 for request in hopeless.requests if request.method == "POST"]) <= 3
 
 
+def test_a_command_that_expires_too_early_is_sent_again_with_another_key() -> None:
+    """The host takes it for older than it is if the round trips before it were longer."""
+    expired = record("expired")
+    harness = Harness(record("accepted"), expired, record("completed"), latency=0.02, ttl=0.4)
+    assert harness.move().state == "completed"
+    first, second = [request for request in harness.requests if request.method == "POST"]
+    assert first.headers["Idempotency-Key"] != second.headers["Idempotency-Key"]
+    assert ages_of(harness) == [None, 40]
+    for hopeless in (Harness(expired, latency=0.02, ttl=0.4), Harness(0.5, expired, ttl=0.4)):
+        with pytest.raises(CommandEndedError) as error:
+            hopeless.move()
+        assert error.value.code == "expired"
+        assert len(hopeless.requests) <= 2
+
+
+def test_a_command_that_expires_too_early_never_overtakes_a_later_one() -> None:
+    harness = Harness(record("completed"), latency=0.02, ttl=0.4)
+    move = harness.protocol.execute(go_forward(100))
+    next(move)
+    harness.move()
+    with pytest.raises(CommandEndedError):
+        move.send(record("expired"))
+
+
 def test_random_delays_double_from_a_quarter_second_to_ten() -> None:
     harness = Harness(LOST)
     with pytest.raises(NoAnswerError, match="connection refused"):

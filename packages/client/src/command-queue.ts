@@ -45,8 +45,8 @@ interface Pending {
   order: Order;
   /** time of the first attempt */
   firstSentAt: number | null;
-  /** how often the relay rejected it as too late although it was not */
-  falseExpiries: number;
+  /** how often it may still be sent again if the relay counts it as too late although it is not */
+  retriesIfEarly: number;
   until: Until;
   resolve: (record: CommandRecord) => void;
   reject: (error: ClientError) => void;
@@ -79,7 +79,7 @@ export class CommandQueue {
         key: this.#options.platform.uniqueText(),
         order,
         firstSentAt: null,
-        falseExpiries: 0,
+        retriesIfEarly: 2,
         until,
         resolve,
         reject,
@@ -129,6 +129,9 @@ export class CommandQueue {
     const pending = this.#running.get(record.seq);
     if (pending === undefined) return;
     const { state } = record;
+    if (state === "expired" && this.#isOnly() && this.#isEarly(pending)) {
+      return this.#sendAgain(record.seq, pending);
+    }
     const isFailed = state === "cancelled" || state === "expired";
     if (isFailed || (state === "superseded" && pending.until === "ended")) {
       this.#remove(pending);
@@ -155,7 +158,7 @@ export class CommandQueue {
       return;
     }
     const isLate = problem.type === "/problems/too-late";
-    if (isLate && this.#isInTime(first)) return this.#retryLate(first);
+    if (isLate && this.#isEarly(first)) return this.#retryRejected(first);
     this.#remove(first);
     const code = isLate ? "expired" : "refused";
     first.reject(new ClientError(code, problem.title, problem.detail));
@@ -233,10 +236,15 @@ export class CommandQueue {
     this.#running.clear();
   }
 
-  /** Whether a command is younger than its time to live by this computer's clock. */
-  #isInTime({ firstSentAt, order, falseExpiries }: Pending): boolean {
+  /** Whether a command may be sent again: it is younger than its time to live by this computer's clock. */
+  #isEarly({ firstSentAt, order, retriesIfEarly }: Pending): boolean {
     const age = this.#options.platform.clock.now() - (firstSentAt ?? 0);
-    return falseExpiries < 2 && age < (order.ttl ?? TTL_MS.default);
+    return retriesIfEarly > 0 && age < (order.ttl ?? TTL_MS.default);
+  }
+
+  /** Whether no other command is under way, which one that is sent again could overtake or follow. */
+  #isOnly(): boolean {
+    return this.#queue.length === 0 && this.#running.size === 1;
   }
 
   /**
@@ -244,11 +252,24 @@ export class CommandQueue {
    * round trip, or the clock stopped while this computer slept; then a new connection measures
    * anew.
    */
-  #retryLate(first: Pending): void {
-    first.falseExpiries += 1;
-    if (first.falseExpiries === 1) return this.#sendFirst();
+  #retryRejected(first: Pending): void {
+    first.retriesIfEarly -= 1;
+    if (first.retriesIfEarly > 0) return this.#sendFirst();
     this.#options.connection.close();
     this.#options.connection.open();
+  }
+
+  /**
+   * The relay accepted a command that has not expired, and it expired at the relay: the round trips
+   * before it were longer. The old key belongs to the expired command.
+   */
+  #sendAgain(seq: number, pending: Pending): void {
+    this.#running.delete(seq);
+    pending.key = this.#options.platform.uniqueText();
+    pending.retriesIfEarly = 0;
+    this.#limit(pending, this.#options.responseMs, "The robot's host does not respond");
+    this.#queue.push(pending);
+    this.#sendFirst();
   }
 }
 

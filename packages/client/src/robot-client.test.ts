@@ -133,9 +133,10 @@ describe("RobotClient", () => {
   it.each(["cancelled", "superseded", "expired"] as const)(
     "reports why a manoeuvre was %s",
     async (state) => {
-      const { robot, report } = await connected();
+      const { platform, robot, report } = await connected();
       const turn = robot.turn(45);
       report("ack", 1);
+      platform.pass(10_000);
       report("state", 1, { state, reason: "Command 2 stopped this command." });
       const error = await turn.catch((thrown: unknown) => thrown);
       expect(error).toMatchObject({ code: state, hint: "Command 2 stopped this command." });
@@ -301,6 +302,40 @@ describe("RobotClient", () => {
     welcome();
     refuse();
     await expect(other).rejects.toMatchObject({ code: "expired" });
+  });
+
+  describe("when the relay accepts a command after long round trips, and it expires too early", () => {
+    it("sends it again with a new key, once", async () => {
+      const { platform, robot, sent, report } = await connected();
+      const move = robot.move(10, { ttl: 400 });
+      platform.pass(20);
+      report("ack", 1);
+      report("state", 1, { state: "expired" });
+      const [first, second] = sent();
+      expect(second?.command).toMatchObject({ action: "move", distance: 10, age: 20 });
+      expect(second?.key).not.toBe(first?.key);
+      report("ack", 2);
+      report("state", 2, { state: "completed" });
+      expect(await move).toMatchObject({ seq: 2, state: "completed" });
+      const other = robot.move(10, { ttl: 400 });
+      for (const seq of [3, 4]) {
+        report("ack", seq);
+        report("state", seq, { state: "expired" });
+      }
+      await expect(other).rejects.toMatchObject({ code: "expired" });
+    });
+
+    it("reports it as expired if a later command could overtake it", async () => {
+      const { robot, sent, report } = await connected();
+      const move = robot.move(10, { ttl: 400 });
+      const turn = robot.left90();
+      report("ack", 1);
+      report("state", 1, { state: "expired" });
+      await expect(move).rejects.toMatchObject({ code: "expired" });
+      expect(sent()).toHaveLength(2);
+      report("ack", 2, { state: "completed" });
+      await turn;
+    });
   });
 
   it("sends a stop without the short time to live of other commands", async () => {

@@ -93,6 +93,8 @@ class RobotProtocol:
         self.is_closed = False
         #: whether the last command of this script started an endless motion
         self.has_endless_motion = False
+        #: number of the script's newest command
+        self._newest_command = 0
         self._answer_timeout = answer_timeout
         self._finish_timeout = finish_timeout
         self._ttl = ttl
@@ -119,9 +121,21 @@ class RobotProtocol:
         order = action if ttl is None else {**action, "ttl": round(ttl * 1_000)}
         if not self._times.is_measured:
             yield from self.check_access()
-        response = yield from self._request("POST", "/commands", order=order, ttl=ttl or _DEFAULT_TTL)
-        self.has_endless_motion = is_endless(action)
-        return (yield from self._wait_for_end(_read(read_command, response), action))
+        ttl = ttl or _DEFAULT_TTL
+        self._newest_command += 1
+        number, first_sent_at, is_repeated = self._newest_command, self._clock(), False
+        while True:
+            response = yield from self._request(
+                "POST", "/commands", order=order, ttl=ttl, first_sent_at=first_sent_at
+            )
+            self.has_endless_motion = is_endless(action)
+            command = yield from self._wait_for_end(_read(read_command, response), action)
+            # The round trips before it were longer than this one, so the host took it for older than
+            # it is. A later command must not be overtaken.
+            is_early = self._clock() - first_sent_at < ttl and number == self._newest_command
+            if command.state != "expired" or is_repeated or not is_early:
+                return _successful(command, action)
+            is_repeated = True
 
     def stop(self) -> Exchange[Command]:
         """Cancels the running command and all waiting ones, from every script."""
@@ -228,14 +242,6 @@ class RobotProtocol:
             if not is_reported and self._clock() - silent_since >= _SILENCE:
                 _log.warning("%s", as_sentence(command.reason))
                 is_reported = True
-        # Endless motions end normally when another command replaces them.
-        was_replaced = command.state == "superseded" and not ends
-        if command.state in _FAILED_ENDINGS and not was_replaced:
-            raise CommandEndedError(
-                command.state,
-                f"Command {command.seq} ({command.action}) {_FAILED_ENDINGS[command.state]}",
-                as_sentence(command.reason or "another script drives this robot as well"),
-            )
         return command
 
     def _request(
@@ -247,6 +253,7 @@ class RobotProtocol:
         ttl: float = 0.0,
         wait: float = 0.0,
         limit: Optional[float] = None,
+        first_sent_at: Optional[float] = None,
     ) -> Exchange[Json]:
         """Sends a request, and repeats it after temporary failures."""
         headers = {
@@ -260,7 +267,7 @@ class RobotProtocol:
             headers["Idempotency-Key"] = uuid.uuid4().hex
         # Every other request ends the decision.
         self._decision = None
-        first_sent_at = self._clock()
+        first_sent_at = self._clock() if first_sent_at is None else first_sent_at
         limit = self._answer_timeout if limit is None else limit
         attempts = 0
         false_expiries = 0
@@ -316,6 +323,18 @@ class RobotProtocol:
                     reason_of(response),
                 )
             yield Delay(delay)
+
+
+def _successful(command: Command, action: Action) -> Command:
+    # Endless motions end normally when another command replaces them.
+    was_replaced = command.state == "superseded" and is_endless(action)
+    if command.state in _FAILED_ENDINGS and not was_replaced:
+        raise CommandEndedError(
+            command.state,
+            f"Command {command.seq} ({command.action}) {_FAILED_ENDINGS[command.state]}",
+            as_sentence(command.reason or "another script drives this robot as well"),
+        )
+    return command
 
 
 def _encode(order: Action, age: int) -> bytes:
