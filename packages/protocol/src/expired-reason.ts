@@ -7,7 +7,7 @@ const CHECK_PAGE = "check that the robot's page is open, connected under Remote 
  * ending while no page was connected as the robot.
  */
 export const ABSENT_ROBOT_REASON =
-  "The robot's page is closed or offline: open it again and choose Remote. If you closed its tab, copy the new address into the script.";
+  "The robot's page is closed or offline: open it again and choose Remote. If it says Off, press Connect. If you closed its tab, copy the new address.";
 
 /**
  * The `reason` of a command that has not ended, in the response to a script that waited for its

@@ -176,7 +176,7 @@ describe("a robot: snapshots and states for scripts", () => {
     expect((await end(1, limits.asleepMs + 5_000)).reason).toMatch(advice);
     setup.robot.page.leave(host.link, true);
     const closed =
-      /page is closed or offline: open it again and choose Remote\. If you closed its tab, copy/;
+      /page is closed or offline: open it again and choose Remote\. If it says Off, press Connect\. If you closed its tab, copy/;
     for (const seq of [1, 2]) expect((await end(seq)).reason).toMatch(closed);
     // The advice is not stored.
     expect(await setup.robot.endOf(1, waitLimit(0))).toMatchObject({ reason: null });

@@ -253,7 +253,7 @@ export const problemKinds = {
     what: "The command was not stored and never runs.",
     why: "The network delayed the command beyond its time to live, `ttl`. The default is 10 s.",
     fix: [
-      "Read the sensors: the robot may have moved. Then send a new command with a new key.",
+      "Read the sensors: the robot may have moved. Then send a new command with a new `Idempotency-Key`.",
       "Use a longer `ttl` on a slow network. It must be longer than the round trip.",
     ],
   },
