@@ -8,7 +8,7 @@ export type Sources = ReadonlyMap<string, string>;
 
 /**
  * What each workspace may import besides its own files. A name that ends in a colon or a slash
- * allows every import with that prefix.
+ * allows every import with that prefix. `benches` and `e2e` may import any workspace.
  */
 const allowed: Record<string, readonly string[]> = {
   "packages/geometry": [],
