@@ -9,8 +9,10 @@ function robot() {
   const bench = new Bench();
   bench.loop.setDriver("remote");
   let seq = 0;
-  const deliver = (command: Command, change: Partial<DeliveredCommand> = {}): void =>
-    bench.loop.accept(deliveryOf(++seq, command, change));
+  const deliver = (command: Command, change: Partial<DeliveredCommand> = {}): void => {
+    const acceptedAt = new Date(bench.time).toISOString();
+    bench.loop.accept(deliveryOf(++seq, command, { acceptedAt, ...change }));
+  };
   return { bench, deliver };
 }
 
@@ -199,6 +201,31 @@ describe("a burst of wheel powers", () => {
     // The first ones are not known to be a burst.
     expect(begun.length).toBeLessThanOrEqual(2);
     expect(begun.at(-1)).toBe("started 46");
+  });
+
+  it("counts only the newest, if a slow disk of the relay stretches the burst to a second", () => {
+    const { bench, deliver } = robot();
+    const acceptedAt = new Date(bench.time).toISOString();
+    for (let n = 0; n < 40; n++) {
+      deliver(drive(0.1), { acceptedAt });
+      bench.pass(n % 4 === 3 ? 64 : 24);
+    }
+    bench.pass(200);
+    const begun = bench.story.filter((received) => received.startsWith("started"));
+    // The first ones are not known to be a burst.
+    expect(begun.length).toBeLessThanOrEqual(4);
+    expect(begun.at(-1)).toBe("started 40");
+  });
+
+  it("counts only the newest, if the relay stored the commands one by one while the page was gone", () => {
+    const { bench, deliver } = robot();
+    for (let n = 0; n < 20; n++) {
+      deliver(drive(0.1), { acceptedAt: new Date(1_000 + n * 200).toISOString() });
+      bench.time += 1;
+    }
+    bench.pass(100);
+    const begun = bench.story.filter((received) => received.startsWith("started"));
+    expect(begun).toEqual(["started 20"]);
   });
 
   it("moves the robot under continuous load, too", () => {

@@ -84,7 +84,7 @@ export class RemoteDriver {
       this.#robot.addInput(isRunning ? { do: "cancel", superseded: true } : { do: "cancel" });
     }
     if (isVelocity(delivery)) {
-      this.#bursts.add(now, delivery.ttl - delivery.remaining);
+      this.#bursts.add(now, delivery.ttl - delivery.remaining, Date.parse(delivery.acceptedAt));
       this.#supersedeLast(delivery.driver);
     }
     this.#running?.lease?.renew(delivery.driver, now);
