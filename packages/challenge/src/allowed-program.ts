@@ -1,29 +1,26 @@
 /**
- * Checks a program against the permissions of a challenge without running it: number of lines,
+ * Checks a program against the permissions of a task without running it: number of lines,
  * conditions, actions, and unchanged parts of the starting program.
  */
 import { kindOf, numberOf, type ProgramDocument, type Rule } from "@corridor/program";
-import type { ChallengeDocument } from "./challenge-document.ts";
 import { rightsOf, type Rights } from "./rights.ts";
+import type { Task } from "./task-schema.ts";
 import type { Failure, FailureCode } from "./verdict.ts";
 
-/** Returns the starting program of a challenge. */
-export function startingProgram({ name, program }: ChallengeDocument): ProgramDocument {
+/** Returns the starting program of a task. */
+export function startingProgram({ name, program }: Task): ProgramDocument {
   return program ?? { format: "corridor/program", version: 1, name, default: "forward", rules: [] };
 }
 
-/** Returns the first part of a program that the challenge does not allow, or null. */
-export function findViolation(
-  challenge: ChallengeDocument,
-  program: ProgramDocument,
-): Failure | null {
-  const rights = rightsOf(challenge);
+/** Returns the first part of a program that the task does not allow, or null. */
+export function findViolation(task: Task, program: ProgramDocument): Failure | null {
+  const rights = rightsOf(task);
   if (!rights.drivers.includes("program")) return failure("driver", null);
   const found = program.rules.length;
   if (found > rights.maxLines) {
     return { ...failure("too-many-lines", rights.maxLines), needed: rights.maxLines, found };
   }
-  const start = startingProgram(challenge);
+  const start = startingProgram(task);
   if (!rights.edits.has("otherwise") && program.default !== start.default) {
     return failure("changed", "default");
   }

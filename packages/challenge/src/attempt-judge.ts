@@ -5,14 +5,14 @@
 import type { MazeDocument } from "@corridor/maze";
 import type { DriverName, Pose, RobotReport } from "@corridor/protocol";
 import { TICKS_PER_SECOND } from "@corridor/simulation";
-import type { ChallengeDocument, Goal } from "./challenge-document.ts";
-import { GoalTracker } from "./goal-tracker.ts";
+import { GoalTracker, type GoalRobot } from "./goal-tracker.ts";
+import type { Goal, Task } from "./task-schema.ts";
 import type { FailureCode } from "./verdict.ts";
 
 /** The parts of a challenge that apply to one robot in one of its mazes. */
 export interface AttemptTerms {
   goal: Goal;
-  checks: ChallengeDocument["checks"];
+  checks: Task["checks"];
   drivers: readonly DriverName[];
   maze: MazeDocument;
 }
@@ -24,12 +24,9 @@ export type Judgement =
   | { kind: "failed"; code: Extract<FailureCode, "driver" | "bump"> | "late"; tick: number };
 
 /** The interface of a robot that a judge requires. */
-export interface JudgedRobot {
-  readonly tick: number;
+export interface JudgedRobot extends GoalRobot {
   readonly pose: Pose;
   readonly bumps: number;
-  /** distance driven so far, in units */
-  readonly distance: number;
   /** driver of the next tick */
   readonly driver: DriverName;
   report: () => RobotReport;
@@ -39,10 +36,7 @@ export interface JudgedRobot {
  * Returns the terms of one maze.
  * @throws RangeError if the challenge has no maze with this index
  */
-export function termsOf(
-  { goal, checks, allowed, mazes }: ChallengeDocument,
-  index: number,
-): AttemptTerms {
+export function termsOf({ goal, checks, allowed, mazes }: Task, index: number): AttemptTerms {
   const maze = mazes[index];
   if (maze === undefined) throw new RangeError(`The challenge has no maze ${index}.`);
   return { goal, checks, drivers: allowed.drivers, maze };
@@ -103,7 +97,7 @@ export class AttemptJudge {
 
   #judge(robot: JudgedRobot, driver: DriverName, isStill: boolean): void {
     const { checks } = this.#terms;
-    const { tick, bumps, distance } = robot;
+    const { tick, bumps } = robot;
     const failed = (code: "driver" | "bump" | "late"): Judgement => ({
       kind: "failed",
       code,
@@ -111,7 +105,7 @@ export class AttemptJudge {
     });
     if (checks.bumps !== null && bumps > checks.bumps) this.#judgement = failed("bump");
     else if (tick > checks.seconds * TICKS_PER_SECOND) this.#judgement = failed("late");
-    else if (this.#tracker.isMet({ ...robot.report(), isStill }, distance)) {
+    else if (this.#tracker.isMet(robot, isStill)) {
       this.#judgement = this.#movedByDisallowedDriver
         ? failed("driver")
         : { kind: "met", driver, tick, bumps };

@@ -1,28 +1,31 @@
 /**
- * Checks an attempt at a challenge by running it in every maze, without a page. The result is
+ * Checks an attempt at a task by running it in every maze, without a page. The result is
  * deterministic, because the page runs the same simulation. `checks.seconds` limits each maze.
  */
-import { sizeOf } from "@corridor/maze";
+import { sizeOf, type MazeDocument } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
 import type { LineRef, TimedCommand } from "@corridor/protocol";
 import { ProgramRun, Simulation, TICKS_PER_SECOND } from "@corridor/simulation";
 import { findViolation } from "./allowed-program.ts";
-import type { ChallengeDocument } from "./challenge-document.ts";
 import { GoalTracker } from "./goal-tracker.ts";
+import type { Task } from "./task-schema.ts";
 import type { Decision, Failure, FailureCode, MazeOutcome, Verdict } from "./verdict.ts";
 
 /** A program, or the commands of a manual driver in tick order. */
 export type Attempt = ProgramDocument | readonly TimedCommand[];
 
-/** Runs an attempt and returns whether it passes, with its first failure. */
-export function checkChallenge(challenge: ChallengeDocument, attempt: Attempt): Verdict {
-  const violation = isProgram(attempt)
-    ? findViolation(challenge, attempt)
-    : findHandViolation(challenge);
+/** Runs an attempt in the given mazes and returns whether it passes, with its first failure. */
+export function checkChallenge(task: Task, attempt: Attempt): Verdict {
+  const violation = violationOf(task, attempt);
   if (violation !== null) return { passed: false, failure: violation, mazes: [] };
-  const mazes = challenge.mazes.map((_, maze) => runMaze(challenge, maze, attempt));
+  const mazes = task.mazes.map((maze, index) => checkMaze(task, maze, attempt, index));
   const failure = mazes.find((each) => each.failure !== null)?.failure ?? null;
   return { passed: failure === null, failure, mazes };
+}
+
+/** Returns why a task does not allow an attempt, whatever its maze, or null. */
+export function violationOf(task: Task, attempt: Attempt): Failure | null {
+  return isProgram(attempt) ? findViolation(task, attempt) : findHandViolation(task);
 }
 
 /** Drives the robot tick by tick and stores the last decision. */
@@ -34,10 +37,16 @@ interface Driver {
   decision: () => Decision;
 }
 
-function runMaze(challenge: ChallengeDocument, index: number, attempt: Attempt): MazeOutcome {
-  const { goal, checks } = challenge;
-  const maze = challenge.mazes[index];
-  if (maze === undefined) throw new RangeError(`The challenge has no maze ${index}.`);
+/**
+ * Runs an attempt that the task allows in one maze.
+ * @param index of the maze in the task; null for another one
+ */
+export function checkMaze(
+  { goal, checks }: Task,
+  maze: MazeDocument,
+  attempt: Attempt,
+  index: number | null,
+): MazeOutcome {
   const simulation = new Simulation(maze);
   const driver = isProgram(attempt)
     ? programDriver(simulation, attempt)
@@ -45,6 +54,7 @@ function runMaze(challenge: ChallengeDocument, index: number, attempt: Attempt):
   const tracker = new GoalTracker(goal, maze);
   const { columns } = sizeOf(maze);
   const limit = checks.seconds * TICKS_PER_SECOND;
+  const maxBumps = checks.bumps ?? Number.POSITIVE_INFINITY;
   let failure: Failure | null = null;
   let isMet = false;
   /** number of consecutive ticks without motion */
@@ -55,11 +65,10 @@ function runMaze(challenge: ChallengeDocument, index: number, attempt: Attempt):
       stillTicks = simulation.report().motion === "stop" ? stillTicks + 1 : 0;
     driver.step();
     tracker.visit(simulation.cell);
-    if (checks.bumps !== null && simulation.bumps > checks.bumps) {
-      failure = failed("bump", checks.bumps, simulation.bumps, driver.decision());
+    if (simulation.bumps > maxBumps) {
+      failure = failed("bump", maxBumps, simulation.bumps, driver.decision());
     } else {
-      const state = { ...simulation.report(), isStill: stillTicks > 1 };
-      isMet = tracker.isMet(state, simulation.distance);
+      isMet = tracker.isMet(simulation, stillTicks > 1);
     }
   }
   if (!isMet) failure ??= timeout();
@@ -152,8 +161,8 @@ function isProgram(attempt: Attempt): attempt is ProgramDocument {
   return "rules" in attempt;
 }
 
-/** Manual control is a violation unless the challenge allows it. */
-function findHandViolation({ allowed }: ChallengeDocument): Failure | null {
+/** Manual control is a violation unless the task allows it. */
+function findHandViolation({ allowed }: Task): Failure | null {
   if (allowed.drivers.includes("me")) return null;
   return {
     code: "driver",

@@ -1,16 +1,17 @@
 /** Tracks tick by tick whether the robot meets the goal of a challenge. */
 import { CELL, countOpenCells, isBlock, sizeOf, type MazeDocument } from "@corridor/maze";
-import type { SensorReadings } from "@corridor/protocol";
+import type { RobotReport } from "@corridor/protocol";
 import { TICKS_PER_SECOND } from "@corridor/simulation";
-import type { Goal } from "./challenge-document.ts";
+import type { Goal } from "./task-schema.ts";
 
-/** The values at the end of a tick that a goal depends on. */
-export interface GoalState {
-  tick: number;
-  sensors: SensorReadings;
-  /** whether the robot stands still; the single tick between two manoeuvres does not count */
-  isStill: boolean;
-  goalReached: boolean;
+/** The parts of a robot at the end of a tick that a goal depends on. */
+export interface GoalRobot {
+  readonly tick: number;
+  /** distance driven, in units */
+  readonly distance: number;
+  /** first tick at whose end the whole robot was inside a goal cell; null before */
+  readonly goalTick: number | null;
+  report: () => Pick<RobotReport, "sensors">;
 }
 
 export class GoalTracker {
@@ -54,23 +55,27 @@ export class GoalTracker {
     if (isInside) this.visit(row * this.#columns + column);
   }
 
-  /** Whether the goal is met at the end of this tick. @param distance distance driven, in units */
-  isMet(state: GoalState, distance: number): boolean {
+  /**
+   * Whether the goal is met at the end of this tick.
+   * @param isStill whether the robot stands still; the single tick between two manoeuvres does not
+   *   count
+   */
+  isMet(robot: GoalRobot, isStill: boolean): boolean {
     const goal = this.#goal;
     switch (goal.kind) {
       case "reach":
-        return state.goalReached;
+        return robot.goalTick !== null;
       case "visit":
         return this.#visitedCount >= this.open;
       case "stop": {
-        const reading = state.sensors[goal.sensor];
-        const isThere = reading >= goal.from && reading <= goal.to;
-        return isThere && state.isStill && distance > 0;
+        if (!isStill || robot.distance === 0) return false;
+        const reading = robot.report().sensors[goal.sensor];
+        return reading >= goal.from && reading <= goal.to;
       }
       case "drive":
-        return distance >= goal.distance;
+        return robot.distance >= goal.distance;
       case "last":
-        return state.tick >= goal.seconds * TICKS_PER_SECOND;
+        return robot.tick >= goal.seconds * TICKS_PER_SECOND;
     }
   }
 }

@@ -11,7 +11,6 @@ export {
   readChallenge,
   type ChallengeDocument,
   type ChallengeWords,
-  type Goal,
 } from "./challenge-document.ts";
 export {
   conditionNameOf,
@@ -27,7 +26,25 @@ export {
   type ConditionName,
   type EditKind,
 } from "./challenge-limits.ts";
-export { checkChallenge, type Attempt } from "./check-challenge.ts";
+export { checkChallenge, checkMaze, violationOf, type Attempt } from "./check-challenge.ts";
+export {
+  checkMazeOf,
+  countMazes,
+  mazeOf,
+  taskVerdict,
+  type TaskVerdict,
+  type UnseenFailure,
+} from "./check-task.ts";
 export { GoalTracker } from "./goal-tracker.ts";
+export {
+  lessonOf,
+  oldestDocumentOf,
+  parseLesson,
+  readLesson,
+  type LessonDocument,
+  type LessonTask,
+} from "./lesson-document.ts";
 export { rightsOf, type Rights } from "./rights.ts";
+export type { Goal, Task } from "./task-schema.ts";
+export { unseenName, unseenSchema, type UnseenMazes } from "./unseen-mazes.ts";
 export type { Decision, Failure, FailureCode, MazeOutcome, Verdict } from "./verdict.ts";

@@ -9,8 +9,8 @@ import {
   type ConditionKind,
 } from "@corridor/program";
 import type { DriverName, PlainAction } from "@corridor/protocol";
-import type { ChallengeDocument } from "./challenge-document.ts";
 import { conditionNameOf, type EditKind } from "./challenge-limits.ts";
+import type { Task } from "./task-schema.ts";
 
 export interface Rights {
   drivers: readonly DriverName[];
@@ -24,8 +24,8 @@ export interface Rights {
   maze: boolean;
 }
 
-/** Returns the permissions of a challenge. */
-export function rightsOf({ allowed }: Pick<ChallengeDocument, "allowed">): Rights {
+/** Returns the permissions of a task. */
+export function rightsOf({ allowed }: Pick<Task, "allowed">): Rights {
   const { conditions, actions } = allowed;
   return {
     drivers: allowed.drivers,

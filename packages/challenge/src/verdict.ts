@@ -38,7 +38,7 @@ export interface Decision {
 
 export interface Failure {
   code: FailureCode;
-  /** index of the maze; null if the attempt failed before it ran */
+  /** index of the given maze; null if the attempt failed before it ran, or in an unseen maze */
   maze: number | null;
   tick: number | null;
   /** the violating line, or the line that decided at that tick; null if no program drove */

@@ -26,9 +26,8 @@ export function diagnosisTask(
     let standing = 0;
     return (robot) => {
       watch.visit(robot.cell);
-      const report = robot.report();
-      standing = report.motion === "stop" ? standing + 1 : 0;
-      return watch.isMet({ ...report, isStill: standing > 1 }, robot.distance);
+      standing = robot.report().motion === "stop" ? standing + 1 : 0;
+      return watch.isMet(robot, standing > 1);
     };
   };
   return {
