@@ -34,7 +34,7 @@ async function blocksOfReadme(): Promise<{ language: string; code: string }[]> {
 async function installWithDocuments(): Promise<void> {
   await folder.install(PACKAGE);
   const documents = (await blocksOfReadme()).filter(({ language }) => language === "json");
-  const names = ["maze.json", "right-wall.json", "forward.json"];
+  const names = ["maze.json", "right-wall.json", "forward.json", "lesson.json"];
   expect(documents).toHaveLength(names.length);
   for (const [at, name] of names.entries()) await folder.write(name, documents[at]?.code ?? "");
 }
@@ -74,7 +74,7 @@ test("each command of the README prints what the README shows", async () => {
     const runsHere = language === "sh" && /^npx corridor (simulate|grade) /.test(code);
     return runsHere ? [{ words: code.trim().split(" "), output: blocks[at + 1] }] : [];
   });
-  expect(examples).toHaveLength(2);
+  expect(examples).toHaveLength(3);
   for (const { words, output } of examples) {
     const [npx = "", ...args] = words;
     expect(output?.language).toBe("text");
@@ -93,6 +93,7 @@ test("simulate and grade print the same as from the sources, on all cores too", 
     ["grade", "--program", rightWall, forward, "--maze", maze, "--why", "--seconds", "30"],
     // The limit is so high that worker threads start. The runs end at the goal.
     ["grade", "--program", rightWall, "--maze", maze, maze, maze, ...everyCore],
+    ["grade", "--challenge", "lesson.json", "--program", rightWall, "--unseen", "tree:7x7:100:1"],
     ["--help"],
     ["grade", "--help"],
   ]) {

@@ -51,8 +51,10 @@ const allowed: Record<string, readonly string[]> = {
     "matter-js",
   ],
   "apps/cli": [
+    "@corridor/challenge",
     "@corridor/coach",
     "@corridor/conformance",
+    "@corridor/link",
     "@corridor/maze",
     "@corridor/program",
     "@corridor/protocol",

@@ -61,29 +61,47 @@ export function simulateArguments(args: readonly string[]): SimulateArguments {
   };
 }
 
-export function gradeArguments(args: readonly string[]): GradeArguments {
+/** The options of `grade` before validation. */
+export type GradeOptions = ReturnType<typeof gradeOptions>;
+
+export function gradeOptions(args: readonly string[]) {
   // `--program a b c` accepts all files up to the next option, as a shell expands `*.json`.
   const { values } = parse(repeatOptions(args, ["--program", "--maze"]), {
     maze: { type: "string", multiple: true, default: [] },
     program: { type: "string", multiple: true, default: [] },
-    seconds: { type: "string", default: "300" },
-    until: { type: "string", default: "time" },
+    seconds: { type: "string" },
+    until: { type: "string" },
     csv: { type: "boolean", default: false },
     why: { type: "boolean", default: false },
+    challenge: { type: "string" },
+    handins: { type: "string" },
+    unseen: { type: "string" },
+    junit: { type: "string" },
+    require: { type: "string" },
   });
+  return values;
+}
+
+/** The arguments of `grade` without `--challenge`. */
+export function gradeArguments(options: GradeOptions): GradeArguments {
+  const { csv, why } = options;
   const problems: string[] = [];
-  if (values.program.length === 0) {
+  for (const name of ["handins", "unseen", "junit", "require"] as const) {
+    if (options[name] !== undefined) {
+      problems.push(`--${name}: found without --challenge, expected with --challenge`);
+    }
+  }
+  if (options.program.length === 0) {
     problems.push("--program: found nothing, expected one or more program files");
   }
-  if (values.maze.length === 0) {
+  if (options.maze.length === 0) {
     problems.push("--maze: found nothing, expected one or more maze files");
   }
-  const limits = parseLimits(values.seconds, values.until, problems);
-  const { csv, why } = values;
+  const limits = parseLimits(options.seconds ?? "300", options.until ?? "time", problems);
   if (csv && why)
     problems.push("--why: found with --csv, expected without --csv: a diagnosis is JSON");
   if (problems.length > 0) throw new InputError(problems);
-  return { mazes: values.maze, programs: values.program, limits, csv, why };
+  return { mazes: options.maze, programs: options.program, limits, csv, why };
 }
 
 function parse<T extends NonNullable<Parameters<typeof parseArgs>[0]>["options"] & object>(

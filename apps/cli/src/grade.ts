@@ -1,94 +1,69 @@
 /**
- * `grade`: runs every program in every maze, on all cores. Prints results in the order of the
- * files.
+ * `grade`: runs every program in every maze, or checks every program against a lesson, on all
+ * cores.
  */
-import { availableParallelism } from "node:os";
-import { Worker } from "node:worker_threads";
-import { gradeArguments, type GradeArguments } from "./arguments.ts";
+import { gradeArguments, gradeOptions } from "./arguments.ts";
 import { exitCodes, type Command } from "./command.ts";
-import type { GradedPair, GradeJob, GradeShare } from "./grade-share.ts";
-import type { GradedRun } from "./report.ts";
-
-/** Below this total of simulated seconds, starting workers takes longer than they save. */
-const MIN_SECONDS_FOR_WORKERS = 20_000;
 
 const help = `Usage:
   corridor grade --program FILE... --maze FILE... [--seconds N] [--until time|goal|bump]
                  [--csv | --why]
+  corridor grade --challenge LESSON [--program FILE...] [--handins FILE]
+                 [--unseen KIND:COLUMNSxROWS:COUNT:SEED] [--csv | --junit FILE]
+                 [--require all|90%]
 
 Runs every program in every maze, on all cores. Prints one line of JSON for each pair, in the order
 of the files, and a summary.
 
+With --challenge, checks every program against every task of a lesson, in all given and unseen mazes
+of the task. Prints one line of JSON for each program and task, and a summary.
+
 Options:
-  --program FILE...  programs, such as submissions/*.json
-  --maze FILE...     mazes, such as mazes/*.json
-  --seconds N        maximum simulated time of a run, from 1/60 (one tick) to 86400; default: 300
-  --until time       run for all seconds (default)
-  --until goal       stop when the robot reaches a goal
-  --until bump       stop at the first bump
-  --csv              print a CSV table without a summary
-  --why              add a diagnosis: what happened, the line that caused the failure, and changes
-                     that fix it; null if the run did not fail
-  --help             print this text
+  --program FILE...   programs, such as submissions/*.json
+  --maze FILE...      mazes, such as mazes/*.json
+  --seconds N         maximum simulated time of a run, from 1/60 (one tick) to 86400; default: 300
+  --until time        run for all seconds (default)
+  --until goal        stop when the robot reaches a goal
+  --until bump        stop at the first bump
+  --why               add a diagnosis: what happened, the line that caused the failure, and changes
+                      that fix it; null if the run did not fail
+  --challenge LESSON  challenge document: its file, its link, or the text of the link after #
+  --handins FILE      links of programs, one on each line; - reads standard input
+  --unseen KIND:COLUMNSxROWS:COUNT:SEED
+                      replace the unseen mazes of every task, such as tree:11x11:50:7; programs must
+                      pass in all of them. KIND is tree, loops or rooms; sides are odd, from 5 to 33;
+                      COUNT is from 1 to 1000, SEED from 0 to 999999
+  --junit FILE        also write a JUnit report
+  --require all       exit with code 1 unless all lines pass
+  --require 90%       exit with code 1 unless this share of the lines passes
+  --csv               print a CSV table without a summary
+  --help              print this text
 
-corridor simulate --help describes the fields of a result.
+corridor simulate --help describes the fields of a run. Fields of a line with --challenge:
+  program     file, or the line of --handins, such as "line 3"
+  task        number of the task, from 1
+  passed      whether the program passes the task
+  code        reason of the first failure, such as "bump"; null if the program passes
+  maze, tick  place of the first failure: "maze 2" is a given maze, "tree 31 of seed 7" an unseen one
+  lines       number of lines of the program, without "otherwise"
+  seconds     simulated seconds in the slowest given maze; null unless the program passes in all
+  unseen      count, number passed, and numbers of the failed unseen mazes; null if none were run
+  problem     why a line of --handins is "unreadable"; other lines do not have this field
 
-${exitCodes("success, even if the robot bumps or misses the goal", null)}`;
+${exitCodes("graded, even if the robot bumps or misses the goal", "--require is not met")}`;
 
 export const command: Command = {
   help,
   run: async (args, { print, entry }) => {
-    print(await grade(args, entry));
-    return 0;
+    const options = gradeOptions(args);
+    if (options.challenge === undefined) {
+      const { gradeRuns } = await import("./grade-runs.ts");
+      print(await gradeRuns(gradeArguments(options), entry));
+      return 0;
+    }
+    const { gradeLesson } = await import("./lesson/grade-lesson.ts");
+    const { lines, isMet } = await gradeLesson(options.challenge, options, entry);
+    print(lines);
+    return isMet ? 0 : 1;
   },
 };
-
-/** @returns the lines to print @throws InputError if the arguments or files are invalid */
-async function grade(args: readonly string[], entry: URL): Promise<string[]> {
-  const parsed = gradeArguments(args);
-  const { programs: programFiles, mazes: mazeFiles, limits, csv, why } = parsed;
-  // Dynamic imports follow, so that the workers load their modules concurrently with this thread.
-  const workers = startWorkers(parsed, entry);
-  try {
-    const { readFiles } = await import("./read-files.ts");
-    const { csvTable, jsonLine, summaryLine } = await import("./report.ts");
-    const documents = readFiles({ mazes: mazeFiles, programs: programFiles });
-    const graded = await gradeOnAllCores(workers, { ...documents, limits, why });
-    const runs = graded.map(({ pair, result, diagnosis }): GradedRun => ({
-      program: programFiles[Math.floor(pair / mazeFiles.length)] ?? "",
-      maze: mazeFiles[pair % mazeFiles.length] ?? "",
-      result,
-      diagnosis,
-    }));
-    if (csv) return csvTable(runs);
-    const lines = runs.map(({ program, maze, result, diagnosis }) =>
-      jsonLine(result, { program, maze }, why ? { diagnosis } : {}),
-    );
-    return [...lines, summaryLine(runs)];
-  } finally {
-    await Promise.all(workers.map((worker) => worker.terminate()));
-  }
-}
-
-/** Starts one worker for each core except this thread's; none if the job is small. */
-function startWorkers({ programs, mazes, limits }: GradeArguments, entry: URL): Worker[] {
-  const pairs = programs.length * mazes.length;
-  if (pairs * limits.seconds < MIN_SECONDS_FOR_WORKERS) return [];
-  const count = Math.min(availableParallelism(), pairs) - 1;
-  return Array.from({ length: count }, () => new Worker(entry));
-}
-
-/** Grades on the workers and on this thread. @returns the results in the order of the pairs */
-async function gradeOnAllCores(workers: readonly Worker[], job: GradeJob): Promise<GradedPair[]> {
-  const { gradeShare } = await import("./grade-share.ts");
-  const share: GradeShare = { job, nextPair: new Int32Array(new SharedArrayBuffer(4)) };
-  const results = workers.map((worker) => {
-    worker.postMessage(share);
-    return new Promise<GradedPair[]>((resolve, reject) => {
-      worker.once("message", resolve);
-      worker.once("error", reject);
-    });
-  });
-  const graded = [gradeShare(share), ...(await Promise.all(results))].flat();
-  return graded.toSorted((a, b) => a.pair - b.pair);
-}

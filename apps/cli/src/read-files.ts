@@ -13,7 +13,7 @@ import {
 import { InputError } from "./input-error.ts";
 
 /** Larger than any valid document. */
-const MAX_BYTES = 16 * 1024 * 1024;
+export const MAX_BYTES = 16 * 1024 * 1024;
 
 /** Paths of files by the type of their documents. */
 export interface Files {
@@ -51,14 +51,15 @@ function readAll<T>(
   lines: string[],
 ): T[] {
   return files.flatMap((file) => {
-    const result = readOne(file, read);
+    const result = readFile(file, read);
     if (result.ok) return [result.value];
     lines.push(...result.problems.map((each) => `${file}: ${describeProblem(each)}`));
     return [];
   });
 }
 
-function readOne<T>(file: string, read: (text: string) => ReadResult<T>): ReadResult<T> {
+/** Reads one file as UTF-8. @param read reads the document from the text of the file */
+export function readFile<T>(file: string, read: (text: string) => ReadResult<T>): ReadResult<T> {
   let bytes: Uint8Array;
   try {
     const { size } = statSync(file);
@@ -67,15 +68,25 @@ function readOne<T>(file: string, read: (text: string) => ReadResult<T>): ReadRe
   } catch (error) {
     return problem("", reasonOf(error), "a readable file");
   }
+  return readBytes(bytes, read);
+}
+
+/** Reads UTF-8 text. @param read reads the document from the text */
+export function readBytes<T>(
+  bytes: Uint8Array,
+  read: (text: string) => ReadResult<T>,
+): ReadResult<T> {
+  let text: string;
   try {
-    return read(new TextDecoder("utf-8", { fatal: true }).decode(bytes));
+    text = new TextDecoder("utf-8", { fatal: true }).decode(bytes);
   } catch {
     return problem("", "bytes that are not UTF-8", "UTF-8 text");
   }
+  return read(text);
 }
 
-/** Describes why a file cannot be read. */
-function reasonOf(error: unknown): string {
+/** Describes why a file cannot be read or written. */
+export function reasonOf(error: unknown): string {
   const code = error instanceof Error && "code" in error ? error.code : undefined;
   switch (code) {
     case "ENOENT":
@@ -83,7 +94,7 @@ function reasonOf(error: unknown): string {
     case "EISDIR":
       return "a folder";
     case "EACCES":
-      return "a file without read permission";
+      return "a file without permission";
     default:
       return error instanceof Error ? error.message : "no file";
   }

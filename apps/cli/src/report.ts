@@ -1,6 +1,8 @@
 /** Formats the results of runs as JSON or CSV. Rounds distances to 0.1 and poses to 0.001. */
 import type { Diagnosis } from "@corridor/coach";
 import { TICKS_PER_SECOND } from "@corridor/simulation";
+import { csvTable } from "./csv.ts";
+import { round } from "./round.ts";
 import type { RunResult } from "./run-result.ts";
 
 /** A run's result with the paths of its program and maze. */
@@ -63,35 +65,19 @@ const csvColumns = [
   "goalTick",
 ] as const;
 
-/** Formats a CSV table with a header row. @returns its lines */
-export function csvTable(runs: readonly GradedRun[]): string[] {
-  const rows = runs.map(({ program, maze, result }) =>
-    [
-      program,
-      maze,
-      result.ticks,
-      round(result.ticks / TICKS_PER_SECOND, 3),
-      result.bumps,
-      result.visitedCells,
-      result.openCells,
-      round(result.distance, 1),
-      result.goalTick !== null,
-      result.goalTick ?? "",
-    ]
-      .map(csvField)
-      .join(","),
-  );
-  return [csvColumns.join(","), ...rows];
-}
-
-function csvField(value: string | number | boolean): string {
-  const text = String(value);
-  // Spreadsheets evaluate text with these initial characters as a formula; a leading quote prevents
-  // it.
-  const safe = typeof value === "string" && /^[=+\-@\t\r]/.test(text) ? `'${text}` : text;
-  return /[",\r\n]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
-}
-
-function round(value: number, decimals: number): number {
-  return Number(value.toFixed(decimals));
+/** Formats runs as a CSV table. @returns its lines */
+export function runTable(runs: readonly GradedRun[]): string[] {
+  const rows = runs.map(({ program, maze, result }) => [
+    program,
+    maze,
+    result.ticks,
+    round(result.ticks / TICKS_PER_SECOND, 3),
+    result.bumps,
+    result.visitedCells,
+    result.openCells,
+    round(result.distance, 1),
+    result.goalTick !== null,
+    result.goalTick ?? "",
+  ]);
+  return csvTable(csvColumns, rows);
 }

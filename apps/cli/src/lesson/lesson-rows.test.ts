@@ -1,0 +1,110 @@
+import { checkMazeOf, countMazes, violationOf, type LessonTask } from "@corridor/challenge";
+import type { ProgramDocument } from "@corridor/program";
+import { describe, expect, it } from "vitest";
+import { checkedLine, unreadableLine, violationLine } from "./lesson-rows.ts";
+import { programOf, sampleTask, tooLong } from "./testing/sample-task.ts";
+
+function lineOf(task: LessonTask, program: ProgramDocument) {
+  const graded = { name: "a.json", program, number: 2, task };
+  const violation = violationOf(task, program);
+  if (violation !== null) return violationLine(graded, violation);
+  const mazes = Array.from({ length: countMazes(task) }, (_, maze) => maze);
+  return checkedLine(
+    graded,
+    mazes.map((maze) => checkMazeOf(task, maze, program)),
+  );
+}
+
+const given: LessonTask = { ...sampleTask, unseen: null };
+const loops: LessonTask = {
+  ...sampleTask,
+  mazes: sampleTask.mazes.slice(0, 1),
+  unseen: { kind: "loops", columns: 7, rows: 7, seed: 7, count: 5, pass: 4 },
+};
+
+describe("the line of a program and a task", () => {
+  it("contains the time in the slowest given maze if the program passes", () => {
+    expect(lineOf(sampleTask, programOf("right-wall"))).toEqual({
+      row: {
+        program: "a.json",
+        task: 2,
+        passed: true,
+        code: null,
+        maze: null,
+        tick: null,
+        lines: 2,
+        seconds: 13.367,
+        unseen: { count: 5, passed: 5, failed: [] },
+      },
+      message: null,
+    });
+  });
+
+  it("names the given maze of the first failure", () => {
+    const { row, message } = lineOf(given, programOf("left-wall"));
+    expect(row).toMatchObject({ passed: false, code: "bump", maze: "maze 2", unseen: null });
+    expect(row.seconds).toBeNull();
+    expect(row.tick).toBeGreaterThan(0);
+    expect(message).toBe("1 bump, at most 0 are allowed");
+  });
+
+  it("names the unseen maze of the first failure if all given mazes pass", () => {
+    expect(lineOf(loops, programOf("farthest-distance")).row).toMatchObject({
+      passed: false,
+      code: "not-reached",
+      maze: "loops 1 of seed 7",
+      tick: 1_800,
+      seconds: 7.967,
+      unseen: { count: 5, passed: 3, failed: [1, 2] },
+    });
+  });
+
+  it("lists failed unseen mazes of a program that passes in enough of them", () => {
+    expect(lineOf(loops, programOf("left-wall")).row).toMatchObject({
+      passed: true,
+      code: null,
+      maze: null,
+      unseen: { count: 5, passed: 4, failed: [4] },
+    });
+  });
+
+  it("calls a missed goal a time limit, never wrong", () => {
+    const { row, message } = lineOf(given, programOf("back-and-forth"));
+    expect(row).toMatchObject({ code: "not-reached", maze: "maze 1", tick: 1_800 });
+    expect(message).toBe("time limit reached: goal not reached in 30 s; more time may be enough");
+  });
+
+  it.each<[LessonTask["goal"], string]>([
+    [{ kind: "visit" }, "time limit reached: 4 of 8 open cells visited in 30 s; more time"],
+    [{ kind: "drive", distance: 90_000 }, "cm driven in 30 s; more time may be enough"],
+    [
+      { kind: "stop", sensor: "front", from: 0, to: 1 },
+      "time limit reached: robot not stopped within the bounds in 30 s; more time",
+    ],
+  ])("describes a time limit before the goal %j", (goal, message) => {
+    expect(lineOf({ ...given, goal }, programOf("back-and-forth")).message).toContain(message);
+  });
+
+  it("has no maze if the task does not allow the program", () => {
+    const { row, message } = lineOf(sampleTask, tooLong);
+    expect(row).toMatchObject({
+      passed: false,
+      code: "too-many-lines",
+      maze: null,
+      tick: null,
+      lines: 4,
+      seconds: null,
+      unseen: null,
+    });
+    expect(message).toBe("4 lines, at most 3 are allowed");
+  });
+
+  it("contains the problem of an unreadable hand-in", () => {
+    const { row, message } = unreadableLine("line 3", [
+      { path: "link", found: "nothing", expected: "a link" },
+    ]);
+    expect(row).toMatchObject({ program: "line 3", task: null, passed: false, code: "unreadable" });
+    expect(row.problem).toBe("link: found nothing, expected a link");
+    expect(message).toBe(row.problem);
+  });
+});

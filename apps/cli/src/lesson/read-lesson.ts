@@ -1,0 +1,25 @@
+/** Reads the lesson of `grade --challenge` from a file or a link. */
+import { existsSync } from "node:fs";
+import { lessonOf, readLesson, type LessonDocument } from "@corridor/challenge";
+import { describeProblem, type ReadResult } from "@corridor/protocol";
+import { InputError } from "../input-error.ts";
+import { readFile } from "../read-files.ts";
+import { readLinkPart } from "./read-link.ts";
+
+/** The text of a link after `#`: its version, then letters, digits, - and _. */
+const LINK_TEXT = /^\d[\w-]{6,}$/;
+
+/** @param source path of a file, or a link @throws InputError if it contains no lesson */
+export function readLessonFrom(source: string): LessonDocument {
+  const isLink = !existsSync(source) && (source.includes("#") || LINK_TEXT.test(source));
+  const read = isLink ? lessonOfLink(source) : readFile(source, readLesson);
+  if (read.ok) return read.value;
+  // A link is too long to repeat.
+  const name = isLink ? "--challenge" : source;
+  throw new InputError(read.problems.map((each) => `${name}: ${describeProblem(each)}`));
+}
+
+function lessonOfLink(link: string): ReadResult<LessonDocument> {
+  const read = readLinkPart(link, "challenge");
+  return read.ok ? { ok: true, value: lessonOf(read.value) } : read;
+}
