@@ -1,12 +1,13 @@
 /**
- * The command `corridor`, installed outside of the repository. It prints what the sources print.
+ * The command `corridor`, installed outside of the repository, and `grade.mjs`, downloaded from a
+ * relay. They print what the sources print.
  * conformance.spec.ts runs `corridor conformance`.
  */
 import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { expect, test } from "playwright/test";
 import { publint } from "publint";
+import { expect, test } from "./fixtures.ts";
 import { EmptyFolder } from "./support/installed-package.ts";
 
 const CLI = fileURLToPath(new URL("../apps/cli/", import.meta.url));
@@ -33,6 +34,11 @@ async function blocksOfReadme(): Promise<{ language: string; code: string }[]> {
 /** Installs the package and saves the documents of the README. */
 async function installWithDocuments(): Promise<void> {
   await folder.install(PACKAGE);
+  await writeDocuments();
+}
+
+/** Saves the documents of the README. */
+async function writeDocuments(): Promise<void> {
   const documents = (await blocksOfReadme()).filter(({ language }) => language === "json");
   const names = ["maze.json", "right-wall.json", "forward.json", "lesson.json"];
   expect(documents).toHaveLength(names.length);
@@ -117,4 +123,25 @@ test("invalid files and unknown commands exit with code 2", async () => {
     expect(installed).toMatchObject({ code: 2, stdout: "" });
     expect(installed).toEqual(fromSources(...args));
   }
+});
+
+test("the downloaded grade.mjs grades in an empty folder, on all cores too", async ({ relay }) => {
+  test.setTimeout(180_000);
+  folder.run("curl", "-sSfO", `${relay}/grade.mjs`);
+  await writeDocuments();
+  const lesson = ["--challenge", "lesson.json", "--program", "right-wall.json", "forward.json"];
+  for (const args of [
+    [...lesson, "--require", "50%"],
+    [...lesson, "--require", "all"],
+    // So many unseen mazes that worker threads start.
+    [...lesson, "--unseen", "tree:7x7:100:1"],
+    ["--program", "right-wall.json", "--maze", "maze.json", "--csv"],
+    ["--challenge", "nowhere.json", "--program", "right-wall.json"],
+  ]) {
+    const downloaded = folder.try(process.execPath, "grade.mjs", ...args);
+    expect(downloaded).toEqual(fromSources("grade", ...args));
+  }
+  const help = folder.run(process.execPath, "grade.mjs", "--help");
+  expect(help).toContain("node grade.mjs --challenge LESSON");
+  expect(await readFile(join(folder.path, "grade.mjs"), "utf8")).toContain("Colin McDonnell");
 });

@@ -1,4 +1,4 @@
-/** Completes a built npm package: manifest, README and licenses. */
+/** Completes built files: manifest, README and licenses of an npm package, licenses of one file. */
 import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import type { Plugin } from "rolldown";
@@ -30,6 +30,20 @@ export function packageFiles(folder: string): Plugin {
       if (licenses !== "") files["THIRD-PARTY-LICENSES"] = licenses;
       for (const [fileName, source] of Object.entries(files)) {
         this.emitFile({ type: "asset", fileName, source });
+      }
+    },
+  };
+}
+
+/** Adds the licenses of bundled packages to the end of a single file. */
+export function licenseComment(): Plugin {
+  return {
+    name: "license-comment",
+    async generateBundle(_options, bundle) {
+      for (const file of Object.values(bundle)) {
+        if (file.type !== "chunk") continue;
+        const licenses = await bundledLicenses(file.moduleIds);
+        file.code += `\n/*! Contains these packages:\n\n${licenses.replaceAll("*/", "* /")}*/\n`;
       }
     },
   };

@@ -1,10 +1,8 @@
-/**
- * The command line of Corridor. Exit code 2: invalid input; prints one problem per line to standard
- * error.
- */
+/** The command line of Corridor: finds the command. */
 import leven from "leven";
 import { exitCodes, type Command } from "./command.ts";
 import { InputError } from "./input-error.ts";
+import { print, runCommand } from "./run-command.ts";
 
 interface Entry {
   name: string;
@@ -21,7 +19,7 @@ const entries: readonly Entry[] = [
   },
   {
     name: "grade",
-    summary: "run every program in every maze, on all cores",
+    summary: "run every program in every maze, or check them against a lesson",
     load: async () => import("./grade.ts"),
   },
   {
@@ -38,20 +36,20 @@ ${entries.map(({ name, summary }) => `  ${name.padEnd(11)}  ${summary}`).join("\
 
 corridor COMMAND --help describes a command and its options.
 
-${exitCodes("success; conformance: PASSED", "conformance: FAILED or INCOMPLETE")}`;
+${exitCodes(
+  "success; conformance: PASSED",
+  "conformance: FAILED or INCOMPLETE; grade: --require is not met",
+)}`;
 
-/** Runs the command, prints its result and sets the exit code. @param entry see `Context` */
-export async function runCommandLine(args: readonly string[], entry: URL): Promise<void> {
-  try {
-    process.exitCode = await run(args, entry);
-  } catch (error) {
-    if (!(error instanceof InputError)) throw error;
-    process.stderr.write(`${error.lines.join("\n")}\n`);
-    process.exitCode = 2;
-  }
-}
-
-async function run([name, ...args]: readonly string[], entry: URL): Promise<number> {
+/**
+ * Runs the command that the first argument names.
+ * @param entry see `Context`
+ * @returns its exit code
+ */
+export async function runCommandLine(
+  [name, ...args]: readonly string[],
+  entry: URL,
+): Promise<number> {
   if (name === undefined) throw new InputError(["Expected a command.", "", HELP]);
   const found = entries.find((each) => each.name === name);
   if (found === undefined) {
@@ -60,15 +58,7 @@ async function run([name, ...args]: readonly string[], entry: URL): Promise<numb
     return 0;
   }
   const { command } = await found.load();
-  if (args.includes("--help") || args.includes("-h")) {
-    print([command.help]);
-    return 0;
-  }
-  return command.run(args, { print, entry });
-}
-
-function print(lines: readonly string[]): void {
-  if (lines.length > 0) process.stdout.write(`${lines.join("\n")}\n`);
+  return runCommand(command, args, entry);
 }
 
 function unknownCommand(found: string): string {

@@ -12,7 +12,8 @@ import { isMainThread } from "node:worker_threads";
 if ("enableCompileCache" in module) module.enableCompileCache();
 if (isMainThread) {
   const { runCommandLine } = await import("./command-line.ts");
-  await runCommandLine(process.argv.slice(2), new URL(import.meta.url));
+  const { runProcess } = await import("./run-command.ts");
+  await runProcess(() => runCommandLine(process.argv.slice(2), new URL(import.meta.url)));
 } else {
   await import("./grade-worker.ts");
 }

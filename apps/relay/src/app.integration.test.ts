@@ -41,6 +41,7 @@ const FILES = new Set([
   "get /asyncapi.json",
   "get /corridor.py",
   "get /corridor.js",
+  "get /grade.mjs",
 ]);
 
 /** Express's internal representation of a route or a mounted router. */

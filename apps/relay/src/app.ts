@@ -17,7 +17,7 @@ import { eventRoutes } from "./gateways/sse/routes.ts";
 import { notFound, problemResponses } from "./platform/http/fallbacks.ts";
 import { healthRoutes } from "./ops/health.ts";
 import { pythonClientRoutes } from "./site/clients/python-client.ts";
-import { javascriptClientRoutes } from "./site/clients/javascript-client.ts";
+import { builtFileRoutes } from "./site/clients/built-files.ts";
 import { keyRoutes } from "./gateways/rest/keys/routes.ts";
 import { longPollRoutes } from "./gateways/long-poll/routes.ts";
 import { mazeRoutes } from "./gateways/rest/maze/routes.ts";
@@ -70,7 +70,7 @@ export function createApp(dependencies: AppDependencies): Express {
   app.use(docsRoutes());
   app.use(checkRoutes(guard, clock));
   app.use(pythonClientRoutes());
-  app.use(javascriptClientRoutes());
+  app.use(builtFileRoutes());
   const api = Router();
   api.use(openToAllSites);
   api.use(robotRoutes(registry, guard));

@@ -1,4 +1,7 @@
-/** Downloads the single-file client. `e2e/installed-libraries.spec.ts` drives a robot with it. */
+/**
+ * Downloads built files. `e2e/installed-libraries.spec.ts` drives a robot with `corridor.js`, and
+ * `e2e/installed-command.spec.ts` grades with `grade.mjs`.
+ */
 import { once } from "node:events";
 import { writeFileSync } from "node:fs";
 import { get } from "node:http";
@@ -9,13 +12,13 @@ import { pino } from "pino";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { testFolder } from "../../testing/test-relay.ts";
 import { problemResponses } from "../../platform/http/fallbacks.ts";
-import { javascriptClientRoutes } from "./javascript-client.ts";
+import { builtFileRoute } from "./built-files.ts";
 
 const SOURCE = "export class RobotClient {}\n";
 
 async function serve(file: string): Promise<string> {
   const app = express();
-  app.use(javascriptClientRoutes(file));
+  app.use(builtFileRoute(file));
   app.use(problemResponses(pino({ level: "silent" }), () => undefined));
   const server = app.listen(0, "127.0.0.1");
   onTestFinished(() => void server.close());

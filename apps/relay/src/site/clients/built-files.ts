@@ -1,6 +1,8 @@
 /**
- * `/corridor.js`: the main entry of the TypeScript package as one file. A script or a web page
- * imports it without an installation. `npm run build` makes it.
+ * Files that `npm run build` makes, each a program without dependencies:
+ *
+ * - `/corridor.js`: the main entry of the TypeScript package, which a script or a web page imports
+ * - `/grade.mjs`: the command `grade`, which a build server runs with Node.js
  */
 import { existsSync } from "node:fs";
 import { readFile, stat } from "node:fs/promises";
@@ -14,25 +16,33 @@ import { openToAllSites } from "../../platform/http/security-headers.ts";
 
 const compress = promisify(gzip);
 
-const FILE = join(import.meta.dirname, "../../../dist/corridor.js");
+const FOLDER = join(import.meta.dirname, "../../../dist");
 
-export function javascriptClientRoutes(file: string = FILE): Router {
+export function builtFileRoutes(): Router {
   const router = Router();
+  for (const name of ["corridor.js", "grade.mjs"]) router.use(builtFileRoute(join(FOLDER, name)));
+  return router;
+}
+
+/** Serves a JavaScript file under its name. */
+export function builtFileRoute(file: string): Router {
+  const router = Router();
+  const name = basename(file);
   let compressed: { mtimeMs: number; bytes: Promise<Buffer> } | null = null;
   router
-    .route("/corridor.js")
+    .route(`/${name}`)
     .all(openToAllSites)
     .get(async (request, response) => {
       if (!existsSync(file)) {
         throw new Refusal(
           "not-found",
-          "corridor.js has not been built yet. Run: npm run build (npm start does both).",
+          `${name} has not been built yet. Run: npm run build (npm start does both).`,
         );
       }
       response.set("Cache-Control", "no-cache").type("text/javascript; charset=utf-8");
       response.vary("Accept-Encoding");
       if (request.acceptsEncodings("gzip") === false) {
-        return response.sendFile(basename(file), { root: dirname(file), cacheControl: false });
+        return response.sendFile(name, { root: dirname(file), cacheControl: false });
       }
       const { mtime, mtimeMs } = await stat(file);
       if (compressed?.mtimeMs !== mtimeMs) {

@@ -1,0 +1,35 @@
+/** Runs a command and ends the process with its exit code. */
+import type { Command } from "./command.ts";
+import { InputError } from "./input-error.ts";
+
+/**
+ * Sets the exit code of the process. Exit code 2: invalid input; prints one problem per line to
+ * standard error.
+ * @param run returns the exit code
+ */
+export async function runProcess(run: () => Promise<number>): Promise<void> {
+  try {
+    process.exitCode = await run();
+  } catch (error) {
+    if (!(error instanceof InputError)) throw error;
+    process.stderr.write(`${error.lines.join("\n")}\n`);
+    process.exitCode = 2;
+  }
+}
+
+/** Runs a command or prints its help. @param entry see `Context` @returns its exit code */
+export async function runCommand(
+  command: Command,
+  args: readonly string[],
+  entry: URL,
+): Promise<number> {
+  if (args.includes("--help") || args.includes("-h")) {
+    print([command.help]);
+    return 0;
+  }
+  return command.run(args, { print, entry });
+}
+
+export function print(lines: readonly string[]): void {
+  if (lines.length > 0) process.stdout.write(`${lines.join("\n")}\n`);
+}
