@@ -59,7 +59,6 @@ const words = z.strictObject(
   },
   { error: 'words: {"task": ..., "short": ..., "hints": [...]}' },
 );
-export type ChallengeWords = z.infer<typeof words>;
 
 const goalWithin = (maxSeconds: number) =>
   z.discriminatedUnion(

@@ -269,6 +269,14 @@ def test_a_command_that_expires_too_early_is_sent_again_with_another_key() -> No
         assert len(hopeless.requests) <= 2
 
 
+def test_a_command_that_expires_a_round_trip_too_early_keeps_its_reason() -> None:
+    expired = record("expired", "The run is paused.")
+    harness = Harness(record("accepted"), 0.38, expired, latency=0.01, ttl=0.4)
+    with pytest.raises(CommandEndedError, match="The run is paused"):
+        harness.move()
+    assert len(harness.requests) == 2
+
+
 def test_a_command_that_expires_too_early_never_overtakes_a_later_one() -> None:
     harness = Harness(record("completed"), latency=0.02, ttl=0.4)
     move = harness.protocol.execute(go_forward(100))

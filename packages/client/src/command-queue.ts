@@ -129,7 +129,8 @@ export class CommandQueue {
     const pending = this.#running.get(record.seq);
     if (pending === undefined) return;
     const { state } = record;
-    if (state === "expired" && this.#isOnly() && this.#isEarly(pending)) {
+    // Less early, it expired by its round trip, and its reason helps.
+    if (state === "expired" && this.#isOnly() && this.#isEarly(pending, 0.5)) {
       return this.#sendAgain(record.seq, pending);
     }
     const isFailed = state === "cancelled" || state === "expired";
@@ -236,10 +237,13 @@ export class CommandQueue {
     this.#running.clear();
   }
 
-  /** Whether a command may be sent again: it is younger than its time to live by this computer's clock. */
-  #isEarly({ firstSentAt, order, retriesIfEarly }: Pending): boolean {
+  /**
+   * Whether a command may be sent again, because it is young by this computer's clock.
+   * @param part of its time to live
+   */
+  #isEarly({ firstSentAt, order, retriesIfEarly }: Pending, part = 1): boolean {
     const age = this.#options.platform.clock.now() - (firstSentAt ?? 0);
-    return retriesIfEarly > 0 && age < (order.ttl ?? TTL_MS.default);
+    return retriesIfEarly > 0 && age < part * (order.ttl ?? TTL_MS.default);
   }
 
   /** Whether no other command is under way, which one that is sent again could overtake or follow. */

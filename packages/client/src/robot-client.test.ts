@@ -325,6 +325,16 @@ describe("RobotClient", () => {
       await expect(other).rejects.toMatchObject({ code: "expired" });
     });
 
+    it("reports the reason if it expired only a round trip too early", async () => {
+      const { platform, robot, sent, report } = await connected();
+      const move = robot.move(10, { ttl: 400 });
+      report("ack", 1);
+      platform.pass(390);
+      report("state", 1, { state: "expired", reason: "The run is paused." });
+      await expect(move).rejects.toMatchObject({ code: "expired", hint: "The run is paused." });
+      expect(sent()).toHaveLength(1);
+    });
+
     it("reports it as expired if a later command could overtake it", async () => {
       const { robot, sent, report } = await connected();
       const move = robot.move(10, { ttl: 400 });

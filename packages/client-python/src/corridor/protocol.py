@@ -131,8 +131,10 @@ class RobotProtocol:
             self.has_endless_motion = is_endless(action)
             command = yield from self._wait_for_end(_read(read_command, response), action)
             # The round trips before it were longer than this one, so the host took it for older than
-            # it is. A later command must not be overtaken.
-            is_early = self._clock() - first_sent_at < ttl and number == self._newest_command
+            # it is. Less early, it expired by its round trip, and its reason helps. A later command
+            # must not be overtaken.
+            age = self._clock() - first_sent_at
+            is_early = age < ttl / 2 and number == self._newest_command
             if command.state != "expired" or is_repeated or not is_early:
                 return _successful(command, action)
             is_repeated = True
