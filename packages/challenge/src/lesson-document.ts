@@ -100,7 +100,7 @@ export function readLesson(text: string): ReadResult<LessonDocument> {
 
 /** The lesson of one task that a challenge document contains. */
 export function lessonOf(challenge: ChallengeDocument): LessonDocument {
-  const { format, version, allowed, ...rest } = challenge;
+  const { format, version: _version, allowed, ...rest } = challenge;
   return {
     format,
     version: 2,
