@@ -278,7 +278,8 @@ describe("an invalid request", () => {
   ])("on a raw connection is answered with 4xx: $name", async ({ bytes }) => {
     const relay = await startTestRelay();
     const socket = connect(Number(new URL(relay.origin).port), "127.0.0.1");
-    socket.end(bytes);
+    // Not `end`: Node.js answers nothing that becomes ready after the client's end of stream.
+    socket.write(bytes);
     const [answer] = (await once(socket, "data")) as [Buffer];
     expect(answer.toString()).toMatch(/^HTTP\/1\.1 4\d\d /);
     socket.destroy();
