@@ -97,16 +97,17 @@ export class PairingService {
   }
 
   /**
-   * Stores the owner's answer to one request.
+   * Stores the owner's answer to one request. The same answer again changes nothing, because pages
+   * and browsers repeat a request whose response was lost.
    * @throws Refusal no-question if the request is no longer open, or the errors of `keys.admit`
    */
   async reply({ id, keys }: OwnedRobot, question: string, accept: boolean): Promise<void> {
     const found = await this.#find({ robot: id });
     const key = found?.question?.key ?? "";
+    if (keyId(key) !== question) throw requestClosed();
     const to = accept ? "accepted" : "refused";
-    const isAnswered =
-      keyId(key) === question && (await this.#transition({ key }, { from: "asked", to }));
-    if (!isAnswered) throw requestClosed();
+    if (found?.state === to) return;
+    if (!(await this.#transition({ key }, { from: "asked", to }))) throw requestClosed();
     if (accept) {
       try {
         await keys.admit(key);

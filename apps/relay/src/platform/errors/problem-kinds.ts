@@ -204,7 +204,7 @@ export const problemKinds = {
     status: 409,
     title: "No such pairing request",
     what: "The answer was not stored.",
-    why: "No pairing request has the `id` in the body: it was answered, the code was cancelled, or its 10 minutes have passed.",
+    why: "No pairing request has the `id` in the body: it was answered differently, the code was cancelled, or its 10 minutes have passed.",
     fix: [
       "Press **Show a code to type** under **Remote**, **More** on the robot's page, and pair the script again.",
     ],

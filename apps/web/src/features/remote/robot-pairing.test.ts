@@ -83,6 +83,22 @@ it("refuses with the button that cancelled the code before", async () => {
   expect(asked.at(-1)).toBe('PUT  {"id":"k3J9x2","accept":false}');
 });
 
+it("sends one answer for a double click, and another one after a failure", async () => {
+  const { asked, pairing, view, answer } = withService();
+  void pairing.resume();
+  await answer(shown("asked", question));
+  void pairing.accept();
+  void pairing.accept();
+  void pairing.decline();
+  await answer(new TypeError("offline"));
+  expect(view()).toMatchObject({ kind: "asked", trouble: "failed" });
+  void pairing.accept();
+  await answer(new Response(null, { status: 204 }));
+  expect(view()).toMatchObject({ kind: "accepted" });
+  const accepted = 'PUT  {"id":"k3J9x2","accept":true}';
+  expect(asked).toEqual(["GET ?wait=0", accepted, accepted]);
+});
+
 it("continues to poll during a network failure, until the code expires", async () => {
   const { pairing, view, answer, pass } = withService();
   void pairing.open();

@@ -108,6 +108,8 @@ export class RobotPairing {
   }
 
   async #reply(question: PairingQuestion, accept: boolean): Promise<void> {
+    // A double click sends one answer.
+    if (!this.#isIdle) return;
     const turn = this.#begin();
     const { ask, owner } = this.#parts;
     const outcome = await replyToPairing(ask, owner, question.id, accept);

@@ -79,6 +79,18 @@ describe("pairing with a code", () => {
     expect(await owner.say(true)).toBe("no-question");
   });
 
+  it("accepts the same answer again, and activates no key that was revoked since", async () => {
+    const { owner, script, relay, robot } = await withRobot();
+    const key = (await script.ask({ code: await owner.code() })).body?.key ?? "";
+    expect(await owner.say(true)).toBe("");
+    expect(await owner.say(true)).toBe("");
+    expect(await owner.say(false)).toBe("no-question");
+    const own = { method: "DELETE", key: robot.ownerKey };
+    await relay.ask(robot, `/keys/${hashKey(key).slice(0, 6)}`, own);
+    expect(await owner.say(true)).toBe("");
+    expect(await drive(`${relay.origin}/r/${robot.id}#${key}`)).toBe(401);
+  });
+
   it("works for one script, and only with the newest code", async () => {
     const { owner, script } = await withRobot();
     const first = await owner.code();
