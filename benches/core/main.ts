@@ -8,6 +8,7 @@ import { availableParallelism, cpus } from "node:os";
 import { encodeLink } from "@corridor/link";
 import { generateTree, type MazeDocument } from "@corridor/maze";
 import { programPresets } from "@corridor/program";
+import { measureChecking } from "./checking.ts";
 import { measureDiagnosis } from "./diagnosis.ts";
 import { formatGoal, formatNumber, isMet, type Goal } from "./goals.ts";
 import { measureGrading } from "./grading.ts";
@@ -81,7 +82,13 @@ console.log("\nbytes allocated per tick, including garbage");
 printRow("product", (side) => formatNumber(bytes[sides.indexOf(side)] ?? Number.NaN));
 
 const grading = measureGrading(program);
-console.log(`\ngrade, 1,000 runs of 7,200 ticks at 33 x 33: ${formatNumber(grading.seconds)} s`);
+console.log(
+  `\ngrade, 1,000 runs of 7,200 ticks at 33 x 33: ${formatNumber(grading.runs.seconds)} s`,
+);
+console.log(
+  `grade --challenge, 5 programs in 1,000 mazes of 11 x 11: ${formatNumber(grading.lesson.seconds)} s`,
+);
+const checking = measureChecking(program);
 const diagnosis = measureDiagnosis();
 console.log(
   `diagnosis of ${diagnosis.runs} failed runs of one minute: median ${formatNumber(diagnosis.median)} ms, longest ${formatNumber(diagnosis.longest)} ms`,
@@ -132,9 +139,21 @@ const goals: Goal[] = [
     unit: "characters",
   },
   {
-    label: `grade, relative to its ticks at single-core speed on ${grading.cores} cores`,
-    measured: grading.timesIdeal,
+    label: `grade, relative to its ticks at single-core speed on ${grading.runs.cores} cores`,
+    measured: grading.runs.timesIdeal,
     bound: { atMost: 1.3 },
+    unit: "times",
+  },
+  {
+    label: `grade --challenge in 1,000 unseen mazes, relative to its ticks on ${grading.lesson.cores} cores`,
+    measured: grading.lesson.timesIdeal,
+    bound: { atMost: 1.3 },
+    unit: "times",
+  },
+  {
+    label: "ticks of a check of a task, relative to raw ticks",
+    measured: checking,
+    bound: { atLeast: 0.85 },
     unit: "times",
   },
   {
