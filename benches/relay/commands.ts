@@ -7,23 +7,24 @@
  */
 import type { Goal } from "../core/goals.ts";
 import type { LoadResult } from "./load/jobs.ts";
+import type { Load } from "./load/load.ts";
 import { peerNames, type PeerName } from "./peers/peer.ts";
 import { costPerItem, measureAlternately, medianOf, quantileOf, rate, ratioOf } from "./rounds.ts";
-import { printRow, withPeers, type LoadSize, type Section } from "./section.ts";
+import { printRow, withPeers, type ConnectedPeer, type LoadSize, type Section } from "./section.ts";
 import { waitUntilIdle } from "./wait-until-idle.ts";
 
 /**
  * The rate limit is 20 commands per second and key, so many scripts are needed to saturate the
  * relay.
  */
-const FULL_LIFECYCLE = { robots: 400, scripts: 400 };
+export const FULL_LIFECYCLE = { robots: 400, scripts: 400 };
 /**
  * The page of a busy robot holds the maximum number of commands, so that further commands wait in
  * the queue of the relay. The limit is 64 per robot. A round must not reach it, because a rejection
  * aborts the benchmark.
  */
 const ANSWER_ONLY = { robots: 1500, scripts: 1500, isBusy: true };
-const IN_FLIGHT = 64;
+export const IN_FLIGHT = 64;
 const SECONDS = 2;
 /** Unmeasured rounds, in which V8 compiles the code; about 100,000 commands. */
 const WARM_UP_ROUNDS = 4;
@@ -72,20 +73,7 @@ function measureFlood(
   size: LoadSize,
 ): Promise<ReadonlyMap<PeerName, LoadResult[]>> {
   return withPeers(names, { ...size, isDurable: true }, async (peers, load) => {
-    const job = { of: "commands", inFlight: IN_FLIGHT, seconds: SECONDS } as const;
-    const all = peers.flatMap(({ running }) => running.pids);
-    const measurements = new Map(
-      peers.map(({ name, fleet, running: { pids } }) => [
-        name,
-        async () => {
-          await waitUntilIdle(all);
-          return load.flood({ fleet, pids, ...job });
-        },
-      ]),
-    );
-    // The compilation of new code is not part of the cost of a command.
-    await measureAlternately(measurements, WARM_UP_ROUNDS);
-    const rounds = await measureAlternately(measurements, ROUNDS);
+    const rounds = await measureRounds(peers, load);
     const bare = rounds.get("bare") ?? [];
     for (const [name, results] of rounds) {
       printRow(name, [
@@ -98,4 +86,25 @@ function measureFlood(
     }
     return rounds;
   });
+}
+
+/** Floods each peer with commands in every round. @returns the results of each round */
+export async function measureRounds(
+  peers: readonly ConnectedPeer[],
+  load: Load,
+): Promise<ReadonlyMap<PeerName, LoadResult[]>> {
+  const job = { of: "commands", inFlight: IN_FLIGHT, seconds: SECONDS } as const;
+  const all = peers.flatMap(({ running }) => running.pids);
+  const measurements = new Map(
+    peers.map(({ name, fleet, running: { pids } }) => [
+      name,
+      async () => {
+        await waitUntilIdle(all);
+        return load.flood({ fleet, pids, ...job });
+      },
+    ]),
+  );
+  // The compilation of new code is not part of the cost of a command.
+  await measureAlternately(measurements, WARM_UP_ROUNDS);
+  return measureAlternately(measurements, ROUNDS);
 }

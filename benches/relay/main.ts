@@ -9,6 +9,7 @@ import { formatGoal, isMet, type Goal } from "../core/goals.ts";
 import { commands } from "./commands.ts";
 import { crowd } from "./crowd.ts";
 import { idle } from "./idle.ts";
+import { redis } from "./redis.ts";
 import type { Section } from "./section.ts";
 import { snapshots } from "./snapshots.ts";
 import { twoRelays } from "./two-relays.ts";
@@ -18,7 +19,7 @@ if (process.platform !== "linux") {
   process.exit(2);
 }
 
-const sections: readonly Section[] = [snapshots, commands, crowd, idle, twoRelays];
+const sections: readonly Section[] = [snapshots, commands, redis, crowd, idle, twoRelays];
 const filters = process.argv.slice(2).map((filter) => filter.toLowerCase());
 const selected = sections.filter(
   ({ title }) =>

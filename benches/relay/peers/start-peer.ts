@@ -4,7 +4,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { freePort } from "../../../scripts/free-port.ts";
 import { inPath } from "../../../scripts/programs.ts";
-import { findRedis, startRedis } from "../../../scripts/redis-server.ts";
+import { findRedis, startRedis, type RedisServer } from "../../../scripts/redis-server.ts";
 import type { PeerName, RunningPeer } from "./peer.ts";
 import { startServer, type ServerProcess } from "./server-process.ts";
 
@@ -26,20 +26,30 @@ export async function startPeer(name: PeerName, isDurable: boolean): Promise<Run
   }
 }
 
+/** Starts a relay that stores its data in Redis. The second pid is that of Redis. */
+export async function startRelayOnRedis(): Promise<RunningPeer | null> {
+  const redis = await startRedisServer();
+  if (redis === null) return null;
+  const relay = await startRelay({ STORE_URL: redis.url });
+  const stop = async (): Promise<void> => {
+    await relay.stop();
+    await redis.stop();
+  };
+  return { pages: relay.ready, readers: relay.ready, pids: [relay.pid, redis.pid], stop };
+}
+
 /**
  * Starts two relays that share one Redis. `one` connects pages and readers to the first relay,
  * `split` connects readers to the second relay.
  */
 export async function startTwoRelays(): Promise<{ one: RunningPeer; split: RunningPeer } | null> {
-  const folder = mkdtempSync(join(tmpdir(), "corridor-bench-"));
-  if (findRedis() === null) return skip("redis", "install redis-server");
-  const redis = await startRedis(folder);
+  const redis = await startRedisServer();
+  if (redis === null) return null;
   const environment = { STORE_URL: redis.url };
   const [first, second] = [await startRelay(environment), await startRelay(environment)];
   const stop = async (): Promise<void> => {
     await Promise.all([first.stop(), second.stop()]);
     await redis.stop();
-    rmSync(folder, { recursive: true, force: true });
   };
   const pids = [first.pid, second.pid];
   return {
@@ -107,20 +117,27 @@ async function startMosquitto(): Promise<RunningPeer | null> {
 }
 
 async function startRedisStreams(isDurable: boolean): Promise<RunningPeer | null> {
-  if (findRedis() === null) return skip("redis", "install redis-server");
-  const folder = mkdtempSync(join(tmpdir(), "corridor-bench-"));
   // As in the relay, commands are stored on disk before the answer, and snapshots are not stored.
   const settings = isDurable ? ["--appendfsync", "always"] : ["--appendonly", "no"];
-  const redis = await startRedis(folder, { settings: [...settings, "--maxclients", "20000"] });
-  return {
-    pages: String(redis.port),
-    readers: String(redis.port),
-    pids: [redis.pid],
-    stop: async () => {
-      await redis.stop();
-      rmSync(folder, { recursive: true, force: true });
-    },
+  const redis = await startRedisServer([...settings, "--maxclients", "20000"]);
+  if (redis === null) return null;
+  const port = String(redis.port);
+  return { pages: port, readers: port, pids: [redis.pid], stop: redis.stop };
+}
+
+/**
+ * Starts Redis with a temporary folder, which is deleted when it stops.
+ * @param settings in addition to the persistence that docs/operations.md recommends
+ */
+async function startRedisServer(settings: string[] = []): Promise<RedisServer | null> {
+  if (findRedis() === null) return skip("redis", "install redis-server");
+  const folder = mkdtempSync(join(tmpdir(), "corridor-bench-"));
+  const redis = await startRedis(folder, { settings });
+  const stop = async (): Promise<void> => {
+    await redis.stop();
+    rmSync(folder, { recursive: true, force: true });
   };
+  return { ...redis, stop };
 }
 
 function skip(name: string, remedy: string): null {
