@@ -24,6 +24,7 @@ const allowed: Record<string, readonly string[]> = {
     "@corridor/simulation",
     "zod",
   ],
+  "packages/report": ["@corridor/protocol", "papaparse", "zod"],
   "packages/coach": [
     "@corridor/maze",
     "@corridor/program",
@@ -58,6 +59,7 @@ const allowed: Record<string, readonly string[]> = {
     "@corridor/maze",
     "@corridor/program",
     "@corridor/protocol",
+    "@corridor/report",
     "@corridor/simulation",
     "leven",
     "node:",

@@ -23,6 +23,11 @@ const entries: readonly Entry[] = [
     load: async () => import("./grade.ts"),
   },
   {
+    name: "report",
+    summary: "show times, lines and answers of a class from its tables",
+    load: async () => import("./study/study-command.ts"),
+  },
+  {
     name: "conformance",
     summary: "check that a robot host keeps every promise that scripts rely on",
     load: async () => import("./conformance.ts"),

@@ -1,5 +1,5 @@
 /**
- * Entry of `npm run simulate`, `grade` and `conformance`. npm starts scripts in the folder of the
+ * Entry of `npm run simulate`, `grade`, `report` and `conformance`. npm starts scripts in the folder of the
  * project, but users write paths relative to the folder that they are in.
  */
 process.chdir(process.env["INIT_CWD"] ?? ".");

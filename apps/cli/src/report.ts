@@ -1,7 +1,7 @@
 /** Formats the results of runs as JSON or CSV. Rounds distances to 0.1 and poses to 0.001. */
 import type { Diagnosis } from "@corridor/coach";
 import { TICKS_PER_SECOND } from "@corridor/simulation";
-import { csvTable } from "./csv.ts";
+import { csvLines } from "@corridor/report";
 import { round } from "./round.ts";
 import type { RunResult } from "./run-result.ts";
 
@@ -79,5 +79,5 @@ export function runTable(runs: readonly GradedRun[]): string[] {
     result.goalTick !== null,
     result.goalTick ?? "",
   ]);
-  return csvTable(csvColumns, rows);
+  return csvLines(csvColumns, rows);
 }

@@ -1,5 +1,5 @@
 /** Formats the lines of `grade --challenge` as JSON or CSV. */
-import { csvTable } from "../csv.ts";
+import { csvLines } from "@corridor/report";
 import type { LessonRow } from "./lesson-rows.ts";
 
 /** The rows as JSON, then a summary. @returns the lines */
@@ -43,5 +43,5 @@ export function lessonTable(rows: readonly LessonRow[]): string[] {
     row.unseen?.failed.join(" ") ?? "",
     row.problem ?? "",
   ]);
-  return csvTable(csvColumns, table);
+  return csvLines(csvColumns, table);
 }

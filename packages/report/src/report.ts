@@ -1,0 +1,143 @@
+/** The figures of a study, as the thesis of 2013 reports them. Null: not known, or too few values. */
+import { paperTaskOf } from "./paper.ts";
+import { deviationOf, meanOf, medianOf } from "./statistics.ts";
+import type { Study, Work } from "./study.ts";
+
+/** One bar of a figure. */
+export interface TimeBar {
+  student: string | null;
+  /** null: not solved */
+  seconds: number | null;
+}
+
+export interface TaskReport {
+  task: string;
+  /** students who worked on the task */
+  students: number;
+  solved: number;
+  /** the times of the students, in the order of the data */
+  bars: readonly TimeBar[];
+  /** seconds to solve the task */
+  time: {
+    mean: number | null;
+    median: number | null;
+    /** standard deviation of these students as a whole population */
+    deviation: number | null;
+    shortest: number | null;
+    longest: number | null;
+  };
+  /** mean number of lines, without "otherwise" */
+  lines: number | null;
+  /** what the paper prints about this task; null if the data are not the paper's */
+  paper: {
+    /** its "lines of code", which are menus */
+    menus: number;
+    /** the mean of its table, although its text and its data give another one, or null */
+    misprint: string | null;
+  } | null;
+  /** means of the counts per student */
+  perStudent: Readonly<Record<CountName, number | null>>;
+}
+
+const countNames = ["attempts", "runs", "bumps", "failedChecks", "hints", "mistakes"] as const;
+export type CountName = (typeof countNames)[number];
+
+export interface QuestionReport {
+  id: string;
+  /** number of answers 1 to 5 */
+  counts: readonly [number, number, number, number, number];
+  skipped: number;
+  mean: number | null;
+  /** students with a mistake that belongs to the question, and their share of all students */
+  mistakes: { students: number; share: number } | null;
+}
+
+export interface Report {
+  students: number;
+  tasks: readonly TaskReport[];
+  questions: readonly QuestionReport[];
+}
+
+/**
+ * Calculates a report.
+ * @param mistakes students with a mistake, by the ids of the questions; a teacher counts them
+ */
+export function reportOf(study: Study, mistakes: ReadonlyMap<string, number> = new Map()): Report {
+  const students = countStudents(study);
+  const tasks = new Set(study.work.map(({ task }) => task));
+  return {
+    students,
+    tasks: [...tasks].map((task) => taskReport(study.work.filter((work) => work.task === task))),
+    questions: questionIds(study).map((id) =>
+      questionReport(study, id, students, mistakes.get(id)),
+    ),
+  };
+}
+
+/** Ids of the questions, in the order of the data. */
+export function questionIds({ survey }: Study): readonly string[] {
+  return [...new Set(survey.flatMap(({ answers }) => Object.keys(answers)))];
+}
+
+/** Students with a name, or the most rows without a name that one task or the survey has. */
+function countStudents({ work, survey }: Study): number {
+  const names = new Set<string>();
+  const anonymous = new Map<string | null, number>();
+  for (const { student, task } of [...work, ...survey.map((each) => ({ ...each, task: null }))]) {
+    if (student === null) anonymous.set(task, (anonymous.get(task) ?? 0) + 1);
+    else names.add(student);
+  }
+  return names.size + Math.max(0, ...anonymous.values());
+}
+
+function taskReport(work: readonly Work[]): TaskReport {
+  const bars = work.map(({ student, seconds }) => ({ student, seconds }));
+  const seconds = known(bars.map((bar) => bar.seconds));
+  const paper = paperTaskOf(bars.map((bar) => bar.seconds));
+  const mean = (name: CountName): number | null => meanOf(known(work.map((each) => each[name])));
+  return {
+    task: work[0]?.task ?? "",
+    students: work.length,
+    solved: seconds.length,
+    bars,
+    time: {
+      mean: meanOf(seconds),
+      median: medianOf(seconds),
+      deviation: deviationOf(seconds),
+      shortest: seconds.length === 0 ? null : Math.min(...seconds),
+      longest: seconds.length === 0 ? null : Math.max(...seconds),
+    },
+    lines: meanOf(known(work.map((each) => each.lines))) ?? paper?.lines ?? null,
+    paper: paper && { menus: paper.menus, misprint: paper.misprint },
+    perStudent: {
+      attempts: mean("attempts"),
+      runs: mean("runs"),
+      bumps: mean("bumps"),
+      failedChecks: mean("failedChecks"),
+      hints: mean("hints"),
+      mistakes: mean("mistakes"),
+    },
+  };
+}
+
+function questionReport(
+  { survey }: Study,
+  id: string,
+  students: number,
+  mistaken: number | undefined,
+): QuestionReport {
+  const all = survey.map(({ answers }) => answers[id] ?? null);
+  const answers = known(all);
+  const count = (rating: number): number => answers.filter((answer) => answer === rating).length;
+  return {
+    id,
+    counts: [count(1), count(2), count(3), count(4), count(5)],
+    skipped: all.length - answers.length,
+    mean: meanOf(answers),
+    mistakes: mistaken === undefined ? null : { students: mistaken, share: mistaken / students },
+  };
+}
+
+function known<Value>(values: readonly (Value | null)[]): Value[] {
+  return values.filter((value) => value !== null);
+}

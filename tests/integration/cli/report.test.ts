@@ -1,0 +1,95 @@
+/** Reports on a class in a real process with real files. */
+import { spawnSync } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { afterAll, describe, expect, it } from "vitest";
+
+const folder = mkdtempSync(join(tmpdir(), "corridor-report-"));
+afterAll(() => rmSync(folder, { recursive: true }));
+
+const paper = (name: string) =>
+  fileURLToPath(new URL(`../../../packages/report/src/testing/${name}`, import.meta.url));
+const paperFiles = [paper("table-10-times.csv"), paper("table-9-survey.csv")];
+
+function report(...args: string[]) {
+  const main = fileURLToPath(new URL("../../../apps/cli/src/main.ts", import.meta.url));
+  const options = { cwd: folder, encoding: "utf8" } as const;
+  const { status, stdout, stderr } = spawnSync(
+    process.execPath,
+    [main, "report", ...args],
+    options,
+  );
+  return { code: status, output: stdout, errors: stderr.trimEnd().split("\n") };
+}
+
+function file(name: string, text: string): string {
+  writeFileSync(join(folder, name), text);
+  return name;
+}
+
+describe("corridor report", () => {
+  it("prints the numbers of the study of 2013 from its files", () => {
+    const mistakes = ["control_flow=1", "navigation=3", "correctness=3"];
+    const { code, output } = report(
+      ...paperFiles,
+      ...mistakes.flatMap((each) => ["--mistakes", each]),
+    );
+    expect(code).toBe(0);
+    for (const line of [
+      /^28 students$/m,
+      /^right_wall +28 of 28 \(100 %\) +5:17 +4:30 +3:53 +0:30 +14:00 +2 lines \(5 in the paper\)$/m,
+      /^farthest_distance +28 of 28 \(100 %\) +3:48 +3:53 +2:15 +0:45 +9:30 +3 lines \(7 in the paper\)$/m,
+      /^farthest_distance: table 6 of the paper prints 3:38\. Its text and its data give 3:48\.$/m,
+      /^control_flow +0 +3 +5 +9 +11 +0 +4\.0 +1 of 28 \(3\.6 %\)$/m,
+      /^navigation +0 +1 +4 +9 +14 +0 +4\.3 +3 of 28 \(10\.7 %\)$/m,
+      /^correctness +1 +2 +5 +11 +9 +0 +3\.9 +3 of 28 \(10\.7 %\)$/m,
+      /^interaction +0 +1 +6 +9 +12 +0 +4\.1 +-$/m,
+    ]) {
+      expect(output).toMatch(line);
+    }
+  });
+
+  it("prints a table that it reads again with the same result", () => {
+    const table = file("all.csv", report(...paperFiles, "--csv").output);
+    expect(report(table).output).toBe(report(...paperFiles).output);
+  });
+
+  it("prints no mean of one student", () => {
+    const { output } = report(file("one.csv", "student,task,seconds,lines\nJuniper,1,60,2\n"));
+    expect(output).toMatch(/^1 student: too few for a mean$/m);
+    expect(output).toMatch(/^1 +1 of 1 \(100 %\) +too few +too few +too few +1:00 +1:00 +-$/m);
+  });
+
+  it.each([
+    { name: "no file", args: [], says: ["FILE: found nothing, expected one or more CSV files"] },
+    {
+      name: "two invalid files",
+      args: [file("text.csv", "hello world\n"), "missing.csv"],
+      says: [
+        "text.csv: row 1: found the columns hello world, expected columns student and task",
+        "missing.csv: document: found no file of this name",
+      ],
+    },
+    {
+      name: "a mistake without a number",
+      args: [...paperFiles, "--mistakes", "navigation"],
+      says: ['--mistakes: found "navigation", expected such as navigation=3'],
+    },
+    {
+      name: "an unknown question, and more mistakes than students",
+      args: [...paperFiles, "--mistakes", "speed=1", "--mistakes", "navigation=29"],
+      says: [
+        "--mistakes: found speed, expected one of control_flow,",
+        "--mistakes: found navigation=29, expected at most 28",
+      ],
+    },
+    { name: "an unknown option", args: ["--json"], says: ["Unknown option '--json'"] },
+  ])("explains invalid input: $name", ({ args, says }) => {
+    const { code, errors } = report(...args);
+    expect(code).toBe(2);
+    expect(errors).toHaveLength(says.length);
+    for (const [index, start] of says.entries()) expect(errors[index]).toContain(start);
+  });
+});
