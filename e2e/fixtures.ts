@@ -5,9 +5,12 @@
 import { test as base, type BrowserContext, type BrowserContextOptions } from "playwright/test";
 import { CorridorPage } from "./pages/corridor-page.ts";
 import { PageErrors } from "./support/page-errors.ts";
+import { saveData } from "./support/save-data.ts";
 import { RelayProcess } from "../tests/support/relay-process.ts";
 
 interface TestFixtures {
+  /** whether pages load parts of the screen only when they are needed */
+  savesData: boolean;
   pageErrors: PageErrors;
   /** the start page, opened by a first-time visitor */
   corridor: CorridorPage;
@@ -21,6 +24,7 @@ interface WorkerFixtures {
 }
 
 export const test = base.extend<TestFixtures, WorkerFixtures>({
+  savesData: [true, { option: true }],
   relay: [
     // oxlint-disable-next-line no-empty-pattern -- Playwright reads the fixture names from this pattern
     async ({}, use) => {
@@ -39,8 +43,9 @@ export const test = base.extend<TestFixtures, WorkerFixtures>({
     await use(pageErrors);
     base.expect(pageErrors.messages, "errors that the page reported").toEqual([]);
   },
-  context: async ({ context, pageErrors }, use) => {
+  context: async ({ context, pageErrors, savesData }, use) => {
     await pageErrors.observe(context);
+    if (savesData) await saveData(context);
     await use(context);
   },
   corridor: async ({ page }, use) => {
@@ -48,12 +53,13 @@ export const test = base.extend<TestFixtures, WorkerFixtures>({
     await corridor.open();
     await use(corridor);
   },
-  openWindow: async ({ browser, pageErrors }, use) => {
+  openWindow: async ({ browser, pageErrors, savesData }, use) => {
     const contexts: BrowserContext[] = [];
     await use(async (options) => {
       const context = await browser.newContext(options);
       contexts.push(context);
       await pageErrors.observe(context);
+      if (savesData) await saveData(context);
       return new CorridorPage(await context.newPage());
     });
     for (const context of contexts) await context.close();

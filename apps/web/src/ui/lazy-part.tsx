@@ -13,13 +13,21 @@ import { Dialog } from "./Dialog.tsx";
 import styles from "./lazy-part.module.css";
 import { PartLoader } from "./part-loader.ts";
 
+declare global {
+  interface Navigator {
+    /** Network Information API, https://wicg.github.io/netinfo/; only in Chromium */
+    readonly connection?: { readonly saveData: boolean };
+  }
+}
+
 const loaders = new Set<{ load: () => Promise<void> }>();
 
 /**
  * Loads the parts that were not requested yet, one after the other. A failed one loads when it is
- * requested.
+ * requested. So do all if the user asked the browser to save data.
  */
 export async function preloadParts(): Promise<void> {
+  if (navigator.connection?.saveData === true) return;
   for (const loader of loaders) await loader.load();
 }
 
