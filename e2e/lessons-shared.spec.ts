@@ -1,5 +1,5 @@
 /** Shared challenges: a mission shared by a student, and a challenge that a teacher wrote. */
-import type { ChallengeDocument } from "@corridor/challenge";
+import { lessonOf, type ChallengeDocument } from "@corridor/challenge";
 import { encodeLink } from "@corridor/link";
 import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
@@ -73,7 +73,7 @@ const everySquare: ChallengeDocument = {
 test("opens a teacher's challenge from a link: every square in one line", async ({
   openWindow,
 }) => {
-  const link = encodeLink({ challenge: everySquare });
+  const link = encodeLink({ lesson: lessonOf(everySquare) });
   if (!link.ok) throw new Error(link.code);
   const corridor = await openWindow();
   await corridor.open(`/#${link.text}`);

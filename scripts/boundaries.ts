@@ -22,6 +22,7 @@ const allowed: Record<string, readonly string[]> = {
     "@corridor/program",
     "@corridor/protocol",
     "@corridor/simulation",
+    "@noble/hashes/",
     "zod",
   ],
   "packages/report": ["@corridor/protocol", "papaparse", "zod"],

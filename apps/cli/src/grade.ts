@@ -16,7 +16,8 @@ Runs every program in every maze, on all cores. Prints one line of JSON for each
 of the files, and a summary.
 
 With --challenge, checks every program against every task of a lesson, in all given and unseen mazes
-of the task. Prints one line of JSON for each program and task, and a summary.
+of the task, and every completion code against its task. Prints one line of JSON for each program and
+task, and a summary.
 
 Options:
   --program FILE...   programs, such as submissions/*.json
@@ -28,7 +29,8 @@ Options:
   --why               add a diagnosis: what happened, the line that caused the failure, and changes
                       that fix it; null if the run did not fail
   --challenge LESSON  challenge document: its file, its link, or the text of the link after #
-  --handins FILE      links of programs, one on each line; - reads standard input
+  --handins FILE      links of programs and completion codes, one on each line; - reads standard
+                      input
   --unseen KIND:COLUMNSxROWS:COUNT:SEED
                       replace the unseen mazes of every task, such as tree:11x11:50:7; programs must
                       pass in all of them. KIND is tree, loops or rooms; sides are odd, from 5 to 33;
@@ -45,10 +47,11 @@ corridor simulate --help describes the fields of a run. Fields of a line with --
   passed      whether the program passes the task
   code        reason of the first failure, such as "bump"; null if the program passes
   maze, tick  place of the first failure: "maze 2" is a given maze, "tree 31 of seed 7" an unseen one
-  lines       number of lines of the program, without "otherwise"
+  lines       number of lines of the program, without "otherwise"; null for a manual drive
   seconds     simulated seconds in the slowest given maze; null unless the program passes in all
   unseen      count, number passed, and numbers of the failed unseen mazes; null if none were run
-  problem     why a line of --handins is "unreadable"; other lines do not have this field
+  problem     why a line of --handins is "unreadable", such as a code of another lesson; other lines
+              do not have this field
 
 ${exitCodes("graded, even if the robot bumps or misses the goal", "--require is not met")}`;
 

@@ -1,7 +1,7 @@
 /** The challenge document, `corridor/challenge` version 1: one task. */
 import { readJson, readValue, type ReadResult } from "@corridor/protocol";
 import { z } from "zod";
-import { MAX_CHECK_SECONDS } from "./challenge-limits.ts";
+import { MAX_CHALLENGE_TEXT_LENGTH, MAX_CHECK_SECONDS } from "./challenge-limits.ts";
 import { allowedInChallenge, findContradictions, taskFields } from "./task-schema.ts";
 
 const shape = z.strictObject(
@@ -23,9 +23,6 @@ export const challengeSchema = shape.check(({ value, issues }) => {
   });
 });
 
-/** Maximum text length in characters: the largest valid document plus indentation. */
-export const MAX_TEXT_LENGTH = 2_097_152;
-
 /** Reads a challenge from a parsed value. */
 export function parseChallenge(input: unknown): ReadResult<ChallengeDocument> {
   return readValue(challengeSchema, input);
@@ -33,5 +30,5 @@ export function parseChallenge(input: unknown): ReadResult<ChallengeDocument> {
 
 /** Reads a challenge from JSON text. */
 export function readChallenge(text: string): ReadResult<ChallengeDocument> {
-  return readJson(challengeSchema, text, MAX_TEXT_LENGTH);
+  return readJson(challengeSchema, text, MAX_CHALLENGE_TEXT_LENGTH);
 }

@@ -4,6 +4,8 @@
  */
 import { conditionKinds, type ConditionKind } from "@corridor/program";
 
+/** Maximum length of a document's text of either version, in characters, with indentation. */
+export const MAX_CHALLENGE_TEXT_LENGTH = 2_097_152;
 export const MAX_CHALLENGE_MAZES = 10;
 export const MAX_HINTS = 6;
 /** Maximum lengths of texts, in UTF-16 code units. */

@@ -16,13 +16,22 @@ export {
   conditionNameOf,
   conditionNames,
   editKinds,
+  helpKinds,
   MAX_CHALLENGE_MAZES,
+  MAX_CHALLENGE_TEXT_LENGTH,
   MAX_CHECK_BUMPS,
   MAX_CHECK_SECONDS,
   MAX_GOAL_DISTANCE,
   MAX_HINTS,
+  MAX_LANGUAGE_LENGTH,
+  MAX_QUESTION_LENGTH,
   MAX_SHORT_LENGTH,
+  MAX_SURVEY_QUESTIONS,
   MAX_TASK_LENGTH,
+  MAX_TASKS,
+  MAX_UNSEEN_SIDE,
+  MIN_UNSEEN_SIDE,
+  toolNames,
   type ConditionName,
   type EditKind,
 } from "./challenge-limits.ts";
@@ -44,6 +53,7 @@ export {
   type LessonDocument,
   type LessonTask,
 } from "./lesson-document.ts";
+export { canonicalJson, lessonMark, MARK_LENGTH } from "./lesson-mark.ts";
 export { rightsOf, type Rights } from "./rights.ts";
 export type { Goal, Task } from "./task-schema.ts";
 export { unseenName, unseenSchema, type UnseenMazes } from "./unseen-mazes.ts";

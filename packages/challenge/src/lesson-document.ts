@@ -4,13 +4,9 @@
  */
 import { readJson, readValue, type ReadResult } from "@corridor/protocol";
 import { z } from "zod";
+import { challengeSchema, parseChallenge, type ChallengeDocument } from "./challenge-document.ts";
 import {
-  challengeSchema,
-  MAX_TEXT_LENGTH,
-  parseChallenge,
-  type ChallengeDocument,
-} from "./challenge-document.ts";
-import {
+  MAX_CHALLENGE_TEXT_LENGTH,
   MAX_LANGUAGE_LENGTH,
   MAX_LESSON_SECONDS,
   MAX_QUESTION_LENGTH,
@@ -95,7 +91,7 @@ export function parseLesson(input: unknown): ReadResult<LessonDocument> {
 
 /** Reads a lesson of either version from JSON text. */
 export function readLesson(text: string): ReadResult<LessonDocument> {
-  return asLesson(readJson(anyVersion, text, MAX_TEXT_LENGTH));
+  return asLesson(readJson(anyVersion, text, MAX_CHALLENGE_TEXT_LENGTH));
 }
 
 /** The lesson of one task that a challenge document contains. */

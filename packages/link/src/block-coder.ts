@@ -3,7 +3,7 @@
  * before it. The best model depends on the maze, so the encoder tries several methods.
  */
 import { BitModel, type BitCoder } from "./range-coder.ts";
-import { codeTree } from "./tree-coder.ts";
+import { codeTree, createTreeModel, type TreeContexts } from "./tree-coder.ts";
 
 /** The cells coded so far, with a margin of blocks, and the index of the next cell. */
 interface Neighbourhood {
@@ -46,7 +46,7 @@ const widestContext = (neighbourhood: Neighbourhood): number => {
 };
 
 /** Methods by their number in a link. The numbers are part of link version 1: never change them. */
-const methods: readonly (ContextModel | "neighbours" | "exits")[] = [
+const methods: readonly (ContextModel | TreeContexts)[] = [
   { contexts: 1, gain: 1, contextOf: () => 0, byParity: false },
   { contexts: 16, gain: 4, contextOf: nearContext, byParity: false },
   { contexts: 64, gain: 4, contextOf: wideContext, byParity: false },
@@ -56,6 +56,44 @@ const methods: readonly (ContextModel | "neighbours" | "exits")[] = [
   "neighbours",
   "exits",
 ];
+
+/**
+ * The adaptive models of all methods. Mazes that share them, such as those of a lesson, make each
+ * other shorter.
+ */
+export class BlockModels {
+  readonly #models: Map<number, BitModel>;
+
+  constructor(models = new Map<number, BitModel>()) {
+    this.#models = models;
+  }
+
+  /** @throws RangeError for an unknown method */
+  of(method: number): BitModel {
+    const existing = this.#models.get(method);
+    if (existing !== undefined) return existing;
+    const created = createModel(methodOf(method));
+    this.#models.set(method, created);
+    return created;
+  }
+
+  /** Returns models with the same counts. */
+  copy(): BlockModels {
+    return new BlockModels(new Map([...this.#models].map(([at, each]) => [at, each.copy()])));
+  }
+}
+
+function methodOf(method: number): ContextModel | TreeContexts {
+  const chosen = methods[method];
+  if (chosen !== undefined) return chosen;
+  throw new RangeError(`method: found ${method}, expected 0 to ${BLOCK_METHOD_COUNT - 1}`);
+}
+
+function createModel(method: ContextModel | TreeContexts): BitModel {
+  if (typeof method === "string") return createTreeModel();
+  // Separate contexts for edge and inside, and for the four parities.
+  return new BitModel(method.contexts * 8, method.gain);
+}
 
 /** Number of methods. A link stores its method in three bits. */
 export const BLOCK_METHOD_COUNT = methods.length;
@@ -69,26 +107,25 @@ export function supportsSize(method: number, columns: number, rows: number): boo
 /**
  * Encodes or decodes the blocks.
  * @param method 0 to `BLOCK_METHOD_COUNT` - 1; it must support the size of the maze
+ * @param models updated by the cells
  * @param cells 1 for a block, 0 for open, row by row; a decoder ignores them
  * @returns the coded cells, which differ from `cells` if the method cannot represent them
  */
 export function codeBlocks(
   coder: BitCoder,
   method: number,
+  models: BlockModels,
   columns: number,
   rows: number,
   cells: Uint8Array,
 ): Uint8Array {
-  const chosen = methods[method];
-  if (chosen === undefined)
-    throw new RangeError(`method: found ${method}, expected 0 to ${BLOCK_METHOD_COUNT - 1}`);
-  if (typeof chosen === "string") return codeTree(coder, columns, rows, cells, chosen);
+  const chosen = methodOf(method);
+  const model = models.of(method);
+  if (typeof chosen === "string") return codeTree(coder, columns, rows, cells, chosen, model);
 
   const stride = columns + 4;
   const padded = new Uint8Array(stride * (rows + 2)).fill(1);
   const coded = new Uint8Array(columns * rows);
-  // Separate contexts for edge and inside, and for the four parities.
-  const model = new BitModel(chosen.contexts * 8, chosen.gain);
   for (let row = 0; row < rows; row += 1) {
     for (let column = 0; column < columns; column += 1) {
       const at = (row + 2) * stride + column + 2;

@@ -20,17 +20,12 @@ import {
   type Rule,
 } from "@corridor/program";
 import { plainActions, type PlainAction } from "@corridor/protocol";
-import { cellsOf, codeMaze, type MazeChoices } from "./maze-coder.ts";
+import type { Choices } from "./choices.ts";
+import { cellsOf, codeMaze } from "./maze-coder.ts";
 import { codeName } from "./name-coder.ts";
 import { codeUniform, NumberModel, SymbolModel } from "./numbers.ts";
 import { ConditionCoder } from "./program-coder.ts";
 import { BitModel, type BitCoder } from "./range-coder.ts";
-
-/** Choices of an encoder. A decoder reads them from the link and ignores the passed ones. */
-export interface Choices {
-  mazeChoicesOf: (maze: MazeDocument) => MazeChoices;
-  isPlainName: (name: string) => boolean;
-}
 
 /** Maximum number of changed cells. An edit of more cells is coded as a whole maze. */
 const MAX_FLIPS = 256;
@@ -56,7 +51,7 @@ export class MazeEditCoder {
   code(coder: BitCoder, before: MazeDocument, after: MazeDocument): MazeDocument | null {
     const flips = flipsBetween(before, after);
     const isWhole = this.#bits.code(coder, 0, flips === null ? 1 : 0) === 1;
-    if (isWhole) return codeMaze(coder, after, this.#choices.mazeChoicesOf(after));
+    if (isWhole) return codeMaze(coder, after, this.#choices);
     const blocks = this.#codeFlips(coder, before, flips ?? []);
     if (blocks === null) return null;
     const isStart = this.#bits.code(coder, 1, isSameStart(before, after) ? 0 : 1) === 1;

@@ -1,15 +1,19 @@
-import { generateTree, parseMaze } from "@corridor/maze";
+import { parseLesson, type LessonDocument, type LessonTask } from "@corridor/challenge";
+import { generateTree, parseMaze, type MazeDocument } from "@corridor/maze";
 import { parseProgram, type ProgramDocument } from "@corridor/program";
 import { parseRun, type RunDocument, type RunInput, type TimedInput } from "@corridor/recording";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { checkOf, digitsOf, textOf } from "./digits.ts";
-import type { Choices } from "./edit-coder.ts";
+import { noChoices, type Choices } from "./choices.ts";
+import { codeLesson } from "./lesson-coder.ts";
 import { decodeLink, encodeLink, MAX_LINK_LENGTH } from "./link.ts";
+import type { LinkContent } from "./link-body.ts";
 import { codeUniform } from "./numbers.ts";
+import { placeholderLesson, placeholderRun, placeholderTask } from "./placeholders.ts";
 import { Decoder, Encoder, type BitCoder } from "./range-coder.ts";
 import { codeRun } from "./run-coder.ts";
-import { shortestBlockMethod } from "./shortest-encoding.ts";
+import { shortest } from "./shortest-encoding.ts";
 
 const program: ProgramDocument = {
   format: "corridor/program",
@@ -25,21 +29,18 @@ function forge(body: readonly number[]): string {
   return `1${textOf([length, ...checkOf(1, [length, ...body]), ...body])}`;
 }
 
-const choices: Choices = {
-  mazeChoicesOf: (each) => ({ blockMethod: shortestBlockMethod(each), isPlainName: true }),
-  isPlainName: () => true,
-};
+const choices: Choices = { ...shortest, isPlainName: () => true };
 
 /** The digits of a run's link, without the length limit of an encoder. */
 function forgeRun(run: RunDocument): readonly number[] {
   const encoder = new Encoder();
-  codeRunHeader(encoder);
+  codeSection(encoder, RUN);
   codeRun(encoder, run, choices, Infinity);
   return encoder.finish();
 }
 
-/** Number of bits that a decoder reads. */
-function bitsReadOf(digits: readonly number[]): number {
+/** Number of bits that a decoder reads. @param read decodes the documents after the header */
+function bitsReadOf(digits: readonly number[], section: number, read: (coder: BitCoder) => void) {
   const decoder = new Decoder(digits);
   let count = 0;
   const counting: BitCoder = {
@@ -48,18 +49,23 @@ function bitsReadOf(digits: readonly number[]): number {
       return decoder.bit(zeros, ones);
     },
   };
-  codeRunHeader(counting);
-  const any = { maze: generateTree({ columns: 9, rows: 9, seed: 1, name: "" }), program };
-  codeRun(counting, { ...runHead, ...any, ticks: 0, inputs: [] }, choices);
+  codeSection(counting, section);
+  read(counting);
   return count;
 }
 
-/** Codes an extended header without maze and program, and the section code of runs. */
-function codeRunHeader(coder: BitCoder): void {
+const readRunBits = (digits: readonly number[]): number =>
+  bitsReadOf(digits, RUN, (coder) => codeRun(coder, placeholderRun, noChoices));
+
+const RUN = 0;
+const LESSON = 2;
+
+/** Codes an extended header without maze and program, and the number of a section. */
+function codeSection(coder: BitCoder, section: number): void {
   coder.bit(31, 1, 1);
   coder.bit(1, 3, 0);
   coder.bit(1, 1, 0);
-  codeUniform(coder, 16, 0);
+  codeUniform(coder, 16, section);
 }
 
 const runHead = {
@@ -139,8 +145,8 @@ describe("a forged link with a valid checksum", () => {
       const forged = forgeRun(runOf(20 * maxCount));
       expect(decodeLink(forge(forged))).toMatchObject({ ok: false, code: "damaged" });
       // The larger number of inputs itself needs a few more bits.
-      expect(bitsReadOf(forged)).toBeLessThanOrEqual(
-        bitsReadOf(forgeRun(runOf(maxCount + 1))) + 40,
+      expect(readRunBits(forged)).toBeLessThanOrEqual(
+        readRunBits(forgeRun(runOf(maxCount + 1))) + 40,
       );
     },
   );
@@ -177,6 +183,72 @@ describe("a forged link with a valid checksum", () => {
     expect(valid).toBeGreaterThan(0);
   });
 
+  const lesson: LessonDocument = {
+    ...placeholderLesson,
+    name: "Lesson",
+    tasks: ["One", "Two"].map((name, at) => taskOf(name, [smallMaze(at), smallMaze(at + 1)])),
+  };
+  const drive = [
+    { tick: 3, command: { action: "forward" as const } },
+    { tick: 90, command: { action: "drive" as const, left: 0.5, right: -0.25, milliseconds: 400 } },
+  ];
+  it.each<{ of: string; content: LinkContent }>([
+    { of: "a lesson", content: { lesson } },
+    { of: "a lesson with a program", content: { lesson, program } },
+    {
+      of: "a completion code",
+      content: { completion: { lesson: "0a1b2c3d4", task: 3, attempt: program } },
+    },
+    {
+      of: "a manual drive",
+      content: { completion: { lesson: "0a1b2c3d4", task: 3, attempt: drive } },
+    },
+  ])("of $of decodes to valid documents or is rejected after any changes", ({ content }) => {
+    const link = encodeLink(content);
+    const body = digitsOf(link.ok ? link.text.slice(6) : "").map((digit) => digit ?? 0);
+    expect(decodeLink(forge(body)).ok).toBe(true);
+    const change = fc.tuple(fc.nat({ max: body.length - 1 }), fc.integer({ min: 0, max: 63 }));
+    let valid = 0;
+    fc.assert(
+      fc.property(fc.array(change, { minLength: 1, maxLength: 4 }), (changes) => {
+        const changed = [...body];
+        for (const [at, digit] of changes) changed[at] = digit;
+        const result = decodeLink(forge(changed));
+        if (!result.ok) return;
+        valid += 1;
+        const { completion } = result.value;
+        expect(result.value.lesson === undefined || parseLesson(result.value.lesson).ok).toBe(true);
+        if (completion === undefined) return;
+        expect(completion.lesson).toMatch(/^[0-9a-f]{9}$/);
+        expect(completion.task).toBeLessThan(12);
+        const { attempt } = completion;
+        expect("rules" in attempt ? parseProgram(attempt).ok : attempt.length > 0).toBe(true);
+      }),
+      { numRuns: 1_000 },
+    );
+    expect(valid).toBeGreaterThan(0);
+  });
+
+  it("with very many large mazes is limited to the size of a file", () => {
+    const hall = { ...smallMaze(1), blocks: Array.from({ length: 256 }, () => ".".repeat(256)) };
+    const halls = Array.from({ length: 12 }, (_, task) =>
+      taskOf(
+        "",
+        Array.from({ length: 10 }, (__, at) => ({ ...hall, goals: [{ column: at, row: task }] })),
+      ),
+    );
+    const encoder = new Encoder();
+    codeSection(encoder, LESSON);
+    expect(codeLesson(encoder, { ...placeholderLesson, tasks: halls }, choices)).toBeNull();
+    const digits = encoder.finish();
+    expect(decodeLink(forge(digits))).toMatchObject({ ok: false, code: "damaged" });
+    const bits = bitsReadOf(digits, LESSON, (coder) =>
+      codeLesson(coder, placeholderLesson, noChoices),
+    );
+    // About one bit for each cell.
+    expect(bits).toBeLessThan(2.3 * 1024 * 1024);
+  });
+
   it("is rejected with extra digits after its documents", () => {
     const link = encodeLink({ maze: generateTree({ columns: 9, rows: 9, seed: 1, name: "Tree" }) });
     expect(link.ok).toBe(true);
@@ -187,3 +259,13 @@ describe("a forged link with a valid checksum", () => {
     }
   });
 });
+
+function smallMaze(seed: number): MazeDocument {
+  const maze = generateTree({ columns: 9, rows: 9, seed, name: `Maze ${seed}` });
+  return { ...maze, goals: [{ column: 7, row: 7 }] };
+}
+
+function taskOf(name: string, mazes: MazeDocument[]): LessonTask {
+  const allowed = { ...placeholderTask.allowed, drivers: ["program" as const], lines: 3 };
+  return { ...placeholderTask, name, mazes, allowed };
+}

@@ -1,3 +1,6 @@
+export type { CompletionCode } from "./completion-code.ts";
+export type { LessonPart } from "./lesson-coder.ts";
+export type { LinkContent } from "./link-body.ts";
 export {
   decodeLink,
   encodeLink,
@@ -5,6 +8,5 @@ export {
   type DecodeResult,
   type EncodeRefusal,
   type EncodeResult,
-  type LinkContent,
   type LinkRefusal,
 } from "./link.ts";

@@ -4,13 +4,8 @@ import { programPresets, type ProgramDocument } from "@corridor/program";
 import { arbitraryProgram, paperPrograms } from "@corridor/program/testing";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import {
-  decodeLink,
-  encodeLink,
-  MAX_LINK_LENGTH,
-  type DecodeResult,
-  type LinkContent,
-} from "./link.ts";
+import { decodeLink, encodeLink, MAX_LINK_LENGTH, type DecodeResult } from "./link.ts";
+import type { LinkContent } from "./link-body.ts";
 import { goldenLinks } from "./testing/golden-links.ts";
 import { bushyTree, drawnMaze, randomMaze } from "./testing/sample-mazes.ts";
 

@@ -1,43 +1,24 @@
 /**
  * Share links: the fragment of a URL, after `#`. It contains a maze, a program or both, a recorded
- * run, or a challenge. Browsers do not send the fragment to a server.
+ * run, a lesson, or a completion code. Browsers do not send the fragment to a server.
  *
  * A link consists of the version (one character), its length (one), a checksum (four), and the
  * range-coded documents. The decoder rejects a link unless it is valid as a whole. It checks the
  * characters, the length and the checksum first, bounds every size before it allocates memory, and
  * validates the result against the schemas.
  */
-import { parseChallenge, type ChallengeDocument } from "@corridor/challenge";
-import { parseMaze, type MazeDocument } from "@corridor/maze";
-import { parseProgram, type ProgramDocument } from "@corridor/program";
 import type { FieldProblem } from "@corridor/protocol";
-import { parseRun, type RunDocument } from "@corridor/recording";
-import { codeChallenge } from "./challenge-coder.ts";
+import { checkContent } from "./check-content.ts";
 import { CHECK_LENGTH, checkOf, digitsOf, textOf } from "./digits.ts";
-import type { Choices } from "./edit-coder.ts";
-import { codeMaze } from "./maze-coder.ts";
-import { codeUniform } from "./numbers.ts";
-import { codeProgram } from "./program-coder.ts";
-import { Decoder, Encoder, type BitCoder } from "./range-coder.ts";
-import { codeRun } from "./run-coder.ts";
-import { isShorterPlain, shortestBlockMethod } from "./shortest-encoding.ts";
-
-/**
- * Content of a link: a maze, a program or both; a run, which contains a maze and a program; or a
- * challenge, which contains mazes, optionally with the user's program.
- */
-export interface LinkContent {
-  maze?: MazeDocument;
-  program?: ProgramDocument;
-  run?: RunDocument;
-  challenge?: ChallengeDocument;
-}
+import { readBody, writeBody, type LinkContent, type MeasuredPart } from "./link-body.ts";
+import type { LessonPart } from "./lesson-coder.ts";
+import { Decoder, Encoder } from "./range-coder.ts";
 
 /** Reason why content cannot be encoded. */
 export type EncodeRefusal =
   /** no content */
   | "empty"
-  /** the link would exceed `MAX_LINK_LENGTH` */
+  /** the link would exceed `MAX_LINK_LENGTH`, or the documents the bounds of a link */
   | "too-big";
 
 /** Reason why a link cannot be decoded. */
@@ -55,7 +36,13 @@ export type LinkRefusal =
 
 export type EncodeResult =
   | { ok: true; text: string }
-  | { ok: false; code: EncodeRefusal; problems: FieldProblem[] };
+  | {
+      ok: false;
+      code: EncodeRefusal;
+      problems: FieldProblem[];
+      /** the part of a lesson that takes the most characters; null for other content */
+      longest: LessonPart | null;
+    };
 
 export type DecodeResult =
   | { ok: true; value: LinkContent }
@@ -74,106 +61,46 @@ const LENGTH_CYCLE = 64;
  */
 const MAX_MISSING = 56;
 
-/** Number of section codes. A section code follows a header with `isExtended` set. */
-const SECTIONS = 16;
-const RUN = 0;
-const CHALLENGE = 1;
-
-/** Choices of an encoder: the shortest encoding. */
-const shortest: Choices = {
-  mazeChoicesOf: (maze) => ({
-    blockMethod: shortestBlockMethod(maze),
-    isPlainName: isShorterPlain(maze.name),
-  }),
-  isPlainName: isShorterPlain,
-};
-/** Choices that a decoder passes; it reads the actual ones from the link. */
-const noChoices: Choices = {
-  mazeChoicesOf: () => ({ blockMethod: 0, isPlainName: false }),
-  isPlainName: () => false,
-};
-
-/** Documents that a decoder passes to the coding functions, which ignore them. */
-const placeholderMaze: MazeDocument = {
-  format: "corridor/maze",
-  version: 1,
-  name: "",
-  blocks: ["."],
-  start: { column: 0, row: 0, heading: "north" },
-  goals: [],
-};
-const placeholderProgram: ProgramDocument = {
-  format: "corridor/program",
-  version: 1,
-  name: "",
-  default: "forward",
-  rules: [],
-};
-
-const placeholderRun: RunDocument = {
-  format: "corridor/run",
-  version: 1,
-  name: "",
-  maze: placeholderMaze,
-  program: placeholderProgram,
-  seed: 0,
-  ticks: 0,
-  inputs: [],
-  digest: "0000000000000000",
-};
-
-const placeholderChallenge: ChallengeDocument = {
-  format: "corridor/challenge",
-  version: 1,
-  name: "",
-  words: { task: "", short: "", hints: [] },
-  mazes: [placeholderMaze],
-  program: null,
-  goal: { kind: "reach" },
-  allowed: { drivers: [], lines: 0, conditions: null, actions: null, edits: [], maze: false },
-  checks: { bumps: null, seconds: 1 },
-  par: null,
-};
-
 /**
  * Encodes content as a link.
- * @param content valid documents; a run excludes other content, a challenge excludes a maze
+ * @param content valid documents; a run and a completion code exclude other content, a lesson
+ *   excludes a maze
  * @returns the text after `#`, which consists of letters, digits, "-" and "_"
  */
-export function encodeLink({ maze, program, run, challenge }: LinkContent): EncodeResult {
-  if ([maze, program, run, challenge].every((each) => each === undefined)) {
-    return refuse("empty", "nothing", "a maze, a program or both, a run or a challenge");
+export function encodeLink(content: LinkContent): EncodeResult {
+  if (Object.values(content).every((each) => each === undefined)) {
+    const expected = "a maze, a program or both, a run, a lesson or a completion code";
+    return { ...refuse("empty", "nothing", expected), longest: null };
   }
   const encoder = new Encoder();
-  if (challenge !== undefined) {
-    codeHeader(encoder, { isExtended: true, maze: false, program: program !== undefined });
-    codeUniform(encoder, SECTIONS, CHALLENGE);
-    codeChallenge(encoder, challenge, shortest);
-    if (program !== undefined) codeProgram(encoder, program, shortest.isPlainName(program.name));
-  } else if (run === undefined) {
-    codeHeader(encoder, {
-      isExtended: false,
-      maze: maze !== undefined,
-      program: program !== undefined,
-    });
-    if (maze !== undefined) codeMaze(encoder, maze, shortest.mazeChoicesOf(maze));
-    if (program !== undefined) codeProgram(encoder, program, shortest.isPlainName(program.name));
-  } else {
-    codeHeader(encoder, { isExtended: true, maze: false, program: false });
-    codeUniform(encoder, SECTIONS, RUN);
-    if (codeRun(encoder, run, shortest) === null) {
-      return refuse("too-big", "a run of very many edits", "a shorter run: share it as a file");
-    }
-  }
+  const { isBounded, parts } = writeBody(encoder, content);
   const digits = encoder.finish();
   const length = digits.length % LENGTH_CYCLE;
   const text = VERSION + textOf([length, ...checkOf(VERSION, [length, ...digits]), ...digits]);
-  if (text.length > MAX_LINK_LENGTH) {
-    const smaller = run === undefined ? "a smaller or simpler maze" : "a shorter run, or its file";
-    const expected = `at most ${MAX_LINK_LENGTH} characters: share ${smaller}`;
-    return refuse("too-big", `${text.length} characters`, expected);
+  if (isBounded && text.length <= MAX_LINK_LENGTH) return { ok: true, text };
+  const longest = longestOf(parts);
+  const found = isBounded ? `${text.length} characters` : "more than a link can contain";
+  const expected = `at most ${MAX_LINK_LENGTH} characters: ${remedyFor(content, longest)}`;
+  return { ...refuse("too-big", found, expected), longest };
+}
+
+function longestOf([first, ...others]: readonly MeasuredPart[]): LessonPart | null {
+  if (first === undefined) return null;
+  const { task, part } = others.reduce(
+    (most, each) => (each.length > most.length ? each : most),
+    first,
+  );
+  return { task, part };
+}
+
+function remedyFor({ run, completion }: LinkContent, longest: LessonPart | null): string {
+  if (longest !== null) {
+    const { task, part } = longest;
+    return `shorten the ${part} of ${task === null ? "the lesson" : `task ${task + 1}`}, or share the file`;
   }
-  return { ok: true, text };
+  if (run !== undefined) return "share a shorter run, or its file";
+  if (completion !== undefined) return "drive with fewer commands";
+  return "share a smaller or simpler maze";
 }
 
 /**
@@ -222,14 +149,15 @@ export function decodeLink(text: string): DecodeResult {
   if (content === "unknown") {
     return refuse(
       "unknown-version",
-      "none of maze, program, run and challenge",
+      "none of maze, program, run, lesson and completion code",
       "a link of this version",
     );
   }
   if (content === null || decoder.missing() !== 0) {
     return refuse("damaged", "content that is not valid", "a link made by Corridor");
   }
-  return checkContent(content);
+  const checked = checkContent(content);
+  return checked.ok ? checked : { ok: false, code: "damaged", problems: checked.problems };
 }
 
 function refuse<Code extends string>(
@@ -238,85 +166,4 @@ function refuse<Code extends string>(
   expected: string,
 ): { ok: false; code: Code; problems: FieldProblem[] } {
   return { ok: false, code, problems: [{ path: "link", found, expected }] };
-}
-
-/** Codes which parts follow. If `isExtended` is set, a section code follows instead. */
-function codeHeader(
-  coder: BitCoder,
-  parts: { isExtended: boolean; maze: boolean; program: boolean },
-): { isExtended: boolean; maze: boolean; program: boolean } {
-  const isExtended = coder.bit(31, 1, parts.isExtended ? 1 : 0) === 1;
-  const maze = coder.bit(1, 3, parts.maze ? 1 : 0) === 1;
-  const program = coder.bit(1, 1, parts.program ? 1 : 0) === 1;
-  return { isExtended, maze, program };
-}
-
-function readBody(decoder: Decoder): LinkContent | "unknown" | null {
-  const parts = codeHeader(decoder, { isExtended: false, maze: false, program: false });
-  if (parts.isExtended) {
-    if (parts.maze) return "unknown";
-    const section = codeUniform(decoder, SECTIONS, 0);
-    if (section === CHALLENGE) return readChallengeSection(decoder, parts.program);
-    if (section !== RUN || parts.program) return "unknown";
-    const run = codeRun(decoder, placeholderRun, noChoices);
-    return run === null ? null : { run };
-  }
-  if (!parts.maze && !parts.program) return null;
-  const content: LinkContent = {};
-  if (parts.maze) {
-    const maze = codeMaze(decoder, placeholderMaze, noChoices.mazeChoicesOf(placeholderMaze));
-    if (maze === null) return null;
-    content.maze = maze;
-  }
-  if (parts.program) {
-    const program = codeProgram(decoder, placeholderProgram, false);
-    if (program === null) return null;
-    content.program = program;
-  }
-  return content;
-}
-
-function readChallengeSection(decoder: Decoder, hasProgram: boolean): LinkContent | null {
-  const challenge = codeChallenge(decoder, placeholderChallenge, noChoices);
-  if (challenge === null || !hasProgram) return challenge && { challenge };
-  const program = codeProgram(decoder, placeholderProgram, false);
-  return program && { challenge, program };
-}
-
-/** Validates the decoded documents against their schemas. */
-function checkContent({ maze, program, run, challenge }: LinkContent): DecodeResult {
-  const value: LinkContent = {};
-  if (run !== undefined) {
-    const read = parseRun(run);
-    if (!read.ok)
-      return { ok: false, code: "damaged", problems: prefixPaths("run", read.problems) };
-    value.run = read.value;
-  }
-  if (challenge !== undefined) {
-    const read = parseChallenge(challenge);
-    if (!read.ok) {
-      return { ok: false, code: "damaged", problems: prefixPaths("challenge", read.problems) };
-    }
-    value.challenge = read.value;
-  }
-  if (maze !== undefined) {
-    const read = parseMaze(maze);
-    if (!read.ok)
-      return { ok: false, code: "damaged", problems: prefixPaths("maze", read.problems) };
-    value.maze = read.value;
-  }
-  if (program !== undefined) {
-    const read = parseProgram(program);
-    if (!read.ok)
-      return { ok: false, code: "damaged", problems: prefixPaths("program", read.problems) };
-    value.program = read.value;
-  }
-  return { ok: true, value };
-}
-
-function prefixPaths(part: string, problems: readonly FieldProblem[]): FieldProblem[] {
-  return problems.map((each) => ({
-    ...each,
-    path: each.path === "" ? part : `${part}.${each.path}`,
-  }));
 }

@@ -13,17 +13,11 @@ import {
   type Cell,
   type MazeDocument,
 } from "@corridor/maze";
-import { BLOCK_METHOD_COUNT, codeBlocks, supportsSize } from "./block-coder.ts";
+import { BLOCK_METHOD_COUNT, BlockModels, codeBlocks, supportsSize } from "./block-coder.ts";
+import type { Choices } from "./choices.ts";
 import { codeName } from "./name-coder.ts";
 import { codeUniform, NumberModel } from "./numbers.ts";
-import type { BitCoder } from "./range-coder.ts";
-
-/** Choices of an encoder. A decoder reads them from the link. */
-export interface MazeChoices {
-  /** index of the method for the blocks, 0 to `BLOCK_METHOD_COUNT` - 1 */
-  blockMethod: number;
-  isPlainName: boolean;
-}
+import { BitModel, type BitCoder } from "./range-coder.ts";
 
 /** Returns the cells of a maze row by row, 1 for a block and 0 for an open cell. */
 export function cellsOf(maze: MazeDocument): Uint8Array {
@@ -39,16 +33,81 @@ export function cellsOf(maze: MazeDocument): Uint8Array {
 export function codeMaze(
   coder: BitCoder,
   maze: MazeDocument,
-  choices: MazeChoices,
+  choices: Choices,
 ): MazeDocument | null {
-  const size = sizeOf(maze);
+  const layout = new LayoutCoder(choices).code(coder, maze);
+  if (layout === null) return null;
+  const isPlain = choices.isPlainName(maze.name);
+  return { ...layout, name: codeName(coder, maze.name, MAX_NAME_LENGTH, isPlain) };
+}
+
+/** Contexts of the adaptive bits: does the maze have the size, or the method, of the one before. */
+const SAME_SIZE = 0;
+const SAME_METHOD = 1;
+
+/** Size of a maze, and the method that codes its blocks. */
+interface Shape {
+  columns: number;
+  rows: number;
+  method: number;
+}
+
+/** Codes mazes without their names. Each maze is predicted from the previous ones. */
+export class LayoutCoder {
+  readonly #choices: Choices;
+  readonly #blocks = new BlockModels();
+  readonly #bits = new BitModel(2, 4);
+  #before: Shape | null = null;
+
+  constructor(choices: Choices) {
+    this.#choices = choices;
+  }
+
+  /** @returns as `codeMaze`, with an empty name */
+  code(coder: BitCoder, maze: MazeDocument): MazeDocument | null {
+    const shape = this.#codeShape(coder, maze);
+    if (shape === null) return null;
+    const { columns, rows, method } = shape;
+    const cells = codeBlocks(coder, method, this.#blocks, columns, rows, cellsOf(maze));
+    return codeMarks(coder, maze, shape, cells);
+  }
+
+  /** @returns null if the method does not support the size */
+  #codeShape(coder: BitCoder, maze: MazeDocument): Shape | null {
+    const size = sizeOf(maze);
+    const before = this.#before;
+    const isSameSize = before?.columns === size.columns && before.rows === size.rows;
+    const { columns, rows } =
+      before !== null && this.#isSame(coder, SAME_SIZE, isSameSize)
+        ? before
+        : codeSize(coder, size);
+    const chosen = this.#choices.blockMethodOf(maze, this.#blocks);
+    const method =
+      before !== null && this.#isSame(coder, SAME_METHOD, before.method === chosen)
+        ? before.method
+        : codeUniform(coder, BLOCK_METHOD_COUNT, chosen);
+    this.#before = { columns, rows, method };
+    return supportsSize(method, columns, rows) ? this.#before : null;
+  }
+
+  #isSame(coder: BitCoder, context: number, isSame: boolean): boolean {
+    return this.#bits.code(coder, context, isSame ? 1 : 0) === 1;
+  }
+}
+
+function codeSize(coder: BitCoder, size: Omit<Shape, "method">): Omit<Shape, "method"> {
   const columns = codeUniform(coder, MAX_SIDE, size.columns - 1) + 1;
   const isSquare = coder.bit(1, 3, size.columns === size.rows ? 1 : 0) === 1;
-  const rows = isSquare ? columns : codeUniform(coder, MAX_SIDE, size.rows - 1) + 1;
+  return { columns, rows: isSquare ? columns : codeUniform(coder, MAX_SIDE, size.rows - 1) + 1 };
+}
 
-  const method = codeUniform(coder, BLOCK_METHOD_COUNT, choices.blockMethod);
-  if (!supportsSize(method, columns, rows)) return null;
-  const cells = codeBlocks(coder, method, columns, rows, cellsOf(maze));
+/** Codes start and goals. @returns the maze without its name, or null */
+function codeMarks(
+  coder: BitCoder,
+  maze: MazeDocument,
+  { columns, rows }: Shape,
+  cells: Uint8Array,
+): MazeDocument | null {
   const open = new OpenCells(cells, columns);
   if (open.count === 0) return null;
 
@@ -67,13 +126,19 @@ export function codeMaze(
     return open.cellAt(codeUniform(coder, open.count, goal === undefined ? 0 : open.indexOf(goal)));
   });
 
-  const name = codeName(coder, maze.name, MAX_NAME_LENGTH, choices.isPlainName);
   const blocks = Array.from({ length: rows }, (_, row) =>
     Array.from(cells.subarray(row * columns, (row + 1) * columns), (cell) =>
       cell === 1 ? BLOCK : OPEN,
     ).join(""),
   );
-  return { format: "corridor/maze", version: 1, name, blocks, start: { ...start, heading }, goals };
+  return {
+    format: "corridor/maze",
+    version: 1,
+    name: "",
+    blocks,
+    start: { ...start, heading },
+    goals,
+  };
 }
 
 /**

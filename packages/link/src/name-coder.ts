@@ -1,8 +1,9 @@
 /**
- * Codes names of documents. An order-1 context model, trained with the names below, predicts each
- * letter from the previous one. A name unlike the training names, such as a password, is coded as
- * plain seven-bit characters.
+ * Codes names of documents. A model of letters, trained with the names below, predicts each letter
+ * from the previous one. A name unlike the training names, such as a password, is coded as plain
+ * seven-bit characters.
  */
+import { LetterModel } from "./letter-model.ts";
 import { codeUniform } from "./numbers.ts";
 import type { BitCoder } from "./range-coder.ts";
 
@@ -15,54 +16,6 @@ const TRAINING_NAMES =
   "Level 2|Lesson 3|Random 50 %|New maze|The end of the room|Robot on the line|Untitled|Puzzle 4|" +
   "Class 5b|Corridor with dead ends|Turn right|My program|Test 10|Group A 6|City 7|House 8|Island 9|" +
   "Snake|Garden|Challenge|In and out|Irrgarten|Mein Labyrinth|Klasse 7a|Laberinto|Labyrinthe";
-
-/** Symbols after the 128 of ASCII: the end of the name, and a UTF-16 code unit in 16 bits. */
-const END = 128;
-const OTHER = 129;
-const SYMBOL_BITS = 8;
-const SYMBOLS = 1 << SYMBOL_BITS;
-/** Weight of a count after the same letter, relative to a count after any letter. */
-const PAIR_WEIGHT = 8;
-/** Maximum sum of the counts after any letter. Above it, they are halved. */
-const MAX_SINGLE = 20;
-
-/** Mixes two models: counts after the same letter, and with less weight counts after any letter. */
-class LetterModel {
-  /** counts of zeros and ones, interleaved, for each node of the symbol tree */
-  readonly #singles: Uint16Array;
-  readonly #pairs: Uint16Array;
-
-  constructor(
-    singles = new Uint16Array(SYMBOLS * 2),
-    pairs = new Uint16Array(SYMBOLS * SYMBOLS * 2),
-  ) {
-    this.#singles = singles;
-    this.#pairs = pairs;
-  }
-
-  copy(): LetterModel {
-    return new LetterModel(this.#singles.slice(), this.#pairs.slice());
-  }
-
-  code(coder: BitCoder, before: number, symbol: number): number {
-    let node = 1;
-    for (let shift = SYMBOL_BITS - 1; shift >= 0; shift -= 1) {
-      const single = node * 2;
-      const pair = (before * SYMBOLS + node) * 2;
-      const weightOf = (bit: number): number =>
-        1 + (this.#singles[single + bit] ?? 0) + PAIR_WEIGHT * (this.#pairs[pair + bit] ?? 0);
-      const bit = coder.bit(weightOf(0), weightOf(1), (symbol >> shift) & 1);
-      this.#singles[single + bit] = (this.#singles[single + bit] ?? 0) + 1;
-      this.#pairs[pair + bit] = (this.#pairs[pair + bit] ?? 0) + 1;
-      if ((this.#singles[single] ?? 0) + (this.#singles[single + 1] ?? 0) > MAX_SINGLE) {
-        this.#singles[single] = (this.#singles[single] ?? 0) >> 1;
-        this.#singles[single + 1] = (this.#singles[single + 1] ?? 0) >> 1;
-      }
-      node = node * 2 + bit;
-    }
-    return node - SYMBOLS;
-  }
-}
 
 /** A coder without output, to train a model. */
 const trainer: BitCoder = { bit: (_zeros, _ones, bit) => bit };
@@ -80,7 +33,7 @@ export function codeName(
   isPlain: boolean,
 ): string {
   return coder.bit(7, 1, isPlain ? 1 : 0) === 0
-    ? codeLetters(coder, name, maxLength)
+    ? trainedModel().copy().codeText(coder, name, maxLength, codeAnyUnit)
     : codePlain(coder, name, maxLength);
 }
 
@@ -99,35 +52,21 @@ function codePlain(coder: BitCoder, name: string, maxLength: number): string {
   return coded;
 }
 
-function codeLetters(coder: BitCoder, name: string, maxLength: number): string {
-  return codeWithModel(coder, trainedModel().copy(), name, maxLength);
-}
-
 let trained: LetterModel | null = null;
 
-/** Returns the trained model. It is trained once, because a run can contain two thousand names. */
-function trainedModel(): LetterModel {
+/**
+ * Returns the model trained with the names. It is trained once, because a run can contain two
+ * thousand names.
+ */
+export function trainedModel(): LetterModel {
   if (trained !== null) return trained;
-  trained = new LetterModel();
-  for (const word of TRAINING_NAMES.split("|")) codeWithModel(trainer, trained, word, word.length);
+  trained = new LetterModel(Number.POSITIVE_INFINITY);
+  for (const word of TRAINING_NAMES.split("|")) {
+    trained.codeText(trainer, word, word.length, codeAnyUnit);
+  }
   return trained;
 }
 
-function codeWithModel(
-  coder: BitCoder,
-  model: LetterModel,
-  word: string,
-  maxLength: number,
-): string {
-  let coded = "";
-  let before = END;
-  while (coded.length <= maxLength) {
-    const unit = coded.length < word.length ? word.charCodeAt(coded.length) : undefined;
-    const expected = unit === undefined ? END : unit < 128 ? unit : OTHER;
-    const symbol = model.code(coder, before, expected);
-    if (symbol === END) break;
-    coded += String.fromCharCode(symbol < END ? symbol : codeUniform(coder, 65_536, unit ?? 0));
-    before = symbol;
-  }
-  return coded;
+function codeAnyUnit(coder: BitCoder, unit: number): number {
+  return codeUniform(coder, 65_536, unit);
 }

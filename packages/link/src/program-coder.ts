@@ -30,6 +30,16 @@ export function codeProgram(
   program: ProgramDocument,
   isPlainName: boolean,
 ): ProgramDocument | null {
+  const lines = codeLines(coder, program);
+  if (lines === null) return null;
+  return { ...lines, name: codeName(coder, program.name, MAX_NAME_LENGTH, isPlainName) };
+}
+
+/**
+ * Encodes or decodes a program without its name.
+ * @returns as `codeProgram`, with an empty name
+ */
+export function codeLines(coder: BitCoder, program: ProgramDocument): ProgramDocument | null {
   const actions = new SymbolModel(ACTION_BITS);
   const codeAction = (action: (typeof plainActions)[number]) =>
     plainActions[actions.code(coder, plainActions.indexOf(action))];
@@ -47,8 +57,7 @@ export function codeProgram(
     if (when === undefined || action === undefined) return null;
     rules.push({ when, do: action });
   }
-  const name = codeName(coder, program.name, MAX_NAME_LENGTH, isPlainName);
-  return { format: "corridor/program", version: 1, name, default: byDefault, rules };
+  return { format: "corridor/program", version: 1, name: "", default: byDefault, rules };
 }
 
 /** Codes conditions with adaptive models of their kinds and numbers. */

@@ -45,6 +45,11 @@ export class Encoder implements BitCoder {
     return bit;
   }
 
+  /** Number of digits so far. */
+  get length(): number {
+    return this.#digits.length;
+  }
+
   /**
    * Writes the last digit. One digit is sufficient to identify a number in the range, because the
    * range is at least as wide as the digit's value. The decoder always ends exactly four digits
@@ -122,10 +127,21 @@ export class BitModel {
   readonly #gain: number;
 
   /** @param gain increment of a count per bit; both counts start at 2 */
-  constructor(contexts: number, gain: number) {
-    this.#zeros = new Uint16Array(contexts).fill(2);
-    this.#ones = new Uint16Array(contexts).fill(2);
+  constructor(
+    contexts: number,
+    gain: number,
+    zeros = new Uint16Array(contexts).fill(2),
+    ones = new Uint16Array(contexts).fill(2),
+  ) {
+    this.#zeros = zeros;
+    this.#ones = ones;
     this.#gain = gain;
+  }
+
+  /** Returns a model with the same counts. */
+  copy(): BitModel {
+    const zeros = this.#zeros.slice();
+    return new BitModel(zeros.length, this.#gain, zeros, this.#ones.slice());
   }
 
   /** Encodes or decodes one bit in a context from 0 to `contexts` - 1. */

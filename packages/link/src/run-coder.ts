@@ -7,7 +7,7 @@
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
-import { plainActions, type Command, type DriverName } from "@corridor/protocol";
+import type { Command, DriverName } from "@corridor/protocol";
 import {
   MAX_RUN_INPUTS,
   MAX_RUN_NAME_LENGTH,
@@ -15,7 +15,9 @@ import {
   type RunInput,
   type TimedInput,
 } from "@corridor/recording";
-import { MazeEditCoder, ProgramEditCoder, type Choices } from "./edit-coder.ts";
+import type { Choices } from "./choices.ts";
+import { CommandCoder, TickModel } from "./command-coder.ts";
+import { MazeEditCoder, ProgramEditCoder } from "./edit-coder.ts";
 import { codeMaze } from "./maze-coder.ts";
 import { codeName } from "./name-coder.ts";
 import { codeUniform, NumberModel, RealModel, SymbolModel } from "./numbers.ts";
@@ -27,8 +29,6 @@ const MAX_RUN_LINK_JSON = 256 * 1024;
 
 const kinds = ["command", "driver", "cancel", "program", "maze"] as const;
 const drivers = ["me", "program", "remote"] as const satisfies readonly DriverName[];
-/** In symbol order. */
-const actions: readonly Command["action"][] = [...plainActions, "move", "turn", "drive"];
 
 /**
  * Encodes or decodes a run.
@@ -43,7 +43,7 @@ export function codeRun(
   choices: Choices,
   maxJson = MAX_RUN_LINK_JSON,
 ): RunDocument | null {
-  const maze = codeMaze(coder, run.maze, choices.mazeChoicesOf(run.maze));
+  const maze = codeMaze(coder, run.maze, choices);
   if (maze === null) return null;
   const program = codeProgram(coder, run.program, choices.isPlainName(run.program.name));
   if (program === null) return null;
@@ -151,57 +151,6 @@ class InputCoder {
     const isOther = this.#seqBits.code(coder, 1, seq === this.#seq + 1 ? 0 : 1) === 1;
     this.#seq = isOther ? this.#seqs.code(coder, seq) : this.#seq + 1;
     return { do: "command", command, seq: this.#seq };
-  }
-}
-
-/** Value that a decoder passes and ignores. */
-const placeholderDrive: { left: number; right: number; milliseconds?: number | undefined } = {
-  left: 0,
-  right: 0,
-};
-
-/** Codes commands with adaptive models of their actions and amounts. */
-class CommandCoder {
-  readonly #actions = new SymbolModel(4);
-  readonly #amounts = new RealModel();
-  readonly #bits = new BitModel(1, 4);
-
-  code(coder: BitCoder, command: Command): Command | null {
-    const action = actions[this.#actions.code(coder, actions.indexOf(command.action))];
-    const amount = (value: number): number => this.#amounts.code(coder, value);
-    if (action === undefined) return null;
-    if (action === "move") {
-      return { action, distance: amount(command.action === action ? command.distance : 0) };
-    }
-    if (action === "turn") {
-      return { action, degrees: amount(command.action === action ? command.degrees : 0) };
-    }
-    if (action === "drive") {
-      return this.#codeDrive(coder, command.action === action ? command : placeholderDrive);
-    }
-    return { action };
-  }
-
-  #codeDrive(coder: BitCoder, drive: typeof placeholderDrive): Command {
-    const amount = (value: number): number => this.#amounts.code(coder, value);
-    const left = amount(drive.left);
-    const right = amount(drive.right);
-    const { milliseconds } = drive;
-    const isTimed = this.#bits.code(coder, 0, milliseconds === undefined ? 0 : 1) === 1;
-    return isTimed
-      ? { action: "drive", left, right, milliseconds: amount(milliseconds ?? 0) }
-      : { action: "drive", left, right };
-  }
-}
-
-/** Codes whole numbers of ticks from 0 to a day: the upper and the lower 16 bits separately. */
-class TickModel {
-  readonly #high = new NumberModel();
-  readonly #low = new NumberModel();
-
-  code(coder: BitCoder, ticks: number): number {
-    const high = this.#high.code(coder, ticks >>> 16);
-    return high * 65_536 + this.#low.code(coder, ticks & 65_535);
   }
 }
 

@@ -9,10 +9,16 @@ import { BitModel, type BitCoder } from "./range-coder.ts";
 /** Source of the contexts. Neighbours are better for long winding corridors. */
 export type TreeContexts = "neighbours" | "exits";
 
+/** Creates the adaptive model of walls. */
+export function createTreeModel(): BitModel {
+  return new BitModel(16, 1);
+}
+
 /**
  * Encodes or decodes the blocks.
  * @param columns odd, at least 3, as `rows`
  * @param cells 1 for a block, 0 for open, row by row; a decoder ignores them
+ * @param model updated by the walls
  * @returns the decoded cells, which differ from `cells` if these are not a perfect maze
  */
 export function codeTree(
@@ -21,9 +27,9 @@ export function codeTree(
   rows: number,
   cells: Uint8Array,
   contexts: TreeContexts,
+  model: BitModel,
 ): Uint8Array {
   const coded = new Uint8Array(columns * rows).fill(1);
-  const model = new BitModel(16, 1);
   const sets = new CellSets(columns, rows);
 
   const codeWall = (at: number, from: number, to: number, context: number): void => {

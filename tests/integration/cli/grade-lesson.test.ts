@@ -3,7 +3,7 @@ import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { lessonOf } from "@corridor/challenge";
+import { lessonMark, lessonOf } from "@corridor/challenge";
 import { encodeLink } from "@corridor/link";
 import { afterAll, describe, expect, it } from "vitest";
 import {
@@ -79,12 +79,32 @@ describe("grade --challenge", () => {
   });
 
   it("reads a challenge of version 1 from a file, a link, and the text of a link", () => {
-    const link = linkOf({ challenge: sampleChallenge });
+    const link = linkOf({ lesson: lessonOf(sampleChallenge) });
     const fromFile = rowsOf(["--challenge", challenge, "--program", leftWall]);
     expect(fromFile).toHaveLength(2);
     for (const source of [`https://corridor.example/#${link}`, link]) {
       expect(rowsOf(["--challenge", source, "--program", leftWall])).toEqual(fromFile);
     }
+  });
+
+  it("checks a completion code in its task, and no code of another lesson", () => {
+    const tasks = [sampleTask, sampleTask];
+    const mine = { ...lessonOf(sampleChallenge), tasks };
+    const codeOf = (mark: string) =>
+      linkOf({ completion: { lesson: mark, task: 1, attempt: programOf("right-wall") } });
+    const lines = [codeOf(lessonMark(mine)), codeOf(lessonMark({ ...mine, name: "Other" }))];
+    const source = linkOf({ lesson: mine });
+    expect(rowsOf(["--challenge", source, "--handins", "-"], lines.join("\n"))).toMatchObject([
+      { program: "line 1", task: 2, passed: true, lines: 2 },
+      {
+        program: "line 2",
+        task: null,
+        passed: false,
+        code: "unreadable",
+        problem: "Not checked: this code belongs to another lesson",
+      },
+      { summary: { lines: 2, passed: 1, unreadable: 1 } },
+    ]);
   });
 
   it("reads hand-ins from standard input", () => {
@@ -161,9 +181,9 @@ describe("grade --challenge", () => {
       message: 'format: found "corridor/program", expected "corridor/challenge"',
     },
     {
-      name: "a link without a challenge",
+      name: "a link without a lesson",
       args: ["--challenge", linkOf({ program: programOf("right-wall") }), "--program", rightWall],
-      message: "--challenge: link: found a link without a challenge, expected",
+      message: "--challenge: link: found a link without a lesson, expected",
     },
     {
       name: "a lesson as the program",
@@ -173,7 +193,7 @@ describe("grade --challenge", () => {
     {
       name: "no hand-in",
       args: ["--challenge", lesson, "--handins", "-"],
-      message: "--handins: found no lines, expected links of programs",
+      message: "--handins: found no lines, expected links or completion codes",
     },
     {
       name: "a report in a missing folder",

@@ -1,16 +1,21 @@
-/** The units of grading a lesson: a program in one maze of a task. */
-import { checkMazeOf, countMazes, type LessonTask, type MazeOutcome } from "@corridor/challenge";
-import type { ProgramDocument } from "@corridor/program";
+/** The units of grading a lesson: an attempt in one maze of a task. */
+import {
+  checkMazeOf,
+  countMazes,
+  type Attempt,
+  type LessonTask,
+  type MazeOutcome,
+} from "@corridor/challenge";
 import type { Units } from "../work-share.ts";
 
 export interface CheckJob {
-  /** tasks, each with the programs that it allows */
-  checks: { task: LessonTask; programs: ProgramDocument[] }[];
+  /** tasks, each with the attempts that it allows */
+  checks: { task: LessonTask; attempts: Attempt[] }[];
 }
 
 /**
- * The units of a job, task by task: all programs in the first maze, then in the next maze.
- * Alternates between the programs, as `unitsOfRuns` does.
+ * The units of a job, task by task: all attempts in the first maze, then in the next maze.
+ * Alternates between the attempts, as `unitsOfRuns` does.
  */
 export function unitsOfChecks({ checks }: CheckJob): Units<MazeOutcome> {
   return { count: checks.reduce((sum, check) => sum + countUnits(check), 0), run };
@@ -18,10 +23,10 @@ export function unitsOfChecks({ checks }: CheckJob): Units<MazeOutcome> {
   function run(unit: number): MazeOutcome {
     let at = unit;
     for (const check of checks) {
-      const { task, programs } = check;
-      const program = programs[at % programs.length];
-      if (at < countUnits(check) && program !== undefined) {
-        return checkMazeOf(task, Math.floor(at / programs.length), program);
+      const { task, attempts } = check;
+      const attempt = attempts[at % attempts.length];
+      if (at < countUnits(check) && attempt !== undefined) {
+        return checkMazeOf(task, Math.floor(at / attempts.length), attempt);
       }
       at -= countUnits(check);
     }
@@ -31,17 +36,15 @@ export function unitsOfChecks({ checks }: CheckJob): Units<MazeOutcome> {
 
 /**
  * Groups the results of all units.
- * @returns for each check, the outcomes of each of its programs in the order of the mazes
+ * @returns for each check, the outcomes of each of its attempts in the order of the mazes
  */
 export function groupOutcomes(
   { checks }: CheckJob,
   outcomes: readonly MazeOutcome[],
-): Map<ProgramDocument, MazeOutcome[]>[] {
+): Map<Attempt, MazeOutcome[]>[] {
   let unit = 0;
-  return checks.map(({ task, programs }) => {
-    const groups = new Map(
-      programs.map((program): [ProgramDocument, MazeOutcome[]] => [program, []]),
-    );
+  return checks.map(({ task, attempts }) => {
+    const groups = new Map(attempts.map((attempt): [Attempt, MazeOutcome[]] => [attempt, []]));
     for (let maze = 0; maze < countMazes(task); maze++) {
       for (const group of groups.values()) {
         const outcome = outcomes[unit++];
@@ -52,6 +55,6 @@ export function groupOutcomes(
   });
 }
 
-function countUnits({ task, programs }: CheckJob["checks"][number]): number {
-  return programs.length * countMazes(task);
+function countUnits({ task, attempts }: CheckJob["checks"][number]): number {
+  return attempts.length * countMazes(task);
 }

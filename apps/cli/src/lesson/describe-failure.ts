@@ -1,16 +1,20 @@
-/** Describes in one sentence why a program fails a task. */
-import type { Failure, LessonTask } from "@corridor/challenge";
+/** Describes in one sentence why an attempt fails a task. */
+import type { Attempt, Failure, LessonTask } from "@corridor/challenge";
 
 /**
  * Returns the sentence. A goal that was missed in the time limit is never called wrong, because the
  * program may reach it later.
  */
-export function describeFailure({ code, line, needed, found }: Failure, task: LessonTask): string {
+export function describeFailure(
+  { code, line, needed, found }: Failure,
+  task: LessonTask,
+  attempt: Attempt,
+): string {
   const { seconds } = task.checks;
   const place = line === "default" ? "otherwise" : `line ${(line ?? 0) + 1}`;
   switch (code) {
     case "driver":
-      return "the task does not allow a program";
+      return `the task does not allow ${"rules" in attempt ? "a program" : "a manual drive"}`;
     case "too-many-lines":
       return `${found} lines, at most ${needed} are allowed`;
     case "condition-not-allowed":

@@ -1,6 +1,12 @@
 /** Checks programs and hand-ins against the tasks of a lesson, on all cores. */
 import { writeFileSync } from "node:fs";
-import { countMazes, violationOf, type LessonDocument, type LessonTask } from "@corridor/challenge";
+import {
+  countMazes,
+  violationOf,
+  type Attempt,
+  type LessonDocument,
+  type LessonTask,
+} from "@corridor/challenge";
 import { runOnAllCores, startWorkers, terminate } from "../all-cores.ts";
 import type { GradeOptions } from "../arguments.ts";
 import { InputError } from "../input-error.ts";
@@ -34,8 +40,9 @@ export async function gradeLesson(
   entry: URL,
 ): Promise<LessonGrading> {
   const parsed = lessonArguments(challenge, options);
-  const tasks = tasksOf(readLessonFrom(challenge), parsed);
-  const handIns = await readAllPrograms(parsed);
+  const lesson = readLessonFrom(challenge);
+  const tasks = tasksOf(lesson, parsed);
+  const handIns = await readAllHandIns(parsed, lesson);
   const graded = await gradeAll(tasks, handIns, entry);
   if (parsed.junit !== null) writeReport(parsed.junit, junitReport(graded));
   const rows = graded.map(({ row }) => row);
@@ -66,47 +73,59 @@ function tasksOf({ tasks }: LessonDocument, { unseen }: LessonArguments): Lesson
 }
 
 /** Reads the program files, then the hand-ins. */
-async function readAllPrograms({ programs: files, handIns }: LessonArguments): Promise<HandIn[]> {
+async function readAllHandIns(
+  { programs: files, handIns }: LessonArguments,
+  lesson: LessonDocument,
+): Promise<HandIn[]> {
   const { programs } = readFiles({ mazes: [], programs: files });
-  const fromFiles = programs.map((value, at): HandIn => ({
+  const fromFiles = programs.map((attempt, at): HandIn => ({
     name: files[at] ?? "",
-    read: { ok: true, value },
+    read: { ok: true, attempt, task: null },
   }));
-  const fromLinks = handIns === null ? [] : await readHandIns(handIns);
-  if (fromFiles.length + fromLinks.length === 0) {
-    throw new InputError(["--handins: found no lines, expected links of programs"]);
+  const fromLines = handIns === null ? [] : await readHandIns(handIns, lesson);
+  if (fromFiles.length + fromLines.length === 0) {
+    throw new InputError(["--handins: found no lines, expected links or completion codes"]);
   }
-  return [...fromFiles, ...fromLinks];
+  return [...fromFiles, ...fromLines];
 }
 
-/** Grades every program in every task. @returns the lines in the order of the programs */
+/** Grades every hand-in in each of its tasks. @returns the lines in the order of the hand-ins */
 async function gradeAll(
   tasks: readonly LessonTask[],
   handIns: readonly HandIn[],
   entry: URL,
 ): Promise<GradedLine[]> {
-  const programs = handIns.flatMap(({ read }) => (read.ok ? [read.value] : []));
-  const checks = tasks.map((task) => ({
-    task,
-    programs: programs.filter((program) => violationOf(task, program) === null),
-  }));
+  const checks = tasks.map((task, at) => ({ task, attempts: attemptsAt(at, task, handIns) }));
   const outcomes = await runChecks({ checks }, entry);
   return handIns.flatMap(({ name, read }) => {
-    if (!read.ok) return [unreadableLine(name, read.problems)];
-    return tasks.map((task, at) => {
-      const graded: Graded = { name, program: read.value, number: at + 1, task };
-      const violation = violationOf(task, read.value);
+    if (!read.ok) return [unreadableLine(name, read.problem)];
+    const { attempt } = read;
+    return tasks.flatMap((task, at) => {
+      if (!isFor(at, read)) return [];
+      const graded: Graded = { name, attempt, number: at + 1, task };
+      const violation = violationOf(task, attempt);
       return violation === null
-        ? checkedLine(graded, outcomes[at]?.get(read.value) ?? [])
+        ? checkedLine(graded, outcomes[at]?.get(attempt) ?? [])
         : violationLine(graded, violation);
     });
   });
 }
 
+/** The attempts to run in a task. @param index of the task */
+function attemptsAt(index: number, task: LessonTask, handIns: readonly HandIn[]): Attempt[] {
+  return handIns.flatMap(({ read }) =>
+    read.ok && isFor(index, read) && violationOf(task, read.attempt) === null ? [read.attempt] : [],
+  );
+}
+
+function isFor(index: number, { task }: { task: number | null }): boolean {
+  return task === null || task === index;
+}
+
 async function runChecks(job: CheckJob, entry: URL) {
   const units = unitsOfChecks(job).count;
   const seconds = job.checks.reduce(
-    (sum, { task, programs }) => sum + programs.length * countMazes(task) * task.checks.seconds,
+    (sum, { task, attempts }) => sum + attempts.length * countMazes(task) * task.checks.seconds,
     0,
   );
   const workers = startWorkers("checks", { units, seconds }, entry);

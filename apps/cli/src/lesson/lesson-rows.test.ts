@@ -1,17 +1,22 @@
-import { checkMazeOf, countMazes, violationOf, type LessonTask } from "@corridor/challenge";
-import type { ProgramDocument } from "@corridor/program";
+import {
+  checkMazeOf,
+  countMazes,
+  violationOf,
+  type Attempt,
+  type LessonTask,
+} from "@corridor/challenge";
 import { describe, expect, it } from "vitest";
 import { checkedLine, unreadableLine, violationLine } from "./lesson-rows.ts";
 import { programOf, sampleTask, tooLong } from "./testing/sample-task.ts";
 
-function lineOf(task: LessonTask, program: ProgramDocument) {
-  const graded = { name: "a.json", program, number: 2, task };
-  const violation = violationOf(task, program);
+function lineOf(task: LessonTask, attempt: Attempt) {
+  const graded = { name: "a.json", attempt, number: 2, task };
+  const violation = violationOf(task, attempt);
   if (violation !== null) return violationLine(graded, violation);
   const mazes = Array.from({ length: countMazes(task) }, (_, maze) => maze);
   return checkedLine(
     graded,
-    mazes.map((maze) => checkMazeOf(task, maze, program)),
+    mazes.map((maze) => checkMazeOf(task, maze, attempt)),
   );
 }
 
@@ -99,10 +104,21 @@ describe("the line of a program and a task", () => {
     expect(message).toBe("4 lines, at most 3 are allowed");
   });
 
+  it("has no number of lines for a manual drive, which the task can forbid", () => {
+    const drive = [{ tick: 0, command: { action: "forward" as const } }];
+    const { row, message } = lineOf(given, drive);
+    expect(row).toMatchObject({ passed: false, code: "driver", lines: null });
+    expect(message).toBe("the task does not allow a manual drive");
+    const manual: LessonTask = {
+      ...given,
+      goal: { kind: "drive", distance: 100 },
+      allowed: { ...given.allowed, drivers: ["me"] },
+    };
+    expect(lineOf(manual, drive).row).toMatchObject({ passed: true, code: null, lines: null });
+  });
+
   it("contains the problem of an unreadable hand-in", () => {
-    const { row, message } = unreadableLine("line 3", [
-      { path: "link", found: "nothing", expected: "a link" },
-    ]);
+    const { row, message } = unreadableLine("line 3", "link: found nothing, expected a link");
     expect(row).toMatchObject({ program: "line 3", task: null, passed: false, code: "unreadable" });
     expect(row.problem).toBe("link: found nothing, expected a link");
     expect(message).toBe(row.problem);

@@ -1,14 +1,13 @@
-/** The lines of the output of `grade --challenge`: one for each program and task. */
+/** The lines of the output of `grade --challenge`: one for each attempt and task. */
 import {
   taskVerdict,
   unseenName,
+  type Attempt,
   type Failure,
   type FailureCode,
   type LessonTask,
   type MazeOutcome,
 } from "@corridor/challenge";
-import type { ProgramDocument } from "@corridor/program";
-import { describeProblem, type FieldProblem } from "@corridor/protocol";
 import { TICKS_PER_SECOND } from "@corridor/simulation";
 import { round } from "../round.ts";
 import { describeFailure } from "./describe-failure.ts";
@@ -19,15 +18,15 @@ export interface LessonRow {
   /** from 1; null for an unreadable hand-in */
   task: number | null;
   passed: boolean;
-  /** null if the program passes */
+  /** null if the attempt passes */
   code: FailureCode | "unreadable" | null;
   /** name of the maze of the first failure; null if none was run */
   maze: string | null;
   /** tick of the first failure */
   tick: number | null;
-  /** number of lines of the program, without "otherwise" */
+  /** number of lines of the program, without "otherwise"; null for a manual drive */
   lines: number | null;
-  /** simulated time in the slowest given maze; null unless the program passes in all of them */
+  /** simulated time in the slowest given maze; null unless the attempt passes in all of them */
   seconds: number | null;
   /** null if no unseen mazes were run */
   unseen: { count: number; passed: number; failed: number[] } | null;
@@ -38,24 +37,24 @@ export interface LessonRow {
 /** A line of the output with the sentence that describes its failure. */
 export interface GradedLine {
   row: LessonRow;
-  /** null if the program passes */
+  /** null if the attempt passes */
   message: string | null;
 }
 
 export interface Graded {
   name: string;
-  program: ProgramDocument;
+  attempt: Attempt;
   /** number of the task, from 1 */
   number: number;
   task: LessonTask;
 }
 
-/** The line of a program that the task does not allow. */
+/** The line of an attempt that the task does not allow. */
 export function violationLine(graded: Graded, violation: Failure): GradedLine {
   return lineOf(graded, violation, { maze: null, seconds: null, unseen: null });
 }
 
-/** The line of a program that ran. @param outcomes of all mazes of the task */
+/** The line of an attempt that ran. @param outcomes of all mazes of the task */
 export function checkedLine(graded: Graded, outcomes: readonly MazeOutcome[]): GradedLine {
   const { mazes, unseen } = graded.task;
   const { failure, failedUnseen, unseenFailures } = taskVerdict(graded.task, outcomes);
@@ -83,7 +82,7 @@ function mazeNameOf(
 }
 
 function lineOf(
-  { name, program, number, task }: Graded,
+  { name, attempt, number, task }: Graded,
   failure: Failure | null,
   { maze, seconds, unseen }: Pick<LessonRow, "maze" | "seconds" | "unseen">,
 ): GradedLine {
@@ -94,16 +93,15 @@ function lineOf(
     code: failure?.code ?? null,
     maze,
     tick: failure?.tick ?? null,
-    lines: program.rules.length,
+    lines: "rules" in attempt ? attempt.rules.length : null,
     seconds,
     unseen,
   };
-  return { row, message: failure && describeFailure(failure, task) };
+  return { row, message: failure && describeFailure(failure, task, attempt) };
 }
 
-/** The line of a hand-in that is not a link of a program. */
-export function unreadableLine(name: string, problems: readonly FieldProblem[]): GradedLine {
-  const problem = problems.map(describeProblem).join("; ");
+/** The line of a hand-in that is not checked. @param problem why */
+export function unreadableLine(name: string, problem: string): GradedLine {
   const row: LessonRow = {
     program: name,
     task: null,

@@ -1,10 +1,10 @@
 /** Reads the lesson of `grade --challenge` from a file or a link. */
 import { existsSync } from "node:fs";
-import { lessonOf, readLesson, type LessonDocument } from "@corridor/challenge";
-import { describeProblem, type ReadResult } from "@corridor/protocol";
+import { readLesson, type LessonDocument } from "@corridor/challenge";
+import { describeProblem, problem, type ReadResult } from "@corridor/protocol";
 import { InputError } from "../input-error.ts";
 import { readFile } from "../read-files.ts";
-import { readLinkPart } from "./read-link.ts";
+import { readLink } from "./read-link.ts";
 
 /** The text of a link after `#`: its version, then letters, digits, - and _. */
 const LINK_TEXT = /^\d[\w-]{6,}$/;
@@ -20,6 +20,10 @@ export function readLessonFrom(source: string): LessonDocument {
 }
 
 function lessonOfLink(link: string): ReadResult<LessonDocument> {
-  const read = readLinkPart(link, "challenge");
-  return read.ok ? { ok: true, value: lessonOf(read.value) } : read;
+  const read = readLink(link);
+  if (!read.ok) return read;
+  const { lesson } = read.value;
+  return lesson === undefined
+    ? problem("link", "a link without a lesson", "a link with a lesson")
+    : { ok: true, value: lesson };
 }

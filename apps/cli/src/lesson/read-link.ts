@@ -17,16 +17,3 @@ export function readLink(text: string): ReadResult<LinkContent> {
   }
   return decodeLink(text.slice(hash + 1));
 }
-
-/** Returns one document of a link. @param part such as "program" */
-export function readLinkPart<Part extends keyof LinkContent>(
-  text: string,
-  part: Part,
-): ReadResult<NonNullable<LinkContent[Part]>> {
-  const read = readLink(text);
-  if (!read.ok) return read;
-  const value = read.value[part];
-  return value === undefined
-    ? problem("link", `a link without a ${part}`, `a link with a ${part}`)
-    : { ok: true, value };
-}

@@ -23,7 +23,7 @@ export async function followPageAddress(
   await followAddress({
     ...services,
     words,
-    loadLinks: () => import("@corridor/link"),
+    loadLinks: () => import("../model/address/shared-link.ts"),
     readShortLink: async (id) => {
       const { readShortLink } = await import("../model/address/short-link.ts");
       return readShortLink(

@@ -1,6 +1,7 @@
 /** Published links with their content. They must stay readable: add links, never change one. */
 import { readFileSync } from "node:fs";
-import type { LinkContent } from "../link.ts";
+import { lessonOf, type ChallengeDocument } from "@corridor/challenge";
+import type { LinkContent } from "../link-body.ts";
 
 export interface GoldenLink {
   name: string;
@@ -8,6 +9,20 @@ export interface GoldenLink {
   content: LinkContent;
 }
 
-const file = new URL("golden-links.json", import.meta.url);
+interface StoredLink {
+  name: string;
+  text: string;
+  /** a challenge is a lesson of one task, as it was written */
+  content: LinkContent & { challenge?: ChallengeDocument };
+}
 
-export const goldenLinks = JSON.parse(readFileSync(file, "utf8")) as readonly GoldenLink[];
+const file = new URL("golden-links.json", import.meta.url);
+const stored = JSON.parse(readFileSync(file, "utf8")) as readonly StoredLink[];
+
+export const goldenLinks: readonly GoldenLink[] = stored.map(
+  ({ name, text, content: { challenge, ...content } }) => ({
+    name,
+    text,
+    content: challenge === undefined ? content : { ...content, lesson: lessonOf(challenge) },
+  }),
+);

@@ -1,4 +1,5 @@
 /** The share dialog: a link that contains the maze, or a run in it, and its QR code. */
+import { lessonOf } from "@corridor/challenge";
 import { encodeLink, MAX_LINK_LENGTH } from "@corridor/link";
 import { sizeOf } from "@corridor/maze";
 import { Info } from "lucide";
@@ -72,7 +73,7 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
   // A long run takes seconds to encode, so the result is memoized.
   const result = useMemo(() => {
     if (run !== null) return encodeLink({ run });
-    const content = task === null ? { maze } : { challenge: task };
+    const content = task === null ? { maze } : { lesson: lessonOf(task) };
     return encodeLink(withProgram ? { ...content, program } : content);
   }, [run, task, maze, withProgram, program]);
   const content = withRun ? "run" : task === null ? "maze" : "challenge";

@@ -1,5 +1,5 @@
-import type { ChallengeDocument } from "@corridor/challenge";
-import { decodeLink, encodeLink, type LinkContent } from "@corridor/link";
+import { lessonOf, type ChallengeDocument } from "@corridor/challenge";
+import { encodeLink, type LinkContent } from "@corridor/link";
 import { emptyProgram } from "@corridor/program";
 import type { RunDocument } from "@corridor/recording";
 import { describe, expect, it, vi } from "vitest";
@@ -12,6 +12,7 @@ import { programForMaze } from "../workspace/own-program.ts";
 import { firstMaze, firstProgram } from "../../simulator/protocol/first-project.ts";
 import { readProject } from "../projects/read-project.ts";
 import { MemoryStorage } from "../storage/testing/memory-storage.ts";
+import { decodeSharedLink } from "./shared-link.ts";
 import type { ShortLinkResult } from "./short-link.ts";
 import { followAddress } from "./url-sync.ts";
 import { ProjectService } from "../projects/project-service.ts";
@@ -34,7 +35,7 @@ let lastId = 0;
 function openPage(
   device: MemoryStorage,
   tab = new MemoryStorage(),
-  loadLinks = () => Promise.resolve({ decodeLink }),
+  loadLinks = () => Promise.resolve({ decodeSharedLink }),
 ) {
   const store = new ProjectStorage(device, () => readProject);
   const current = new CurrentProject(
@@ -309,10 +310,10 @@ describe("opening the link of a run", () => {
       par: null,
     };
     const page = openPage(new MemoryStorage());
-    await page.go("/", `#${linkOf({ challenge })}`);
+    await page.go("/", `#${linkOf({ lesson: lessonOf(challenge) })}`);
     expect(page.message()?.text).toBe("You opened a shared challenge.");
     page.rename("Mine");
-    await page.go("/", `#${linkOf({ challenge, program: sharedProgram })}`);
+    await page.go("/", `#${linkOf({ lesson: lessonOf(challenge), program: sharedProgram })}`);
     expect(page.message()?.text).toBe(
       "You opened a shared challenge. Your own maze and program are saved.",
     );
@@ -321,10 +322,18 @@ describe("opening the link of a run", () => {
       ["Find the way", "Shared rules"],
     ]);
     expect(page.addresses).toEqual(["/", "/"]);
+    // The page cannot open lessons of version 2 yet, and completion codes are for teachers.
+    const named = { ...lessonOf(challenge), name: "Lesson" };
+    const completion = { lesson: "0a1b2c3d4", task: 0, attempt: sharedProgram };
+    for (const content of [{ lesson: named }, { completion }]) {
+      await page.go("/", `#${linkOf(content)}`);
+      expect(page.message()?.text).toContain("Corridor cannot open this link");
+    }
+    page.addresses.length = 0;
     // A challenge that did not load is not reported as open, and a reload opens it.
     const messages = page.screen.getState().messages.length;
-    await page.go("/", `#${linkOf({ challenge: { ...challenge, name: "Offline" } })}`);
-    expect(page.addresses).toEqual(["/", "/"]);
+    await page.go("/", `#${linkOf({ lesson: lessonOf({ ...challenge, name: "Offline" }) })}`);
+    expect(page.addresses).toEqual([]);
     expect(page.screen.getState().messages).toHaveLength(messages);
   });
 

@@ -3,7 +3,6 @@
  * as a new project beside the user's own. A robot's address opens another page: `features/watch`.
  */
 import type { ChallengeDocument } from "@corridor/challenge";
-import type { decodeLink, LinkContent } from "@corridor/link";
 import type { MazeDocument } from "@corridor/maze";
 import type { FieldProblem } from "@corridor/protocol";
 import type { ProgramDocument } from "@corridor/program";
@@ -11,13 +10,14 @@ import type { RunDocument } from "@corridor/recording";
 import type { i18n } from "i18next";
 import { dismiss, showMessage, type ScreenStore } from "../screen/screen-store.ts";
 import { missionOfHash } from "./mission-address.ts";
+import type { decodeSharedLink, SharedContent } from "./shared-link.ts";
 import type { ShortLinkResult } from "./short-link.ts";
 import type { ProjectService } from "../projects/project-service.ts";
 
 export interface UrlPorts {
   projects: Pick<ProjectService, "beginShared" | "list">;
   /** loads the link parser, which only an address with a link needs; may fail like any file */
-  loadLinks: () => Promise<{ decodeLink: typeof decodeLink }>;
+  loadLinks: () => Promise<{ decodeSharedLink: typeof decodeSharedLink }>;
   /** loads the document of a short link; may fail like any file */
   readShortLink: (id: string) => Promise<ShortLinkResult>;
   /** the displayed maze, for links with only a program */
@@ -65,7 +65,7 @@ export async function followAddress(ports: UrlPorts): Promise<void> {
     // The address retains the link, so that a reload opens it, too.
     return showNotLoaded(ports);
   }
-  const result = links.decodeLink(hash.slice(1));
+  const result = links.decodeSharedLink(hash.slice(1));
   if (result.ok && result.value.run !== undefined) {
     await openRecorded(ports, result.value.run);
     // A long run takes time, and a reload meanwhile starts again; another link may have been opened
@@ -176,7 +176,7 @@ async function openRecorded({ openRun, screen, words }: UrlPorts, run: RunDocume
   showMessage(screen, { tone: "bad", text: words.t("timeline.notOpened", { ...problem }) });
 }
 
-function openShared(ports: UrlPorts, content: LinkContent): void {
+function openShared(ports: UrlPorts, content: SharedContent): void {
   const { screen, words } = ports;
   const isOwner = hasOwnProject(ports);
   const back = ports.projects.beginShared(

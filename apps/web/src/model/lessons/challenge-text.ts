@@ -2,12 +2,17 @@
  * A shared challenge as the device stores it: the text of its link. Ten large mazes take 173
  * characters there, and almost 1 MB as JSON.
  */
-import { readChallenge, type ChallengeDocument } from "@corridor/challenge";
+import {
+  lessonOf,
+  oldestDocumentOf,
+  readChallenge,
+  type ChallengeDocument,
+} from "@corridor/challenge";
 import { decodeLink, encodeLink } from "@corridor/link";
 
 /** @returns null if the challenge does not fit into a link */
 export function writeChallengeText(challenge: ChallengeDocument): string | null {
-  const link = encodeLink({ challenge });
+  const link = encodeLink({ lesson: lessonOf(challenge) });
   return link.ok ? link.text : null;
 }
 
@@ -21,5 +26,7 @@ export function readChallengeText(text: string): ChallengeDocument | null {
     return read.ok ? read.value : null;
   }
   const link = decodeLink(text);
-  return link.ok ? (link.value.challenge ?? null) : null;
+  if (!link.ok || link.value.lesson === undefined) return null;
+  const document = oldestDocumentOf(link.value.lesson);
+  return document.version === 1 ? document : null;
 }
