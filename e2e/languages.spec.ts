@@ -39,8 +39,9 @@ const devices = [
 for (const { name, tag, texts, isPseudolocale } of languages) {
   for (const { device, isPhone, sizes } of devices) {
     test(`shows readable texts in ${name} on ${device}`, async ({ openWindow }) => {
+      const [viewport = null] = sizes;
       const window = await openWindow({
-        viewport: sizes[0],
+        viewport,
         hasTouch: isPhone,
         isMobile: isPhone,
         serviceWorkers: "block",

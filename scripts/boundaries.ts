@@ -97,6 +97,7 @@ const allowed: Record<string, readonly string[]> = {
     "@corridor/program",
     "@corridor/protocol",
     "@corridor/recording",
+    "@corridor/report",
     "@corridor/simulation",
     "@fontsource-variable/",
     "i18next",

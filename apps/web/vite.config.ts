@@ -10,8 +10,8 @@ import { licenses } from "./build/licenses.ts";
 import { precompress } from "./build/precompress.ts";
 import { publish } from "./build/publish.ts";
 
-/** Paths of the page. The relay serves all others. */
-const PAGE = /^\/(\?.*)?$/;
+/** Paths of the page that work offline. The relay serves all others. */
+const PAGE = /^\/(?:teach\/?)?(\?.*)?$/;
 
 const thirdParty = licenses();
 

@@ -117,7 +117,7 @@ function captureTrialWorkerUrl(): void {
   globalThis.Worker = class extends PlainWorker {
     constructor(address: string | URL, options?: WorkerOptions) {
       super(address, options);
-      if (String(address).includes("maze-trial")) globalThis.trialWorkerUrl = String(address);
+      if (String(address).includes("pool.worker")) globalThis.trialWorkerUrl = String(address);
     }
   };
 }
@@ -161,12 +161,14 @@ async function runAlone(job: {
   const run = async (): Promise<number> => {
     const start = performance.now();
     const mazes = { kind: "tree", side: job.side };
-    const seeds = Array.from({ length: job.mazes }, (_, at) => at + 1);
-    worker.postMessage({ type: "try", job: 0, program: job.program, mazes, seeds });
+    const trial = { kind: "trial", program: job.program, mazes, first: 1 };
+    worker.postMessage({ type: "begin", id: 0, job: trial });
+    worker.postMessage({ type: "units", from: 0, to: job.mazes });
     await new Promise<void>((resolve) => {
       let results = 0;
-      worker.onmessage = () => {
-        if (++results === job.mazes) resolve();
+      worker.onmessage = ({ data }: MessageEvent<{ results: unknown[] }>) => {
+        results += data.results.length;
+        if (results === job.mazes) resolve();
       };
     });
     return performance.now() - start;

@@ -78,9 +78,9 @@
   // On a first visit the worker's name contains its input, so that it starts without a message of
   // the page.
   const name = isFirst ? JSON.stringify([text.maze, text.program]) : "";
-  // A page that watches another page's robot needs no simulator.
-  const isWatch = location.pathname.startsWith("/r/");
-  const worker = isWatch ? {} : new Worker(simulator, { type: "module", name });
+  // The pages of viewers and teachers need no simulator.
+  const isOther = /^\/(r\/|teach)/.test(location.pathname);
+  const worker = isOther ? {} : new Worker(simulator, { type: "module", name });
   const early = { worker, queue: [], failure: null };
   window.corridorSimulator = early;
   let isPressed = false;

@@ -6,6 +6,7 @@ import { I18nextProvider } from "react-i18next";
 import { App } from "./shell/App.tsx";
 import { PageTools } from "./shell/PageTools.tsx";
 import { flushWhenHidden, type PageLife } from "./model/projects/autosave.ts";
+import type { OpenPage } from "./model/page-parts.ts";
 import { browserLanguage } from "./shell/boot/browser-language.ts";
 import type { LanguageChoice } from "./model/preferences/language.ts";
 import { LanguageProvider } from "./model/language-context.ts";
@@ -53,11 +54,18 @@ async function start(): Promise<void> {
   const language = browserLanguage(words, screen, device);
   // Load the user's language before anything is displayed.
   await language.start();
-  // The page of a viewer displays the robot of another page and has none of its own.
-  if (location.pathname.startsWith("/r/")) {
-    return import("./features/watch/open-watch.tsx").then(
-      ({ openWatch }) =>
-        openWatch({ root, words, language, screen, device, tools: <PageTools screen={screen} /> }),
+  startTheme({
+    screen,
+    storage: device,
+    systemDark: matchMedia("(prefers-color-scheme: dark)"),
+    systemContrast: matchMedia("(prefers-contrast: more)"),
+    apply: (shown) => Object.assign(document.documentElement.dataset, shown),
+  });
+  const other = otherPage(location.pathname);
+  if (other !== null) {
+    return other.then(
+      ({ openPage }) =>
+        openPage({ root, words, language, device, tools: <PageTools screen={screen} /> }),
       () => window.corridorFailed(),
     );
   }
@@ -93,13 +101,6 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
     services.simulator.fail(reason || words.t("shell.failure.notLoaded"));
   });
 
-  startTheme({
-    screen,
-    storage: device,
-    systemDark: matchMedia("(prefers-color-scheme: dark)"),
-    systemContrast: matchMedia("(prefers-contrast: more)"),
-    apply: (shown) => Object.assign(document.documentElement.dataset, shown),
-  });
   storeSwitches(screen, device);
   const flush = () => {
     services.projects.autosave.flush();
@@ -166,6 +167,12 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
 async function resume(services: Services, words: i18n): Promise<void> {
   const extras = await import("./shell/boot/resume-extras.ts").catch(() => null);
   await extras?.resumeExtras(services, words, tab);
+}
+
+/** The pages of viewers and teachers, which have no robot of their own; null for the student's page. */
+function otherPage(path: string): Promise<{ openPage: OpenPage }> | null {
+  if (path.startsWith("/r/")) return import("./features/watch/open-watch.tsx");
+  return path.startsWith("/teach") ? import("./shell/open-teach.tsx") : null;
 }
 
 function requireContainer(): HTMLElement {

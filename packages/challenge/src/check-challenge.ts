@@ -157,7 +157,8 @@ function namedReadings(readings: Float64Array): Decision["readings"] {
   return { front, right, back, left };
 }
 
-function isProgram(attempt: Attempt): attempt is ProgramDocument {
+/** Whether an attempt is a program, not a manual drive. */
+export function isProgram(attempt: Attempt): attempt is ProgramDocument {
   return "rules" in attempt;
 }
 

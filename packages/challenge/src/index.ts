@@ -35,7 +35,13 @@ export {
   type ConditionName,
   type EditKind,
 } from "./challenge-limits.ts";
-export { checkChallenge, checkMaze, violationOf, type Attempt } from "./check-challenge.ts";
+export {
+  checkChallenge,
+  checkMaze,
+  isProgram,
+  violationOf,
+  type Attempt,
+} from "./check-challenge.ts";
 export {
   checkMazeOf,
   countMazes,
@@ -44,6 +50,13 @@ export {
   type TaskVerdict,
   type UnseenFailure,
 } from "./check-task.ts";
+export {
+  checkUnitAt,
+  countCheckUnits,
+  runCheckUnit,
+  type CheckJob,
+  type CheckUnit,
+} from "./check-units.ts";
 export { GoalTracker } from "./goal-tracker.ts";
 export {
   lessonOf,
@@ -54,6 +67,16 @@ export {
   type LessonTask,
 } from "./lesson-document.ts";
 export { canonicalJson, lessonMark, MARK_LENGTH } from "./lesson-mark.ts";
+export {
+  checkedRow,
+  lessonColumns,
+  lessonFields,
+  unreadableRow,
+  violationRow,
+  type Graded,
+  type GradedRow,
+  type LessonRow,
+} from "./lesson-rows.ts";
 export { rightsOf, type Rights } from "./rights.ts";
 export type { Goal, Task } from "./task-schema.ts";
 export { unseenName, unseenSchema, type UnseenMazes } from "./unseen-mazes.ts";

@@ -2,6 +2,22 @@ export type { CompletionCode } from "./completion-code.ts";
 export type { LessonPart } from "./lesson-coder.ts";
 export type { LinkContent } from "./link-body.ts";
 export {
+  handInsOf,
+  readHandInFile,
+  type HandIn,
+  type HandInLine,
+  type HandInRefusal,
+  type HandInResult,
+  type RefusedHandIn,
+} from "./hand-in.ts";
+export {
+  readLessonLink,
+  readLink,
+  type AddressRefusal,
+  type AddressResult,
+  type LessonLinkResult,
+} from "./link-address.ts";
+export {
   decodeLink,
   encodeLink,
   MAX_LINK_LENGTH,

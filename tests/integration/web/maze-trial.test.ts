@@ -11,7 +11,7 @@ import {
   mazeOf,
   minutesFor,
   tryMaze,
-} from "../../../apps/web/src/simulator/trial-worker/maze-trial.ts";
+} from "../../../apps/web/src/simulator/pool-worker/maze-trial.ts";
 
 const folder = mkdtempSync(join(tmpdir(), "corridor-trial-"));
 afterAll(() => rmSync(folder, { recursive: true }));

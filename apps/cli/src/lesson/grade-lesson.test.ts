@@ -1,6 +1,6 @@
+import type { LessonRow } from "@corridor/challenge";
 import { describe, expect, it } from "vitest";
 import { isMet } from "./grade-lesson.ts";
-import type { LessonRow } from "./lesson-rows.ts";
 
 function rows(passed: number, failed: number): LessonRow[] {
   const row = { program: "a", task: 1, code: null, maze: null, tick: null, lines: 0 };

@@ -1,30 +1,36 @@
 /** Checks programs and hand-ins against the tasks of a lesson, on all cores. */
 import { writeFileSync } from "node:fs";
 import {
+  checkedRow,
+  countCheckUnits,
   countMazes,
   violationOf,
+  violationRow,
   type Attempt,
+  type CheckJob,
+  type Graded,
   type LessonDocument,
+  type LessonRow,
   type LessonTask,
 } from "@corridor/challenge";
+import type { HandIn, HandInResult } from "@corridor/link";
 import { runOnAllCores, startWorkers, terminate } from "../all-cores.ts";
 import type { GradeOptions } from "../arguments.ts";
 import { InputError } from "../input-error.ts";
 import { readFiles, reasonOf } from "../read-files.ts";
-import { groupOutcomes, unitsOfChecks, type CheckJob } from "./check-units.ts";
+import { groupOutcomes, unitsOfChecks } from "./check-units.ts";
 import { junitReport } from "./junit-report.ts";
 import { lessonArguments, type LessonArguments } from "./lesson-arguments.ts";
+import { gradedLine, unreadableLine, type GradedLine } from "./lesson-lines.ts";
 import { jsonLines, lessonTable } from "./lesson-report.ts";
-import {
-  checkedLine,
-  unreadableLine,
-  violationLine,
-  type Graded,
-  type GradedLine,
-  type LessonRow,
-} from "./lesson-rows.ts";
-import { readHandIns, type HandIn } from "./read-hand-ins.ts";
+import { readHandIns } from "./read-hand-ins.ts";
 import { readLessonFrom } from "./read-lesson.ts";
+
+interface NamedHandIn {
+  /** file, or the line of the hand-in such as "line 3" */
+  name: string;
+  read: HandInResult;
+}
 
 export interface LessonGrading {
   /** lines to print */
@@ -72,17 +78,18 @@ function tasksOf({ tasks }: LessonDocument, { unseen }: LessonArguments): Lesson
   return unseen === null ? tasks : tasks.map((task) => ({ ...task, unseen }));
 }
 
-/** Reads the program files, then the hand-ins. */
+/** Reads the program files, then the lines of the hand-ins. */
 async function readAllHandIns(
   { programs: files, handIns }: LessonArguments,
   lesson: LessonDocument,
-): Promise<HandIn[]> {
+): Promise<NamedHandIn[]> {
   const { programs } = readFiles({ mazes: [], programs: files });
-  const fromFiles = programs.map((attempt, at): HandIn => ({
+  const fromFiles = programs.map((attempt, at): NamedHandIn => ({
     name: files[at] ?? "",
-    read: { ok: true, attempt, task: null },
+    read: { ok: true, value: { attempt, task: null } },
   }));
-  const fromLines = handIns === null ? [] : await readHandIns(handIns, lesson);
+  const lines = handIns === null ? [] : await readHandIns(handIns, lesson);
+  const fromLines = lines.map(({ line, read }): NamedHandIn => ({ name: `line ${line}`, read }));
   if (fromFiles.length + fromLines.length === 0) {
     throw new InputError(["--handins: found no lines, expected links or completion codes"]);
   }
@@ -92,38 +99,41 @@ async function readAllHandIns(
 /** Grades every hand-in in each of its tasks. @returns the lines in the order of the hand-ins */
 async function gradeAll(
   tasks: readonly LessonTask[],
-  handIns: readonly HandIn[],
+  handIns: readonly NamedHandIn[],
   entry: URL,
 ): Promise<GradedLine[]> {
   const checks = tasks.map((task, at) => ({ task, attempts: attemptsAt(at, task, handIns) }));
   const outcomes = await runChecks({ checks }, entry);
   return handIns.flatMap(({ name, read }) => {
     if (!read.ok) return [unreadableLine(name, read.problem)];
-    const { attempt } = read;
+    const { attempt } = read.value;
     return tasks.flatMap((task, at) => {
-      if (!isFor(at, read)) return [];
+      if (!isFor(at, read.value)) return [];
       const graded: Graded = { name, attempt, number: at + 1, task };
       const violation = violationOf(task, attempt);
-      return violation === null
-        ? checkedLine(graded, outcomes[at]?.get(attempt) ?? [])
-        : violationLine(graded, violation);
+      const row =
+        violation === null
+          ? checkedRow(graded, outcomes[at]?.get(attempt) ?? [])
+          : violationRow(graded, violation);
+      return gradedLine(row, graded);
     });
   });
 }
 
 /** The attempts to run in a task. @param index of the task */
-function attemptsAt(index: number, task: LessonTask, handIns: readonly HandIn[]): Attempt[] {
-  return handIns.flatMap(({ read }) =>
-    read.ok && isFor(index, read) && violationOf(task, read.attempt) === null ? [read.attempt] : [],
-  );
+function attemptsAt(index: number, task: LessonTask, handIns: readonly NamedHandIn[]): Attempt[] {
+  return handIns.flatMap(({ read }) => {
+    if (!read.ok || !isFor(index, read.value)) return [];
+    return violationOf(task, read.value.attempt) === null ? [read.value.attempt] : [];
+  });
 }
 
-function isFor(index: number, { task }: { task: number | null }): boolean {
+function isFor(index: number, { task }: HandIn): boolean {
   return task === null || task === index;
 }
 
 async function runChecks(job: CheckJob, entry: URL) {
-  const units = unitsOfChecks(job).count;
+  const units = countCheckUnits(job);
   const seconds = job.checks.reduce(
     (sum, { task, attempts }) => sum + attempts.length * countMazes(task) * task.checks.seconds,
     0,

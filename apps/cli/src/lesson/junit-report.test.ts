@@ -1,6 +1,7 @@
+import type { LessonRow } from "@corridor/challenge";
 import { describe, expect, it } from "vitest";
 import { junitReport } from "./junit-report.ts";
-import type { GradedLine, LessonRow } from "./lesson-rows.ts";
+import type { GradedLine } from "./lesson-lines.ts";
 
 const passed: LessonRow = {
   program: "a.json",

@@ -2,7 +2,7 @@
  * Formats the lines of `grade --challenge` as a JUnit report, which build servers display: one test
  * case for each program and task.
  */
-import type { GradedLine } from "./lesson-rows.ts";
+import type { GradedLine } from "./lesson-lines.ts";
 
 /** @returns the report, XML 1.0 in UTF-8 */
 export function junitReport(lines: readonly GradedLine[]): string {

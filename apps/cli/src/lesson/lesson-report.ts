@@ -1,6 +1,6 @@
 /** Formats the lines of `grade --challenge` as JSON or CSV. */
+import { lessonColumns, lessonFields, type LessonRow } from "@corridor/challenge";
 import { csvLines } from "@corridor/report";
-import type { LessonRow } from "./lesson-rows.ts";
 
 /** The rows as JSON, then a summary. @returns the lines */
 export function jsonLines(rows: readonly LessonRow[]): string[] {
@@ -12,36 +12,7 @@ export function jsonLines(rows: readonly LessonRow[]): string[] {
   return [...rows, { summary }].map((each) => JSON.stringify(each));
 }
 
-const csvColumns = [
-  "program",
-  "task",
-  "passed",
-  "code",
-  "maze",
-  "tick",
-  "lines",
-  "seconds",
-  "unseenCount",
-  "unseenPassed",
-  "unseenFailed",
-  "problem",
-] as const;
-
 /** Formats a CSV table with a header row. @returns its lines */
 export function lessonTable(rows: readonly LessonRow[]): string[] {
-  const table = rows.map((row) => [
-    row.program,
-    row.task ?? "",
-    row.passed,
-    row.code ?? "",
-    row.maze ?? "",
-    row.tick ?? "",
-    row.lines ?? "",
-    row.seconds ?? "",
-    row.unseen?.count ?? "",
-    row.unseen?.passed ?? "",
-    row.unseen?.failed.join(" ") ?? "",
-    row.problem ?? "",
-  ]);
-  return csvLines(csvColumns, table);
+  return csvLines(lessonColumns, rows.map(lessonFields));
 }

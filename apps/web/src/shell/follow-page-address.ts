@@ -37,9 +37,9 @@ export async function followPageAddress(
     location,
     replaceAddress: (address) => history.replaceState(history.state, "", address),
     openEmptyMaze: () => openEmptyMaze(services, words),
-    openRun: async (run) => {
+    openRun: async (run, from) => {
       const { openRun } = await import("../model/projects/open-run.ts");
-      return openRun(services, words, run);
+      return openRun(services, words, run, from);
     },
     openChallenge: (challenge, program) => services.lessons.openShared(challenge, program),
     openMission: async (id) => (await services.lessons.load()).navigation.follow(id),

@@ -11,6 +11,7 @@ import type runDetails from "./en/run-details.json";
 import type race from "./en/race.json";
 import type daily from "./en/daily.json";
 import type sound from "./en/sound.json";
+import type teach from "./en/teach.json";
 import type watch from "./en/watch.json";
 
 export interface Namespaces {
@@ -29,6 +30,8 @@ export interface Namespaces {
   daily: typeof daily;
   /** sounds of the run */
   sound: typeof sound;
+  /** the pages for teachers */
+  teach: typeof teach;
   /** the page of a viewer */
   watch: typeof watch;
 }

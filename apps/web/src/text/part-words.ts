@@ -78,6 +78,16 @@ export const partLoaders: Record<
     pt: async () => (await import("./pt/sound.json")).default,
     "zh-Hans": async () => (await import("./zh-Hans/sound.json")).default,
   },
+  teach: {
+    en: async () => (await import("./en/teach.json")).default,
+    ar: async () => (await import("./ar/teach.json")).default,
+    de: async () => (await import("./de/teach.json")).default,
+    es: async () => (await import("./es/teach.json")).default,
+    fr: async () => (await import("./fr/teach.json")).default,
+    ja: async () => (await import("./ja/teach.json")).default,
+    pt: async () => (await import("./pt/teach.json")).default,
+    "zh-Hans": async () => (await import("./zh-Hans/teach.json")).default,
+  },
   watch: {
     en: async () => (await import("./en/watch.json")).default,
     ar: async () => (await import("./ar/watch.json")).default,

@@ -5,10 +5,10 @@ import { useTranslation } from "react-i18next";
 import { useServices } from "../../model/use-services.ts";
 import { showMessage } from "../../model/screen/screen-store.ts";
 import { Icon } from "../../ui/Icon.tsx";
+import { chooseFiles, listenForFiles, type TextFile } from "../../ui/incoming-files.ts";
 import { lazyDialog } from "../../ui/lazy-part.tsx";
 import { FileActionsProvider } from "./file-actions.ts";
-import { chooseFiles, listenForFiles } from "./incoming.ts";
-import type { FileReport, TextFile } from "./open-files.ts";
+import type { FileReport } from "./open-files.ts";
 import styles from "./files.module.css";
 
 const FileProblems = lazyDialog(async () => (await import("./FileProblems.tsx")).FileProblems);

@@ -10,7 +10,8 @@ import { MemoryStorage } from "../../model/storage/testing/memory-storage.ts";
 import { createWorkspaceStore } from "../../model/workspace/workspace-store.ts";
 import { en } from "../../text/en/index.ts";
 import { createI18n } from "../../text/i18n.ts";
-import { openFiles, type TextFile } from "./open-files.ts";
+import type { TextFile } from "../../ui/incoming-files.ts";
+import { openFiles } from "./open-files.ts";
 
 const [mazeOne, mazeTwo] = mazePresets.map(({ maze }) => maze);
 const [programOne, programTwo] = programPresets.map(({ program }) => program);

@@ -12,17 +12,8 @@ import { dismiss, showMessage } from "../../model/screen/screen-store.ts";
 import { joinList } from "../../text/joined.ts";
 import { programForMaze } from "../../model/workspace/own-program.ts";
 import { openRun } from "../../model/projects/open-run.ts";
+import type { TextFile } from "../../ui/incoming-files.ts";
 import { readDocument, titleOf, type OpenedDocument } from "./read-document.ts";
-
-/** The part of `File` that is used. */
-export interface TextFile {
-  name: string;
-  /** media type; empty if the browser does not know it */
-  type?: string;
-  /** in bytes */
-  size: number;
-  text: () => Promise<string>;
-}
 
 /** The problems of one file. */
 export interface FileReport {

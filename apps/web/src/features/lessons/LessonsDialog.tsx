@@ -87,6 +87,9 @@ function MissionPath({ service, onClose }: { service: LessonsService; onClose: (
         >
           {t("path.reset")}
         </Button>
+        <a className={styles["teachers"]} href="/teach">
+          {t("path.teachers")}
+        </a>
       </div>
     </>
   );

@@ -7,13 +7,13 @@ import { useServices } from "../../model/use-services.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
-import { minutesFor } from "../../simulator/trial-worker/maze-trial.ts";
+import { minutesFor } from "../../simulator/pool-worker/maze-trial.ts";
 import type { TrialResult } from "../../simulator/protocol/trial-messages.ts";
+import { createWorkerPool } from "../../simulator/worker-pool.ts";
 import { TrialOpener } from "./open-trial.ts";
 import styles from "./other-mazes.module.css";
 import { TrialChoices } from "./TrialChoices.tsx";
 import { TrialGrid } from "./TrialGrid.tsx";
-import { createTrialPool } from "./trial-pool.ts";
 import { tryWhileOpen } from "./try-while-open.ts";
 import { countOutcomes, seedsFrom, trialChoice, Trials, TRIALS } from "./trials.ts";
 
@@ -149,7 +149,7 @@ function trialsOfPage(
   words: ReturnType<typeof useTranslation>["i18n"],
 ): PageTrials {
   if (pageTrials === null) {
-    const pool = createTrialPool();
+    const pool = createWorkerPool();
     const trials = new Trials(pool, (show) => setTimeout(show, SHOW_MS));
     pageTrials = { trials, opener: new TrialOpener(services, words, pool) };
   }

@@ -10,8 +10,9 @@ import type { Services } from "../../model/services.ts";
 import { dismiss, showMessage } from "../../model/screen/screen-store.ts";
 import { setProgram } from "../../model/workspace/workspace-store.ts";
 import type { TrialMazes, TrialResult } from "../../simulator/protocol/trial-messages.ts";
+import { recordRun } from "../../simulator/record-runs.ts";
+import type { WorkerPool } from "../../simulator/worker-pool.ts";
 import { watchAgain } from "../../model/run/watch-again.ts";
-import type { TrialPool } from "./trial-pool.ts";
 
 /** Ticks of the run that are played before it fails. */
 const SHOWN_TICKS = 2 * TICKS_PER_SECOND;
@@ -28,11 +29,11 @@ interface Home {
 export class TrialOpener {
   readonly #services: Opener;
   readonly #words: Pick<i18n, "t">;
-  readonly #pool: Pick<TrialPool, "record">;
+  readonly #pool: Pick<WorkerPool, "run">;
   #home: Home | null = null;
 
   /** @param pool the workers that record the runs */
-  constructor(services: Opener, words: Pick<i18n, "t">, pool: Pick<TrialPool, "record">) {
+  constructor(services: Opener, words: Pick<i18n, "t">, pool: Pick<WorkerPool, "run">) {
     this.#services = services;
     this.#words = words;
     this.#pool = pool;
@@ -48,7 +49,8 @@ export class TrialOpener {
     const { t } = this.#words;
     const name = t(`presets.random.names.${kind}`, { side, seed });
     const named = { ...maze, name };
-    const written = await this.#pool.record(named, program, tick);
+    const run = { maze: named, attempt: program, ticks: tick };
+    const written = await recordRun(this.#pool, run);
     const loaded = written?.ok === true ? await loadRun(simulator, written.run).loaded : null;
     if (loaded?.ok !== true) {
       showMessage(screen, { tone: "bad", text: t("otherMazes:notOpened") });

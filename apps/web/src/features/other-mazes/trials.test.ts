@@ -1,8 +1,9 @@
 import { programPresets } from "@corridor/program";
 import { describe, expect, it } from "vitest";
-import { mazeOf } from "../../simulator/trial-worker/maze-trial.ts";
-import { FakeTrialWorker } from "./testing/fake-trial-worker.ts";
-import { TrialPool } from "./trial-pool.ts";
+import { mazeOf } from "../../simulator/pool-worker/maze-trial.ts";
+import { FakePoolWorker } from "../../simulator/testing/fake-pool-worker.ts";
+import { recordRun } from "../../simulator/record-runs.ts";
+import { WorkerPool } from "../../simulator/worker-pool.ts";
 import { countOutcomes, Trials, type TrialChoice } from "./trials.ts";
 
 const program = programPresets[1]?.program;
@@ -11,10 +12,10 @@ const rightWall = program;
 const choice: TrialChoice = { kind: "tree", side: 5, first: 1 };
 
 function setUp(size = 3) {
-  const workers: FakeTrialWorker[] = [];
+  const workers: FakePoolWorker[] = [];
   const waits: (() => void)[] = [];
-  const pool = new TrialPool(() => {
-    const worker = new FakeTrialWorker();
+  const pool = new WorkerPool(() => {
+    const worker = new FakePoolWorker();
     workers.push(worker);
     return worker;
   }, size);
@@ -33,7 +34,7 @@ describe("trying a program in other mazes", () => {
   it("tries each of the hundred seeds once, on all workers", () => {
     const { workers, trials, answerAll, state } = setUp();
     trials.start(choice, rightWall);
-    expect(workers.every(({ waiting }) => waiting.length > 0)).toBe(true);
+    expect(workers.every(({ waiting }) => waiting > 0)).toBe(true);
     answerAll();
     expect(state().state).toBe("done");
     expect([...state().results.keys()].toSorted((a, b) => a - b)).toEqual(
@@ -47,7 +48,7 @@ describe("trying a program in other mazes", () => {
     trials.start(choice, rightWall);
     let worst = 0;
     while (workers.filter((worker) => worker.answer()).length > 0) {
-      const waiting = workers.map((worker) => worker.waiting.length);
+      const waiting = workers.map((worker) => worker.waiting);
       if (Math.min(...waiting) === 0) worst = Math.max(worst, ...waiting);
     }
     expect(worst).toBeLessThanOrEqual(2);
@@ -56,7 +57,7 @@ describe("trying a program in other mazes", () => {
   it("lets no worker wait for the page at the start", () => {
     const { workers, trials } = setUp(2);
     trials.start(choice, rightWall);
-    expect(workers.map(({ waiting }) => waiting.length)).toEqual([25, 19]);
+    expect(workers.map(({ waiting }) => waiting)).toEqual([25, 19]);
   });
 
   it("draws pictures each fourth time while mazes are tried, and all at the end", () => {
@@ -132,10 +133,11 @@ describe("trying a program in other mazes", () => {
   it("records a run, and returns none if it is closed meanwhile", async () => {
     const { workers, trials } = setUp(1);
     const maze = mazeOf(choice, 1, "Tree");
-    const recorded = trials.pool.record(maze, rightWall, 60);
+    const run = { maze, attempt: rightWall, ticks: 60 };
+    const recorded = recordRun(trials.pool, run);
     workers[0]?.answer();
     expect((await recorded)?.ok).toBe(true);
-    const late = trials.pool.record(maze, rightWall, 60);
+    const late = recordRun(trials.pool, run);
     trials.close();
     expect(await late).toBeNull();
   });

@@ -6,7 +6,7 @@ import type {
   TrialOutcome,
   TrialResult,
 } from "../../simulator/protocol/trial-messages.ts";
-import type { TrialPool } from "./trial-pool.ts";
+import type { WorkerPool } from "../../simulator/worker-pool.ts";
 
 /** Mazes of one set. */
 export const TRIALS = 100;
@@ -46,7 +46,7 @@ export class Trials {
     state: "idle",
     ...nothing,
   }));
-  readonly pool: TrialPool;
+  readonly pool: WorkerPool;
   readonly #later: (show: () => void) => void;
   /** results that are not displayed yet */
   #pending: TrialResult[] = [];
@@ -57,7 +57,7 @@ export class Trials {
    * @param later runs a function after a delay; results between the first and the last are
    *   displayed together
    */
-  constructor(pool: TrialPool, later: (show: () => void) => void) {
+  constructor(pool: WorkerPool, later: (show: () => void) => void) {
     this.pool = pool;
     this.#later = later;
   }
@@ -66,16 +66,16 @@ export class Trials {
     this.#pending = [];
     this.#shown = 0;
     this.store.setState({ state: "running", ...nothing });
-    this.pool.run(
-      { program, mazes: { kind, side }, seeds: seedsFrom(first) },
-      {
-        onResult: (result) => {
-          this.#pending.push(result);
-          this.#showSoon();
-        },
-        onFailure: () => this.store.setState({ state: "failed" }),
+    this.pool.run({ kind: "trial", program, mazes: { kind, side }, first }, TRIALS, {
+      onResult: (result) => {
+        if (result.kind !== "trial") return;
+        this.#pending.push(result.trial);
+        this.#showSoon();
       },
-    );
+      onEnd: (reason) => {
+        if (reason === "failed") this.store.setState({ state: "failed" });
+      },
+    });
   }
 
   stop(): void {

@@ -3,8 +3,8 @@ import { programPresets } from "@corridor/program";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { createScreenStore } from "../../model/screen/screen-store.ts";
 import { createWorkspaceStore } from "../../model/workspace/workspace-store.ts";
-import { FakeTrialWorker } from "./testing/fake-trial-worker.ts";
-import { TrialPool } from "./trial-pool.ts";
+import { FakePoolWorker } from "../../simulator/testing/fake-pool-worker.ts";
+import { WorkerPool } from "../../simulator/worker-pool.ts";
 import { Trials } from "./trials.ts";
 import { tryWhileOpen } from "./try-while-open.ts";
 
@@ -16,9 +16,9 @@ function setUp() {
   if (maze === undefined || program === undefined) throw new Error("a preset is gone");
   const workspace = createWorkspaceStore(maze.maze, program.program);
   const screen = createScreenStore();
-  const workers: FakeTrialWorker[] = [];
-  const pool = new TrialPool(() => {
-    const worker = new FakeTrialWorker();
+  const workers: FakePoolWorker[] = [];
+  const pool = new WorkerPool(() => {
+    const worker = new FakePoolWorker();
     workers.push(worker);
     return worker;
   }, 1);

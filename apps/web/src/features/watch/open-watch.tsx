@@ -4,35 +4,16 @@
  */
 import "../../ui/base.css";
 import "../../ui/fonts/inter.css";
-import type { i18n } from "i18next";
-import type { ReactNode } from "react";
-import type { Root } from "react-dom/client";
 import { I18nextProvider } from "react-i18next";
 import { LanguageProvider } from "../../model/language-context.ts";
-import type { LanguageChoice } from "../../model/preferences/language.ts";
-import { startTheme } from "../../model/preferences/theme.ts";
-import { storageOrNone, type KeyValueStorage } from "../../model/storage/key-value-storage.ts";
-import type { ScreenStore } from "../../model/screen/screen-store.ts";
+import type { PageParts } from "../../model/page-parts.ts";
+import { storageOrNone } from "../../model/storage/key-value-storage.ts";
 import { takeVisit, type Visit } from "./watch-address.ts";
 import { WatchClient } from "./watch-client.ts";
 import { createWatchStore, nothingYet } from "./watch-store.ts";
 import { WatchPage } from "./WatchPage.tsx";
 
-export interface WatchParts {
-  root: Pick<Root, "render">;
-  /** in the language of the page */
-  words: i18n;
-  language: LanguageChoice;
-  /** theme and contrast */
-  screen: ScreenStore;
-  /** localStorage, with the theme that the user has chosen */
-  device: KeyValueStorage;
-  /** the buttons for theme and language */
-  tools: ReactNode;
-}
-
-export async function openWatch(parts: WatchParts): Promise<void> {
-  const { root, words, language, screen, device, tools } = parts;
+export async function openPage({ root, words, language, tools }: PageParts): Promise<void> {
   const tab = storageOrNone(() => sessionStorage);
   const read = (): Visit =>
     takeVisit({
@@ -43,13 +24,6 @@ export async function openWatch(parts: WatchParts): Promise<void> {
   // First of all: removes the key from the visible address.
   const visit = read();
   await words.loadNamespaces("watch");
-  startTheme({
-    screen,
-    storage: device,
-    systemDark: matchMedia("(prefers-color-scheme: dark)"),
-    systemContrast: matchMedia("(prefers-contrast: more)"),
-    apply: (shown) => Object.assign(document.documentElement.dataset, shown),
-  });
   const store = createWatchStore(visit);
   let client: WatchClient | null = null;
   const begin = (next: Visit): void => {

@@ -10,6 +10,7 @@ import type { RunDocument } from "@corridor/recording";
 import type { i18n } from "i18next";
 import { dismiss, showMessage, type ScreenStore } from "../screen/screen-store.ts";
 import { missionOfHash } from "./mission-address.ts";
+import { replayStart, withoutReplayStart } from "./replay-start.ts";
 import type { decodeSharedLink, SharedContent } from "./shared-link.ts";
 import type { ShortLinkResult } from "./short-link.ts";
 import type { ProjectService } from "../projects/project-service.ts";
@@ -30,8 +31,8 @@ export interface UrlPorts {
   /** replaces the address without a reload: history.replaceState */
   replaceAddress: (address: string) => void;
   openEmptyMaze: () => void;
-  /** opens a recorded run; resolves with its problems */
-  openRun: (run: RunDocument) => Promise<readonly FieldProblem[]>;
+  /** opens a recorded run, see `openRun`; resolves with its problems */
+  openRun: (run: RunDocument, from: number | null) => Promise<readonly FieldProblem[]>;
   /**
    * opens a challenge with the program of the link, if any. Resolves with whether it opened;
    * otherwise a message has been shown
@@ -67,10 +68,10 @@ export async function followAddress(ports: UrlPorts): Promise<void> {
   }
   const result = links.decodeSharedLink(hash.slice(1));
   if (result.ok && result.value.run !== undefined) {
-    await openRecorded(ports, result.value.run);
+    await openRecorded(ports, result.value.run, replayStart(search));
     // A long run takes time, and a reload meanwhile starts again; another link may have been opened
     // since.
-    if (location.hash === hash) replaceAddress(pathname + search);
+    if (location.hash === hash) replaceAddress(pathname + withoutReplayStart(search));
     return;
   }
   if (result.ok && result.value.challenge !== undefined) {
@@ -170,8 +171,12 @@ function showNotOpened(ports: UrlPorts, text: string): void {
   });
 }
 
-async function openRecorded({ openRun, screen, words }: UrlPorts, run: RunDocument): Promise<void> {
-  const [problem] = await openRun(run);
+async function openRecorded(
+  { openRun, screen, words }: UrlPorts,
+  run: RunDocument,
+  from: number | null,
+): Promise<void> {
+  const [problem] = await openRun(run, from);
   if (problem === undefined) return;
   showMessage(screen, { tone: "bad", text: words.t("timeline.notOpened", { ...problem }) });
 }

@@ -1,6 +1,7 @@
 /**
  * Opens a recorded run from a link or a file. Its maze and program become a project beside the
- * user's own. The run is displayed from its start, and can be played, rewound and continued.
+ * user's own. The run is displayed from its start, or plays from a given tick. It can be played,
+ * rewound and continued.
  */
 import type { FieldProblem } from "@corridor/protocol";
 import type { RunDocument } from "@corridor/recording";
@@ -14,6 +15,7 @@ import {
 import type { SimulatorClient } from "../../simulator/simulator-client.ts";
 import type { ProjectService } from "./project-service.ts";
 import { loadRun } from "../run/run-requests.ts";
+import { watchAgain } from "../run/watch-again.ts";
 
 interface Opener {
   simulator: Pick<SimulatorClient, "send" | "listen" | "isGone">;
@@ -23,6 +25,7 @@ interface Opener {
 
 /**
  * @param run a document that has passed its schema
+ * @param from first tick to play; null displays the start of the run
  * @returns an empty list if the run was opened or cancelled; else its problems, and nothing has
  * changed
  */
@@ -30,6 +33,7 @@ export async function openRun(
   { simulator, projects, screen }: Opener,
   words: Pick<i18n, "t">,
   run: RunDocument,
+  from: number | null = null,
 ): Promise<readonly FieldProblem[]> {
   const waiting = new WaitingMessage(screen, words, () => load.cancel());
   const onPart = (part: number) => {
@@ -42,7 +46,8 @@ export async function openRun(
   waiting.end();
   if (!loaded.ok) return loaded.reason === "refused" ? loaded.problems : [];
   const back = projects.beginShared(loaded.maze, loaded.program, true);
-  simulator.send({ type: "seek", tick: 0 });
+  if (from === null) simulator.send({ type: "seek", tick: 0 });
+  else watchAgain(simulator, from);
   const id = showMessage(screen, {
     tone: "info",
     text: words.t("timeline.recorded"),

@@ -1,7 +1,5 @@
-/** Requests to a worker that tries programs in other mazes, and its answers. */
+/** Trials of a program in generated mazes, and their results. */
 import type { MazeDocument, MazeKind } from "@corridor/maze";
-import type { ProgramDocument } from "@corridor/program";
-import type { WrittenRun } from "@corridor/recording";
 
 /**
  * The mazes to try. A seed of `generateMaze` identifies a maze, so that anybody can generate it.
@@ -21,20 +19,3 @@ export interface TrialResult {
   /** when the goal was reached, the robot bumped, or the time was over */
   tick: number;
 }
-
-export type ToTrialWorker =
-  /** queues mazes; each is answered by a result */
-  | {
-      type: "try";
-      job: number;
-      program: ProgramDocument;
-      mazes: TrialMazes;
-      seeds: readonly number[];
-    }
-  /** drops the queued mazes */
-  | { type: "stop" }
-  | { type: "record"; maze: MazeDocument; program: ProgramDocument; ticks: number };
-
-export type FromTrialWorker =
-  | { type: "result"; job: number; result: TrialResult }
-  | { type: "recorded"; written: WrittenRun };

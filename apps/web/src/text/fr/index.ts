@@ -11,6 +11,7 @@ export const files = import.meta.glob<Words>(
     "!./race.json",
     "!./daily.json",
     "!./sound.json",
+    "!./teach.json",
     "!./watch.json",
   ],
   {

@@ -228,7 +228,7 @@ describe("the page", () => {
 
   it("is served at /, at each robot's address and at each short link, under a strict policy", async () => {
     const relay = await startTestRelay({ webRoot: builtWeb() });
-    for (const path of ["/", "/r/AAAAAAAAAAAAAAAAAAAAAA", "/m/AAAAAAAAAAAA"]) {
+    for (const path of ["/", "/r/AAAAAAAAAAAAAAAAAAAAAA", "/m/AAAAAAAAAAAA", "/teach"]) {
       const answer = await fetch(relay.origin + path);
       expect(await answer.text()).toContain("Corridor");
       const policy = answer.headers.get("content-security-policy") ?? "";

@@ -1,10 +1,6 @@
-/**
- * Runs a program in a generated maze without a page, and records the run so that the page can
- * display it.
- */
+/** Runs a program in a generated maze without a page. */
 import { generateMaze, type MazeDocument } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
-import { Recording, type WrittenRun } from "@corridor/recording";
 import { ProgramRun, Simulation, TICKS_PER_SECOND } from "@corridor/simulation";
 import type { TrialMazes, TrialOutcome, TrialResult } from "../protocol/trial-messages.ts";
 
@@ -39,15 +35,4 @@ function runUntilDecided(simulation: Simulation, run: ProgramRun, ticks: number)
     if (simulation.goalTick !== null) return "works";
   }
   return "time-limit";
-}
-
-/** The same run as a document, from the start to `ticks`. */
-export function recordTrial(
-  maze: MazeDocument,
-  program: ProgramDocument,
-  ticks: number,
-): WrittenRun {
-  const recording = new Recording(maze, program);
-  while (recording.run.tick < ticks) recording.step();
-  return recording.toDocument(maze.name);
 }

@@ -1,23 +1,23 @@
 import {
+  checkedRow,
   checkMazeOf,
   countMazes,
   violationOf,
+  violationRow,
   type Attempt,
   type LessonTask,
 } from "@corridor/challenge";
 import { describe, expect, it } from "vitest";
-import { checkedLine, unreadableLine, violationLine } from "./lesson-rows.ts";
+import { gradedLine, unreadableLine } from "./lesson-lines.ts";
 import { programOf, sampleTask, tooLong } from "./testing/sample-task.ts";
 
 function lineOf(task: LessonTask, attempt: Attempt) {
   const graded = { name: "a.json", attempt, number: 2, task };
   const violation = violationOf(task, attempt);
-  if (violation !== null) return violationLine(graded, violation);
+  if (violation !== null) return gradedLine(violationRow(graded, violation), graded);
   const mazes = Array.from({ length: countMazes(task) }, (_, maze) => maze);
-  return checkedLine(
-    graded,
-    mazes.map((maze) => checkMazeOf(task, maze, attempt)),
-  );
+  const outcomes = mazes.map((maze) => checkMazeOf(task, maze, attempt));
+  return gradedLine(checkedRow(graded, outcomes), graded);
 }
 
 const given: LessonTask = { ...sampleTask, unseen: null };

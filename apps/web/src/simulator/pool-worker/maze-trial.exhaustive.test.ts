@@ -2,7 +2,8 @@ import { programPresets, type ProgramDocument } from "@corridor/program";
 import { openRun } from "@corridor/recording";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { mazeOf, minutesFor, recordTrial, tryMaze } from "./maze-trial.ts";
+import { mazeOf, minutesFor, tryMaze } from "./maze-trial.ts";
+import { recordAttempt } from "./run-unit.ts";
 
 describe("a program in another maze", () => {
   it("works with the right-wall program in every tree", () => {
@@ -26,7 +27,7 @@ describe("a program in another maze", () => {
       fc.property(fc.nat(9_999), (seed) => {
         const maze = mazeOf({ kind: "tree", side: 9 }, seed, "Tree");
         const { outcome, tick } = tryMaze(maze, program, 1);
-        const written = recordTrial(maze, program, tick);
+        const written = recordAttempt({ maze, attempt: program, ticks: tick });
         if (!written.ok) throw new Error(written.reason);
         const opened = openRun(written.run);
         if (!opened.ok) throw new Error("the run does not open");

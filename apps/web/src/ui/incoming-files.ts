@@ -2,7 +2,16 @@
  * Receives files: dropped onto the page, pasted, or chosen in the file picker. This module listens
  * from the start, so it is small; the code that reads files is a separate chunk.
  */
-import type { TextFile } from "./open-files.ts";
+
+/** The part of `File` that is used. */
+export interface TextFile {
+  name: string;
+  /** media type; empty if the browser does not know it */
+  type?: string;
+  /** in bytes */
+  size: number;
+  text: () => Promise<string>;
+}
 
 interface IncomingPorts {
   /** called when a drag with files starts or ends over the page */

@@ -1,0 +1,115 @@
+/** A hand-in and a task: in how many mazes it passes, and where it fails first. */
+import { Ban, Check, CircleDashed, Clock, TriangleAlert, X, type IconNode } from "lucide";
+import { useTranslation } from "react-i18next";
+import { formatSeconds } from "../../text/numbers.ts";
+import { Icon } from "../../ui/Icon.tsx";
+import type { HandInRow } from "./check-hand-ins.ts";
+import { failureSentence } from "./failure-sentence.ts";
+import type { HandInResult, Verdict } from "./hand-in-result.ts";
+import { problemSentence } from "./problem-sentence.ts";
+import styles from "./hand-in-table.module.css";
+
+const icons: Record<Verdict, IconNode> = {
+  all: Check,
+  enough: TriangleAlert,
+  fails: X,
+  "time-limit": Clock,
+  "not-allowed": Ban,
+  open: CircleDashed,
+};
+
+interface HandInTableRowProps {
+  row: HandInRow;
+  /** whether the table has a column for the task */
+  hasTasks: boolean;
+}
+
+export function HandInTableRow({ row, hasTasks }: HandInTableRowProps) {
+  const { t, i18n } = useTranslation("teach", { useSuspense: false });
+  const { number, sameAs, checked } = row;
+  return (
+    <tr>
+      <td className={styles["number"]}>{number}</td>
+      <th scope="row" className={styles["handIn"]}>
+        <HandInName row={row} />
+      </th>
+      {hasTasks && <td data-label={t("table.task")}>{checked.ok ? checked.task.number : ""}</td>}
+      {checked.ok ? (
+        <>
+          <td data-label={t("table.passes")}>
+            <Passes result={checked.result} />
+          </td>
+          <td className={styles["figure"]} data-label={t("table.lines")}>
+            {checked.result.lines ?? ""}
+          </td>
+          <td className={styles["figure"]} data-label={t("table.seconds")}>
+            {checked.result.ticks === null
+              ? ""
+              : formatSeconds(checked.result.ticks, i18n.language)}
+          </td>
+          <td className={styles["first"]}>
+            {checked.result.first !== null &&
+              failureSentence(
+                { t, language: i18n.language },
+                checked.task.task,
+                checked.result.first,
+              )}
+          </td>
+          <td>
+            {checked.watch !== null && (
+              <a
+                className={styles["watch"]}
+                href={checked.watch}
+                target="_blank"
+                rel="noopener"
+                aria-label={t("table.watchLabel", { number })}
+              >
+                {t("table.watch")}
+              </a>
+            )}
+          </td>
+        </>
+      ) : (
+        <td className={styles["problem"]} colSpan={5}>
+          {problemSentence(t, checked)}
+        </td>
+      )}
+      <td className={styles["figure"]} data-label={t("table.sameAs")}>
+        {sameAs ?? ""}
+      </td>
+    </tr>
+  );
+}
+
+function HandInName({ row: { source, title } }: { row: HandInRow }) {
+  const { t } = useTranslation("teach", { useSuspense: false });
+  const name = "file" in source ? source.file : t("table.line", { line: source.line });
+  return (
+    <>
+      <span className={styles["name"]} dir="auto">
+        {name}
+      </span>
+      {title !== "" && (
+        <span className={styles["program"]} dir="auto">
+          {title}
+        </span>
+      )}
+    </>
+  );
+}
+
+function Passes({ result }: { result: HandInResult }) {
+  const { t } = useTranslation("teach", { useSuspense: false });
+  const { verdict, passed, mazes } = result;
+  return (
+    <span className={styles["verdict"]} data-verdict={verdict}>
+      <Icon of={icons[verdict]} size={16} strokeWidth={2.5} />
+      <span>
+        {verdict !== "not-allowed" && (
+          <span className={styles["count"]}>{t("table.of", { passed, all: mazes })}</span>
+        )}
+        <span className={styles["word"]}>{t(`verdict.${verdict}`)}</span>
+      </span>
+    </span>
+  );
+}

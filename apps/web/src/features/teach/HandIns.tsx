@@ -1,0 +1,110 @@
+/** Checks the hand-ins of a class: opens a lesson, takes programs, and shows where they fail. */
+import { useEffect, useRef, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { readShortLink } from "../../model/address/short-link.ts";
+import type { KeyValueStorage } from "../../model/storage/key-value-storage.ts";
+import { createWorkerPool } from "../../simulator/worker-pool.ts";
+import { listenForFiles } from "../../ui/incoming-files.ts";
+import { HandInCheck } from "./check-hand-ins.ts";
+import { CheckProgress } from "./CheckProgress.tsx";
+import { HandInFields } from "./HandInFields.tsx";
+import { HandInTable } from "./HandInTable.tsx";
+import { HandInsWork } from "./hand-ins-work.ts";
+import { LessonOpener } from "./LessonOpener.tsx";
+import { mazeName } from "./maze-name.ts";
+import { OpenLesson } from "./OpenLesson.tsx";
+import { looksLikeLesson, readLessonAddress } from "./read-lesson.ts";
+import { TeachStorage } from "./teach-storage.ts";
+import { HAND_INS_HASH } from "./teach-view.ts";
+import styles from "./hand-ins.module.css";
+
+/** Interval between two updates of the table. */
+const SHOW_MS = 125;
+/** Interval of requests while the service delays short links. */
+const WAIT_MS = 1_000;
+
+interface HandInsProps {
+  /** localStorage */
+  device: KeyValueStorage;
+  /** link of a lesson in the address, or null */
+  link: string | null;
+}
+
+export function HandIns({ device, link }: HandInsProps) {
+  const { t } = useTranslation("teach", { useSuspense: false });
+  const { work, check } = useWork(device);
+  const hasLesson = useStore(work.store, ({ lesson }) => lesson !== null);
+  const isOver = useIncoming(work);
+  useEffect(() => {
+    if (link === null) return;
+    void work.openAddress(link).then(() => {
+      // A reload continues with the stored work.
+      if (location.hash === `#${link}`) location.replace(HAND_INS_HASH);
+    });
+  }, [work, link]);
+  return (
+    <div className={styles["view"]} data-over={isOver}>
+      <h2 className={styles["title"]}>{t("handIns.title")}</h2>
+      {hasLesson ? <OpenLesson work={work} /> : <LessonOpener work={work} />}
+      {hasLesson && <HandInFields work={work} check={check} />}
+      {hasLesson && <CheckProgress check={check} />}
+      {hasLesson && <HandInTable check={check} />}
+      {isOver && <p className={styles["over"]}>{t("handIns.drop")}</p>}
+    </div>
+  );
+}
+
+function useWork(device: KeyValueStorage): { work: HandInsWork; check: HandInCheck } {
+  const { t, i18n } = useTranslation("teach", { useSuspense: false });
+  const translate = useRef({ t, i18n });
+  useEffect(() => {
+    translate.current = { t, i18n };
+  });
+  const [parts] = useState(() => {
+    const pool = createWorkerPool();
+    const check = new HandInCheck(
+      pool,
+      (show) => setTimeout(show, SHOW_MS),
+      (task, maze) => mazeName(translate.current.t, task, maze),
+    );
+    const readShort = async (id: string) =>
+      readShortLink(
+        id,
+        (url) => fetch(url),
+        async () => new Promise((resolve) => setTimeout(resolve, WAIT_MS)),
+      );
+    const work = new HandInsWork({
+      storage: new TeachStorage(device),
+      check,
+      readAddress: (text) => readLessonAddress(text, location.host, readShort),
+    });
+    return { pool, work, check };
+  });
+  const { pool } = parts;
+  useEffect(() => {
+    // Ready before the teacher presses Check.
+    pool.open();
+    return () => pool.close();
+  }, [pool]);
+  return parts;
+}
+
+/** Takes dropped files, and what is pasted outside of a field. @returns whether a drag is over */
+function useIncoming(work: HandInsWork): boolean {
+  const [isOver, setOver] = useState(false);
+  useEffect(
+    () =>
+      listenForFiles({
+        over: setOver,
+        take: (files) => void work.addFiles(files),
+        pasted: (text) => {
+          const hasLesson = work.store.getState().lesson !== null;
+          if (hasLesson && !looksLikeLesson(text)) work.addLines(text);
+          else void work.openAddress(text);
+        },
+      }),
+    [work],
+  );
+  return isOver;
+}

@@ -1,0 +1,59 @@
+/**
+ * Messages between a pool and its workers. A job consists of numbered units that any worker can run
+ * in any order; each unit has one result.
+ */
+import type { Attempt, CheckJob, MazeOutcome } from "@corridor/challenge";
+import type { MazeDocument } from "@corridor/maze";
+import type { ProgramDocument } from "@corridor/program";
+import type { WrittenRun } from "@corridor/recording";
+import type { TrialMazes, TrialResult } from "./trial-messages.ts";
+
+/** A run to record, from the start of the maze. */
+export interface RunToRecord {
+  maze: MazeDocument;
+  attempt: Attempt;
+  ticks: number;
+}
+
+export type PoolJob =
+  /** unit n tries the program in the maze with the seed `first` + n */
+  | { kind: "trial"; program: ProgramDocument; mazes: TrialMazes; first: number }
+  /** units of `checkUnitAt` */
+  | { kind: "check"; check: CheckJob }
+  /** a unit for each run */
+  | { kind: "record"; runs: readonly RunToRecord[] };
+
+/** The result of a unit, by the kind of its job. */
+export type PoolResult =
+  | { kind: "trial"; trial: TrialResult }
+  | { kind: "check"; outcome: MazeOutcome }
+  | { kind: "record"; written: WrittenRun };
+
+/** Units from `from` up to and without `to`. */
+export interface UnitRange {
+  from: number;
+  to: number;
+}
+
+export type ToPoolWorker =
+  /** replaces the job; its units follow */
+  | { type: "begin"; id: number; job: PoolJob }
+  /** queues units of the job */
+  | ({ type: "units" } & UnitRange)
+  /** drops the queued units */
+  | { type: "stop" };
+
+/** Results of a job, in the order in which the worker ran the units. */
+export interface FromPoolWorker {
+  /** id of the job */
+  id: number;
+  results: readonly { unit: number; result: PoolResult }[];
+}
+
+/** The part of `Worker` that a pool uses. */
+export interface PoolPort {
+  postMessage: (message: ToPoolWorker) => void;
+  onmessage: ((event: MessageEvent<FromPoolWorker>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+  terminate: () => void;
+}
