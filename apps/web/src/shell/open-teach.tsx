@@ -8,7 +8,7 @@ import { LanguageProvider } from "../model/language-context.ts";
 import type { PageParts } from "../model/page-parts.ts";
 
 export async function openPage({ root, words, language, device, tools }: PageParts): Promise<void> {
-  await words.loadNamespaces("teach");
+  await words.loadNamespaces(["teach", "report"]);
   root.render(
     <I18nextProvider i18n={words}>
       <LanguageProvider value={language}>

@@ -9,6 +9,7 @@ import type missions from "./en/missions.json";
 import type otherMazes from "./en/other-mazes.json";
 import type runDetails from "./en/run-details.json";
 import type race from "./en/race.json";
+import type report from "./en/report.json";
 import type daily from "./en/daily.json";
 import type sound from "./en/sound.json";
 import type teach from "./en/teach.json";
@@ -26,6 +27,8 @@ export interface Namespaces {
   runDetails: typeof runDetails;
   /** races against recorded runs */
   race: typeof race;
+  /** the report of a class */
+  report: typeof report;
   /** the maze of the day */
   daily: typeof daily;
   /** sounds of the run */

@@ -58,6 +58,16 @@ export const partLoaders: Record<
     pt: async () => (await import("./pt/race.json")).default,
     "zh-Hans": async () => (await import("./zh-Hans/race.json")).default,
   },
+  report: {
+    en: async () => (await import("./en/report.json")).default,
+    ar: async () => (await import("./ar/report.json")).default,
+    de: async () => (await import("./de/report.json")).default,
+    es: async () => (await import("./es/report.json")).default,
+    fr: async () => (await import("./fr/report.json")).default,
+    ja: async () => (await import("./ja/report.json")).default,
+    pt: async () => (await import("./pt/report.json")).default,
+    "zh-Hans": async () => (await import("./zh-Hans/report.json")).default,
+  },
   daily: {
     en: async () => (await import("./en/daily.json")).default,
     ar: async () => (await import("./ar/daily.json")).default,

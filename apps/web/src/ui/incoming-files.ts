@@ -88,12 +88,17 @@ export function listenForFiles({ over, take, pasted }: IncomingPorts): () => voi
   return () => end.abort();
 }
 
-/** Opens the file picker. `take` is not called if the user cancels. */
-export function chooseFiles(take: (files: readonly TextFile[]) => void): void {
+const DOCUMENTS = ".json,.txt,.maze,application/json,text/plain";
+
+/**
+ * Opens the file picker. `take` is not called if the user cancels.
+ * @param accept types of files that the picker offers
+ */
+export function chooseFiles(take: (files: readonly TextFile[]) => void, accept = DOCUMENTS): void {
   const input = document.createElement("input");
   input.type = "file";
   input.multiple = true;
-  input.accept = ".json,.txt,.maze,application/json,text/plain";
+  input.accept = accept;
   input.addEventListener("change", () => take([...(input.files ?? [])]));
   input.click();
 }

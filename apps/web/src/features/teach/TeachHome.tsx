@@ -1,13 +1,14 @@
 /** The start of the pages for teachers: what they can do here. */
-import { ListChecks, type IconNode } from "lucide";
+import { ChartColumn, ListChecks, type IconNode } from "lucide";
 import { useTranslation } from "react-i18next";
 import { Icon } from "../../ui/Icon.tsx";
-import { HAND_INS_HASH } from "./teach-view.ts";
+import { HAND_INS_HASH, REPORT_HASH } from "./teach-view.ts";
 import styles from "./teach-home.module.css";
 
 /** Texts of `teach:home.entries`, icon and address of each entry. */
-const entries: readonly { id: "handIns"; icon: IconNode; href: string }[] = [
+const entries: readonly { id: "handIns" | "reports"; icon: IconNode; href: string }[] = [
   { id: "handIns", icon: ListChecks, href: HAND_INS_HASH },
+  { id: "reports", icon: ChartColumn, href: REPORT_HASH },
 ];
 
 export function TeachHome() {

@@ -10,6 +10,14 @@ import { teachViewOf } from "./teach-view.ts";
 import styles from "./teach.module.css";
 
 const HandIns = lazyPart(async () => (await import("./HandIns.tsx")).HandIns);
+const ReportView = lazyPart(async () => (await import("./report/ReportView.tsx")).ReportView);
+
+const titles = {
+  home: "teach:title",
+  "hand-ins": "teach:handIns.pageTitle",
+  lesson: "teach:handIns.pageTitle",
+  report: "report:pageTitle",
+} as const;
 
 interface TeachPageProps {
   /** localStorage */
@@ -19,10 +27,10 @@ interface TeachPageProps {
 }
 
 export function TeachPage({ device, tools }: TeachPageProps) {
-  const { t, i18n } = useTranslation(["teach", "words"], { useSuspense: false });
+  const { t, i18n } = useTranslation(["teach", "report", "words"], { useSuspense: false });
   const hash = useSyncExternalStore(listenToAddress, () => location.hash);
   const view = teachViewOf(hash);
-  const title = t(view.name === "home" ? "teach:title" : "teach:handIns.pageTitle");
+  const title = t(titles[view.name]);
   useEffect(() => {
     document.title = title;
   }, [title, i18n.language]);
@@ -51,9 +59,9 @@ export function TeachPage({ device, tools }: TeachPageProps) {
           <div className={styles["end"]}>{tools}</div>
         </header>
         <main ref={main} className={styles["main"]} tabIndex={-1}>
-          {view.name === "home" ? (
-            <TeachHome />
-          ) : (
+          {view.name === "home" && <TeachHome />}
+          {view.name === "report" && <ReportView />}
+          {(view.name === "hand-ins" || view.name === "lesson") && (
             <HandIns device={device} link={view.name === "lesson" ? view.link : null} />
           )}
         </main>

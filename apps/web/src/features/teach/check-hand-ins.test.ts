@@ -163,6 +163,6 @@ describe("the table as CSV", () => {
     const value = { attempt: programOf("right-wall", ""), task: null };
     check.start([first], [{ source: { file: "=1+1.json" }, read: { ok: true, value } }]);
     answerAll();
-    expect(handInsCsv(state().rows)).toContain("1,'=1+1.json,1,true");
+    expect(handInsCsv(state().rows)).toContain(`1,"'=1+1.json",1,true`);
   });
 });

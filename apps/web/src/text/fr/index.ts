@@ -9,6 +9,7 @@ export const files = import.meta.glob<Words>(
     "!./other-mazes.json",
     "!./run-details.json",
     "!./race.json",
+    "!./report.json",
     "!./daily.json",
     "!./sound.json",
     "!./teach.json",

@@ -1,0 +1,132 @@
+/** Shows the figures of a class from its tables, as the thesis of 2013 does. */
+import { reportOf, studyCsv, type Report } from "@corridor/report";
+import { FileDown, FolderOpen, Printer } from "lucide";
+import { useEffect, useEffectEvent, useMemo, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { Button } from "../../../ui/Button.tsx";
+import { Icon } from "../../../ui/Icon.tsx";
+import { chooseFiles, listenForFiles, type TextFile } from "../../../ui/incoming-files.ts";
+import { saveFile } from "../../../ui/save-file.ts";
+import { addReportFiles, studyOf, type ReadFiles } from "./report-files.ts";
+import { ReportProblems } from "./ReportProblems.tsx";
+import { SurveyTable } from "./SurveyTable.tsx";
+import { TaskFigures } from "./TaskFigures.tsx";
+import { TaskTables } from "./TaskTables.tsx";
+import styles from "./report.module.css";
+
+const TABLES = ".csv,.txt,text/csv,text/plain";
+
+export function ReportView() {
+  const { t } = useTranslation("report", { useSuspense: false });
+  const [{ files, problems }, setRead] = useState<ReadFiles>({ files: [], problems: [] });
+  const [mistakes, setMistakes] = useState<ReadonlyMap<string, number>>(new Map());
+  const study = useMemo(() => studyOf(files), [files]);
+  const report = useMemo(() => reportOf(study, mistakes), [study, mistakes]);
+  const add = async (added: readonly TextFile[]): Promise<void> =>
+    setRead(await addReportFiles(files, added));
+  const isOver = useIncoming((added) => void add(added));
+  const isEmpty = files.length === 0;
+  return (
+    <div className={styles["view"]}>
+      <h2 className={styles["title"]}>{t("title")}</h2>
+      <section className={styles["opener"]} aria-label={t("tables")}>
+        <p>{isEmpty ? t("intro") : files.map(({ name }) => name).join(", ")}</p>
+        <div className={styles["buttons"]}>
+          <Button
+            kind={isEmpty ? "primary" : "outline"}
+            icon={<Icon of={FolderOpen} />}
+            onClick={() => chooseFiles((added) => void add(added), TABLES)}
+          >
+            {t("files")}
+          </Button>
+          {!isEmpty && (
+            <Button
+              onClick={() => {
+                setRead({ files: [], problems: [] });
+                setMistakes(new Map());
+              }}
+            >
+              {t("remove")}
+            </Button>
+          )}
+        </div>
+        {isEmpty && <p className={styles["note"]}>{t("drop")}</p>}
+      </section>
+      <ReportProblems problems={problems} />
+      {!isEmpty && (
+        <ReportContent
+          report={report}
+          onMistakes={(id, students) => {
+            const next = new Map(mistakes);
+            if (students === null) next.delete(id);
+            else next.set(id, students);
+            setMistakes(next);
+          }}
+          onSave={() => {
+            // Spreadsheets expect a byte order mark in UTF-8.
+            const text = `\uFEFF${studyCsv(study).join("\r\n")}\r\n`;
+            saveFile(new Blob([text], { type: "text/csv" }), "report.csv");
+          }}
+        />
+      )}
+      {isOver && <p className={styles["over"]}>{t("drop")}</p>}
+    </div>
+  );
+}
+
+interface ReportContentProps {
+  report: Report;
+  /** @param students null: not counted */
+  onMistakes: (question: string, students: number | null) => void;
+  onSave: () => void;
+}
+
+function ReportContent({ report, onMistakes, onSave }: ReportContentProps) {
+  const { t } = useTranslation("report", { useSuspense: false });
+  const { students, tasks, questions } = report;
+  return (
+    <>
+      <p className={styles["students"]} role="status">
+        {students === 1 ? t("oneStudent") : t("students", { all: students })}
+      </p>
+      {tasks.length > 0 && <TaskTables tasks={tasks} />}
+      {tasks.length > 0 && <TaskFigures tasks={tasks} />}
+      {questions.length > 0 && (
+        <SurveyTable questions={questions} students={students} onMistakes={onMistakes} />
+      )}
+      <section className={styles["definitions"]} aria-label={t("definitions.title")}>
+        <h3 className={styles["heading"]}>{t("definitions.title")}</h3>
+        <ul>
+          {(["time", "lines", "attempts", "mistakes", "deviation", "few"] as const).map((each) => (
+            <li key={each}>{t(`definitions.${each}`)}</li>
+          ))}
+        </ul>
+      </section>
+      <div className={styles["buttons"]}>
+        <Button icon={<Icon of={Printer} />} onClick={() => window.print()}>
+          {t("print")}
+        </Button>
+        <Button icon={<Icon of={FileDown} />} onClick={onSave}>
+          {t("csv")}
+        </Button>
+      </div>
+    </>
+  );
+}
+
+/** Takes dropped and pasted files, and pasted tables. @returns whether a drag is over the page */
+function useIncoming(take: (files: readonly TextFile[]) => void): boolean {
+  const [isOver, setOver] = useState(false);
+  const onFiles = useEffectEvent(take);
+  useEffect(
+    () =>
+      listenForFiles({
+        over: setOver,
+        take: (files) => onFiles(files),
+        pasted: (text) =>
+          onFiles([{ name: "pasted.csv", size: text.length, text: async () => text }]),
+      }),
+    [],
+  );
+  return isOver;
+}

@@ -1,0 +1,84 @@
+/** The answers to the survey. The teacher types how many students made a related mistake. */
+import type { QuestionReport } from "@corridor/report";
+import { useTranslation } from "react-i18next";
+import { classNames } from "../../../ui/class-names.ts";
+import { columnName, decimalText, percentText } from "./report-numbers.ts";
+import field from "../../../ui/field.module.css";
+import styles from "./report.module.css";
+
+interface SurveyTableProps {
+  questions: readonly QuestionReport[];
+  students: number;
+  /** @param count null: not counted */
+  onMistakes: (question: string, count: number | null) => void;
+}
+
+export function SurveyTable({ questions, students, onMistakes }: SurveyTableProps) {
+  const { t, i18n } = useTranslation("report", { useSuspense: false });
+  const { language } = i18n;
+  return (
+    <section className={styles["section"]} aria-label={t("survey.title")}>
+      <h3 className={styles["heading"]}>{t("survey.title")}</h3>
+      <p className={styles["note"]}>{t("survey.note")}</p>
+      {/* oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- scrolls by keyboard */}
+      <div className={styles["scroll"]} tabIndex={0} role="group" aria-label={t("survey.title")}>
+        <table className={styles["table"]}>
+          <thead>
+            <tr>
+              <th scope="col">{t("survey.question")}</th>
+              {[1, 2, 3, 4, 5].map((answer) => (
+                <th key={answer} scope="col" className={styles["end"]}>
+                  {answer}
+                </th>
+              ))}
+              <th scope="col" className={styles["end"]}>
+                {t("survey.skipped")}
+              </th>
+              <th scope="col" className={styles["end"]}>
+                {t("columns.mean")}
+              </th>
+              <th scope="col" className={styles["end"]}>
+                {t("survey.mistakes")}
+              </th>
+            </tr>
+          </thead>
+          <tbody>
+            {questions.map(({ id, counts, skipped, mean, mistakes }) => (
+              <tr key={id}>
+                <th scope="row">{columnName(id)}</th>
+                {counts.map((count, at) => (
+                  // oxlint-disable-next-line react/no-array-index-key -- the answers 1 to 5
+                  <td key={at}>{count}</td>
+                ))}
+                <td>{skipped}</td>
+                <td>{mean === null ? t("few") : decimalText(mean, language, 1)}</td>
+                <td>{mistakes === null ? "–" : percentText(mistakes.share, language)}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      <fieldset className={styles["mistakes"]}>
+        <legend>{t("survey.mistakesOf")}</legend>
+        {questions.map(({ id, mistakes }) => (
+          <label key={id} className={styles["mistake"]}>
+            {columnName(id)}
+            <input
+              type="number"
+              inputMode="numeric"
+              min={0}
+              max={students}
+              className={classNames(field["field"], styles["count"])}
+              value={mistakes?.students ?? ""}
+              onChange={({ target }) => {
+                const count = Number(target.value);
+                const isCount = target.value !== "" && Number.isInteger(count);
+                onMistakes(id, isCount ? Math.min(Math.max(count, 0), students) : null);
+              }}
+            />
+          </label>
+        ))}
+      </fieldset>
+    </section>
+  );
+}

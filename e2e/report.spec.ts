@@ -1,0 +1,119 @@
+/** The report of a class: the numbers of the thesis of 2013 from its own tables. */
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import type { Page } from "playwright/test";
+import { expect, test } from "./fixtures.ts";
+import { expectNoAxeViolations } from "./support/axe.ts";
+import { horizontalOverflow, smallTouchTargets } from "./support/layout.ts";
+import { smallestPhone } from "./support/phone.ts";
+
+const paper = (name: string) =>
+  fileURLToPath(new URL(`../packages/report/src/testing/${name}`, import.meta.url));
+const paperFiles = [paper("table-10-times.csv"), paper("table-9-survey.csv")];
+
+interface NamedText {
+  name: string;
+  mimeType: string;
+  buffer: Buffer;
+}
+
+const csv = (name: string, text: string): NamedText => ({
+  name,
+  mimeType: "text/csv",
+  buffer: Buffer.from(text),
+});
+
+async function choose(page: Page, files: string[] | NamedText[]): Promise<void> {
+  const chooser = page.waitForEvent("filechooser");
+  await page.getByRole("button", { name: "Choose CSV files" }).click();
+  await (await chooser).setFiles(files);
+}
+
+test.beforeEach(async ({ page }) => {
+  await page.goto("/teach");
+  await page.getByRole("link", { name: /^Reports/ }).click();
+  await expect(page.getByRole("heading", { name: "Reports" })).toBeVisible();
+});
+
+test("shows the paper's numbers from the paper's files, and the mistakes that the teacher types", async ({
+  page,
+}) => {
+  await choose(page, paperFiles);
+  await expect(page.getByText("Students: 28")).toBeVisible();
+  const cells = (name: string) =>
+    page.getByRole("row", { name: new RegExp(`^${name}`) }).getByRole("cell");
+  await expect(cells("right wall")).toHaveText([
+    "28 of 28 (100%)",
+    "5:17",
+    "4:30",
+    "3:53",
+    "0:30",
+    "14:00",
+    "2 lines (5 in the paper)",
+  ]);
+  await expect(cells("farthest distance")).toHaveText([
+    "28 of 28 (100%)",
+    "3:48",
+    "3:53",
+    "2:15",
+    "0:45",
+    "9:30",
+    "3 lines (7 in the paper)",
+  ]);
+  await expect(page.getByText("Table 6 of the paper prints 3:38.")).toBeVisible();
+  const bars = page.getByRole("list", { name: "Time of each student: right wall" });
+  await expect(bars.getByRole("listitem")).toHaveCount(28);
+  await expect(bars.getByRole("listitem").last()).toHaveText("Student 28: 14:00");
+
+  const mistakes = page.getByRole("group", { name: "Students with a mistake" });
+  await mistakes.getByLabel("control flow").fill("1");
+  await mistakes.getByLabel("navigation").fill("3");
+  await expect(cells("control flow")).toHaveText(["0", "3", "5", "9", "11", "0", "4.0", "3.6%"]);
+  await expect(cells("navigation")).toHaveText(["0", "1", "4", "9", "14", "0", "4.3", "10.7%"]);
+  await expectNoAxeViolations(page, "a report");
+});
+
+test("saves one table, and opens it again with the same report", async ({ page }, info) => {
+  await choose(page, paperFiles);
+  const tables = page.getByRole("table");
+  await expect(tables).toHaveCount(2);
+  const shown = await tables.allInnerTexts();
+  const download = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Save as CSV" }).click();
+  const saved = info.outputPath("report.csv");
+  await (await download).saveAs(saved);
+  expect(readFileSync(saved, "utf8")).toMatch(/^\uFEFFstudent,task,seconds,/);
+  await page.getByRole("button", { name: "Remove files" }).click();
+  await expect(tables).toHaveCount(0);
+  await choose(page, [saved]);
+  await expect(tables).toHaveCount(2);
+  expect(await tables.allInnerTexts()).toEqual(shown);
+});
+
+test("explains an invalid table, and keeps the open report", async ({ page }) => {
+  await choose(page, [csv("one.csv", "student,task,seconds\nJuniper,1,60\n")]);
+  await expect(page.getByText("1 student: too few for a mean.")).toBeVisible();
+  await choose(page, [
+    csv("text.csv", "hello world\n"),
+    csv("six.csv", "navigation\n5\n6\n"),
+    csv("again.csv", "student,task,seconds\nJuniper,1,90\n"),
+  ]);
+  await expect(page.getByRole("alert").getByRole("listitem")).toHaveText([
+    /text\.csv is not a table that Corridor can read\..*row 1: found the columns hello world/,
+    /six\.csv is not.*row 3, navigation: found 6, expected an answer from 1/,
+    /again\.csv is not.*found two rows of Juniper and 1/,
+  ]);
+  await expect(page.getByRole("row", { name: /^1 / })).toContainText("1:00");
+});
+
+test.describe("on the smallest phone", () => {
+  test.use({ ...smallestPhone });
+
+  test("scrolls tables inside the page", async ({ page }) => {
+    await choose(page, paperFiles);
+    await expect(page.getByText("Students: 28")).toBeVisible();
+    expect(await horizontalOverflow(page)).toEqual([]);
+    expect(await smallTouchTargets(page)).toEqual([]);
+    await expectNoAxeViolations(page, "a report on a phone");
+  });
+});
