@@ -38,18 +38,18 @@ export function TeachPage({ device, tools }: TeachPageProps) {
   return (
     <ErrorBoundary onError={() => undefined}>
       <div className={styles["page"]}>
-        <a
-          className={styles["skip"]}
-          href="#main"
-          onClick={(event) => {
-            // The fragment of the address names the view.
-            event.preventDefault();
-            main.current?.focus();
-          }}
-        >
-          {t("teach:skip")}
-        </a>
         <header className={styles["bar"]}>
+          <a
+            className={styles["skip"]}
+            href="#main"
+            onClick={(event) => {
+              // The fragment of the address names the view.
+              event.preventDefault();
+              main.current?.focus();
+            }}
+          >
+            {t("teach:skip")}
+          </a>
           <a className={styles["brand"]} href="/">
             <Brand />
           </a>
@@ -58,7 +58,7 @@ export function TeachPage({ device, tools }: TeachPageProps) {
           </a>
           <div className={styles["end"]}>{tools}</div>
         </header>
-        <main ref={main} className={styles["main"]} tabIndex={-1}>
+        <main ref={main} id="main" className={styles["main"]} tabIndex={-1}>
           {view.name === "home" && <TeachHome />}
           {view.name === "report" && <ReportView />}
           {(view.name === "hand-ins" || view.name === "lesson") && (

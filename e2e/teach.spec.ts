@@ -1,0 +1,272 @@
+/** Teachers check the hand-ins of a class on `/teach`. */
+import { readFileSync } from "node:fs";
+import { lessonMark, type LessonDocument, type LessonTask } from "@corridor/challenge";
+import { encodeLink, type LinkContent } from "@corridor/link";
+import { mazePresets, type MazePresetId } from "@corridor/maze";
+import { programPresets, type ProgramDocument, type ProgramPresetId } from "@corridor/program";
+import { Recording } from "@corridor/recording";
+import { expect, test } from "./fixtures.ts";
+import { CorridorPage } from "./pages/corridor-page.ts";
+import { LessonsPanel } from "./pages/lessons-panel.ts";
+import { TeachPage } from "./pages/teach-page.ts";
+import { expectNoAxeViolations } from "./support/axe.ts";
+import { KeyboardUser } from "./support/keyboard-user.ts";
+import { horizontalOverflow, smallTouchTargets } from "./support/layout.ts";
+
+const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+
+function mazeOf(id: MazePresetId) {
+  const preset = mazePresets.find((each) => each.id === id);
+  if (preset === undefined) throw new Error(`no maze ${id}`);
+  return preset.maze;
+}
+
+function programOf(id: ProgramPresetId, name: string): ProgramDocument {
+  const preset = programPresets.find((each) => each.id === id);
+  if (preset === undefined) throw new Error(`no program ${id}`);
+  return { ...preset.program, name };
+}
+
+function linkOf(content: LinkContent): string {
+  const link = encodeLink(content);
+  if (!link.ok) throw new Error(link.code);
+  return link.text;
+}
+
+/** Right-wall passes in all mazes; left-wall bumps in maze 2. */
+const everyMaze: LessonTask = {
+  name: "Every maze",
+  words: { task: "Reach the goal.", short: "Reach the goal", hints: [] },
+  mazes: [mazeOf("first-steps"), mazeOf("comb")],
+  program: null,
+  goal: { kind: "reach" },
+  allowed: {
+    drivers: ["program"],
+    lines: 3,
+    conditions: null,
+    actions: null,
+    edits: ["condition", "number", "action", "otherwise", "order", "lines"],
+    maze: false,
+    tools: null,
+    help: null,
+  },
+  checks: { bumps: 0, seconds: 120 },
+  par: null,
+  unseen: { kind: "tree", columns: 11, rows: 11, seed: 7, count: 48, pass: 40 },
+};
+
+function lessonOf(...tasks: LessonTask[]): LessonDocument {
+  return {
+    format: "corridor/challenge",
+    version: 2,
+    language: "en",
+    name: "Two mazes, three lines",
+    intro: "",
+    order: "any",
+    tasks,
+    survey: [],
+  };
+}
+
+const lesson = lessonOf(everyMaze);
+const lessonLink = linkOf({ lesson });
+const juniper = programOf("right-wall", "Juniper");
+const comet = programOf("left-wall", "Comet");
+
+function runFile(): string {
+  const recording = new Recording(mazeOf("first-steps"), juniper);
+  for (let tick = 0; tick < 100; tick++) recording.step();
+  const written = recording.toDocument("Run");
+  if (!written.ok) throw new Error(written.reason);
+  return written.text;
+}
+
+test("leads from the lessons to the hand-ins, and checks hand-ins of every kind", async ({
+  page,
+}) => {
+  await new CorridorPage(page).open();
+  await new LessonsPanel(page).openPath();
+  await page.getByRole("link", { name: "For teachers" }).click();
+  await expect(page).toHaveTitle("For teachers – Corridor");
+  await page.getByRole("link", { name: /^Check hand-ins/ }).click();
+  await expect(page).toHaveTitle("Check hand-ins – Corridor");
+  const teach = new TeachPage(page);
+
+  await teach.lesson.fill("nonsense");
+  await teach.openLesson.click();
+  await expect(page.getByRole("alert")).toContainText("This is not a link of Corridor");
+  await teach.lesson.fill(`https://corridor.example/#${lessonLink}`);
+  await teach.openLesson.click();
+  await expect(page.getByRole("heading", { name: "Two mazes, three lines" })).toBeVisible();
+
+  await teach.chooseFiles([
+    { name: "juniper.program.json", text: JSON.stringify(juniper) },
+    { name: "juniper.run.json", text: runFile() },
+    { name: "broken.json", text: JSON.stringify({ ...juniper, default: "fly" }) },
+  ]);
+  const mark = lessonMark(lesson);
+  await teach.checkLines([
+    linkOf({ program: comet }),
+    `https://corridor.example/#${linkOf({ completion: { lesson: mark, task: 0, attempt: juniper } })}`,
+    linkOf({ completion: { lesson: "000000000", task: 0, attempt: juniper } }),
+    linkOf({ program: juniper }).slice(0, -3),
+    "Anna",
+  ]);
+  await expect(teach.rows).toHaveCount(8);
+  const row = (number: number) => teach.rows.nth(number - 1);
+  await expect(row(1)).toContainText(/juniper\.program\.json.*50 of 50.*passes.*13\.3/s);
+  await expect(row(1).getByRole("cell").last()).toHaveText("2");
+  await expect(row(2)).toContainText("50 of 50");
+  await expect(row(3)).toContainText('default: found "fly", expected one of forward');
+  await expect(row(4)).toContainText(/Line 1.*does not pass.*Maze 2: bump at 1\.3 s, line 1/s);
+  await expect(row(5)).toContainText("50 of 50");
+  await expect(row(6)).toContainText("Not checked: this code is not from this lesson.");
+  await expect(row(7)).toContainText("Not checked: a part of this link is missing.");
+  await expect(row(8)).toContainText("Not checked: this is not a link of Corridor");
+  await expectNoAxeViolations(page, "hand-ins");
+
+  // Watch plays the last two seconds in the student's page.
+  const opened = page.context().waitForEvent("page");
+  await row(4).getByRole("link", { name: "Watch" }).click();
+  const student = new CorridorPage(await opened);
+  await student.waitUntilReady();
+  await expect(student.mazeMenu).toHaveAccessibleName("Maze 2, Maze menu");
+  await expect(student.program.name).toHaveValue("Comet");
+  await expect(student.page).toHaveURL(/\/$/);
+});
+
+test("opens the lesson of its address, and continues after a reload", async ({ page }) => {
+  const teach = new TeachPage(page);
+  await teach.openHandIns(lessonLink);
+  await expect(page).toHaveURL(/\/teach#hand-ins$/);
+  await expect(page.getByText("Mazes: 2 given, 48 unseen")).toBeVisible();
+  await teach.lines.fill(linkOf({ program: juniper }));
+  await page.reload();
+  await expect(teach.lines).toHaveValue(linkOf({ program: juniper }));
+  await expect(page.getByRole("heading", { name: "Two mazes, three lines" })).toBeVisible();
+
+  // A link that cannot be opened changes nothing.
+  await page.goto(`/teach#${lessonLink.slice(0, -2)}`);
+  await expect(page.getByRole("alert")).toContainText("A part of this link is missing.");
+  await expect(teach.lines).toHaveValue(linkOf({ program: juniper }));
+  await page.goBack();
+});
+
+test("checks the chosen tasks only", async ({ page }) => {
+  const teach = new TeachPage(page);
+  const other = { ...everyMaze, name: "One maze", mazes: [mazeOf("first-steps")], unseen: null };
+  await teach.openHandIns(linkOf({ lesson: lessonOf(everyMaze, other) }));
+  await teach.checkLines([linkOf({ program: comet })]);
+  await expect(teach.rows).toHaveCount(2);
+  await page.getByRole("checkbox", { name: "1. Every maze" }).uncheck();
+  await teach.checkLines([linkOf({ program: comet })]);
+  await expect(teach.rows).toHaveCount(1);
+  await expect(teach.rows).toContainText("1 of 1");
+  await page.getByRole("checkbox", { name: "2. One maze" }).uncheck();
+  await teach.check().click();
+  await expect(page.getByRole("alert")).toHaveText("Choose at least one task.");
+});
+
+test("shows the first result soon, and stops within 50 ms", async ({ page }) => {
+  const teach = new TeachPage(page);
+  const unseen = { ...everyMaze.unseen, columns: 33, rows: 33, count: 1_000, pass: 1 };
+  const long = { ...everyMaze, checks: { bumps: null, seconds: 600 }, unseen };
+  await teach.openHandIns(linkOf({ lesson: lessonOf(long as LessonTask) }));
+  await teach.lines.fill(
+    ["right-wall", "left-wall", "back-and-forth"]
+      .map((id) => linkOf({ program: programOf(id as ProgramPresetId, id) }))
+      .join("\n"),
+  );
+  await teach.check().click();
+  await expect(page.getByText(/^Checking \d+ of 3,006\.$/)).toBeVisible();
+  await expect(page.getByText(/^Checking [1-9]/)).toBeVisible();
+  const elapsed = await page.evaluate(async () => {
+    const stop = [...document.querySelectorAll("button")].find(
+      ({ textContent }) => textContent === "Stop",
+    );
+    const start = performance.now();
+    stop?.click();
+    while (!document.body.textContent.includes("Stopped after")) {
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+    return performance.now() - start;
+  });
+  expect(elapsed).toBeLessThan(50);
+  await expect(page.getByRole("button", { name: "Stop" })).toBeHidden();
+  await expect(teach.rows).toHaveCount(3);
+});
+
+test("saves the table as CSV without formulas", async ({ page }) => {
+  const teach = new TeachPage(page);
+  await teach.openHandIns(lessonLink);
+  await teach.chooseFiles([{ name: "=1+1.json", text: JSON.stringify(juniper) }]);
+  await teach.checkLines([linkOf({ program: comet })]);
+  const download = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Save as CSV" }).click();
+  const file = await (await download).path();
+  const [header, first, second] = readFileSync(file, "utf8").split("\r\n");
+  expect(header).toBe(
+    "\uFEFFnumber,program,task,passed,code,maze,tick,lines,seconds,unseenCount,unseenPassed,unseenFailed,problem,sameAs",
+  );
+  expect(first).toBe("1,'=1+1.json,1,true,,,,2,13.367,48,48,,,");
+  expect(second).toContain("2,line 1,1,false,bump,maze 2,");
+});
+
+test("works by keyboard alone", async ({ page }) => {
+  const keyboard = new KeyboardUser(page);
+  await page.goto("/teach");
+  const entry = page.getByRole("link", { name: /^Check hand-ins/ });
+  await expect(entry).toBeVisible();
+  await page.keyboard.press("Tab");
+  const skip = page.getByRole("link", { name: "Skip to the content" });
+  await expect(skip).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect(page.getByRole("main")).toBeFocused();
+  await keyboard.press(entry);
+  const teach = new TeachPage(page);
+  await keyboard.tabTo(teach.lesson);
+  await page.keyboard.insertText(lessonLink);
+  await page.keyboard.press("Enter");
+  await keyboard.tabTo(teach.lines);
+  await page.keyboard.insertText(linkOf({ program: comet }));
+  await keyboard.press(teach.check());
+  await keyboard.tabTo(teach.rows.getByRole("link", { name: "Watch the failure of hand-in 1" }));
+});
+
+test("fits a phone and 320 px, also in a right-to-left language", async ({ openWindow }) => {
+  test.slow();
+  for (const locale of ["en-US", "ar-EG"]) {
+    const { page } = await openWindow({ ...phone, locale });
+    await page.goto("/teach");
+    await expect(page.getByRole("main").getByRole("link")).toBeVisible();
+    await expectNoAxeViolations(page, `${locale}, start`);
+    expect(await horizontalOverflow(page)).toEqual([]);
+    await page.goto(`/teach#${lessonLink}`);
+    const lines = page.getByRole("main").getByRole("textbox");
+    await lines.fill([linkOf({ program: comet }), "Anna"].join("\n"));
+    await page.getByRole("main").locator("section button").last().click();
+    await expect(page.getByRole("table").getByRole("link")).toBeVisible();
+    await expectNoAxeViolations(page, `${locale}, table`);
+    expect(await smallTouchTargets(page)).toEqual([]);
+    for (const width of [390, 320]) {
+      await page.setViewportSize({ width, height: 640 });
+      expect(await horizontalOverflow(page), `${locale}, ${width} px`).toEqual([]);
+    }
+  }
+});
+
+test.describe("offline", () => {
+  test.use({ serviceWorkers: "allow" });
+
+  test("checks hand-ins without a network after one visit", async ({ context, page }) => {
+    test.setTimeout(120_000);
+    const teach = new TeachPage(page);
+    await teach.openHandIns(lessonLink);
+    const isControlled = () => navigator.serviceWorker.controller !== null;
+    await page.waitForFunction(isControlled, undefined, { timeout: 45_000 });
+    await context.setOffline(true);
+    await page.reload();
+    await teach.checkLines([linkOf({ program: juniper })]);
+    await expect(teach.rows).toContainText("50 of 50");
+  });
+});
