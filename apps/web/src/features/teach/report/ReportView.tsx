@@ -86,9 +86,9 @@ function ReportContent({ report, onMistakes, onSave }: ReportContentProps) {
   const { students, tasks, questions } = report;
   return (
     <>
-      <p className={styles["students"]} role="status">
+      <output className={styles["students"]}>
         {students === 1 ? t("oneStudent") : t("students", { all: students })}
-      </p>
+      </output>
       {tasks.length > 0 && <TaskTables tasks={tasks} />}
       {tasks.length > 0 && <TaskFigures tasks={tasks} />}
       {questions.length > 0 && (

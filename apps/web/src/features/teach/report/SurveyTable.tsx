@@ -17,11 +17,11 @@ export function SurveyTable({ questions, students, onMistakes }: SurveyTableProp
   const { t, i18n } = useTranslation("report", { useSuspense: false });
   const { language } = i18n;
   return (
-    <section className={styles["section"]} aria-label={t("survey.title")}>
+    <div className={styles["section"]}>
       <h3 className={styles["heading"]}>{t("survey.title")}</h3>
       <p className={styles["note"]}>{t("survey.note")}</p>
       {/* oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- scrolls by keyboard */}
-      <div className={styles["scroll"]} tabIndex={0} role="group" aria-label={t("survey.title")}>
+      <section className={styles["scroll"]} tabIndex={0} aria-label={t("survey.title")}>
         <table className={styles["table"]}>
           <thead>
             <tr>
@@ -57,7 +57,7 @@ export function SurveyTable({ questions, students, onMistakes }: SurveyTableProp
             ))}
           </tbody>
         </table>
-      </div>
+      </section>
       <fieldset className={styles["mistakes"]}>
         <legend>{t("survey.mistakesOf")}</legend>
         {questions.map(({ id, mistakes }) => (
@@ -79,6 +79,6 @@ export function SurveyTable({ questions, students, onMistakes }: SurveyTableProp
           </label>
         ))}
       </fieldset>
-    </section>
+    </div>
   );
 }

@@ -41,9 +41,9 @@ function TaskFigure({ task: { task, bars, time } }: { task: TaskReport }) {
             {clockText(seconds)}
           </span>
         ))}
-        {/* oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- scrolls by keyboard */}
         <ol
           className={styles["bars"]}
+          // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- scrolls by keyboard
           tabIndex={0}
           aria-label={t("figures.of", { task: columnName(task) })}
         >

@@ -1,5 +1,6 @@
 /** Times, success and lines of the tasks, and the means of what the class counted. */
 import type { TaskReport } from "@corridor/report";
+import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { classNames } from "../../../ui/class-names.ts";
 import { clockText, columnName, percentText, shortNumber } from "./report-numbers.ts";
@@ -20,9 +21,9 @@ export function TaskTables({ tasks }: { tasks: readonly TaskReport[] }) {
   };
   return (
     <>
-      <section className={styles["section"]} aria-label={t("tasks.title")}>
+      <div className={styles["section"]}>
         <h3 className={styles["heading"]}>{t("tasks.title")}</h3>
-        <Table columns={["task", "solved", ...times, "lines"]}>
+        <Table label={t("tasks.title")} columns={["task", "solved", ...times, "lines"]}>
           {tasks.map(({ task, students, solved, time, lines, paper }) => (
             <tr key={task}>
               <th scope="row">{columnName(task)}</th>
@@ -52,11 +53,11 @@ export function TaskTables({ tasks }: { tasks: readonly TaskReport[] }) {
             </p>
           ),
         )}
-      </section>
+      </div>
       {counted.length > 0 && (
-        <section className={styles["section"]} aria-label={t("counts.title")}>
+        <div className={styles["section"]}>
           <h3 className={styles["heading"]}>{t("counts.title")}</h3>
-          <Table columns={["task", ...counts]}>
+          <Table label={t("counts.title")} columns={["task", ...counts]}>
             {counted.map(({ task, perStudent }) => (
               <tr key={task}>
                 <th scope="row">{columnName(task)}</th>
@@ -67,7 +68,7 @@ export function TaskTables({ tasks }: { tasks: readonly TaskReport[] }) {
               </tr>
             ))}
           </Table>
-        </section>
+        </div>
       )}
     </>
   );
@@ -75,11 +76,17 @@ export function TaskTables({ tasks }: { tasks: readonly TaskReport[] }) {
 
 type Column = "task" | "solved" | "lines" | (typeof times)[number] | (typeof counts)[number];
 
-function Table({ columns, children }: { columns: readonly Column[]; children: React.ReactNode }) {
+interface TableProps {
+  label: string;
+  columns: readonly Column[];
+  children: ReactNode;
+}
+
+function Table({ label, columns, children }: TableProps) {
   const { t } = useTranslation("report", { useSuspense: false });
   return (
     // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- scrolls by keyboard
-    <div className={styles["scroll"]} tabIndex={0} role="group" aria-label={t("tables")}>
+    <section className={styles["scroll"]} tabIndex={0} aria-label={label}>
       <table className={styles["table"]}>
         <thead>
           <tr>
@@ -96,6 +103,6 @@ function Table({ columns, children }: { columns: readonly Column[]; children: Re
         </thead>
         <tbody>{children}</tbody>
       </table>
-    </div>
+    </section>
   );
 }
