@@ -34,21 +34,50 @@ test("creates a short link, from which another user opens the maze", async ({
   await recipient.maze.expectSquare({ column: 2, row: 6 }, "block");
 });
 
-test("offers the long link when the program is included", async ({ corridor }) => {
+test("offers a short link with the program, from which another user opens both", async ({
+  corridor,
+  openWindow,
+}) => {
+  await corridor.program.addLine("front <", "55", "left 90");
+  const lines = await corridor.program.lines.count();
   await corridor.share.click();
   const dialog = corridor.dialog("Share this maze");
   const createLink = dialog.getByRole("button", { name: "Short link", exact: true });
   await createLink.click();
   const field = dialog.getByRole("textbox", { name: "Link" });
   await expect(field).toHaveValue(/\/m\//);
+  const ofMaze = await field.inputValue();
   await dialog.getByRole("checkbox", { name: /^My program/ }).check();
   await expect(field).toHaveValue(/#/);
-  await expect(createLink).toBeDisabled();
-  await expect(
-    dialog.getByText("A short link contains only the maze or the challenge."),
-  ).toBeVisible();
-  await dialog.getByRole("checkbox", { name: /^My program/ }).uncheck();
+  await createLink.click();
   await expect(field).toHaveValue(/\/m\//);
+  const ofBoth = await field.inputValue();
+  expect(ofBoth).not.toBe(ofMaze);
+  // Each choice has its own link.
+  await dialog.getByRole("checkbox", { name: /^My program/ }).uncheck();
+  await expect(field).toHaveValue(ofMaze);
+
+  const recipient = await openWindow();
+  await recipient.open(ofBoth);
+  await expect(recipient.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+  await expect(recipient.message("You opened a shared maze.")).toBeVisible();
+  await expect(recipient.program.lines).toHaveCount(lines);
+  await expect(recipient.program.number(lines)).toHaveValue("55");
+});
+
+test("offers the long link of a run", async ({ corridor }) => {
+  await corridor.step.click();
+  await corridor.share.click();
+  const dialog = corridor.dialog("Share this maze");
+  const createLink = dialog.getByRole("button", { name: "Short link", exact: true });
+  await createLink.click();
+  const field = dialog.getByRole("textbox", { name: "Link" });
+  await expect(field).toHaveValue(/\/m\//);
+  await dialog.getByRole("checkbox", { name: /^This run/ }).check();
+  const ofRun = corridor.dialog("Share this run");
+  await expect(ofRun.getByRole("textbox", { name: "Link" })).toHaveValue(/#/);
+  await expect(ofRun.getByRole("button", { name: "Short link", exact: true })).toBeDisabled();
+  await expect(ofRun.getByText("A short link cannot contain a run")).toBeVisible();
 });
 
 test("deletes a short link, and reports that to users who open it", async ({

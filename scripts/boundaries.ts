@@ -45,6 +45,7 @@ const allowed: Record<string, readonly string[]> = {
     "@corridor/program",
     "@corridor/protocol",
     "@corridor/recording",
+    "zod",
   ],
   "packages/simulation": [
     "@corridor/geometry",
@@ -67,6 +68,7 @@ const allowed: Record<string, readonly string[]> = {
   ],
   "apps/relay": [
     "@corridor/challenge/document",
+    "@corridor/link/project",
     "@corridor/maze",
     "@corridor/program",
     "@corridor/protocol",
@@ -93,6 +95,7 @@ const allowed: Record<string, readonly string[]> = {
     "@corridor/coach",
     "@corridor/geometry",
     "@corridor/link",
+    "@corridor/link/project",
     "@corridor/maze",
     "@corridor/program",
     "@corridor/protocol",

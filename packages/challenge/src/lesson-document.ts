@@ -80,18 +80,23 @@ export const lessonSchema = z.strictObject(
 );
 export type LessonDocument = z.infer<typeof lessonSchema>;
 
-const anyVersion = z.discriminatedUnion("version", [challengeSchema, lessonSchema], {
-  error: VERSIONS,
-});
+/** A challenge document of either version. */
+export const challengeOrLessonSchema = z.discriminatedUnion(
+  "version",
+  [challengeSchema, lessonSchema],
+  {
+    error: VERSIONS,
+  },
+);
 
 /** Reads a lesson of either version from a parsed value. */
 export function parseLesson(input: unknown): ReadResult<LessonDocument> {
-  return asLesson(readValue(anyVersion, input));
+  return asLesson(readValue(challengeOrLessonSchema, input));
 }
 
 /** Reads a lesson of either version from JSON text. */
 export function readLesson(text: string): ReadResult<LessonDocument> {
-  return asLesson(readJson(anyVersion, text, MAX_CHALLENGE_TEXT_LENGTH));
+  return asLesson(readJson(challengeOrLessonSchema, text, MAX_CHALLENGE_TEXT_LENGTH));
 }
 
 /** The lesson of one task that a challenge document contains. */

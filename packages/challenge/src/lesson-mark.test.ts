@@ -5,15 +5,16 @@ import { sampleChallenge } from "./testing/sample-challenge.ts";
 import { sampleLesson, sampleTask } from "./testing/sample-lesson.ts";
 
 const golden =
-  '{"format":"corridor/challenge","intro":"Two lines are enough.","language":"en","name":"Eve' +
-  'ry maze","order":"any","survey":[{"id":"navigation","question":"Did the lines help you to ' +
-  'understand navigation?"}],"tasks":[{"allowed":{"actions":null,"conditions":["front <","rig' +
-  'ht >"],"drivers":["program"],"edits":["condition","number","action","otherwise","order","l' +
-  'ines"],"help":null,"lines":3,"maze":false,"tools":null},"checks":{"bumps":0,"seconds":120}' +
-  ',"goal":{"kind":"reach"},"mazes":[],"name":"First steps","par":{"lines":1,"seconds":10},"p' +
-  'rogram":null,"unseen":{"columns":7,"count":5,"kind":"tree","pass":4,"rows":7,"seed":7},"wo' +
-  'rds":{"hints":["Look at front."],"short":"Reach the goal","task":"Reach the goal."}}],"ver' +
-  'sion":2}';
+  '{"format":"corridor/challenge","intro":"Two lines are enough.","language":"en",' +
+  '"name":"Every maze","order":"any","survey":[{"id":"navigation",' +
+  '"question":"Did the lines help you to understand navigation?"}],' +
+  '"tasks":[{"allowed":{"actions":null,"conditions":["front <","right >"],' +
+  '"drivers":["program"],"edits":["condition","number","action","otherwise","order",' +
+  '"lines"],"help":null,"lines":3,"maze":false,"tools":null},"checks":{"bumps":0,' +
+  '"seconds":120},"goal":{"kind":"reach"},"mazes":[],"name":"First steps","par":{"lines":1,' +
+  '"seconds":10},"program":null,"unseen":{"columns":7,"count":5,"kind":"tree","pass":4,' +
+  '"rows":7,"seed":7},"words":{"hints":["Look at front."],"short":"Reach the goal",' +
+  '"task":"Reach the goal."}}],"version":2}';
 
 /** The same lesson with the fields of all objects in reverse order. */
 function reversed(lesson: LessonDocument): unknown {

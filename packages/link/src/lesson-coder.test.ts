@@ -116,6 +116,7 @@ function lengthOf(lesson: LessonDocument): number {
   return link.text.length;
 }
 
+// cspell:ignore Напиши программу которая доходит цели Используй больше трёх строк
 describe("the link of a lesson", () => {
   it("decodes to equal documents, with or without a program, or is refused as too big", () => {
     let fitting = 0;

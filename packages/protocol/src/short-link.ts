@@ -3,7 +3,7 @@ import { z } from "zod";
 import { PAIRING_LETTERS } from "./pairing.ts";
 import { keySchema } from "./registration.ts";
 
-/** Largest body that stores a maze, program or challenge, in bytes. */
+/** Largest body that stores a document, in bytes. */
 export const MAX_DOCUMENT_BYTES = 64 * 1024;
 
 /** Lengths of codes, shortest first. The service uses the shortest with a free code. */

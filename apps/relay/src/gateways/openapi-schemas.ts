@@ -2,7 +2,12 @@
  * Names of the schemas, as generated clients show them. Nested objects are named too, because
  * generators create long names for them, and some fail on unnamed alternatives.
  */
-import { challengeSchema } from "@corridor/challenge/document";
+import {
+  challengeOrLessonSchema,
+  challengeSchema,
+  lessonSchema,
+} from "@corridor/challenge/document";
+import { projectSchema } from "@corridor/link/project";
 import { mazeSchema } from "@corridor/maze";
 import { programSchema } from "@corridor/program";
 import {
@@ -42,6 +47,8 @@ import { streamedEventSchema } from "./sse/streamed-event.ts";
 
 const { gap, states } = eventPageSchema.shape;
 const script = scriptListSchema.shape.scripts.element;
+
+const task = lessonSchema.shape.tasks.element;
 
 const condition = programSchema.shape.rules.element.shape.when.unwrap();
 
@@ -103,6 +110,17 @@ export const schemas: Record<string, z.ZodType> = {
   Allowed: challengeSchema.shape.allowed,
   Checks: challengeSchema.shape.checks,
   Par: challengeSchema.shape.par.unwrap(),
+  ChallengeOrLesson: challengeOrLessonSchema,
+  Lesson: lessonSchema,
+  Task: task,
+  LessonGoal: task.shape.goal,
+  ...alternatives("LessonGoal", "kind", task.shape.goal),
+  LessonAllowed: task.shape.allowed,
+  LessonChecks: task.shape.checks,
+  LessonPar: task.shape.par.unwrap(),
+  UnseenMazes: task.shape.unseen.unwrap(),
+  SurveyQuestion: lessonSchema.shape.survey.element,
+  Project: projectSchema,
 };
 
 /** Conditions have a custom parser. This describes the expected value. */

@@ -1,5 +1,5 @@
 /** Invalid documents for a short link, each with the field that the error must name. */
-import { challenge, maze, program } from "../platform/testing/sample-documents.ts";
+import { challenge, lesson, maze, program, project } from "../platform/testing/sample-documents.ts";
 
 const text = (document: object, change: object): string =>
   JSON.stringify({ ...document, ...change });
@@ -67,6 +67,19 @@ export const badDocuments: { name: string; body: string; path: string }[] = [
     name: "a challenge without a goal to reach",
     body: text(challenge, { mazes: [{ ...maze, goals: [] }] }),
     path: "mazes[0].goals",
+  },
+  { name: "a challenge of version 3", body: text(challenge, { version: 3 }), path: "version" },
+  { name: "a lesson without a task", body: text(lesson, { tasks: [] }), path: "tasks" },
+  {
+    name: "a lesson whose second task allows an unknown tool",
+    body: JSON.stringify(lesson).replace(/"speed"(?!.*"speed")/, '"chat"'),
+    path: "tasks[1].allowed.tools[0]",
+  },
+  { name: "a project without a program", body: text(project, { program: null }), path: "program" },
+  {
+    name: "a project with a maze without a start",
+    body: text(project, { maze: { ...maze, start: null } }),
+    path: "maze.start",
   },
   {
     name: "deeply nested JSON",

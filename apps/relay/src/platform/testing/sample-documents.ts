@@ -1,5 +1,6 @@
 /** One document of each kind that a short link can store. */
-import type { ChallengeDocument } from "@corridor/challenge/document";
+import type { ChallengeDocument, LessonDocument } from "@corridor/challenge/document";
+import type { ProjectDocument } from "@corridor/link/project";
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 
@@ -43,3 +44,26 @@ export const challenge: ChallengeDocument = {
   checks: { bumps: 0, seconds: 20 },
   par: null,
 };
+
+export const lesson: LessonDocument = {
+  format: "corridor/challenge",
+  version: 2,
+  language: "en",
+  name: "Two tasks",
+  intro: "",
+  order: "in turn",
+  tasks: [1, 2].map((number) => ({
+    name: `Task ${number}`,
+    words: challenge.words,
+    mazes: [maze],
+    program: null,
+    goal: { kind: "reach" },
+    allowed: { ...challenge.allowed, tools: ["speed"], help: null },
+    checks: { bumps: 0, seconds: 3_600 },
+    par: null,
+    unseen: { kind: "tree", columns: 11, rows: 11, seed: 7, count: 50, pass: 45 },
+  })),
+  survey: [{ id: "navigation", question: "Did it help?" }],
+};
+
+export const project: ProjectDocument = { format: "corridor/project", version: 1, maze, program };

@@ -36,7 +36,7 @@ export const groups: readonly Group[] = [
   },
   {
     name: "Short links",
-    description: "Links to mazes, programs and challenges.",
+    description: "Links to mazes, programs and lessons.",
     paths: ["/api/v1/mazes"],
   },
   {

@@ -1,6 +1,7 @@
 /** The share dialog: a link that contains the maze, or a run in it, and its QR code. */
 import { lessonOf } from "@corridor/challenge";
 import { encodeLink, MAX_LINK_LENGTH } from "@corridor/link";
+import { projectOf } from "@corridor/link/project";
 import { sizeOf } from "@corridor/maze";
 import { Info } from "lucide";
 import { useEffect, useLayoutEffect, useMemo, useState } from "react";
@@ -81,8 +82,12 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
   const isTooLong = withRun && (run === null ? saved !== null : !result.ok);
   const { origin, pathname, search } = location;
   const link = result.ok ? `${origin}${pathname}${sharedSearch(search)}#${result.text}` : null;
-  const isMore = withProgram || withRun;
-  const short = useShortLink(task ?? maze);
+  const isMore = withRun || (withProgram && task !== null);
+  const document = useMemo(
+    () => task ?? (withProgram ? projectOf(maze, program) : maze),
+    [task, withProgram, maze, program],
+  );
+  const short = useShortLink(document);
   const { link: made } = short;
   // A mission has its own address.
   const ofMission =

@@ -8,7 +8,7 @@ import type { ShortLinkState } from "./use-short-link.ts";
 
 interface ShortLinkChoiceProps {
   short: ShortLinkState;
-  /** the link includes a program or a run, which a short link does not carry */
+  /** the link includes a run, or a program with a challenge, which a short link does not carry */
   isMore: boolean;
 }
 

@@ -3,6 +3,7 @@
  * later. On a device without storage, they last until the student leaves the page.
  */
 import type { ChallengeDocument } from "@corridor/challenge";
+import type { ProjectDocument } from "@corridor/link/project";
 import type { MazeDocument } from "@corridor/maze";
 import {
   storedLinksSchema,
@@ -16,6 +17,9 @@ import type { KeyValueStorage } from "../../model/storage/key-value-storage.ts";
 const STORAGE_KEY = "corridor.shortLinks";
 const MAX_STORED_TEXT = 100_000;
 const MAX_ANSWER = 4_096;
+
+/** What a short link can store. */
+export type ShortLinkDocument = MazeDocument | ProjectDocument | ChallengeDocument;
 
 /** the part of fetch that the service uses */
 export type Ask = (url: string, init?: RequestInit) => Promise<Response>;
@@ -48,7 +52,7 @@ export class ShortLinkService {
   }
 
   /** @returns the link, or null if the service does not provide one */
-  async make(document: MazeDocument | ChallengeDocument): Promise<ShortLink | null> {
+  async make(document: ShortLinkDocument): Promise<ShortLink | null> {
     try {
       const answer = await this.#ask("/api/v1/mazes", {
         method: "POST",

@@ -1,10 +1,8 @@
 /** The short link of the shared content: whether one is possible, and how to make and delete it. */
-import type { ChallengeDocument } from "@corridor/challenge";
-import type { MazeDocument } from "@corridor/maze";
 import type { ShortLink } from "@corridor/protocol";
 import { useEffect, useState } from "react";
 import { storageOrNone } from "../../model/storage/key-value-storage.ts";
-import { ShortLinkService } from "./short-link-service.ts";
+import { ShortLinkService, type ShortLinkDocument } from "./short-link-service.ts";
 
 export interface ShortLinkState {
   /** whether a service responds that makes short links */
@@ -18,9 +16,8 @@ export interface ShortLinkState {
   remove: () => void;
 }
 
-type Shared = MazeDocument | ChallengeDocument;
-
-export function useShortLink(document: Shared): ShortLinkState {
+/** @param document must be the same object while its content is the same */
+export function useShortLink(document: ShortLinkDocument): ShortLinkState {
   const [service] = useState(
     () =>
       new ShortLinkService(
@@ -29,7 +26,7 @@ export function useShortLink(document: Shared): ShortLinkState {
       ),
   );
   const [isOffered, setOffered] = useState(false);
-  const [made, setMade] = useState<{ document: Shared; link: ShortLink } | null>(null);
+  const [made, setMade] = useState<ReadonlyMap<ShortLinkDocument, ShortLink>>(new Map());
   const [isBusy, setBusy] = useState(false);
   const [outcome, setOutcome] = useState<ShortLinkState["outcome"]>(null);
   useEffect(() => {
@@ -41,13 +38,13 @@ export function useShortLink(document: Shared): ShortLinkState {
       isOver = true;
     };
   }, [service]);
-  const link = made?.document === document ? made.link : null;
+  const link = made.get(document) ?? null;
 
   async function make(): Promise<void> {
     setBusy(true);
     setOutcome(null);
     const answer = await service.make(document);
-    if (answer !== null) setMade({ document, link: answer });
+    if (answer !== null) setMade((before) => new Map(before).set(document, answer));
     setOutcome(answer === null ? "failed" : "made");
     setBusy(false);
   }
@@ -56,7 +53,7 @@ export function useShortLink(document: Shared): ShortLinkState {
     setBusy(true);
     setOutcome(null);
     const isGone = await service.delete(id);
-    if (isGone) setMade(null);
+    if (isGone) setMade((before) => new Map([...before].filter(([, each]) => each.id !== id)));
     setOutcome(isGone ? "deleted" : "notDeleted");
     setBusy(false);
   }

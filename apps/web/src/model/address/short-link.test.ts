@@ -19,6 +19,11 @@ const answers = (status: number, body: unknown) => () =>
 it.each([
   { what: "a maze", document: maze, value: { maze } },
   { what: "a program", document: program, value: { program } },
+  {
+    what: "a maze with a program",
+    document: { format: "corridor/project", version: 1, maze, program },
+    value: { maze, program },
+  },
 ])("loads $what", async ({ document, value }) => {
   expect(await readShortLink(id, answers(200, document), pause)).toEqual({ ok: true, value });
 });

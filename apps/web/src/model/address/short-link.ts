@@ -1,11 +1,17 @@
 /** Loads the document of a short link, and parses it as strictly as any file. */
-import { readChallenge } from "@corridor/challenge/document";
+import { oldestDocumentOf, readLesson } from "@corridor/challenge/document";
 import type { ChallengeDocument } from "@corridor/challenge";
+import { readProject } from "@corridor/link/project";
 import { readMaze, type MazeDocument } from "@corridor/maze";
 import { readProgram, type ProgramDocument } from "@corridor/program";
-import { MAX_DOCUMENT_BYTES, shortLinkIdSchema, type ReadResult } from "@corridor/protocol";
+import {
+  MAX_DOCUMENT_BYTES,
+  problem,
+  shortLinkIdSchema,
+  type ReadResult,
+} from "@corridor/protocol";
 
-/** Exactly one of the three. */
+/** A maze, a program or both, or a challenge. */
 export interface ShortLinkContent {
   maze?: MazeDocument;
   program?: ProgramDocument;
@@ -29,7 +35,8 @@ interface Answer {
 const readers = new Map<string, (text: string) => ReadResult<ShortLinkContent>>([
   ["corridor/maze", (text) => under("maze", readMaze(text))],
   ["corridor/program", (text) => under("program", readProgram(text))],
-  ["corridor/challenge", (text) => under("challenge", readChallenge(text))],
+  ["corridor/project", readMazeAndProgram],
+  ["corridor/challenge", readTask],
 ]);
 
 /** Attempts while the service delays checks for this network. */
@@ -65,6 +72,23 @@ export async function readShortLink(
 /** The service writes the format first, like all Corridor documents. */
 function formatOf(text: string): string {
   return /^\{"format":"([a-z/]{1,40})"/.exec(text)?.[1] ?? "";
+}
+
+function readMazeAndProgram(text: string): ReadResult<ShortLinkContent> {
+  const read = readProject(text);
+  if (!read.ok) return read;
+  const { maze, program } = read.value;
+  return { ok: true, value: { maze, program } };
+}
+
+/** So far, the page opens lessons that version 1 can hold. */
+function readTask(text: string): ReadResult<ShortLinkContent> {
+  const read = readLesson(text);
+  if (!read.ok) return read;
+  const challenge = oldestDocumentOf(read.value);
+  return challenge.version === 1
+    ? { ok: true, value: { challenge } }
+    : problem("version", "2", "version 1");
 }
 
 function under<Name extends keyof ShortLinkContent>(

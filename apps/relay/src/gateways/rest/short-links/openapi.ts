@@ -11,7 +11,7 @@ export const documentCalls: ZodOpenApiPathsObject = {
   "/api/v1/mazes": {
     post: {
       operationId: "storeDocument",
-      summary: "Create a short link for a maze, program or challenge",
+      summary: "Create a short link for a maze, program, maze with program, or lesson",
       description:
         "The link has the shortest free code of 4 to 6 letters. " +
         "Equal documents share one link. Each request returns a new key that permits deleting the document. " +

@@ -4,7 +4,13 @@ import { MAX_DOCUMENT_BYTES, problemSchema, shortLinkSchema } from "@corridor/pr
 import { describe, expect, it, vi } from "vitest";
 import { badDocuments } from "../../../testing/bad-documents.ts";
 import { FakeClock } from "../../../platform/testing/fake-clock.ts";
-import { challenge, maze, program } from "../../../platform/testing/sample-documents.ts";
+import {
+  challenge,
+  lesson,
+  maze,
+  program,
+  project,
+} from "../../../platform/testing/sample-documents.ts";
 import { startTestRelay, testFolder, type TestRelay } from "../../../testing/test-relay.ts";
 
 function post({ origin }: TestRelay, body: unknown, headers: Record<string, string> = {}) {
@@ -44,6 +50,8 @@ describe("a short link", () => {
     { name: "a maze", document: maze },
     { name: "a program", document: program },
     { name: "a challenge", document: challenge },
+    { name: "a lesson of two tasks", document: lesson },
+    { name: "a maze with a program", document: project },
     {
       name: "a maze with special characters in its name",
       document: { ...maze, name: '"\\\0\uD800\u2028' },
