@@ -71,9 +71,11 @@ test("opens a maze by dropping its file", async ({ corridor, page }) => {
   await corridor.maze.click({ column: 2, row: 6 });
   await corridor.program.nameAsOwn();
   const drag = await dragOver(page, [spiralFile]);
-  await expect(page.getByText("Drop a maze, a program or a run to open it")).toBeVisible();
+  await expect(
+    page.getByText("Drop a maze, a program, a run or a lesson to open it"),
+  ).toBeVisible();
   await drag.drop();
-  await expect(page.getByText("Drop a maze, a program or a run to open it")).toBeHidden();
+  await expect(page.getByText("Drop a maze, a program, a run or a lesson to open it")).toBeHidden();
   await expect(corridor.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
   await expect(corridor.message("“Spiral” is open, with your program.")).toBeVisible();
   await expect(corridor.program.name).toHaveValue("Mine");
@@ -94,9 +96,11 @@ test("opens a maze file with an empty program while the user has written none", 
 
 test("does not open a file that is dragged across the page", async ({ corridor, page }) => {
   const drag = await dragOver(page, [spiralFile]);
-  await expect(page.getByText("Drop a maze, a program or a run to open it")).toBeVisible();
+  await expect(
+    page.getByText("Drop a maze, a program, a run or a lesson to open it"),
+  ).toBeVisible();
   await drag.leave();
-  await expect(page.getByText("Drop a maze, a program or a run to open it")).toBeHidden();
+  await expect(page.getByText("Drop a maze, a program, a run or a lesson to open it")).toBeHidden();
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
 });
 

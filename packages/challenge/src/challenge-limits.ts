@@ -33,12 +33,14 @@ export const toolNames = [
   "share",
   "files",
 ] as const;
+export type ToolName = (typeof toolNames)[number];
 
 /**
  * Help of the page that a lesson can hide: marks of true and false lines, advice while editing,
  * changes that fix a program, the line that caused a failure, and hints.
  */
 export const helpKinds = ["truth", "advice", "fixes", "blame", "hints"] as const;
+export type HelpKind = (typeof helpKinds)[number];
 
 export const MAX_TASKS = 12;
 /** Maximum number of characters of a BCP 47 language tag. */

@@ -34,6 +34,8 @@ export {
   toolNames,
   type ConditionName,
   type EditKind,
+  type HelpKind,
+  type ToolName,
 } from "./challenge-limits.ts";
 export {
   checkChallenge,
@@ -63,6 +65,7 @@ export {
   oldestDocumentOf,
   parseLesson,
   readLesson,
+  taskOf,
   type LessonDocument,
   type LessonTask,
 } from "./lesson-document.ts";

@@ -101,17 +101,22 @@ export function readLesson(text: string): ReadResult<LessonDocument> {
 
 /** The lesson of one task that a challenge document contains. */
 export function lessonOf(challenge: ChallengeDocument): LessonDocument {
-  const { format, version: _version, allowed, ...rest } = challenge;
   return {
-    format,
+    format: challenge.format,
     version: 2,
     language: null,
     name: "",
     intro: "",
     order: "any",
-    tasks: [{ ...rest, allowed: { ...allowed, tools: null, help: null }, unseen: null }],
+    tasks: [taskOf(challenge)],
     survey: [],
   };
+}
+
+/** The task that a challenge document is. */
+export function taskOf(challenge: ChallengeDocument): LessonTask {
+  const { format: _format, version: _version, allowed, ...rest } = challenge;
+  return { ...rest, allowed: { ...allowed, tools: null, help: null }, unseen: null };
 }
 
 /** The document to write: version 1 if it can hold the lesson, so that older pages read it. */

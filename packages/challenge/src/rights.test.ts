@@ -2,6 +2,8 @@ import { menuActions } from "@corridor/program";
 import { plainActions } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import type { ChallengeDocument } from "./challenge-document.ts";
+import { helpKinds, toolNames } from "./challenge-limits.ts";
+import type { LessonTask } from "./lesson-document.ts";
 import { rightsOf } from "./rights.ts";
 
 const allowing = (actions: ChallengeDocument["allowed"]["actions"]) =>
@@ -16,6 +18,47 @@ describe("the allowed actions of a challenge", () => {
 
   it("include stop if the challenge lists it", () => {
     expect(allowing(["stop", "forward"])).toEqual(["forward", "stop"]);
+  });
+});
+
+describe("tools and help", () => {
+  const allowed: LessonTask["allowed"] = {
+    drivers: ["remote", "me"],
+    lines: 4,
+    conditions: null,
+    actions: null,
+    edits: [],
+    maze: false,
+    tools: null,
+    help: null,
+  };
+
+  it("are shown unless a task lists them, except the changes that fix a program", () => {
+    expect([...rightsOf({ allowed }).tools]).toEqual(toolNames);
+    expect([...rightsOf({ allowed }).help]).toEqual(helpKinds.filter((each) => each !== "fixes"));
+    const { tools: _tools, help: _help, ...plain } = allowed;
+    expect(rightsOf({ allowed: plain })).toEqual(rightsOf({ allowed }));
+  });
+
+  it("are only those that a task lists", () => {
+    const { tools, help } = rightsOf({
+      allowed: { ...allowed, tools: ["speed"], help: ["fixes"] },
+    });
+    expect([...tools]).toEqual(["speed"]);
+    expect([...help]).toEqual(["fixes"]);
+  });
+
+  it("leave no driver Remote where the page hides Remote", () => {
+    expect(rightsOf({ allowed }).drivers).toEqual(["remote", "me"]);
+    expect(rightsOf({ allowed: { ...allowed, tools: ["share"] } }).drivers).toEqual(["me"]);
+  });
+
+  it("show Remote if it is the only driver", () => {
+    const { drivers, tools } = rightsOf({
+      allowed: { ...allowed, drivers: ["remote"], tools: [] },
+    });
+    expect(drivers).toEqual(["remote"]);
+    expect([...tools]).toEqual(["remote"]);
   });
 });
 

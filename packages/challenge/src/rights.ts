@@ -9,7 +9,15 @@ import {
   type ConditionKind,
 } from "@corridor/program";
 import type { DriverName, PlainAction } from "@corridor/protocol";
-import { conditionNameOf, type EditKind } from "./challenge-limits.ts";
+import {
+  conditionNameOf,
+  helpKinds,
+  toolNames,
+  type EditKind,
+  type HelpKind,
+  type ToolName,
+} from "./challenge-limits.ts";
+import type { LessonTask } from "./lesson-document.ts";
 import type { Task } from "./task-schema.ts";
 
 export interface Rights {
@@ -22,13 +30,23 @@ export interface Rights {
   actions: readonly PlainAction[];
   edits: ReadonlySet<EditKind>;
   maze: boolean;
+  /** tools that the page shows */
+  tools: ReadonlySet<ToolName>;
+  /** help that the page gives */
+  help: ReadonlySet<HelpKind>;
 }
 
+/** Permissions of a task of either version. */
+type Allowed = Task["allowed"] & Partial<Pick<LessonTask["allowed"], "tools" | "help">>;
+
 /** Returns the permissions of a task. */
-export function rightsOf({ allowed }: Pick<Task, "allowed">): Rights {
+export function rightsOf({ allowed }: { allowed: Allowed }): Rights {
   const { conditions, actions } = allowed;
+  const tools = new Set(allowed.tools ?? toolNames);
+  // The only driver cannot be hidden.
+  if (allowed.drivers.every((driver) => driver === "remote")) tools.add("remote");
   return {
-    drivers: allowed.drivers,
+    drivers: allowed.drivers.filter((driver) => driver !== "remote" || tools.has("remote")),
     maxLines: Math.min(allowed.lines, MAX_RULES),
     conditions:
       conditions === null
@@ -38,5 +56,8 @@ export function rightsOf({ allowed }: Pick<Task, "allowed">): Rights {
       actions === null ? paperActions : menuActions.filter((action) => actions.includes(action)),
     edits: new Set(allowed.edits),
     maze: allowed.maze,
+    tools,
+    // Changes that solve the task are shown only where a task lists them.
+    help: new Set(allowed.help ?? helpKinds.filter((kind) => kind !== "fixes")),
   };
 }

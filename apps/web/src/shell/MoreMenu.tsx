@@ -9,6 +9,7 @@ import { LanguageSelect } from "../features/language/LanguageSelect.tsx";
 import { ThemeChoice } from "../features/theme/ThemeChoice.tsx";
 import { Icon } from "../ui/Icon.tsx";
 import { MenuItem } from "../ui/Popover.tsx";
+import { useTool } from "../model/use-rights.ts";
 import { useServices } from "../model/use-services.ts";
 import styles from "./more-menu.module.css";
 
@@ -22,6 +23,7 @@ export interface TopBarProps {
 export function MoreMenu({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
   const { t } = useTranslation();
   const { screen } = useServices();
+  const hasRemote = useTool("remote");
   return (
     <>
       {isPhone && (
@@ -29,9 +31,11 @@ export function MoreMenu({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) 
           <MenuItem icon={<Icon of={Target} />} onSelect={onLessons}>
             {t("lessons.lessons")}
           </MenuItem>
-          <MenuItem icon={<Icon of={RadioTower} />} onSelect={onRemote}>
-            {t("drive.remote")}
-          </MenuItem>
+          {hasRemote && (
+            <MenuItem icon={<Icon of={RadioTower} />} onSelect={onRemote}>
+              {t("drive.remote")}
+            </MenuItem>
+          )}
         </>
       )}
       <MenuItem icon={<Icon of={Keyboard} />} onSelect={onKeys}>

@@ -8,7 +8,7 @@ import { CardDock } from "../features/cards/CardDock.tsx";
 import { LazyDriveTab } from "../features/drive/lazy-drive-tab.ts";
 import type { HoldStore } from "../features/drive/hold-store.ts";
 import { MissionPlace } from "../features/lessons/OpenChallenge.tsx";
-import { useRights } from "../model/use-rights.ts";
+import { useRights, useTool } from "../model/use-rights.ts";
 import { LazyPresetsPanel } from "../features/presets/lazy-presets-panel.ts";
 import { ProgramEditor } from "../features/program-editor/ProgramEditor.tsx";
 import { Icon } from "../ui/Icon.tsx";
@@ -37,11 +37,17 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
   const isMission = rights !== null;
   // A mission opens in the tab where it is solved, whatever tab was open before.
   const chosenTab = useStore(screen, (state) => state.sheetTab);
-  const tab = chosenTab ?? tabFor(rights);
+  const hasPresets = useTool("presets");
+  const isThere = hasPresets || chosenTab !== "presets";
+  const tab = (isThere ? chosenTab : null) ?? tabFor(rights);
   useEffect(
     () =>
       challenge.subscribe((next, before) => {
-        if (next.challenge === null || next.mission === before.mission) return;
+        const isSame =
+          next.mission === null
+            ? next.lesson === before.lesson && next.index === before.index
+            : next.mission === before.mission;
+        if (next.lesson === null || isSame) return;
         screen.setState({ sheetTab: null });
       }),
     [challenge, screen],
@@ -76,11 +82,9 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
         <Tabs
           label={t("shell.panel")}
           value={tab}
-          tabs={sheetTabs.map((each) => ({
-            value: each,
-            label: t(`shell.tabs.${each}`),
-            icon: icons[each],
-          }))}
+          tabs={sheetTabs
+            .filter((each) => hasPresets || each !== "presets")
+            .map((each) => ({ value: each, label: t(`shell.tabs.${each}`), icon: icons[each] }))}
           onChange={(next) => {
             screen.setState({ sheetTab: next });
             if (position === "closed") setPosition("half");

@@ -16,6 +16,7 @@ import { Brand } from "../ui/Brand.tsx";
 import type { TopBarProps } from "./MoreMenu.tsx";
 import { PageTools } from "./PageTools.tsx";
 import { algorithms, FileItems } from "./lazy-menus.tsx";
+import { useTool } from "../model/use-rights.ts";
 import { useServices } from "../model/use-services.ts";
 
 const MoreMenu = lazyPart(async () => (await import("./MoreMenu.tsx")).MoreMenu);
@@ -25,15 +26,17 @@ export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
   const { screen } = useServices();
   // The maze's name needs the room first.
   const isNarrow = useMediaQuery("(max-width: 56.24em)");
+  const hasPresets = useTool("presets");
+  const hasShare = useTool("share");
   return (
     <header className={styles["bar"]}>
       <Brand />
       <Deferred>
         <MazeMenu files={<FileItems />} />
         <div className={styles["end"]}>
-          {!isPhone && <PresetsButton algorithms={algorithms} />}
+          {!isPhone && hasPresets && <PresetsButton algorithms={algorithms} />}
           {!isPhone && <LessonsButton />}
-          <ShareButton />
+          {hasShare && <ShareButton />}
           {isNarrow ? (
             <More isPhone={isPhone} onKeys={onKeys} onRemote={onRemote} onLessons={onLessons} />
           ) : (

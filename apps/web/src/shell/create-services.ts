@@ -110,7 +110,7 @@ export function createServices(browser: Browser): Services {
         return;
       case "diagnosed":
         // In a challenge, its own card shows the diagnosis.
-        if (challenge.getState().challenge !== null) return;
+        if (challenge.getState().lesson !== null) return;
         void import("../features/cards/show-diagnosis.ts").then(
           ({ showDiagnosis }) =>
             showDiagnosis({ screen, workspace, run, timeline, words }, message.diagnosis),
@@ -178,9 +178,11 @@ export function createServices(browser: Browser): Services {
     simulator,
     workspace,
     screen,
+    run,
     projects,
     challenge,
     storage,
+    device,
     words,
   });
   return {

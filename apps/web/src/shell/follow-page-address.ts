@@ -41,7 +41,7 @@ export async function followPageAddress(
       const { openRun } = await import("../model/projects/open-run.ts");
       return openRun(services, words, run, from);
     },
-    openChallenge: (challenge, program) => services.lessons.openShared(challenge, program),
+    openLesson: (lesson, program) => services.lessons.openShared(lesson, program),
     openMission: async (id) => (await services.lessons.load()).navigation.follow(id),
     refuseMission: () => {
       const { mission } = services.challenge.getState();

@@ -19,7 +19,10 @@ export function saveFile(content: Blob, name: string): void {
  * Saves a document as a file that can be opened again: "long-way-round.maze.json". A run has no
  * white space, because its size limit applies to the compact text.
  */
-export function saveDocument(document: { name: string }, kind: "maze" | "program" | "run"): void {
+export function saveDocument(
+  document: { name: string },
+  kind: "maze" | "program" | "run" | "lesson",
+): void {
   const text = kind === "run" ? JSON.stringify(document) : `${JSON.stringify(document, null, 2)}\n`;
   const file = `${fileName(document.name, kind)}.${kind}.json`;
   saveFile(new Blob([text], { type: "application/json" }), file);

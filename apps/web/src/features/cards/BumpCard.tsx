@@ -1,9 +1,13 @@
-/** Explains a bump: what happened, the line that caused it and, in free play, tested fixes. */
+/**
+ * Explains a bump: what happened, the line that caused it and, in free play or where a task gives
+ * them, tested fixes.
+ */
 import { applyFix, causeLine, type Fix } from "@corridor/coach";
 import { History, Play } from "lucide";
 import { useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
+import { useHelp } from "../../model/use-rights.ts";
 import { useServices } from "../../model/use-services.ts";
 import { useWaited } from "../../model/use-waited.ts";
 import type { Explanation } from "../../model/run/card-store.ts";
@@ -46,7 +50,8 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
   // The fixes are not valid for a program that was edited since.
   const isSame = useStore(workspace, (state) => state.program === program);
   // In a challenge, the card names the line and the idea, and the student finds the change.
-  const isChallenge = useStore(challenge, (state) => state.challenge !== null);
+  const isChallenge = useStore(challenge, (state) => state.lesson !== null);
+  const hasFixes = useHelp("fixes");
   const { pose, tick } = moment;
   // The timeline arrives after the bump; the card renders again with its waiting times.
   useWaited(tick);
@@ -66,7 +71,7 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
   if (diagnosis === null || diagnosis.event.kind !== "bump" || !ready) return null;
   const { event, cause, fixes } = diagnosis;
   const words = diagnosisWords(t, i18n.language, (at) => timeline.waitedUpTo(at));
-  const offered = isSame && !isChallenge ? fixes : [];
+  const offered = isSame && hasFixes ? fixes : [];
   // The bars show the room of the line that drove. Beside a sentence about another line, they would
   // be misread as the room of that line.
   const isAboutDriver = cause === null || line === event.line;

@@ -6,6 +6,7 @@ import type { Explanation } from "../../model/run/card-store.ts";
 import {
   challengeResult,
   isJudgedByRun,
+  openTask,
   type ChallengeResult,
 } from "../../model/challenge/challenge-store.ts";
 import type { StageViewStore } from "../../stage/page/stage-view.ts";
@@ -23,10 +24,10 @@ export function Cards({ view, ...race }: CardsProps) {
   const { run, cards, workspace, challenge } = useServices();
   const { bump, goal } = useStore(cards);
   const result = useStore(challenge, challengeResult);
-  const isSeen = useStore(
-    challenge,
-    (state) => state.challenge !== null && isJudgedByRun(state.challenge),
-  );
+  const isSeen = useStore(challenge, (state) => {
+    const task = openTask(state);
+    return task !== null && isJudgedByRun(task);
+  });
   const kind = useStore(run, ({ snapshot, view: shown }) =>
     shownCard({ bump, goal }, snapshot, shown, result && { result, isSeen }),
   );

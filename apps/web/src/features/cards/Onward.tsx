@@ -1,5 +1,5 @@
 /**
- * The next step after a solved maze: the check, the next mission, the dialog of all missions, or
+ * The next step after a solved maze: the check, the next task or mission, the dialog of all missions, or
  * the next preset.
  */
 import { mazePresets, type MazeDocument } from "@corridor/maze";
@@ -7,6 +7,8 @@ import { ArrowRight, ImageDown, ListChecks } from "lucide";
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
+import { mazeCount, openTask } from "../../model/challenge/challenge-store.ts";
+import { nextTaskOf } from "../../model/lessons/task-order.ts";
 import { useServices } from "../../model/use-services.ts";
 import { allOf } from "../../text/all-of.ts";
 import { Icon } from "../../ui/Icon.tsx";
@@ -23,7 +25,7 @@ interface OnwardProps {
 
 export function Onward({ maze, onClose }: OnwardProps) {
   const { challenge } = useServices();
-  const isChallenge = useStore(challenge, (state) => state.challenge !== null);
+  const isChallenge = useStore(challenge, (state) => state.lesson !== null);
   return isChallenge ? (
     <AfterChallenge onClose={onClose} />
   ) : (
@@ -34,7 +36,12 @@ export function Onward({ maze, onClose }: OnwardProps) {
 function AfterChallenge({ onClose }: Pick<OnwardProps, "onClose">) {
   const { t } = useTranslation(["words", "missions"], { useSuspense: false });
   const { challenge, lessons } = useServices();
-  const count = useStore(challenge, (state) => state.challenge?.mazes.length ?? 0);
+  const count = useStore(challenge, (state) => mazeCount(openTask(state)));
+  const isCheckable = useStore(
+    challenge,
+    ({ result }) => result.state === "here" && result.driver === "program",
+  );
+  const nextTask = useStore(challenge, nextTaskOf);
   const mission = useStore(challenge, (state) => state.mission);
   const state = useStore(challenge, (each) => each.result.state);
   const isChecking = useStore(challenge, (each) => each.isChecking);
@@ -47,7 +54,7 @@ function AfterChallenge({ onClose }: Pick<OnwardProps, "onClose">) {
     void lessons.load().then(setService, () => undefined);
   }, [lessons]);
   if (service === null) return null;
-  if (state === "here" && count > 1) {
+  if (isCheckable && count > 1) {
     return (
       <Button
         kind="primary"
@@ -59,6 +66,14 @@ function AfterChallenge({ onClose }: Pick<OnwardProps, "onClose">) {
         }}
       >
         {t("missions:card.check", allOf(count))}
+      </Button>
+    );
+  }
+  if (state === "met" && nextTask !== null) {
+    return (
+      <Button kind="primary" onClick={() => service.navigation.openTask(nextTask)}>
+        {t("missions:lesson.next")}
+        <Icon of={ArrowRight} className={styles["onward"]} />
       </Button>
     );
   }

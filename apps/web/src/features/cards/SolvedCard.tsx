@@ -4,6 +4,8 @@ import { Flag, History, Share } from "lucide";
 import { useMemo, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
+import { mazeCount, openTask } from "../../model/challenge/challenge-store.ts";
+import { useTool } from "../../model/use-rights.ts";
 import { useServices } from "../../model/use-services.ts";
 import { useWaited } from "../../model/use-waited.ts";
 import { allOf } from "../../text/all-of.ts";
@@ -56,9 +58,14 @@ export function SolvedCard({ view, solved, raceOutcome, raceButton, onClose }: S
       : formatClock(time, i18n.language);
   const maze = useStore(workspace, (state) => state.maze);
   const lines = useStore(workspace, (state) => countLines(state.program.rules));
-  const allowed = useStore(challenge, (state) => state.challenge?.allowed.lines ?? null);
-  // In a challenge with several mazes, one solved maze is only a part of the solution.
-  const mazes = useStore(challenge, (state) => state.challenge?.mazes.length ?? 1);
+  const allowed = useStore(challenge, (state) => openTask(state)?.allowed.lines ?? null);
+  // In a task with several mazes, one solved maze is only a part of the solution.
+  const mazes = useStore(challenge, (state) => mazeCount(openTask(state)));
+  const isByHand = useStore(
+    challenge,
+    ({ result }) => result.state === "here" && result.driver !== "program",
+  );
+  const isShareShown = useTool("share");
   const isPart = useStore(challenge, ({ result }) => result.state === "here") && mazes > 1;
   // A check of the same program has already named the mazes in which it fails.
   const isChecked = useStore(challenge, ({ checked }) => checked !== null);
@@ -79,7 +86,7 @@ export function SolvedCard({ view, solved, raceOutcome, raceButton, onClose }: S
       title={
         !isPart
           ? t("words:cards.solved.title")
-          : isChecked
+          : isChecked || isByHand
             ? t("missions:bar.hereOnly")
             : t("missions:bar.here", allOf(mazes))
       }
@@ -118,9 +125,11 @@ export function SolvedCard({ view, solved, raceOutcome, raceButton, onClose }: S
       {raceOutcome}
       <div className={styles["actions"]}>
         <Onward maze={maze} onClose={onClose} />
-        <Button icon={<Icon of={Share} />} onClick={() => screen.setState({ isSharing: true })}>
-          {t("words:cards.solved.share")}
-        </Button>
+        {isShareShown && (
+          <Button icon={<Icon of={Share} />} onClick={() => screen.setState({ isSharing: true })}>
+            {t("words:cards.solved.share")}
+          </Button>
+        )}
         <Button kind="quiet" icon={<Icon of={History} />} onClick={() => watchAgain(simulator, 0)}>
           {t("words:cards.watchAgain")}
         </Button>
@@ -141,9 +150,9 @@ interface SolvedSentenceProps {
 function SolvedSentence({ driver, lines, at }: SolvedSentenceProps) {
   const { t } = useTranslation();
   const { challenge: store, run } = useServices();
-  const challenge = useStore(store, (state) => state.challenge);
+  const task = useStore(store, openTask);
   const isMet = useStore(store, (state) => state.result.state === "met");
-  const goal = challenge?.goal;
+  const goal = task?.goal;
   // The robot may have driven on since.
   const reading = useStore(run, ({ snapshot }) =>
     goal?.kind === "stop" && snapshot?.tick === at
@@ -151,8 +160,8 @@ function SolvedSentence({ driver, lines, at }: SolvedSentenceProps) {
       : null,
   );
   if (reading !== null) return t("cards.solved.stopped", { reading });
-  if (challenge !== null && challenge.goal.kind !== "reach") return t("cards.solved.challenge");
-  const mazes = challenge?.mazes.length ?? 1;
+  if (task !== null && task.goal.kind !== "reach") return t("cards.solved.challenge");
+  const mazes = task?.mazes.length ?? 1;
   if (isMet && mazes > 1) return t("cards.solved.mazes", { passed: mazes });
   if (driver !== "program") return t(`cards.solved.${driver}`);
   return lines === 0

@@ -89,7 +89,7 @@ describe("shownCard", () => {
     },
     {
       name: "the goal of one maze, while others wait for the check",
-      result: { state: "here", ticks: 300, bumps: 0, lines: 1 },
+      result: { state: "here", driver: "program", ticks: 300, bumps: 0, lines: 1 },
       isSeen: false,
       tick: 300,
       card: "goal",

@@ -12,6 +12,7 @@ export function DriverChoice() {
   const { simulator, run } = useServices();
   // In a challenge, the lines need the room of the label. The buttons name the drivers too.
   const rights = useRights();
+  const hasRemote = rights?.tools.has("remote") !== false;
   const driver = useStore(run, ({ snapshot }) => snapshot?.driver ?? "program");
   return (
     <Segmented
@@ -21,7 +22,15 @@ export function DriverChoice() {
       options={[
         { value: "me", label: t("drive.me"), icon: <Icon of={User} /> },
         { value: "program", label: t("drive.program"), icon: <Icon of={List} isDirectional /> },
-        { value: "remote", label: t("drive.remote"), icon: <Icon of={RadioTower} /> },
+        ...(hasRemote
+          ? [
+              {
+                value: "remote",
+                label: t("drive.remote"),
+                icon: <Icon of={RadioTower} />,
+              } as const,
+            ]
+          : []),
       ]}
       onChange={(next) => {
         simulator.send({ type: "driver", driver: next });

@@ -1,8 +1,11 @@
 /** The menu items that open and save files. */
-import { FileBraces, FileInput, FileText, Film, Image, ListOrdered } from "lucide";
+import type { LessonDocument } from "@corridor/challenge";
+import { FileBraces, FileInput, FileText, Film, GraduationCap, Image, ListOrdered } from "lucide";
 import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
+import { showMessage } from "../../model/screen/screen-store.ts";
+import { useTool } from "../../model/use-rights.ts";
 import { useServices } from "../../model/use-services.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { MenuItem } from "../../ui/Popover.tsx";
@@ -17,6 +20,18 @@ export function FileMenuItems({ race }: { race: ReactNode }) {
   const { workspace } = services;
   const hasRun = useStore(services.run, ({ nowTick }) => nowTick > 0);
   const { choose, savePicture } = useFileActions();
+  const lesson = useStore(services.challenge, (state) => state.lesson);
+  const hasFiles = useTool("files");
+  if (!hasFiles) return race;
+
+  async function saveLesson(document: LessonDocument): Promise<void> {
+    try {
+      (await import("./save-lesson.ts")).saveLesson(document);
+    } catch {
+      showMessage(services.screen, { tone: "bad", text: t("offline.partFailed") });
+    }
+  }
+
   return (
     <>
       <MenuItem icon={<Icon of={FileInput} />} note={t("files.openNote")} onSelect={choose}>
@@ -47,6 +62,11 @@ export function FileMenuItems({ race }: { race: ReactNode }) {
       >
         {t("files.saveRun")}
       </MenuItem>
+      {lesson !== null && (
+        <MenuItem icon={<Icon of={GraduationCap} />} onSelect={() => void saveLesson(lesson)}>
+          {i18n.t("missions:lesson.save")}
+        </MenuItem>
+      )}
       {race}
       <MenuItem icon={<Icon of={Image} />} onSelect={savePicture}>
         {t("files.savePicture")}

@@ -31,7 +31,7 @@ const MAX_BYTES = 9_000_000;
 /** More files than this are not read at all. */
 const MAX_FILES = 10;
 
-type Opener = Pick<Services, "projects" | "workspace" | "simulator" | "screen">;
+type Opener = Pick<Services, "projects" | "workspace" | "simulator" | "screen" | "lessons">;
 
 /** @returns an empty list if the files were opened; otherwise the problems, by file */
 export async function openFiles(
@@ -56,13 +56,16 @@ export async function openFiles(
   const mazes = opened.flatMap((each) => (each.kind === "maze" ? [each.maze] : []));
   const programs = opened.flatMap((each) => (each.kind === "program" ? [each.program] : []));
   const runs = opened.flatMap((each) => (each.kind === "run" ? [each.run] : []));
-  // A run contains its own maze and program.
-  const isTooMuch = runs.length > 0 ? opened.length > 1 : mazes.length > 1 || programs.length > 1;
+  const lessons = opened.flatMap((each) => (each.kind === "lesson" ? [each.lesson] : []));
+  // A run contains its own maze and program, a lesson its own mazes and programs.
+  const isWhole = runs.length > 0 || lessons.length > 0;
+  const isTooMuch = isWhole ? opened.length > 1 : mazes.length > 1 || programs.length > 1;
   if (isTooMuch) {
     const found = [
       words.t("files.mazes", { count: mazes.length }),
       words.t("files.programs", { count: programs.length }),
       words.t("files.runs", { count: runs.length }),
+      words.t("files.lessons", { count: lessons.length }),
     ];
     reports.push(tooMuch(files, joinList(words.t, found), words));
   }
@@ -74,7 +77,11 @@ export async function openFiles(
       ? []
       : [{ file: files[0]?.name ?? "", problems, isTextWrong: true }];
   }
-  openDocuments(services, words, mazes[0], programs[0]);
+  const [lesson] = lessons;
+  if (lesson === undefined) openDocuments(services, words, mazes[0], programs[0]);
+  else if (await services.lessons.openShared(lesson, null)) {
+    showMessage(services.screen, { tone: "info", text: words.t("missions:lesson.openedBeside") });
+  }
   return [];
 }
 

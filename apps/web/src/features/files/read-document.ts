@@ -2,6 +2,7 @@
  * Detects what a text is by its content, and reads it: a document of Corridor, or a maze drawn as
  * text.
  */
+import { readLesson, type LessonDocument } from "@corridor/challenge";
 import { readMaze, readTextMaze, type MazeDocument } from "@corridor/maze";
 import { readProgram, type ProgramDocument } from "@corridor/program";
 import type { FieldProblem, ReadResult } from "@corridor/protocol";
@@ -13,7 +14,8 @@ const SAVED_PROGRAM = 'a program as Corridor saves it: {"format":"corridor/progr
 export type OpenedDocument =
   | { kind: "maze"; maze: MazeDocument }
   | { kind: "program"; program: ProgramDocument }
-  | { kind: "run"; run: RunDocument };
+  | { kind: "run"; run: RunDocument }
+  | { kind: "lesson"; lesson: LessonDocument };
 
 const readers = new Map<string, (text: string) => ReadResult<OpenedDocument>>([
   [
@@ -35,6 +37,13 @@ const readers = new Map<string, (text: string) => ReadResult<OpenedDocument>>([
     (text) => {
       const read = readRun(text);
       return read.ok ? { ok: true, value: { kind: "run", run: read.value } } : read;
+    },
+  ],
+  [
+    "corridor/challenge",
+    (text) => {
+      const read = readLesson(text);
+      return read.ok ? { ok: true, value: { kind: "lesson", lesson: read.value } } : read;
     },
   ],
 ]);

@@ -53,7 +53,7 @@ function MissionPath({ service, onClose }: { service: LessonsService; onClose: (
   const done = useStore(service.progress.results, (state) => state.done);
   const best = useStore(service.progress.results, (state) => state.best);
   const open = useStore(challenge, (state) => state.mission);
-  const isInChallenge = useStore(challenge, (state) => state.challenge !== null);
+  const isInChallenge = useStore(challenge, (state) => state.lesson !== null);
   const openMission = (id: string): void => {
     onClose();
     void lessons.openMission(id);

@@ -1,18 +1,26 @@
-/** The open mission in the panel: its task, hints one by one, the check and the next step. */
+/** The open task in the panel: its lesson, its text, hints one by one, the check and the next step. */
 import { ArrowRight, ChevronDown, ChevronUp, House, ListChecks, ListRestart } from "lucide";
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
-import { isJudgedByRun } from "../../model/challenge/challenge-store.ts";
+import {
+  isJudgedByRun,
+  mazeCount,
+  openTask,
+  showsHelp,
+} from "../../model/challenge/challenge-store.ts";
 import { allOf } from "../../text/all-of.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import type { LessonsService } from "../../model/lessons/lessons-service.ts";
+import { nextTaskOf } from "../../model/lessons/task-order.ts";
+import { LessonHead, TaskRow } from "./LessonHead.tsx";
 import { HintButton, HintList } from "./MissionHints.tsx";
 import { MissionMazes } from "./MissionMazes.tsx";
 import { MissionOutcome } from "./MissionOutcome.tsx";
 import { BonusOutcome } from "./BonusOutcome.tsx";
+import { TeacherText } from "./TeacherText.tsx";
 import styles from "./mission-card.module.css";
 import shared from "./mission-text.module.css";
 import { missionIds, nextMission } from "../../model/lessons/missions/mission.ts";
@@ -24,19 +32,20 @@ export interface MissionCardProps {
   look?: "full" | "slim";
 }
 
-/** Renders nothing while no challenge is open. */
+/** Renders nothing while no lesson is open. */
 export function MissionCard({ look = "full" }: MissionCardProps) {
   const { lessons, challenge } = useServices();
-  const isOpen = useStore(challenge, (state) => state.challenge !== null);
-  const mission = useStore(challenge, (state) => state.mission);
+  const isOpen = useStore(challenge, (state) => state.lesson !== null);
+  // Another task starts without open hints.
+  const task = useStore(challenge, ({ mission, index }) => mission ?? index);
   const [service, setService] = useState<LessonsService | null>(null);
   useEffect(() => {
-    // Opening a challenge has already loaded the lessons. This call only returns them.
+    // Opening a lesson has already loaded the lessons. This call only returns them.
     if (isOpen) void lessons.load().then(setService, () => undefined);
   }, [isOpen, lessons]);
   if (!isOpen || service === null) return null;
   return look === "full" ? (
-    <OpenMission key={mission} service={service} />
+    <OpenMission key={task} service={service} />
   ) : (
     <SlimMission service={service} />
   );
@@ -45,23 +54,33 @@ export function MissionCard({ look = "full" }: MissionCardProps) {
 function OpenMission({ service }: { service: LessonsService }) {
   const { t } = useTranslation(["missions", "words"], { useSuspense: false });
   const { challenge: store } = useServices();
-  const challenge = useStore(store, (state) => state.challenge);
+  const lesson = useStore(store, (state) => state.lesson);
+  const index = useStore(store, (state) => state.index);
+  const open = useStore(store, openTask);
   const mission = useStore(store, (state) => state.mission);
+  const hasHints = useStore(store, ({ rights }) => showsHelp(rights, "hints"));
   const task = useTask();
   const [hintsShown, setHintsShown] = useState(0);
   const [isFolded, setFolded] = useState(false);
-  if (challenge === null) return null;
+  if (lesson === null || open === null) return null;
   const at = missionIds.findIndex((each) => each === mission);
   const id = missionIds[at];
   const bonus = bonusMissionOf(mission);
-  const hints =
-    bonus !== null
+  const isMission = bonus !== null || id !== undefined;
+  const hasTasks = lesson.tasks.length > 1;
+  const hints = !hasHints
+    ? []
+    : bonus !== null
       ? Object.values(t(`missions:bonusMissions.${bonus}.hints`, { returnObjects: true }))
       : id === undefined
-        ? challenge.words.hints
+        ? open.words.hints
         : Object.values(t(`missions:missions.${id}.hints`, { returnObjects: true }));
   return (
-    <section className={styles["card"]} aria-label={t("missions:card.label")}>
+    <section
+      className={styles["card"]}
+      aria-label={t(hasTasks ? "missions:lesson.label" : "missions:card.label")}
+    >
+      <LessonHead lesson={lesson} service={service} />
       <div className={styles["head"]}>
         <div className={styles["title"]}>
           <p className={styles["number"]}>
@@ -71,15 +90,19 @@ function OpenMission({ service }: { service: LessonsService }) {
                   all: bonusMissionIds.length,
                 })
               : id === undefined
-                ? t("missions:card.shared")
+                ? hasTasks
+                  ? t("missions:lesson.number", { number: index + 1, all: lesson.tasks.length })
+                  : t("missions:card.shared")
                 : t("missions:card.number", { number: at + 1, all: missionIds.length })}
           </p>
           <h2 className={styles["name"]}>
-            {bonus !== null
-              ? t(`missions:bonusMissions.${bonus}.name`)
-              : id === undefined
-                ? challenge.name
-                : t(`missions:missions.${id}.name`)}
+            {bonus !== null ? (
+              t(`missions:bonusMissions.${bonus}.name`)
+            ) : id === undefined ? (
+              <TeacherText text={open.name} language={lesson.language} />
+            ) : (
+              t(`missions:missions.${id}.name`)
+            )}
           </h2>
         </div>
         <HintButton
@@ -103,15 +126,26 @@ function OpenMission({ service }: { service: LessonsService }) {
           {isFolded ? <Icon of={ChevronDown} /> : <Icon of={ChevronUp} />}
         </IconButton>
       </div>
-      {!isFolded && <p className={shared["task"]}>{task}</p>}
+      {!isFolded && (
+        <TeacherText
+          as="p"
+          className={shared["task"]}
+          text={task}
+          language={isMission ? null : lesson.language}
+        />
+      )}
+      {!isFolded && <UnseenNote />}
       {bonus === null ? (
-        <MissionOutcome challenge={challenge} />
+        <MissionOutcome task={open} />
       ) : (
         <BonusOutcome id={bonus} service={service} />
       )}
-      <HintList hints={isFolded ? [] : hints.slice(0, hintsShown)} />
+      <HintList
+        hints={isFolded ? [] : hints.slice(0, hintsShown)}
+        language={isMission ? null : lesson.language}
+      />
       <div className={styles["row"]}>
-        {challenge.mazes.length > 1 && <MissionMazes service={service} />}
+        {open.mazes.length > 1 && <MissionMazes service={service} />}
         <Actions service={service} />
       </div>
     </section>
@@ -120,54 +154,76 @@ function OpenMission({ service }: { service: LessonsService }) {
 
 function SlimMission({ service }: { service: LessonsService }) {
   const { t } = useTranslation(["missions", "words"], { useSuspense: false });
-  const { challenge: store, lessons } = useServices();
-  const challenge = useStore(store, (state) => state.challenge);
+  const { challenge: store } = useServices();
+  const lesson = useStore(store, (state) => state.lesson);
+  const open = useStore(store, openTask);
   const mission = useStore(store, (state) => state.mission);
   const isMet = useStore(store, (state) => state.result.state === "met");
-  const isCardShown = useStore(store, (state) => state.hasCard);
   const task = useTask();
-  if (challenge === null) return null;
-  const next = nextMission(mission);
+  if (lesson === null || open === null) return null;
   const bonus = bonusMissionOf(mission);
+  const hasTasks = lesson.tasks.length > 1;
   return (
-    <section className={styles["slim"]} aria-label={t("missions:card.label")}>
-      {!isMet && <p className={shared["slimTask"]}>{task}</p>}
-      {bonus === null ? (
-        <MissionOutcome challenge={challenge} />
-      ) : (
-        <BonusOutcome id={bonus} service={service} />
-      )}
-      {isMet && !isCardShown && next !== null && (
-        <Button size="small" kind="primary" onClick={() => void lessons.openMission(next)}>
-          {t("missions:card.next")}
-          <Icon of={ArrowRight} className={styles["onward"]} />
-        </Button>
-      )}
+    <section
+      className={styles["slimCard"]}
+      aria-label={t(hasTasks ? "missions:lesson.label" : "missions:card.label")}
+    >
+      {hasTasks && <TaskRow lesson={lesson} service={service} />}
+      <div className={styles["slim"]}>
+        {!isMet && (
+          <TeacherText
+            as="p"
+            className={shared["slimTask"]}
+            text={task}
+            language={mission === null ? lesson.language : null}
+          />
+        )}
+        {bonus === null ? (
+          <MissionOutcome task={open} />
+        ) : (
+          <BonusOutcome id={bonus} service={service} />
+        )}
+        <NextStep service={service} />
+      </div>
     </section>
   );
 }
 
+/** The unseen mazes of the task, so that no one takes the given ones for all. */
+function UnseenNote() {
+  const { t } = useTranslation("missions", { useSuspense: false });
+  const { challenge: store } = useServices();
+  const unseen = useStore(store, (state) => openTask(state)?.unseen ?? null);
+  const failures = useStore(store, ({ checked }) => checked?.unseenFailures.length ?? null);
+  const isRun = useStore(store, ({ checked }) => (checked?.mazes.length ?? 0) > 0);
+  if (unseen === null) return null;
+  const { count: all, pass } = unseen;
+  return (
+    <p className={styles["unseen"]}>
+      {isRun && failures !== null
+        ? t("lesson.unseenPassed", { passed: all - failures, all, pass })
+        : t("lesson.unseen", { all, pass })}
+    </p>
+  );
+}
+
 /**
- * The check where the mission has one, and the next step once the mission is met. Until then the
- * Lessons dialog offers every mission.
+ * The check where the task has one, and the next step once the task is met. Until then the row of
+ * tasks or the Lessons dialog offers every task.
  */
 function Actions({ service }: { service: LessonsService }) {
   const { t } = useTranslation(["missions", "words"], { useSuspense: false });
-  const { challenge: store, lessons } = useServices();
-  const challenge = useStore(store, (state) => state.challenge);
+  const { challenge: store } = useServices();
+  const task = useStore(store, openTask);
   const mission = useStore(store, (state) => state.mission);
   const result = useStore(store, (state) => state.result);
   const isChecking = useStore(store, (state) => state.isChecking);
-  const isCardShown = useStore(store, (state) => state.hasCard);
-  if (challenge === null) return null;
+  if (task === null) return null;
   const isMet = result.state === "met";
-  // The card beside the robot has the same button.
-  const leadsOn = isMet && !isCardShown;
-  const next = nextMission(mission);
   const isChecked =
     bonusMissionOf(mission) === null &&
-    !isJudgedByRun(challenge) &&
-    challenge.allowed.drivers.includes("program");
+    !isJudgedByRun(task) &&
+    task.allowed.drivers.includes("program");
   return (
     <div className={styles["actions"]}>
       {isChecked && !isMet && (
@@ -180,20 +236,41 @@ function Actions({ service }: { service: LessonsService }) {
         >
           {isChecking
             ? t("missions:card.checking")
-            : t("missions:card.check", allOf(challenge.mazes.length))}
+            : t("missions:card.check", allOf(mazeCount(task)))}
         </Button>
       )}
-      {leadsOn && next !== null && (
-        <Button size="small" kind="primary" onClick={() => void lessons.openMission(next)}>
-          {t("missions:card.next")}
-          <Icon of={ArrowRight} className={styles["onward"]} />
-        </Button>
-      )}
-      {isMet && next === null && mission !== null && (
+      <NextStep service={service} />
+      {isMet && mission !== null && nextMission(mission) === null && (
         <Button size="small" kind="primary" onClick={() => store.setState({ isPathOpen: true })}>
           {t("missions:card.last")}
         </Button>
       )}
     </div>
+  );
+}
+
+/** The button to the next mission or task. The card beside the robot has the same button. */
+function NextStep({ service }: { service: LessonsService }) {
+  const { t } = useTranslation("missions", { useSuspense: false });
+  const { challenge: store, lessons } = useServices();
+  const isOffered = useStore(store, ({ result, hasCard }) => result.state === "met" && !hasCard);
+  const mission = useStore(store, (state) => nextMission(state.mission));
+  const task = useStore(store, nextTaskOf);
+  const isAllSolved = useStore(store, ({ solved }) => solved.length > 0 && !solved.includes(false));
+  if (isOffered && isAllSolved)
+    return <p className={styles["allSolved"]}>{t("lesson.allSolved")}</p>;
+  if (!isOffered || (mission === null && task === null)) return null;
+  return (
+    <Button
+      size="small"
+      kind="primary"
+      onClick={() => {
+        if (mission !== null) void lessons.openMission(mission);
+        else if (task !== null) service.navigation.openTask(task);
+      }}
+    >
+      {t(mission === null ? "lesson.next" : "card.next")}
+      <Icon of={ArrowRight} className={styles["onward"]} />
+    </Button>
   );
 }

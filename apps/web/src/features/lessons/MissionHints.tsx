@@ -6,6 +6,7 @@ import { Lightbulb } from "lucide";
 import { useTranslation } from "react-i18next";
 import { Icon } from "../../ui/Icon.tsx";
 import { IconButton } from "../../ui/Button.tsx";
+import { TeacherText } from "./TeacherText.tsx";
 import styles from "./mission-hints.module.css";
 
 interface HintButtonProps {
@@ -29,15 +30,21 @@ export function HintButton({ shown, count, onShow }: HintButtonProps) {
   );
 }
 
+interface HintListProps {
+  hints: readonly string[];
+  /** language of the lesson; null: that of the page */
+  language: string | null;
+}
+
 /** A live region, so that screen readers announce each new hint. */
-export function HintList({ hints }: { hints: readonly string[] }) {
+export function HintList({ hints, language }: HintListProps) {
   const { t } = useTranslation("missions", { useSuspense: false });
   return (
     <ol className={styles["hintList"]} aria-live="polite">
       {hints.map((hint, at) => (
         <li key={hint} className={styles["hint"]}>
           <span className={styles["hintNumber"]}>{t("card.hintLabel", { number: at + 1 })}</span>{" "}
-          {hint}
+          <TeacherText text={hint} language={language} />
         </li>
       ))}
     </ol>

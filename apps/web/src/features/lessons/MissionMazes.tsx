@@ -3,6 +3,7 @@ import { Check, X } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
+import { openTask } from "../../model/challenge/challenge-store.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import type { LessonsService } from "../../model/lessons/lessons-service.ts";
@@ -11,7 +12,7 @@ import styles from "./mission-mazes.module.css";
 export function MissionMazes({ service }: { service: LessonsService }) {
   const { t } = useTranslation("missions", { useSuspense: false });
   const { challenge: store } = useServices();
-  const count = useStore(store, (state) => state.challenge?.mazes.length ?? 0);
+  const count = useStore(store, (state) => openTask(state)?.mazes.length ?? 0);
   const shown = useStore(store, (state) => state.maze);
   const verdict = useStore(store, (state) => state.checked);
   const outcomes = verdict?.mazes ?? [];

@@ -1,12 +1,14 @@
 /**
- * Result of the attempt at a mission: met, or what failed, where, and what to try. Announces each
+ * Result of the attempt at a task: met, or what failed, where, and what to try. Announces each
  * change.
  */
-import type { ChallengeDocument, Verdict } from "@corridor/challenge";
+import type { LessonTask } from "@corridor/challenge";
 import { useEffect, useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useShallow } from "zustand/react/shallow";
+import type { CheckedTask } from "../../simulator/protocol/check-request.ts";
+import { openTask } from "../../model/challenge/challenge-store.ts";
 import { useServices } from "../../model/use-services.ts";
 import { useAnnouncement } from "../../model/use-announcement.ts";
 import {
@@ -15,13 +17,14 @@ import {
   liveFailureText,
   metText,
   runFailureText,
+  timeLimitText,
 } from "../../model/lessons/failure-text.ts";
 import { handAdvice } from "../../model/lessons/hand-advice.ts";
 import { stationaryRobot } from "./stationary-robot.ts";
 import type { MissionWords } from "../../model/lessons/mission-words.ts";
 import styles from "./mission-text.module.css";
 
-export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) {
+export function MissionOutcome({ task }: { task: LessonTask }) {
   const { t, i18n } = useTranslation(["missions", "words", "diagnosis"], { useSuspense: false });
   const words: MissionWords = { t: t as unknown as MissionWords["t"], i18n };
   const { challenge: store, run, timeline, speech, workspace, cards, cardDock } = useServices();
@@ -30,40 +33,56 @@ export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) 
   const result = useStore(store, (state) => state.result);
   const verdict = useStore(store, (state) => state.verdict);
   const diagnoses = useStore(store, (state) => state.diagnoses);
+  const unseenDiagnosis = useStore(store, (state) => state.unseenDiagnosis);
   const failedRun = useStore(store, (state) => state.failedRun);
+  const isLesson = useStore(store, (state) => state.mission === null);
   const shown = useStore(store, (state) => state.maze);
   const stationary = useStore(
     run,
-    useShallow((state) => stationaryRobot(challenge, state)),
+    useShallow((state) => stationaryRobot(task, state)),
   );
   const maze = useStore(workspace, (state) => state.maze);
   const advice = useMemo(
-    () => stationary && handAdvice(challenge.goal, maze, stationary),
-    [challenge, maze, stationary],
+    () => stationary && handAdvice(task.goal, maze, stationary),
+    [task, maze, stationary],
   );
   const hasBumpAbove = useStore(cardDock, (state) => state.hasBump);
   const bump = useStore(cards, (state) => state.bump);
   const isMet = result.state === "met";
   const failure = verdict === null ? null : failureOf(verdict, shown);
+  const unseen = verdict !== null && failure === verdict.failure ? verdict.failedUnseen : null;
+  // Only a program can be checked in unseen mazes.
+  const needsProgram =
+    result.state === "here" && task.unseen !== null && result.driver !== "program";
   // In a drive by hand the student may continue, so nothing has failed while the result is open.
   const isOpen = failure === null && failedRun === null && result.state === "open";
   const text = isMet
-    ? metText(ofRun, challenge, result)
+    ? metText(ofRun, task, result)
     : failure !== null
-      ? failureText(words, challenge, failure, diagnoses[failure.maze ?? -1] ?? null)
+      ? failureText(
+          words,
+          task,
+          failure,
+          unseen === null ? (diagnoses[failure.maze ?? -1] ?? null) : unseenDiagnosis,
+          { unseen, isLesson },
+        )
       : failedRun !== null
-        ? runFailureText(ofRun, failedRun)
+        ? isLesson && failedRun.event.kind === "late" && failedRun.cause === null
+          ? timeLimitText(ofRun, task)
+          : runFailureText(ofRun, failedRun)
         : isOpen && stationary !== null && advice !== null
-          ? handText(words, challenge, stationary.reading, advice)
-          : liveFailureText(ofRun, challenge, result);
+          ? handText(words, task, stationary.reading, advice)
+          : needsProgram
+            ? t("missions:lesson.needsProgram")
+            : liveFailureText(ofRun, task, result, isLesson);
   useAnnouncement(text, "mission");
   useEffect(
     () => () => {
-      // Withdraws the text only when another challenge opens or none is open. On a phone the card
-      // also unmounts with its tab.
-      if (store.getState().challenge !== challenge) speech.announceState("mission", null);
+      // Withdraws the text only when another task opens or none is open. On a phone the card also
+      // unmounts with its tab.
+      if (openTask(store.getState()) !== task) speech.announceState("mission", null);
     },
-    [store, speech, challenge],
+    [store, speech, task],
   );
   // The card of the same bump, directly above, shows the same sentence.
   const isRepeated = hasBumpAbove && failedRun !== null && bump?.diagnosis === failedRun;
@@ -72,7 +91,7 @@ export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) 
     <p
       role="note"
       className={isShown ? styles["outcome"] : "visually-hidden"}
-      data-state={isMet ? "met" : isOpen ? "open" : "failed"}
+      data-state={isMet ? "met" : isOpen || needsProgram ? "open" : "failed"}
     >
       {text}
     </p>
@@ -80,6 +99,6 @@ export function MissionOutcome({ challenge }: { challenge: ChallengeDocument }) 
 }
 
 /** The failure in the displayed maze or, if that maze passes, in the first maze that fails. */
-function failureOf({ mazes, failure }: Verdict, shown: number): Verdict["failure"] {
+function failureOf({ mazes, failure }: CheckedTask, shown: number): CheckedTask["failure"] {
   return mazes[shown]?.failure ?? failure;
 }

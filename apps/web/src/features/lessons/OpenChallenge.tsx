@@ -10,13 +10,13 @@ import { LessonsInvitation } from "./LessonsInvitation.tsx";
 /** Top of the panel: the mission, or the invitation to the first one. */
 export function MissionPlace({ look = "full" }: { look?: "full" | "slim" }) {
   const { challenge } = useServices();
-  const isOpen = useStore(challenge, (state) => state.challenge !== null);
+  const isOpen = useStore(challenge, (state) => state.lesson !== null);
   return isOpen ? <MissionCard look={look} /> : <LessonsInvitation />;
 }
 
 /** The task in the strip above the maze. */
 export function ChallengePlace() {
   const { challenge } = useServices();
-  const isOpen = useStore(challenge, (state) => state.challenge !== null);
+  const isOpen = useStore(challenge, (state) => state.lesson !== null);
   return isOpen ? <ChallengeLine /> : null;
 }

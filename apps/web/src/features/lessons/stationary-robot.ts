@@ -1,4 +1,4 @@
-import type { ChallengeDocument } from "@corridor/challenge";
+import type { Task } from "@corridor/challenge";
 import type { RunState } from "../../model/run/run-store.ts";
 
 /** A stationary robot before its goal. A flat object, so that it can be compared cheaply. */
@@ -17,7 +17,7 @@ export interface StationaryRobot {
  *   and for a goal that is not met at a place
  */
 export function stationaryRobot(
-  { goal, allowed }: Pick<ChallengeDocument, "goal" | "allowed">,
+  { goal, allowed }: Pick<Task, "goal" | "allowed">,
   { snapshot, isCut, view }: Pick<RunState, "snapshot" | "isCut" | "view">,
 ): StationaryRobot | null {
   if (snapshot === null || isCut || view === "playing") return null;

@@ -21,7 +21,7 @@ import { Button, IconButton } from "../../ui/Button.tsx";
 import { lazyDialog } from "../../ui/lazy-part.tsx";
 import { Segmented } from "../../ui/Segmented.tsx";
 import { ViewMenu } from "./ViewMenu.tsx";
-import { useRights } from "../../model/use-rights.ts";
+import { useRights, useTool } from "../../model/use-rights.ts";
 import styles from "./tool-strip.module.css";
 
 const ClearDialog = lazyDialog(async () => (await import("./ClearDialog.tsx")).ClearDialog);
@@ -45,6 +45,7 @@ export function ToolStrip({ sound, children }: ToolStripProps) {
   const { screen, race } = useServices();
   const { t } = useTranslation();
   const isFixed = useRights()?.maze === false;
+  const hasMeasure = useTool("measure");
   const tool = useStore(screen, (state) => state.tool);
   const hasRace = useStore(race, ({ ghosts }) => ghosts.length > 0);
   const [dialog, setDialog] = useState<"clear" | "resize" | null>(null);
@@ -56,14 +57,14 @@ export function ToolStrip({ sound, children }: ToolStripProps) {
           look="strip"
           label={t("stage.tools")}
           value={tool}
-          options={tools.map((value) => {
-            return {
+          options={tools
+            .filter((value) => hasMeasure || value !== "measure")
+            .map((value) => ({
               value,
               label: t(`stage.tool.${value}`),
               icon: <Icon of={icons[value]} />,
               fixed: isFixed && value !== "measure" ? t("stage.refused.maze-fixed") : undefined,
-            };
-          })}
+            }))}
           onChange={(value) => screen.setState({ tool: value })}
         />
       </div>

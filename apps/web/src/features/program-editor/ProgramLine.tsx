@@ -6,6 +6,7 @@ import { flushSync } from "react-dom";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useShallow } from "zustand/react/shallow";
+import { useHelp } from "../../model/use-rights.ts";
 import { useServices } from "../../model/use-services.ts";
 import { showMessage } from "../../model/screen/screen-store.ts";
 import { Badge } from "../../ui/Badge.tsx";
@@ -50,8 +51,10 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   const { id, index, count, rule, remembered } = props;
   const { t } = useTranslation();
   const { workspace, screen, run, advice, challenge } = useServices();
+  const hasTruth = useHelp("truth");
+  const hasFixes = useHelp("fixes");
   const element = useRef<HTMLLIElement>(null);
-  const truth = useMemo(() => truthAt(rule.when), [rule.when]);
+  const truth = useMemo(() => truthAt(hasTruth ? rule.when : null), [hasTruth, rule.when]);
   const feed = useMemo(() => lineFeed(run, id), [run, id]);
   useLayoutEffect(() => {
     const line = element.current;
@@ -64,7 +67,6 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
   const given = useStore(advice, (state) => adviceOn(index, state));
   const adviceText = useAdviceText(given, rule.when);
   const by = given?.fix ?? null;
-  const isChallenge = useStore(challenge, (state) => state.challenge !== null);
   const isBumped = bump !== null;
   useLineLabel(element, feed, { index, rule, advice: adviceText?.reason ?? null, truth });
   const line = index + 1;
@@ -150,7 +152,9 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
       <div className={styles["ask"]}>
         <ConditionMenu index={index} condition={rule.when} remembered={remembered} />
         {rule.when !== null && <ConditionNumber index={index} condition={rule.when} />}
-        <LineTruth feed={feed} condition={rule.when} truth={truth} className={styles["truth"]} />
+        {(hasTruth || rule.when === null) && (
+          <LineTruth feed={feed} condition={rule.when} truth={truth} className={styles["truth"]} />
+        )}
       </div>
       <span className={classNames(styles["word"], styles["then"])}>{t("program.then")}</span>
       <div className={styles["do"]}>
@@ -175,7 +179,7 @@ export const ProgramLine = memo(function ProgramLine(props: ProgramLineProps) {
           <LazyAdviceNote
             isWanted
             text={adviceText}
-            onFix={isChallenge ? undefined : fix}
+            onFix={hasFixes ? fix : undefined}
             onHide={hide}
           />
         </div>

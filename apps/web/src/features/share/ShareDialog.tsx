@@ -1,5 +1,5 @@
-/** The share dialog: a link that contains the maze, or a run in it, and its QR code. */
-import { lessonOf } from "@corridor/challenge";
+/** The share dialog: a link that contains the maze, a lesson or a run, and its QR code. */
+import { oldestDocumentOf, type LessonDocument } from "@corridor/challenge";
 import { encodeLink, MAX_LINK_LENGTH } from "@corridor/link";
 import { projectOf } from "@corridor/link/project";
 import { sizeOf } from "@corridor/maze";
@@ -28,22 +28,24 @@ export interface ShareDialogProps {
 }
 
 /** The content of the link, as the title names it. */
-type SharedContent = "maze" | "challenge" | "run";
+type SharedContent = "maze" | "challenge" | "lesson" | "run";
 
+/** A lesson has loaded its texts. */
 const titles = {
-  maze: "share.title",
-  challenge: "share.titleChallenge",
-  run: "share.titleRun",
+  maze: "words:share.title",
+  challenge: "words:share.titleChallenge",
+  lesson: "missions:lesson.share",
+  run: "words:share.titleRun",
 } as const;
 
 export function ShareDialog({ isOpen, onClose }: ShareDialogProps) {
-  const { t } = useTranslation();
+  const { t, i18n } = useTranslation();
   const [content, setContent] = useState<SharedContent>("maze");
   return (
     <Dialog
       isOpen={isOpen}
       onClose={onClose}
-      title={t(titles[content])}
+      title={i18n.t(titles[content])}
       subtitle={t("share.subtitle")}
       footer={
         <p className={styles["privacy"]}>
@@ -58,9 +60,9 @@ export function ShareDialog({ isOpen, onClose }: ShareDialogProps) {
 }
 
 function ShareForm({ onContent }: { onContent: (content: SharedContent) => void }) {
-  const { t } = useTranslation();
+  const { t, i18n } = useTranslation();
   const { workspace, challenge: challengeStore } = useServices();
-  const challenge = useStore(challengeStore, (state) => state.challenge);
+  const lesson = useStore(challengeStore, (state) => state.lesson);
   const mission = useStore(challengeStore, (state) => state.mission);
   const [withChallenge, setWithChallenge] = useState(true);
   const maze = useStore(workspace, (state) => state.maze);
@@ -69,29 +71,33 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
   const [withRun, setWithRun] = useState(false);
   const saved = useSavedRun(withRun);
   const run = saved?.ok === true ? saved.run : null;
-  // A challenge includes its mazes.
-  const task = withChallenge ? challenge : null;
+  // A lesson includes its mazes.
+  const shared = withChallenge ? lesson : null;
+  const hasTasks = (shared?.tasks.length ?? 0) > 1;
+  // The link would open the program with the first task, whose program it is not.
+  const hasProgram = withProgram && !hasTasks;
   // A long run takes seconds to encode, so the result is memoized.
   const result = useMemo(() => {
     if (run !== null) return encodeLink({ run });
-    const content = task === null ? { maze } : { lesson: lessonOf(task) };
-    return encodeLink(withProgram ? { ...content, program } : content);
-  }, [run, task, maze, withProgram, program]);
-  const content = withRun ? "run" : task === null ? "maze" : "challenge";
+    const documents = shared === null ? { maze } : { lesson: shared };
+    return encodeLink(hasProgram ? { ...documents, program } : documents);
+  }, [run, shared, maze, hasProgram, program]);
+  const content = withRun ? "run" : contentOf(shared);
   useLayoutEffect(() => onContent(content), [content, onContent]);
   const isTooLong = withRun && (run === null ? saved !== null : !result.ok);
   const { origin, pathname, search } = location;
   const link = result.ok ? `${origin}${pathname}${sharedSearch(search)}#${result.text}` : null;
-  const isMore = withRun || (withProgram && task !== null);
+  const isMore = withRun || (hasProgram && shared !== null);
   const document = useMemo(
-    () => task ?? (withProgram ? projectOf(maze, program) : maze),
-    [task, withProgram, maze, program],
+    () =>
+      shared === null ? (hasProgram ? projectOf(maze, program) : maze) : oldestDocumentOf(shared),
+    [shared, hasProgram, maze, program],
   );
   const short = useShortLink(document);
   const { link: made } = short;
   // A mission has its own address.
   const ofMission =
-    task !== null && mission !== null && !isMore
+    shared !== null && mission !== null && !isMore
       ? `${origin}${pathname}${sharedSearch(search)}${missionHash(mission)}`
       : null;
   const shown = isMore || made === null ? (ofMission ?? link) : made.address + sharedSearch(search);
@@ -99,9 +105,11 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
   // mission.
   const held = result.ok && !withRun && mission === null ? result.text : null;
   useEffect(() => {
-    if (held !== null) holdLink(workspace, window, held, withProgram ? "program" : "maze");
-  }, [workspace, held, withProgram]);
-  const tooBig = t("share.tooBig", { limit: MAX_LINK_LENGTH });
+    if (held !== null) holdLink(workspace, window, held, hasProgram ? "program" : "maze");
+  }, [workspace, held, hasProgram]);
+  const tooBig = i18n.t(shared === null ? "words:share.tooBig" : "missions:lesson.tooBig", {
+    limit: MAX_LINK_LENGTH,
+  });
   const tooLong = t(run === null ? "timeline.share.tooMuch" : "timeline.share.tooLong");
   return (
     <div className={styles["columns"]}>
@@ -122,14 +130,16 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
           <Checkbox
             label={t("share.program")}
             note={t("share.programNote")}
-            checked={withProgram || withRun}
-            disabled={withRun}
+            checked={hasProgram || withRun}
+            disabled={withRun || hasTasks}
             onChange={setWithProgram}
           />
-          {challenge !== null && (
+          {lesson !== null && (
             <Checkbox
-              label={t("share.challenge")}
-              note={challenge.words.short}
+              label={i18n.t(
+                lesson.tasks.length > 1 ? "missions:lesson.content" : "words:share.challenge",
+              )}
+              note={lesson.tasks.length > 1 ? lesson.name : (lesson.tasks[0]?.words.short ?? "")}
               checked={withChallenge && !withRun}
               disabled={withRun}
               onChange={setWithChallenge}
@@ -141,4 +151,9 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
       {shown !== null && !isTooLong && <QrCard link={shown} name={maze.name} />}
     </div>
   );
+}
+
+function contentOf(lesson: LessonDocument | null): SharedContent {
+  if (lesson === null) return "maze";
+  return lesson.tasks.length > 1 ? "lesson" : "challenge";
 }

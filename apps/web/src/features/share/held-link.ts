@@ -23,7 +23,11 @@ export function holdLink(
   text: string,
   held: Held,
 ): void {
-  history.replaceState({ held }, "", `${location.pathname}${location.search}#${text}`);
+  history.replaceState(
+    { ...entryOf(history), held },
+    "",
+    `${location.pathname}${location.search}#${text}`,
+  );
   letGoWithChange(workspace, { location, history }, held);
 }
 
@@ -48,9 +52,15 @@ function letGoWithChange(
     end();
     // The address may contain another link or a mission by then.
     if (location.hash === hash) {
-      history.replaceState(null, "", location.pathname + location.search);
+      const { held: _held, ...entry } = entryOf(history);
+      history.replaceState(entry, "", location.pathname + location.search);
     }
   });
+}
+
+/** The state of the history entry, which may also name a task. */
+function entryOf({ state }: LinkBar["history"]): Record<string, unknown> {
+  return typeof state === "object" && state !== null ? { ...state } : {};
 }
 
 function heldIn(state: unknown): Held | null {

@@ -2,7 +2,7 @@
  * Creates and deletes short links. The device stores the keys, so that a student can delete a link
  * later. On a device without storage, they last until the student leaves the page.
  */
-import type { ChallengeDocument } from "@corridor/challenge";
+import type { ChallengeDocument, LessonDocument } from "@corridor/challenge";
 import type { ProjectDocument } from "@corridor/link/project";
 import type { MazeDocument } from "@corridor/maze";
 import {
@@ -19,7 +19,7 @@ const MAX_STORED_TEXT = 100_000;
 const MAX_ANSWER = 4_096;
 
 /** What a short link can store. */
-export type ShortLinkDocument = MazeDocument | ProjectDocument | ChallengeDocument;
+export type ShortLinkDocument = MazeDocument | ProjectDocument | ChallengeDocument | LessonDocument;
 
 /** the part of fetch that the service uses */
 export type Ask = (url: string, init?: RequestInit) => Promise<Response>;

@@ -1,5 +1,6 @@
 /** Connects the run to the announcements: puts the announcements of `RunListener` into words. */
 import { causeLine, type Diagnosis } from "@corridor/coach";
+import { showsHelp } from "../../model/challenge/challenge-store.ts";
 import type { Services } from "../../model/services.ts";
 import { asSentence, joinSentences } from "../../text/joined.ts";
 import type { RunState } from "../../model/run/run-store.ts";
@@ -87,7 +88,15 @@ export function announceRun(
   function decision(): string {
     const state = run.getState();
     const line = state.snapshot?.line ?? null;
-    return line === null ? "" : decisionText(words(), workspace.getState().program, line, state);
+    return line === null
+      ? ""
+      : decisionText(
+          words(),
+          workspace.getState().program,
+          line,
+          state,
+          showsHelp(challenge.getState().rights, "truth"),
+        );
   }
 
   /**
@@ -113,7 +122,7 @@ export function announceRun(
       const { diagnosis } = event;
       // In a challenge its card announces the rest.
       const title = asSentence(t, diagnosisTitle(known, diagnosis));
-      if (challenge.getState().challenge !== null) return title;
+      if (challenge.getState().lesson !== null) return title;
       // A diagnosis with a line already states the bump in its text.
       const titles = causeLine(diagnosis) === null ? [] : [title];
       const text = diagnosisText(known, diagnosis);

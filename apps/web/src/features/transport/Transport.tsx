@@ -8,7 +8,7 @@ import { Icon } from "../../ui/Icon.tsx";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { Select } from "../../ui/Select.tsx";
 import { speeds } from "../../simulator/protocol/worker-messages.ts";
-import { useRights } from "../../model/use-rights.ts";
+import { useRights, useTool } from "../../model/use-rights.ts";
 import { WriteOwnButton } from "./WriteOwnButton.tsx";
 import { Clock } from "./Clock.tsx";
 import { useLongPress } from "../../ui/use-long-press.ts";
@@ -28,6 +28,8 @@ export function Transport({ timeline, past }: TransportProps) {
   const { run } = useServices();
   const isFresh = useStore(run, ({ nowTick }) => nowTick === 0);
   const view = useStore(run, (state) => state.view);
+  const hasSpeed = useTool("speed");
+  const hasTimeline = useTool("timeline");
   // While the robot runs there is no step back, and Reset displays its word instead.
   const canStepBack = useStore(
     run,
@@ -47,12 +49,12 @@ export function Transport({ timeline, past }: TransportProps) {
         <Step />
         {canStepBack && <StepBack />}
         <Reset />
-        <SpeedMenu />
+        {hasSpeed && <SpeedMenu />}
         {view !== "now" && past}
       </div>
       <div className={styles["report"]}>
         <Clock />
-        {timeline}
+        {hasTimeline && timeline}
         <RunStory />
       </div>
     </section>

@@ -1,10 +1,7 @@
-/** Decodes the link in the page's address. So far, the page opens lessons that version 1 can hold. */
-import { oldestDocumentOf, type ChallengeDocument } from "@corridor/challenge";
+/** Decodes the link in the page's address. The page has no use for a completion code. */
 import { decodeLink, type LinkContent, type LinkRefusal } from "@corridor/link";
 
-export interface SharedContent extends Pick<LinkContent, "maze" | "program" | "run"> {
-  challenge?: ChallengeDocument;
-}
+export type SharedContent = Omit<LinkContent, "completion">;
 
 export type SharedLinkResult =
   | { ok: true; value: SharedContent }
@@ -14,11 +11,8 @@ export type SharedLinkResult =
 export function decodeSharedLink(text: string): SharedLinkResult {
   const link = decodeLink(text);
   if (!link.ok) return { ok: false, code: link.code };
-  const { lesson, completion, ...content } = link.value;
-  if (completion !== undefined) return { ok: false, code: "unknown-version" };
-  if (lesson === undefined) return { ok: true, value: content };
-  const document = oldestDocumentOf(lesson);
-  return document.version === 1
-    ? { ok: true, value: { ...content, challenge: document } }
+  const { completion, ...content } = link.value;
+  return completion === undefined
+    ? { ok: true, value: content }
     : { ok: false, code: "unknown-version" };
 }

@@ -1,6 +1,7 @@
 import { mazePresets } from "@corridor/maze";
 import { programPresets } from "@corridor/program";
 import { expect, it, vi } from "vitest";
+import { threeTasks } from "../challenge/testing/three-tasks.ts";
 import { readShortLink } from "./short-link.ts";
 
 const id = "AAAAAAAAAAAA";
@@ -19,6 +20,7 @@ const answers = (status: number, body: unknown) => () =>
 it.each([
   { what: "a maze", document: maze, value: { maze } },
   { what: "a program", document: program, value: { program } },
+  { what: "a lesson", document: threeTasks, value: { lesson: threeTasks } },
   {
     what: "a maze with a program",
     document: { format: "corridor/project", version: 1, maze, program },
@@ -32,7 +34,13 @@ it("distinguishes deleted documents from unreadable ones", async () => {
   const gone = { ok: false, sentence: "share.shortLink.gone" };
   expect(await readShortLink(id, answers(404, {}), pause)).toEqual(gone);
   const unknown = { ok: false, sentence: "share.linkProblems.unknown-version" };
-  for (const body of ["<html>", "{}", { ...maze, version: 2 }, `${" ".repeat(70_000)}{}`]) {
+  for (const body of [
+    "<html>",
+    "{}",
+    { ...maze, version: 2 },
+    { ...threeTasks, version: 3 },
+    `${" ".repeat(70_000)}{}`,
+  ]) {
     expect(await readShortLink(id, answers(200, body), pause)).toEqual(unknown);
   }
 });

@@ -1,21 +1,16 @@
 /** Loads the document of a short link, and parses it as strictly as any file. */
-import { oldestDocumentOf, readLesson } from "@corridor/challenge/document";
-import type { ChallengeDocument } from "@corridor/challenge";
+import { readLesson } from "@corridor/challenge/document";
+import type { LessonDocument } from "@corridor/challenge";
 import { readProject } from "@corridor/link/project";
 import { readMaze, type MazeDocument } from "@corridor/maze";
 import { readProgram, type ProgramDocument } from "@corridor/program";
-import {
-  MAX_DOCUMENT_BYTES,
-  problem,
-  shortLinkIdSchema,
-  type ReadResult,
-} from "@corridor/protocol";
+import { MAX_DOCUMENT_BYTES, shortLinkIdSchema, type ReadResult } from "@corridor/protocol";
 
-/** A maze, a program or both, or a challenge. */
+/** A maze, a program or both, or a lesson. */
 export interface ShortLinkContent {
   maze?: MazeDocument;
   program?: ProgramDocument;
-  challenge?: ChallengeDocument;
+  lesson?: LessonDocument;
 }
 
 export type ShortLinkResult =
@@ -36,7 +31,7 @@ const readers = new Map<string, (text: string) => ReadResult<ShortLinkContent>>(
   ["corridor/maze", (text) => under("maze", readMaze(text))],
   ["corridor/program", (text) => under("program", readProgram(text))],
   ["corridor/project", readMazeAndProgram],
-  ["corridor/challenge", readTask],
+  ["corridor/challenge", (text) => under("lesson", readLesson(text))],
 ]);
 
 /** Attempts while the service delays checks for this network. */
@@ -79,16 +74,6 @@ function readMazeAndProgram(text: string): ReadResult<ShortLinkContent> {
   if (!read.ok) return read;
   const { maze, program } = read.value;
   return { ok: true, value: { maze, program } };
-}
-
-/** So far, the page opens lessons that version 1 can hold. */
-function readTask(text: string): ReadResult<ShortLinkContent> {
-  const read = readLesson(text);
-  if (!read.ok) return read;
-  const challenge = oldestDocumentOf(read.value);
-  return challenge.version === 1
-    ? { ok: true, value: { challenge } }
-    : problem("version", "2", "version 1");
 }
 
 function under<Name extends keyof ShortLinkContent>(

@@ -90,9 +90,9 @@ function openPage(
         runAddresses.push(...addresses);
         return Promise.resolve(run.ticks === 0 ? [{ path: "", found: "a", expected: "b" }] : []);
       },
-      openChallenge: (challenge, program) => {
-        challenges.push([challenge.name, program?.name ?? null]);
-        return Promise.resolve(challenge.name !== "Offline");
+      openLesson: ({ tasks: [task] }, program) => {
+        challenges.push([task?.name ?? "", program?.name ?? null]);
+        return Promise.resolve(task?.name !== "Offline");
       },
       openMission: (id) => {
         missions.push(id);
@@ -322,13 +322,16 @@ describe("opening the link of a run", () => {
       ["Find the way", "Shared rules"],
     ]);
     expect(page.addresses).toEqual(["/", "/"]);
-    // The page cannot open lessons of version 2 yet, and completion codes are for teachers.
-    const named = { ...lessonOf(challenge), name: "Lesson" };
+    const [task] = lessonOf(challenge).tasks;
+    if (task === undefined) throw new Error("no task");
+    const lesson = { ...lessonOf(challenge), tasks: [{ ...task, name: "First" }, task] };
+    await page.go("/", `#${linkOf({ lesson })}`);
+    expect(page.challenges.at(-1)).toEqual(["First", null]);
+    expect(page.message()?.text).toBe("lesson.openedBeside");
+    // Completion codes are for teachers.
     const completion = { lesson: "0a1b2c3d4", task: 0, attempt: sharedProgram };
-    for (const content of [{ lesson: named }, { completion }]) {
-      await page.go("/", `#${linkOf(content)}`);
-      expect(page.message()?.text).toContain("Corridor cannot open this link");
-    }
+    await page.go("/", `#${linkOf({ completion })}`);
+    expect(page.message()?.text).toContain("Corridor cannot open this link");
     page.addresses.length = 0;
     // A challenge that did not load is not reported as open, and a reload opens it.
     const messages = page.screen.getState().messages.length;

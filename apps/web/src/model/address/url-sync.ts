@@ -1,8 +1,8 @@
 /**
- * Requests in the page's address: a shared link, long or short, a recorded run or a challenge opens
+ * Requests in the page's address: a shared link, long or short, a recorded run or a lesson opens
  * as a new project beside the user's own. A robot's address opens another page: `features/watch`.
  */
-import type { ChallengeDocument } from "@corridor/challenge";
+import type { LessonDocument } from "@corridor/challenge";
 import type { MazeDocument } from "@corridor/maze";
 import type { FieldProblem } from "@corridor/protocol";
 import type { ProgramDocument } from "@corridor/program";
@@ -34,13 +34,10 @@ export interface UrlPorts {
   /** opens a recorded run, see `openRun`; resolves with its problems */
   openRun: (run: RunDocument, from: number | null) => Promise<readonly FieldProblem[]>;
   /**
-   * opens a challenge with the program of the link, if any. Resolves with whether it opened;
-   * otherwise a message has been shown
+   * opens a lesson with the program of the link, if any. Resolves with whether it opened; otherwise
+   * a message has been shown
    */
-  openChallenge: (
-    challenge: ChallengeDocument,
-    program: ProgramDocument | null,
-  ) => Promise<boolean>;
+  openLesson: (lesson: LessonDocument, program: ProgramDocument | null) => Promise<boolean>;
   /** opens the mission of this id; resolves with whether it exists; may fail like any file */
   openMission: (id: string) => Promise<boolean>;
   /** replaces an address without a mission by that of the open one, with a message */
@@ -74,9 +71,9 @@ export async function followAddress(ports: UrlPorts): Promise<void> {
     if (location.hash === hash) replaceAddress(pathname + withoutReplayStart(search));
     return;
   }
-  if (result.ok && result.value.challenge !== undefined) {
-    const { challenge, program = null } = result.value;
-    await openShownChallenge(ports, challenge, program, () => {
+  if (result.ok && result.value.lesson !== undefined) {
+    const { lesson, program = null } = result.value;
+    await openShownLesson(ports, lesson, program, () => {
       if (location.hash === hash) replaceAddress(pathname + search);
     });
     return;
@@ -113,8 +110,8 @@ async function followShortLink(ports: UrlPorts): Promise<void> {
   const clean = () => {
     if (location.pathname === pathname) replaceAddress(`/${search}`);
   };
-  if (result.ok && result.value.challenge !== undefined) {
-    return openShownChallenge(ports, result.value.challenge, null, clean);
+  if (result.ok && result.value.lesson !== undefined) {
+    return openShownLesson(ports, result.value.lesson, null, clean);
   }
   clean();
   if (result.ok) openShared(ports, result.value);
@@ -122,17 +119,20 @@ async function followShortLink(ports: UrlPorts): Promise<void> {
 }
 
 /** @param clean removes the link from the address */
-async function openShownChallenge(
+async function openShownLesson(
   ports: UrlPorts,
-  challenge: ChallengeDocument,
+  lesson: LessonDocument,
   program: ProgramDocument | null,
   clean: () => void,
 ): Promise<void> {
   const isOwner = hasOwnProject(ports);
-  // A challenge that did not load stays in the address: a reload tries again.
-  if (!(await ports.openChallenge(challenge, program))) return;
+  // A lesson that did not load stays in the address: a reload tries again.
+  if (!(await ports.openLesson(lesson, program))) return;
   clean();
-  const key = isOwner ? "share.openedChallengeBeside" : "share.openedChallenge";
+  const key =
+    lesson.tasks.length > 1
+      ? (`missions:lesson.${isOwner ? "openedBeside" : "opened"}` as const)
+      : (`share.openedChallenge${isOwner ? "Beside" : ""}` as const);
   showMessage(ports.screen, { tone: "info", text: ports.words.t(key) });
 }
 

@@ -1,5 +1,5 @@
 /** For every wrong answer, the advice before a run does not contradict the verdict after it. */
-import { rightsOf } from "@corridor/challenge";
+import { lessonOf, rightsOf, taskOf } from "@corridor/challenge";
 import { adviseProgram, causeLine, type Advice, type Cause, type Diagnosis } from "@corridor/coach";
 import { describe, expect, it } from "vitest";
 import { checkProgram } from "../../simulator/check-worker/check-program.ts";
@@ -39,12 +39,14 @@ function contradicts(advice: Advice, diagnosis: Diagnosis): boolean {
 describe("advice before the run and the verdict after it", () => {
   it.each(wrongAnswers)("agree on $id, $name", ({ answer: { challenge, program } }) => {
     const rights = rightsOf(challenge);
-    const { diagnoses } = checkProgram({ challenge, program });
+    const { diagnoses } = checkProgram({ task: taskOf(challenge), program });
     const apart = challenge.mazes.flatMap((maze, at) => {
       const diagnosis = diagnoses[at] ?? null;
       if (diagnosis === null) return [];
       return adviseProgram(program, maze)
-        .filter((advice) => concernsReader(advice, program, { challenge, rights }))
+        .filter((advice) =>
+          concernsReader(advice, program, { lesson: lessonOf(challenge), index: 0, rights }),
+        )
         .filter((advice) => contradicts(advice, diagnosis));
     });
     expect(apart).toEqual([]);

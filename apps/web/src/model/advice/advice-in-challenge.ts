@@ -4,15 +4,18 @@
  */
 import type { Advice } from "@corridor/coach";
 import { isSameBehaviour, type ProgramDocument } from "@corridor/program";
-import type { ChallengeState } from "../challenge/challenge-store.ts";
+import { openTask, showsHelp, type ChallengeState } from "../challenge/challenge-store.ts";
 import { allowsFix } from "./fix-rights.ts";
 
 export function concernsReader(
   { fix }: Pick<Advice, "fix">,
   program: ProgramDocument,
-  { challenge, rights }: Pick<ChallengeState, "challenge" | "rights">,
+  state: Pick<ChallengeState, "lesson" | "index" | "rights">,
 ): boolean {
-  if (challenge === null) return true;
-  if (challenge.program !== null && isSameBehaviour(program, challenge.program)) return false;
+  const { rights } = state;
+  const task = openTask(state);
+  if (task === null) return true;
+  if (!showsHelp(rights, "advice")) return false;
+  if (task.program !== null && isSameBehaviour(program, task.program)) return false;
   return fix !== null && allowsFix(fix, program.rules.length, rights);
 }

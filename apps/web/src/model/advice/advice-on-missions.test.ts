@@ -2,7 +2,7 @@
  * The coach and the lessons agree. A mission's own program and a solution get no advice, typical
  * mistakes get advice during editing, and no fix leads away from the goal.
  */
-import { checkChallenge, rightsOf, type ChallengeDocument } from "@corridor/challenge";
+import { checkChallenge, lessonOf, rightsOf, type ChallengeDocument } from "@corridor/challenge";
 import { adviseProgram, applyFix, type Advice } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
 import { describe, expect, it } from "vitest";
@@ -22,7 +22,9 @@ function shownAdvice(program: ProgramDocument, challenge: ChallengeDocument): Ad
   const rights = rightsOf(challenge);
   return challenge.mazes
     .flatMap((maze) => adviseProgram(program, maze))
-    .filter((advice) => concernsReader(advice, program, { challenge, rights }));
+    .filter((advice) =>
+      concernsReader(advice, program, { lesson: lessonOf(challenge), index: 0, rights }),
+    );
 }
 
 function kindsOf(advice: readonly Advice[]): string[] {

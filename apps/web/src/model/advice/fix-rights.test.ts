@@ -1,16 +1,14 @@
-import type { Rights } from "@corridor/challenge";
+import type { EditKind } from "@corridor/challenge";
 import type { Fix } from "@corridor/coach";
 import { conditionKinds, menuActions } from "@corridor/program";
 import { describe, expect, it } from "vitest";
 import { allowsFix } from "./fix-rights.ts";
 
-const all: Rights = {
-  drivers: ["program"],
+const all = {
   maxLines: 3,
   conditions: conditionKinds,
   actions: menuActions,
-  edits: new Set(["condition", "number", "action", "otherwise", "order", "lines"]),
-  maze: true,
+  edits: new Set<EditKind>(["condition", "number", "action", "otherwise", "order", "lines"]),
 };
 const front = { sensor: "front", is: "<", than: 50 } as const;
 const fixes: Record<Fix["kind"], Fix> = {

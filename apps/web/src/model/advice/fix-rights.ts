@@ -3,11 +3,13 @@ import type { Rights } from "@corridor/challenge";
 import type { Fix } from "@corridor/coach";
 import { kindOf, type Rule } from "@corridor/program";
 
+type FixRights = Pick<Rights, "actions" | "conditions" | "edits" | "maxLines">;
+
 /**
  * @param lines of the program
  * @param rights null while no challenge is open, which permits everything
  */
-export function allowsFix(fix: Fix, lines: number, rights: Rights | null): boolean {
+export function allowsFix(fix: Fix, lines: number, rights: FixRights | null): boolean {
   if (rights === null) return true;
   const { edits, actions } = rights;
   switch (fix.kind) {
@@ -31,6 +33,6 @@ export function allowsFix(fix: Fix, lines: number, rights: Rights | null): boole
   }
 }
 
-function allowsCondition(when: Rule["when"], { conditions }: Rights): boolean {
+function allowsCondition(when: Rule["when"], { conditions }: FixRights): boolean {
   return when === null || conditions.includes(kindOf(when));
 }

@@ -1,4 +1,5 @@
 /** Checks every sentence that a student reads about a failed run against the run itself. */
+import { taskOf } from "@corridor/challenge";
 import { diagnoseFreePlay } from "@corridor/coach";
 import { generateMaze, type MazeDocument } from "@corridor/maze";
 import type { Condition, ProgramDocument } from "@corridor/program";
@@ -35,7 +36,7 @@ const plain = (text: string): string => text.replaceAll(/[\u2068\u2069]/gu, "");
 
 /** Returns the false sentences of the mission's card, for each maze that fails. */
 function falseIn({ challenge, program, name }: WrongAnswer): string[] {
-  const { verdict, diagnoses } = checkProgram({ challenge, program });
+  const { verdict, diagnoses } = checkProgram({ task: taskOf(challenge), program });
   return verdict.mazes.flatMap(({ failure }, at) => {
     const maze = challenge.mazes[at];
     if (failure === null || maze === undefined) return [];
@@ -113,7 +114,10 @@ describe("a number that is wrong", () => {
       says: "Line 1 uses left. Another sensor is needed at 3.5 s (front: 100 cm, left: 250 cm, right: 50 cm).",
     },
   ])("$why", ({ answer, says }) => {
-    const { verdict, diagnoses } = checkProgram(answer);
+    const { verdict, diagnoses } = checkProgram({
+      task: taskOf(answer.challenge),
+      program: answer.program,
+    });
     const { failure } = verdict;
     if (failure === null) throw new Error("no failure");
     const diagnosis = diagnoses[failure.maze ?? -1] ?? null;
@@ -141,7 +145,10 @@ describe("a corner", () => {
     "is named only where the beam passes it: $isBesideBeam after $than cm",
     ({ than, isBesideBeam }) => {
       const answer = changed("centimetres", 0, number("back", ">", than));
-      const { verdict, diagnoses } = checkProgram(answer);
+      const { verdict, diagnoses } = checkProgram({
+        task: taskOf(answer.challenge),
+        program: answer.program,
+      });
       if (verdict.failure === null) throw new Error("no failure");
       const text = failureText(words, answer.challenge, verdict.failure, diagnoses[0] ?? null);
       expect(text.includes("The robot touched the corner of a block.")).toBe(isBesideBeam);
@@ -157,7 +164,10 @@ describe("a comparison of left with right", () => {
       than: "right",
       plus: 1,
     });
-    const { verdict, diagnoses } = checkProgram(answer);
+    const { verdict, diagnoses } = checkProgram({
+      task: taskOf(answer.challenge),
+      program: answer.program,
+    });
     const { failure } = verdict;
     if (failure === null) throw new Error("no failure");
     expect(plain(failureText(words, answer.challenge, failure, diagnoses[0] ?? null))).toContain(
@@ -172,7 +182,7 @@ describe("a line that turns well at one place and to a wall at the next", () => 
     if (mission === undefined) throw new Error("no mission");
     const { challenge } = mission;
     const program = lines("forward", { when: number("front", "<", 50), do: "left 90" });
-    const { verdict, diagnoses } = checkProgram({ challenge, program });
+    const { verdict, diagnoses } = checkProgram({ task: taskOf(challenge), program });
     const { failure } = verdict;
     if (failure === null) throw new Error("no failure");
     expect(plain(failureText(words, challenge, failure, diagnoses[0] ?? null))).toContain(

@@ -1,21 +1,24 @@
-import type { Judgement } from "@corridor/challenge";
+import type { Judgement, LessonTask } from "@corridor/challenge";
 import type { Diagnosis } from "@corridor/coach";
 import { describe, expect, it } from "vitest";
 import { checkProgram } from "../../simulator/check-worker/check-program.ts";
 import type { CheckAnswer, CheckRequest } from "../../simulator/protocol/check-request.ts";
 import { RunJudge } from "../../simulator/worker/run-judge.ts";
 import { RunLoop } from "../../simulator/worker/run-loop.ts";
+import { openTask } from "../challenge/challenge-store.ts";
 import { setProgram } from "../workspace/workspace-store.ts";
 import { Attempt } from "./attempt.ts";
 import { ChallengeChecker } from "./challenge-checker.ts";
 import { LessonsNavigation } from "./lessons-navigation.ts";
 import { LessonsProgress } from "./lessons-progress.ts";
 import { lines, type MissionId } from "./missions/mission.ts";
+import { sampleLesson, sampleTask } from "./testing/sample-lesson.ts";
+import { StoredLessons } from "./stored-lessons.ts";
 import { lessonsPage, noAddressBar } from "./testing/lessons-page.ts";
 
 /** A page with an open mission, its robot, and the check in this thread. */
 function openMission(id: MissionId) {
-  const { ports, challenge, workspace, storage, sent, report } = lessonsPage();
+  const { ports, challenge, workspace, storage, device, sent, report } = lessonsPage();
   const port: ReturnType<ConstructorParameters<typeof ChallengeChecker>[0]> = {
     postMessage: (request: CheckRequest) => {
       queueMicrotask(() =>
@@ -27,10 +30,11 @@ function openMission(id: MissionId) {
     terminate: () => undefined,
   };
   const checker = new ChallengeChecker(() => port);
-  const attempt = new Attempt(ports, new LessonsProgress(ports), checker);
-  const navigation = new LessonsNavigation(ports, attempt, noAddressBar);
+  const lessons = new StoredLessons(device);
+  const attempt = new Attempt(ports, new LessonsProgress(ports), lessons, checker);
+  const navigation = new LessonsNavigation(ports, attempt, lessons, noAddressBar);
   navigation.openMission(id);
-  const open = challenge.getState().challenge;
+  const open = openTask(challenge.getState());
   if (open === null) throw new Error("no challenge");
   let time = 0;
   const loop = new RunLoop(workspace.getState().maze, workspace.getState().program, () => time);
@@ -178,6 +182,39 @@ describe("the marks of the mazes", () => {
     expect(page.challenge.getState()).toMatchObject({
       result: { state: "met" },
       checked: { passed: true },
+    });
+  });
+});
+
+describe("a task of a lesson", () => {
+  const unseen = { kind: "tree", columns: 5, rows: 5, seed: 1, count: 1, pass: 1 } as const;
+
+  function openTaskWith(change: Partial<LessonTask>) {
+    const page = openMission("make-it-move");
+    const first = { ...sampleTask("make-it-move", "Drive"), ...change };
+    const lesson = { ...sampleLesson, tasks: [first, ...sampleLesson.tasks] };
+    page.navigation.openShared(lesson, null);
+    return { ...page, lesson };
+  }
+
+  it("is stored as solved when it is met", () => {
+    const page = openTaskWith({});
+    page.judge({ kind: "met", driver: "me", tick: 240, bumps: 0 });
+    expect(page.challenge.getState()).toMatchObject({
+      result: { state: "met" },
+      solved: [true, false, false, false],
+    });
+    page.navigation.goHome();
+    page.navigation.openShared(page.lesson, null);
+    expect(page.challenge.getState().solved).toEqual([true, false, false, false]);
+  });
+
+  it("with unseen mazes is not solved by a drive by hand in a given one", () => {
+    const page = openTaskWith({ unseen });
+    page.judge({ kind: "met", driver: "me", tick: 240, bumps: 0 });
+    expect(page.challenge.getState()).toMatchObject({
+      result: { state: "here", driver: "me" },
+      solved: [false, false, false, false],
     });
   });
 });

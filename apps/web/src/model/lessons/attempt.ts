@@ -1,17 +1,13 @@
 /**
- * The attempt at the open challenge: the judgement of the run on the screen, the check of the
- * program in all mazes, and the result of both.
+ * The attempt at the open task: the judgement of the run on the screen, the check of the program in
+ * all mazes, and the result of both.
  */
-import {
-  startingProgram,
-  type ChallengeDocument,
-  type Judgement,
-  type Verdict,
-} from "@corridor/challenge";
+import { startingProgram, type Judgement, type LessonTask } from "@corridor/challenge";
 import type { Diagnosis } from "@corridor/coach";
 import { isSameBehaviour, type ProgramDocument } from "@corridor/program";
-import type { CheckAnswer } from "../../simulator/protocol/check-request.ts";
+import type { CheckAnswer, CheckedTask } from "../../simulator/protocol/check-request.ts";
 import type { FromWorker } from "../../simulator/protocol/worker-messages.ts";
+import { mazeCount, openTask } from "../challenge/challenge-store.ts";
 import { showMessage } from "../screen/screen-store.ts";
 import { showUndoable } from "../workspace/show-undoable.ts";
 import { newLineIds, setProgram } from "../workspace/workspace-store.ts";
@@ -20,68 +16,84 @@ import type { LessonsPorts } from "./lessons-ports.ts";
 import type { LessonsProgress } from "./lessons-progress.ts";
 import type { Done } from "./lessons-storage.ts";
 import { bonusMissionOf } from "./missions/bonus-missions.ts";
+import { reportUnlessStored } from "./report-unless-stored.ts";
+import type { StoredLessons } from "./stored-lessons.ts";
 
 type Met = Extract<Judgement, { kind: "met" }>;
 
 /** State without a known failure of the current program. */
-const nothingKnown = { checked: null, verdict: null, diagnoses: [], failedRun: null } as const;
+const nothingKnown = {
+  checked: null,
+  verdict: null,
+  diagnoses: [],
+  unseenDiagnosis: null,
+  failedRun: null,
+} as const;
 
 export class Attempt {
   readonly #ports: LessonsPorts;
   readonly #progress: Pick<LessonsProgress, "add">;
+  readonly #lessons: Pick<StoredLessons, "addSolved">;
   readonly #checker: ChallengeChecker;
-  /** rises with each challenge and maze to judge; judgements with another id are ignored */
+  /** rises with each task and maze to judge; judgements with another id are ignored */
   #judgeId = 0;
   #judged: Judgement = { kind: "open" };
 
   constructor(
     ports: LessonsPorts,
     progress: Pick<LessonsProgress, "add">,
+    lessons: Pick<StoredLessons, "addSolved">,
     checker: ChallengeChecker,
   ) {
     this.#ports = ports;
     this.#progress = progress;
+    this.#lessons = lessons;
     this.#checker = checker;
     ports.simulator.listen((message) => this.#follow(message));
     ports.challenge.subscribe((next, before) => {
-      if (next.challenge !== null || before.challenge === null) return;
+      if (next.lesson !== null || before.lesson === null) return;
       ports.simulator.send({ type: "judge", id: ++this.#judgeId, attempt: null });
     });
     ports.workspace.subscribe((next, before) => {
-      if (next.program === before.program || ports.challenge.getState().challenge === null) return;
+      if (next.program === before.program || ports.challenge.getState().lesson === null) return;
       ports.challenge.setState({ ...nothingKnown, result: { state: "open" } });
     });
   }
 
-  /** Judges the run on the screen in one maze of a challenge from now on. */
-  begin(challenge: ChallengeDocument, maze: number, mission: string | null): void {
+  /** Judges the run on the screen in one given maze of a task from now on. */
+  begin(task: LessonTask, maze: number, mission: string | null): void {
     this.#judged = { kind: "open" };
     // The worker for bonus missions decides whether a maze defeats its program. No run on the
     // screen decides it.
-    const attempt = bonusMissionOf(mission) === "beat-right-wall" ? null : { challenge, maze };
+    const attempt = bonusMissionOf(mission) === "beat-right-wall" ? null : { task, maze };
     this.#ports.simulator.send({ type: "judge", id: ++this.#judgeId, attempt });
   }
 
-  /** Restores the starting program of the mission. The message offers undo. */
+  /** Restores the starting program of the task. The message offers undo. */
   restart(): void {
     const { challenge: store, workspace, simulator, screen, words } = this.#ports;
-    const { challenge } = store.getState();
-    if (challenge === null) return;
-    const start = startingProgram(challenge);
+    const task = openTask(store.getState());
+    if (task === null) return;
+    const start = startingProgram(task);
+    const isMission = store.getState().mission !== null;
     const { program } = workspace.getState();
     simulator.send({ type: "reset" });
     if (isSameBehaviour(program, start)) {
       store.setState({ ...nothingKnown, result: { state: "open" } });
-      showMessage(screen, { tone: "info", text: words.t("missions:card.restartedUnchanged") });
+      const text = words.t(
+        isMission ? "missions:card.restartedUnchanged" : "missions:lesson.restartedUnchanged",
+      );
+      showMessage(screen, { tone: "info", text });
       return;
     }
     setProgram(workspace, start, newLineIds(start.rules.length));
-    showUndoable({ screen, workspace }, words, words.t("missions:card.restarted"));
+    const text = words.t(isMission ? "missions:card.restarted" : "missions:lesson.restarted");
+    showUndoable({ screen, workspace }, words, text);
   }
 
   /**
-   * Runs the program in all mazes of the challenge, in a worker.
-   * @param run the run on the screen that met the challenge. Its figures are displayed beside its
+   * Runs the program in all mazes of the task, also in the unseen ones, in a worker.
+   * @param run the run on the screen that met the goal. Its figures are displayed beside its
    *   clock; those of the check differ if the program was edited on the way, and are stored
    */
   async check(run: Met | null = null): Promise<void> {
@@ -101,22 +113,26 @@ export class Attempt {
     store.setState({ ...answer, checked: verdict, failedRun: null });
     if (verdict.passed) this.#passed(verdict, run);
     else {
-      const isMet = this.#judged.kind === "met" && verdict.mazes.length === 1;
+      const isMet = this.#judged.kind === "met" && this.#isOnlyMaze();
       const code = isMet ? "edited" : (verdict.failure?.code ?? "edited");
       const tick = this.#judged.kind === "open" ? 0 : this.#judged.tick;
       store.setState({ result: { state: "failed", code, tick } });
     }
   }
 
-  /** @returns null if the program or the challenge changed in the meantime */
+  /** Whether the displayed maze decides alone. */
+  #isOnlyMaze(): boolean {
+    return mazeCount(openTask(this.#ports.challenge.getState())) === 1;
+  }
+
+  /** @returns null if the program or the task changed in the meantime */
   async #ask(): Promise<CheckAnswer | null> {
     const { challenge: store, workspace } = this.#ports;
-    const { challenge } = store.getState();
+    const task = openTask(store.getState());
     const { program } = workspace.getState();
-    if (challenge === null) return null;
-    const answer = await this.#checker.check({ challenge, program });
-    const isSame =
-      store.getState().challenge === challenge && workspace.getState().program === program;
+    if (task === null) return null;
+    const answer = await this.#checker.check({ task, program });
+    const isSame = openTask(store.getState()) === task && workspace.getState().program === program;
     return isSame ? answer : null;
   }
 
@@ -141,11 +157,10 @@ export class Attempt {
    */
   #failed(diagnosis: Diagnosis, program: ProgramDocument | null): void {
     const { challenge: store, workspace } = this.#ports;
-    const { challenge } = store.getState();
-    if (challenge === null || !challenge.allowed.drivers.includes("program")) return;
+    if (openTask(store.getState())?.allowed.drivers.includes("program") !== true) return;
     // The program was edited in the meantime, so the diagnosis belongs to another program.
     if (program !== null && !isSameBehaviour(program, workspace.getState().program)) return;
-    store.setState({ failedRun: diagnosis, verdict: null, diagnoses: [] });
+    store.setState({ failedRun: diagnosis, verdict: null, diagnoses: [], unseenDiagnosis: null });
   }
 
   /**
@@ -164,38 +179,44 @@ export class Attempt {
   /** Stores a new judgement of the attempt on the screen. */
   #receive(judged: Judgement): void {
     const { challenge: store } = this.#ports;
-    const { challenge } = store.getState();
-    if (challenge === null) return;
+    if (store.getState().lesson === null) return;
     if (judged.kind === "open") store.setState({ result: { state: "open" } });
     else if (judged.kind === "failed") {
       store.setState({ result: { state: "failed", code: judged.code, tick: judged.tick } });
-    } else this.#meet(challenge, judged);
+    } else this.#meet(judged);
   }
 
   /**
-   * A drive by hand counts as it is. A program must also pass a check from the start in every maze.
+   * A drive by hand counts as it is, but not in unseen mazes. A program must also pass a check from
+   * the start in every maze.
    */
-  #meet(challenge: ChallengeDocument, met: Met): void {
+  #meet(met: Met): void {
     const { challenge: store, workspace } = this.#ports;
     const { driver, tick: ticks, bumps } = met;
     const { checked } = store.getState();
+    const task = openTask(store.getState());
+    const hasUnseen = task !== null && task.unseen !== null;
     const lines = driver === "program" ? workspace.getState().program.rules.length : 0;
     if (driver !== "program") {
+      if (hasUnseen) {
+        store.setState({ result: { state: "here", driver, ticks, bumps, lines } });
+        return;
+      }
       store.setState({ result: { state: "met", driver, ticks, bumps, lines } });
       this.#setDone({ lines, ticks });
       return;
     }
     // The same program has already passed in every maze.
-    if (checked?.passed === true && challenge.mazes.length > 1) {
+    if (checked?.passed === true && !this.#isOnlyMaze()) {
       this.#passed(checked, null);
       return;
     }
-    store.setState({ result: { state: "here", ticks, bumps, lines } });
-    if (challenge.mazes.length === 1) void this.check(met);
+    store.setState({ result: { state: "here", driver, ticks, bumps, lines } });
+    if (this.#isOnlyMaze()) void this.check(met);
   }
 
   /** The program works in all mazes. */
-  #passed({ mazes }: Verdict, run: Met | null): void {
+  #passed({ mazes }: CheckedTask, run: Met | null): void {
     const { challenge: store, workspace } = this.#ports;
     const ticks = Math.max(...mazes.map((each) => each.ticks));
     const bumps = Math.max(...mazes.map((each) => each.bumps));
@@ -206,7 +227,12 @@ export class Attempt {
   }
 
   #setDone(done: Done): void {
-    const { mission } = this.#ports.challenge.getState();
+    const { challenge: store } = this.#ports;
+    const { mission, lessonId, index, solved } = store.getState();
+    if (lessonId !== null) {
+      store.setState({ solved: solved.with(index, true) });
+      reportUnlessStored(this.#ports, this.#lessons.addSolved({ lesson: lessonId, index }));
+    }
     if (mission === null || bonusMissionOf(mission) !== null) return;
     this.#progress.add({ done: { [mission]: done } });
   }

@@ -1,3 +1,4 @@
+import { lessonOf } from "@corridor/challenge";
 import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { MemoryStorage } from "../storage/testing/memory-storage.ts";
 import { createChallengeStore, noChallenge } from "../challenge/challenge-store.ts";
@@ -36,7 +37,7 @@ function openPage(answer: (question: BonusQuestion) => BonusAnswer) {
     const mission = bonusMissions.find((each) => each.id === id);
     if (mission === undefined) throw new Error("no bonus mission");
     const document = challengeOf(mission, "Bonus", { task: "Task", short: "Task", hints: [] });
-    challenge.setState({ ...noChallenge, challenge: document, mission: id });
+    challenge.setState({ ...noChallenge, lesson: lessonOf(document), mission: id });
     await vi.runAllTimersAsync();
   };
   return {

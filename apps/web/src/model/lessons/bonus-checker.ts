@@ -2,9 +2,10 @@
  * Checks the open bonus mission in a worker whenever the program or the maze changes. Stores the best
  * result on the device.
  */
-import { startingProgram, type ChallengeDocument } from "@corridor/challenge";
+import { startingProgram, type Task } from "@corridor/challenge";
 import { createStore } from "zustand/vanilla";
 import type { BonusAnswer, BonusAnswers } from "../../simulator/protocol/bonus-request.ts";
+import { openTask } from "../challenge/challenge-store.ts";
 import { askWorker, type AskBonus } from "./ask-bonus.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
 import type { LessonsProgress } from "./lessons-progress.ts";
@@ -40,7 +41,7 @@ export class BonusChecker {
     this.#progress = progress;
     this.#ask = ask;
     ports.challenge.subscribe((next, before) => {
-      if (next.challenge !== before.challenge) this.#changed();
+      if (openTask(next) !== openTask(before)) this.#changed();
       else if (next.result !== before.result) this.#followHand();
     });
     ports.simulator.listen((message) => {
@@ -58,16 +59,17 @@ export class BonusChecker {
   #changed(): void {
     clearTimeout(this.#timer);
     const asked = ++this.#asked;
-    const { challenge, mission } = this.#ports.challenge.getState();
-    const bonus = bonusMissionOf(mission);
+    const state = this.#ports.challenge.getState();
+    const task = openTask(state);
+    const bonus = bonusMissionOf(state.mission);
     this.status.setState({ status: { kind: "none" } });
-    if (bonus === null || bonus === "fewest-bumps" || challenge === null) return;
-    this.#timer = setTimeout(() => void this.#check(bonus, challenge, asked), PAUSE_MS);
+    if (bonus === null || bonus === "fewest-bumps" || task === null) return;
+    this.#timer = setTimeout(() => void this.#check(bonus, task, asked), PAUSE_MS);
   }
 
   async #check(
     bonus: Exclude<BonusMissionId, "fewest-bumps">,
-    challenge: ChallengeDocument,
+    task: Task,
     asked: number,
   ): Promise<void> {
     const { maze, program } = this.#ports.workspace.getState();
@@ -76,11 +78,11 @@ export class BonusChecker {
     try {
       answer = await this.#ask(
         bonus === "all-mazes"
-          ? { kind: "mazes", challenge, program }
+          ? { kind: "mazes", task, program }
           : {
               kind: "defeat",
               maze,
-              program: startingProgram(challenge),
+              program: startingProgram(task),
               seconds: BONUS_SECONDS,
             },
       );

@@ -1,5 +1,5 @@
 /** Why an attempt does not pass, in a sentence with its numbers. */
-import type { ChallengeDocument, Failure } from "@corridor/challenge";
+import type { Failure, Task } from "@corridor/challenge";
 import type { Diagnosis } from "@corridor/coach";
 import type { ChallengeResult } from "../challenge/challenge-store.ts";
 import { roundedSides } from "../../text/compared.ts";
@@ -8,33 +8,47 @@ import { diagnosisText, diagnosisWords } from "../diagnosis/diagnosis-text.ts";
 import type { MissionWords } from "./mission-words.ts";
 import type { HandAdvice } from "./hand-advice.ts";
 
+/** What a failure belongs to, besides its task. */
+export interface FailureContext {
+  /** number of the unseen maze; null for a given one */
+  unseen: number | null;
+  /** whether a teacher may have set the time limit: then more time may be enough */
+  isLesson: boolean;
+}
+
+const inMission: FailureContext = { unseen: null, isLesson: false };
+
 /**
  * The result of a failed check.
  * @param diagnosis why the program fails in this maze; null if nothing ran
  */
 export function failureText(
   words: MissionWords,
-  challenge: ChallengeDocument,
+  challenge: Task,
   it: Failure,
   diagnosis: Diagnosis | null,
+  context: FailureContext = inMission,
 ): string {
-  const reason = diagnosed(words, challenge, it, diagnosis);
+  const reason = diagnosed(words, challenge, it, diagnosis, context);
+  const { unseen } = context;
+  if (unseen !== null) return words.t("missions:lesson.inUnseen", { number: unseen, reason });
   if (it.maze === null || challenge.mazes.length === 1) return reason;
   return words.t("missions:failure.inMaze", { number: it.maze + 1, reason });
 }
 
 function diagnosed(
   words: MissionWords,
-  challenge: ChallengeDocument,
+  challenge: Task,
   it: Failure,
   diagnosis: Diagnosis | null,
+  context: FailureContext,
 ): string {
-  if (diagnosis === null) return reasonText(words, challenge, it);
+  if (diagnosis === null) return reasonText(words, challenge, it, context);
   if (it.code === "bump") return runFailureText(words, diagnosis);
   const isShort = it.code === "not-reached" && diagnosis.cause !== null;
   const happened = isShort
     ? words.t("missions:failure.notInTime", { seconds: challenge.checks.seconds })
-    : reasonText(words, challenge, it);
+    : reasonText(words, challenge, it, context);
   return runFailureText(words, diagnosis, happened);
 }
 
@@ -47,8 +61,14 @@ export function runFailureText(
   return diagnosisText(diagnosisWords(t, i18n.language, waited), diagnosis, happened);
 }
 
-function reasonText(words: MissionWords, challenge: ChallengeDocument, it: Failure): string {
+function reasonText(
+  words: MissionWords,
+  challenge: Task,
+  it: Failure,
+  { isLesson }: FailureContext,
+): string {
   const { t } = words;
+  const { seconds } = challenge.checks;
   const { found, needed } = missedText(words, it.found ?? 0, it.needed ?? 0);
   switch (it.code) {
     case "driver":
@@ -71,22 +91,32 @@ function reasonText(words: MissionWords, challenge: ChallengeDocument, it: Failu
       });
     case "not-reached":
     case "not-visited":
-      return t(`missions:failure.${it.code}`, {
-        found,
-        needed,
-        seconds: challenge.checks.seconds,
-      });
-    case "not-stopped":
+      return isLesson
+        ? t(`missions:lesson.timeLimit.${it.code}`, { found, needed, seconds })
+        : t(`missions:failure.${it.code}`, { found, needed, seconds });
     case "too-short":
-      return t(`missions:failure.${it.code}`, { found, needed });
+      return isLesson
+        ? t("missions:lesson.timeLimit.too-short", { found, needed, seconds })
+        : t("missions:failure.too-short", { found, needed });
+    case "not-stopped":
+      return t("missions:failure.not-stopped", { found, needed });
   }
+}
+
+/** The end of the time of a lesson, where the goal is a place or any other. */
+export function timeLimitText({ t }: MissionWords, { goal, checks }: Task): string {
+  const { seconds } = checks;
+  return goal.kind === "reach"
+    ? t("missions:lesson.timeLimit.not-reached", { seconds })
+    : t("missions:lesson.timeLimit.late", { seconds });
 }
 
 /** The failure of the run on the screen; null while nothing has failed. */
 export function liveFailureText(
   words: MissionWords,
-  challenge: ChallengeDocument,
+  challenge: Task,
   result: ChallengeResult,
+  isLesson = false,
 ): string | null {
   const { t } = words;
   if (result.state !== "failed") return null;
@@ -102,6 +132,7 @@ export function liveFailureText(
         seconds: secondsOf(words, result.tick),
       });
     case "late":
+      if (isLesson) return timeLimitText(words, challenge);
       return t("missions:failure.late", { seconds: challenge.checks.seconds });
     // Program failures come from a check, and the text of the check takes precedence over this one.
     case "edited":
@@ -123,7 +154,7 @@ export function liveFailureText(
  */
 export function handText(
   words: MissionWords,
-  { goal }: Pick<ChallengeDocument, "goal">,
+  { goal }: Pick<Task, "goal">,
   reading: number | null,
   advice: HandAdvice,
 ): string {
@@ -152,7 +183,7 @@ function missedText(
 /** Success message with the result. */
 export function metText(
   words: MissionWords,
-  { allowed }: ChallengeDocument,
+  { allowed }: Task,
   result: Extract<ChallengeResult, { state: "met" }>,
 ): string {
   const { t } = words;

@@ -3,7 +3,7 @@
  * rest. The service and its data are in a separate file. It loads when a mission opens, or when the
  * open project belongs to one.
  */
-import type { ChallengeDocument } from "@corridor/challenge";
+import type { LessonDocument } from "@corridor/challenge";
 import type { ProgramDocument } from "@corridor/program";
 import { noChallenge } from "../challenge/challenge-store.ts";
 import { showMessage } from "../screen/screen-store.ts";
@@ -26,7 +26,7 @@ export class LessonsEntry {
       this.#projectId = projects.currentId();
       challenge.setState({ isInvited: false });
       if (this.#belongsToChallenge()) void this.#sync().then(() => this.handOver());
-      else if (challenge.getState().challenge !== null) challenge.setState(noChallenge);
+      else if (challenge.getState().lesson !== null) challenge.setState(noChallenge);
     });
   }
 
@@ -47,19 +47,16 @@ export class LessonsEntry {
   }
 
   /**
-   * Opens a shared challenge in its own project.
-   * @param program from the link; null for the challenge's starting program
+   * Opens a lesson from a link or a file beside the student's projects.
+   * @param program from the link; null for the starting program of the task
    * @returns false if the lessons failed to load; a message reports it
    */
-  async openShared(
-    challenge: ChallengeDocument,
-    program: ProgramDocument | null,
-  ): Promise<boolean> {
-    return this.#withService(({ navigation }) => navigation.openShared(challenge, program));
+  async openShared(lesson: LessonDocument, program: ProgramDocument | null): Promise<boolean> {
+    return this.#withService(({ navigation }) => navigation.openShared(lesson, program));
   }
 
   /**
-   * Selects the driver of the open project's challenge, if it has one. Call it only once the page
+   * Selects the driver of the open project's task, if it has one. Call it only once the page
    * knows whether it restores a run.
    */
   async handOver(): Promise<void> {

@@ -1,40 +1,69 @@
 /**
- * Opens missions, shared challenges and their mazes, and returns to the maze from before. Each
- * challenge has its own project, so that other projects stay unchanged.
+ * Opens missions, lessons, their tasks and mazes, and returns to the maze from before. Each task has
+ * its own project, so that other projects stay unchanged.
  */
-import { rightsOf, startingProgram, type ChallengeDocument } from "@corridor/challenge";
+import {
+  lessonOf,
+  rightsOf,
+  startingProgram,
+  type LessonDocument,
+  type LessonTask,
+} from "@corridor/challenge";
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
-import { MissionAddress, type AddressBar } from "../address/mission-address.ts";
-import { noChallenge } from "../challenge/challenge-store.ts";
+import { LessonAddress, type AddressBar } from "../address/lesson-address.ts";
+import { noChallenge, openTask, type TaskPlace } from "../challenge/challenge-store.ts";
 import { firstProject } from "../projects/first-visit.ts";
-import { showMessage } from "../screen/screen-store.ts";
+import { dismiss, showMessage } from "../screen/screen-store.ts";
 import { setMaze } from "../workspace/workspace-store.ts";
 import type { Attempt } from "./attempt.ts";
-import { readChallengeText, writeChallengeText } from "./challenge-text.ts";
+import { readLessonText, writeLessonText } from "./lesson-text.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
 import { mazeIndex } from "./maze-index.ts";
 import { missionDocument } from "./mission-document.ts";
 import { bonusMissions } from "./missions/bonus-missions.ts";
 import { missions } from "./missions/missions.ts";
 import { reportUnlessStored } from "./report-unless-stored.ts";
+import { resetHiddenTools } from "./reset-hidden-tools.ts";
+import { readReference, writeReference, type StoredLessons } from "./stored-lessons.ts";
+import { isTaskOpen, nextTask } from "./task-order.ts";
 
 /** Everything that an address can name. */
-const tasks = [...missions, ...bonusMissions];
+const addressed = [...missions, ...bonusMissions];
+
+/** A task to display. Both ids are null for a shared lesson of one task. */
+interface ShownTask {
+  lesson: LessonDocument;
+  index: number;
+  /** id of the mission */
+  mission: string | null;
+  /** id of the stored lesson */
+  lessonId: string | null;
+}
 
 export class LessonsNavigation {
   readonly #ports: LessonsPorts;
   readonly #attempt: Pick<Attempt, "begin">;
-  readonly #address: MissionAddress;
-  /** id of the project with the open challenge */
+  readonly #lessons: StoredLessons;
+  readonly #address: LessonAddress;
+  /** id of the project with the open task */
   #projectId: string | null = null;
   /** reopens what was open before the first mission, even if it was never stored */
   #backAction: (() => void) | null = null;
 
-  constructor(ports: LessonsPorts, attempt: Pick<Attempt, "begin">, bar: AddressBar) {
+  constructor(
+    ports: LessonsPorts,
+    attempt: Pick<Attempt, "begin">,
+    lessons: StoredLessons,
+    bar: AddressBar,
+  ) {
     this.#ports = ports;
     this.#attempt = attempt;
-    this.#address = new MissionAddress(ports.challenge, bar, () => this.goHome());
+    this.#lessons = lessons;
+    this.#address = new LessonAddress(ports.challenge, bar, {
+      goHome: () => this.goHome(),
+      openTaskAt: (place) => this.#openAt(place, null),
+    });
     ports.workspace.subscribe((next, before) => {
       if (next.maze !== before.maze) this.#followMaze(next.maze);
     });
@@ -57,61 +86,117 @@ export class LessonsNavigation {
    * @returns whether the mission exists
    */
   openMission(id: string): boolean {
-    const mission = tasks.find((each) => each.id === id);
+    const mission = addressed.find((each) => each.id === id);
     if (mission === undefined) return false;
     this.#address.opening();
-    const { storage, projects } = this.#ports;
-    const challenge = missionDocument(mission, this.#ports.words);
+    const { storage, projects, words } = this.#ports;
+    const lesson = lessonOf(missionDocument(mission, words));
     const attempt = projects.list().find((project) => project.id === storage.record.works[id]);
     this.#leaveHome();
-    const [maze] = challenge.mazes;
     if (attempt !== undefined) projects.open(attempt);
-    else if (maze !== undefined) {
-      projects.beginNew(maze, startingProgram(challenge));
+    else {
+      this.#beginTask(lesson.tasks[0], null);
       reportUnlessStored(this.#ports, storage.add({ works: { [id]: projects.currentId() } }));
     }
-    this.#start(challenge, id);
+    this.#start({ lesson, index: 0, mission: id, lessonId: null });
     return true;
   }
 
-  /** Opens a shared challenge in its own project. */
-  openShared(challenge: ChallengeDocument, program: ProgramDocument | null): void {
-    const { projects, storage } = this.#ports;
-    const [maze] = challenge.mazes;
-    if (maze === undefined) return;
+  /**
+   * Opens a lesson beside the student's projects: one of several tasks where the student left it,
+   * one of a single task from its start.
+   * @param program of the student, for the first task; null for the starting program
+   */
+  openShared(lesson: LessonDocument, program: ProgramDocument | null): void {
+    if (lesson.tasks.length > 1) {
+      const { id, isStored } = this.#lessons.add(lesson);
+      const solved = this.#lessons.solved(id, lesson);
+      // The task after the last one is the first one again.
+      const next = nextTask(lesson, solved, lesson.tasks.length) ?? 0;
+      this.#address.opening();
+      this.#openAt({ lesson: id, index: program === null ? next : 0 }, program);
+      reportUnlessStored(this.#ports, isStored);
+      return;
+    }
     this.#leaveHome();
-    projects.beginNew(maze, program ?? startingProgram(challenge));
-    const text = writeChallengeText(challenge);
-    const isStored = text !== null && storage.storeChallenge(projects.currentId(), text);
-    reportUnlessStored(this.#ports, isStored);
-    this.#start(challenge, null);
+    this.#beginTask(lesson.tasks[0], program);
+    this.#storeReference(writeLessonText(lesson));
+    this.#start({ lesson, index: 0, mission: null, lessonId: null });
   }
 
-  /** Loads the challenge of the open project, if it has one. The robot stays where it is. */
-  sync(): void {
+  /** Opens another task of the open lesson where the student left it, unless it is still locked. */
+  openTask(index: number): void {
+    const { lesson, lessonId, index: open, solved } = this.#ports.challenge.getState();
+    if (lesson === null || lessonId === null || index === open) return;
+    if (!isTaskOpen(lesson, solved, index)) return;
+    this.#address.opening();
+    this.#openAt({ lesson: lessonId, index }, null);
+  }
+
+  /**
+   * Opens a task of a stored lesson in its newest project, or in a new one.
+   * @param program for a new project; null for the newest project or the starting program
+   * @returns whether the device stores the lesson with this task
+   */
+  #openAt(place: TaskPlace, program: ProgramDocument | null): boolean {
     const { projects, storage } = this.#ports;
+    const lesson = this.#lessons.lesson(place.lesson);
+    const task = lesson?.tasks[place.index];
+    if (lesson === null || task === undefined) return false;
+    const reference = writeReference(place);
+    const stored = projects.list().find(({ id }) => storage.challengeOf(id) === reference);
+    this.#leaveHome();
+    if (stored !== undefined && program === null) projects.open(stored);
+    else {
+      this.#beginTask(task, program);
+      this.#storeReference(reference);
+    }
+    this.#start({ lesson, index: place.index, mission: null, lessonId: place.lesson });
+    return true;
+  }
+
+  #beginTask(task: LessonTask | undefined, program: ProgramDocument | null): void {
+    const maze = task?.mazes[0];
+    if (task === undefined || maze === undefined) return;
+    this.#ports.projects.beginNew(maze, program ?? startingProgram(task));
+  }
+
+  /** Stores with the open project what it belongs to. */
+  #storeReference(text: string): void {
+    const { projects, storage } = this.#ports;
+    reportUnlessStored(this.#ports, storage.storeChallenge(projects.currentId(), text));
+  }
+
+  /** Loads the task of the open project, if it has one. The robot stays where it is. */
+  sync(): void {
+    const { projects, storage, words } = this.#ports;
     const id = storage.missionOf(projects.currentId());
-    const mission = tasks.find((each) => each.id === id);
+    const mission = addressed.find((each) => each.id === id);
     if (mission !== undefined) {
-      this.#show(missionDocument(mission, this.#ports.words), mission.id);
+      const lesson = lessonOf(missionDocument(mission, words));
+      this.#show({ lesson, index: 0, mission: mission.id, lessonId: null });
       return;
     }
     const text = storage.challengeOf(projects.currentId());
-    const challenge = text === null ? null : readChallengeText(text);
-    if (challenge !== null) this.#show(challenge, null);
+    if (text === null) return;
+    const place = readReference(text);
+    const lesson = place === null ? readLessonText(text) : this.#lessons.lesson(place.lesson);
+    if (lesson === null) return;
+    const { index = 0, lesson: lessonId = null } = place ?? {};
+    this.#show({ lesson, index, mission: null, lessonId });
   }
 
-  /** Offers control to the driver of the open challenge, unless a run has already started. */
+  /** Offers control to the driver of the open task, unless a run has already started. */
   handOver(): void {
     const { challenge, simulator } = this.#ports;
-    const driver = challenge.getState().challenge?.allowed.drivers[0];
+    const driver = challenge.getState().rights?.drivers[0];
     if (driver !== undefined) simulator.send({ type: "offer-driver", driver });
   }
 
-  /** Shows another maze of the challenge. The program stays. */
+  /** Shows another given maze of the task. The program stays. */
   showMaze(index: number): void {
     const { challenge, workspace, simulator } = this.#ports;
-    const maze = challenge.getState().challenge?.mazes[index];
+    const maze = openTask(challenge.getState())?.mazes[index];
     if (maze === undefined) return;
     // The run of the other maze ends first: this maze must not be judged by it.
     simulator.send({ type: "reset" });
@@ -137,53 +222,81 @@ export class LessonsNavigation {
   /** Records the student's own project before the first mission opens. */
   #leaveHome(): void {
     const { projects, challenge, storage } = this.#ports;
-    if (challenge.getState().challenge !== null) return;
+    if (challenge.getState().lesson !== null) return;
     this.#backAction = projects.backAction();
     reportUnlessStored(this.#ports, storage.add({ home: projects.currentId() }));
   }
 
-  #start(challenge: ChallengeDocument, mission: string | null): void {
-    const { simulator } = this.#ports;
-    const [driver = "program"] = challenge.allowed.drivers;
-    simulator.send({ type: "driver", driver });
-    this.#show(challenge, mission);
+  #start(shown: ShownTask): void {
+    const task = shown.lesson.tasks[shown.index];
+    const [driver = "program"] = task === undefined ? [] : rightsOf(task).drivers;
+    this.#ports.simulator.send({ type: "driver", driver });
+    this.#show(shown);
   }
 
-  #show(challenge: ChallengeDocument, mission: string | null): void {
-    const { challenge: store, workspace } = this.#ports;
-    const index = mazeIndex(challenge, workspace.getState().maze);
-    // If the maze is editable, it may match none of the challenge's mazes.
-    const maze = index ?? (challenge.allowed.maze ? 0 : null);
+  #show({ lesson, index, mission, lessonId }: ShownTask): void {
+    const { challenge: store, workspace, projects } = this.#ports;
+    const task = lesson.tasks[index];
+    if (task === undefined) return;
+    const displayed = mazeIndex(task, workspace.getState().maze);
+    // If the maze is editable, it may match none of the task's mazes.
+    const maze = displayed ?? (task.allowed.maze ? 0 : null);
     if (maze === null) {
       this.#detach();
       return;
     }
-    this.#projectId = this.#ports.projects.currentId();
-    this.#attempt.begin(challenge, maze, mission);
-    const rights = rightsOf(challenge);
-    store.setState({ ...noChallenge, challenge, mission, maze, rights, isInvited: false });
+    this.#projectId = projects.currentId();
+    this.#attempt.begin(task, maze, mission);
+    const solved = lessonId === null ? [] : this.#lessons.solved(lessonId, lesson);
+    const rights = rightsOf(task);
+    resetHiddenTools(this.#ports, rights);
+    const shown = { lesson, index, mission, lessonId, solved, maze, rights };
+    store.setState({ ...noChallenge, ...shown, isInvited: false });
   }
 
   /**
-   * Handles a maze change: another maze of the challenge, or an edit that makes the project
-   * something else.
+   * Handles a maze change: another maze of the task, or an edit that makes the project something
+   * else.
    */
   #followMaze(maze: MazeDocument): void {
-    const { challenge: store, projects, screen, words } = this.#ports;
-    const { challenge, maze: shown } = store.getState();
-    if (challenge === null || projects.currentId() !== this.#projectId) return;
-    const index = mazeIndex(challenge, maze);
-    if (index === null && challenge.allowed.maze) return;
-    if (index === null) {
+    const { challenge: store, projects } = this.#ports;
+    const { lesson, index, mission, lessonId, maze: shown } = store.getState();
+    const task = lesson?.tasks[index];
+    if (lesson === null || task === undefined) return;
+    if (projects.currentId() !== this.#projectId) return;
+    const displayed = mazeIndex(task, maze);
+    if (displayed === null) {
+      if (task.allowed.maze) return;
       this.#detach();
-      showMessage(screen, { tone: "info", text: words.t("missions:card.replaced") });
-    } else if (index !== shown) {
-      this.#attempt.begin(challenge, index, store.getState().mission);
-      store.setState({ maze: index, failedRun: null, result: { state: "open" } });
+      this.#reportReplaced({ lesson, index, mission, lessonId });
+    } else if (displayed !== shown) {
+      this.#attempt.begin(task, displayed, mission);
+      store.setState({ maze: displayed, failedRun: null, result: { state: "open" } });
     }
   }
 
-  /** Removes the challenge from the open project. */
+  /** Reports that another maze closed the task. Only the message leads back to a shared lesson. */
+  #reportReplaced({ lesson, index, mission, lessonId }: ShownTask): void {
+    const { screen, words } = this.#ports;
+    if (mission !== null) {
+      showMessage(screen, { tone: "info", text: words.t("missions:card.replaced") });
+      return;
+    }
+    const message = showMessage(screen, {
+      tone: "info",
+      text: words.t("missions:lesson.replaced"),
+      action: {
+        label: words.t("missions:lesson.back"),
+        run: () => {
+          dismiss(screen, message);
+          if (lessonId === null) this.openShared(lesson, null);
+          else this.#openAt({ lesson: lessonId, index }, null);
+        },
+      },
+    });
+  }
+
+  /** Removes the task from the open project. */
   #detach(): void {
     const { projects, storage, challenge } = this.#ports;
     const id = projects.currentId();

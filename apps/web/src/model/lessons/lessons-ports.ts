@@ -2,20 +2,25 @@
 import type { i18n } from "i18next";
 import type { ProjectService } from "../projects/project-service.ts";
 import type { ChallengeStore } from "../challenge/challenge-store.ts";
+import type { RunStore } from "../run/run-store.ts";
 import type { ScreenStore } from "../screen/screen-store.ts";
 import type { WorkspaceStore } from "../workspace/workspace-store.ts";
 import type { SimulatorClient } from "../../simulator/simulator-client.ts";
+import type { KeyValueStorage } from "../storage/key-value-storage.ts";
 import type { LessonsStorage } from "./lessons-storage.ts";
 
 export interface LessonsPorts {
   simulator: Pick<SimulatorClient, "send" | "listen">;
   workspace: WorkspaceStore;
   screen: ScreenStore;
+  run: Pick<RunStore, "getState" | "setState">;
   projects: Pick<
     ProjectService,
     "begin" | "beginNew" | "open" | "backAction" | "list" | "currentId"
   >;
   challenge: ChallengeStore;
   storage: LessonsStorage;
+  /** localStorage, for the lessons of several tasks */
+  device: KeyValueStorage;
   words: Pick<i18n, "t" | "loadNamespaces">;
 }

@@ -1,5 +1,5 @@
 /** The parts of the lessons, which load together when a mission opens. */
-import { pageAddressBar, type AddressBar } from "../address/mission-address.ts";
+import { pageAddressBar, type AddressBar } from "../address/lesson-address.ts";
 import { Attempt } from "./attempt.ts";
 import { BonusChecker } from "./bonus-checker.ts";
 import { startChecker, type ChallengeChecker } from "./challenge-checker.ts";
@@ -7,6 +7,7 @@ import { LessonsNavigation } from "./lessons-navigation.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
 import { LessonsProgress } from "./lessons-progress.ts";
 import { SolvedTrails } from "./solved-trails.ts";
+import { StoredLessons } from "./stored-lessons.ts";
 
 export class LessonsService {
   readonly progress: LessonsProgress;
@@ -24,7 +25,9 @@ export class LessonsService {
     this.progress = new LessonsProgress(ports);
     this.trails = new SolvedTrails(ports);
     this.bonus = new BonusChecker(ports, this.progress);
-    this.attempt = new Attempt(ports, this.progress, checker);
-    this.navigation = new LessonsNavigation(ports, this.attempt, bar);
+    const lessons = new StoredLessons(ports.device);
+    lessons.sweep();
+    this.attempt = new Attempt(ports, this.progress, lessons, checker);
+    this.navigation = new LessonsNavigation(ports, this.attempt, lessons, bar);
   }
 }

@@ -4,6 +4,7 @@
  * side.
  */
 import type { i18n } from "i18next";
+import { showsHelp, type ChallengeStore } from "../challenge/challenge-store.ts";
 import type { RunStore } from "../run/run-store.ts";
 import type { WorkspaceStore } from "../workspace/workspace-store.ts";
 import { dismiss, showMessage, type ScreenStore } from "../screen/screen-store.ts";
@@ -12,13 +13,14 @@ export interface DescribePorts {
   run: RunStore;
   workspace: WorkspaceStore;
   screen: ScreenStore;
+  challenge: ChallengeStore;
 }
 
 const shown = new WeakMap<ScreenStore, number>();
 
 /** Describes the robot at the displayed tick. Shows a message if a file fails to load. */
 export async function describeRobot(
-  { run, workspace, screen }: DescribePorts,
+  { run, workspace, screen, challenge }: DescribePorts,
   words: i18n,
 ): Promise<void> {
   let text: string;
@@ -32,6 +34,7 @@ export async function describeRobot(
       { t: words.t, language: words.language },
       workspace.getState().program,
       run.getState(),
+      showsHelp(challenge.getState().rights, "truth"),
     );
   } catch {
     showMessage(screen, { tone: "bad", text: words.t("offline.partFailed") });

@@ -40,7 +40,7 @@ const turn = (left: number): RunState["progress"] => ({
 
 describe("the announcement of a line", () => {
   it("says the reading on which the line decided", () => {
-    const text = decisionText(words, program, 0, stateOf(0, 48.3, { progress: turn(90) }));
+    const text = decisionText(words, program, 0, stateOf(0, 48.3, { progress: turn(90) }), true);
     expect(text).toBe("Line 1: right 90. Front is 48.3 cm.");
   });
 
@@ -49,22 +49,30 @@ describe("the announcement of a line", () => {
     { line: "default", text: "Otherwise: left 90." },
   ] as const)("says no reading from the middle of a turn: $text", ({ line, text }) => {
     const state = stateOf(line, 65.6, { progress: turn(43.2) });
-    expect(decisionText(words, program, line, state)).toBe(text);
+    expect(decisionText(words, program, line, state, true)).toBe(text);
+  });
+
+  it("says no reading where the task hides what is true", () => {
+    const state = stateOf(0, 48.3, { progress: turn(90) });
+    expect(decisionText(words, program, 0, state, false)).toBe("Line 1: right 90.");
   });
 
   it("says no reading of the place where the line ended the run", () => {
     const state = stateOf("default", 25, { hasEnded: true });
-    expect(decisionText(words, program, "default", state)).toBe("Otherwise: left 90.");
+    expect(decisionText(words, program, "default", state, true)).toBe("Otherwise: left 90.");
   });
 });
 
 describe("the description of the robot", () => {
-  const last = (state: RunState): string =>
-    describeText(words, program, state).split("left 50 cm. ")[1] ?? "";
+  const last = (state: RunState, hasTruth = true): string =>
+    describeText(words, program, state, hasTruth).split("left 50 cm. ")[1] ?? "";
 
   it("gives the reason where the line decides", () => {
     expect(last(stateOf(0, 48, { progress: turn(90) }))).toBe(
       "Line 1, running: if front is less than 50, right 90. Front is 48, true.",
+    );
+    expect(last(stateOf(0, 48, { progress: turn(90) }), false)).toBe(
+      "Line 1, running: if front is less than 50, right 90.",
     );
     expect(last(stateOf("default", 63))).toBe("No line is true, so “otherwise” decides: left 90.");
     expect(last(stateOf(null, 63))).toBe("No line has decided yet.");

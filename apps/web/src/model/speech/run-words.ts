@@ -39,10 +39,11 @@ export function decisionText(
   program: ProgramDocument,
   line: LineRef,
   state: Displayed,
+  hasTruth: boolean,
 ): string {
   const { snapshot } = state;
   if (snapshot === null) return "";
-  if (!isDecidedHere(state)) return actionText(t, program, line);
+  if (!hasTruth || !isDecidedHere(state)) return actionText(t, program, line);
   const { rules, default: otherwise } = program;
   const rule = line === "default" ? undefined : rules[line];
   const truth = shownTruth(rule?.when ?? null, snapshot);
@@ -89,6 +90,7 @@ export function describeText(
   { t, language }: Words,
   program: ProgramDocument,
   state: Displayed,
+  hasTruth: boolean,
 ): string {
   const { snapshot } = state;
   if (snapshot === null) return "";
@@ -121,7 +123,7 @@ export function describeText(
     const action = t(`program.action.${otherwise}`);
     sentences.push(spoken(t)("runDetails:speech.describe.otherwise", { action }));
   } else {
-    const truth = shownTruth(rule.when, snapshot);
+    const truth = hasTruth ? shownTruth(rule.when, snapshot) : null;
     const state = isDriving(line, snapshot) ? "running" : "resting";
     sentences.push(lineName(t, { index: line, rule, state, truth, advice: null }));
   }

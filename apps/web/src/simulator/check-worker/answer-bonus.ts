@@ -29,14 +29,14 @@ export function answerBonus(question: BonusQuestion): BonusAnswer {
 }
 
 function checkMazes({
-  challenge,
+  task,
   program,
 }: Extract<BonusQuestion, { kind: "mazes" }>): BonusAnswers["mazes"] {
-  const { mazes } = checkChallenge(challenge, program);
+  const { mazes } = checkChallenge(task, program);
   const solved = mazes.filter(({ failure }) => failure === null);
   return {
     solved: solved.length,
-    all: challenge.mazes.length,
+    all: task.mazes.length,
     ticks: solved.reduce((sum, { ticks }) => sum + ticks, 0),
     failed: mazes.flatMap(({ failure }, at) => (failure === null ? [] : [at])),
   };

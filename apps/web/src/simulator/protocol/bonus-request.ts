@@ -1,11 +1,11 @@
 /** Requests to the worker that checks bonus missions, and its answers. */
-import type { ChallengeDocument } from "@corridor/challenge";
+import type { Task } from "@corridor/challenge";
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 
 export type BonusQuestion =
-  /** in how many mazes of the challenge the program reaches the goal */
-  | { kind: "mazes"; challenge: ChallengeDocument; program: ProgramDocument }
+  /** in how many mazes of the task the program reaches the goal */
+  | { kind: "mazes"; task: Task; program: ProgramDocument }
   /** whether the program fails to reach the goal of this maze within so many seconds */
   | { kind: "defeat"; maze: MazeDocument; program: ProgramDocument; seconds: number }
   /** the trail of the first attempt that reaches its goal */

@@ -2,7 +2,7 @@
  * All messages between the page's main thread and the simulator worker. Documents are parsed and
  * checked before they are sent.
  */
-import type { ChallengeDocument, Judgement } from "@corridor/challenge";
+import type { Judgement, Task } from "@corridor/challenge";
 import type { Diagnosis } from "@corridor/coach";
 import type { RegistrationError } from "@corridor/client/host";
 import type {
@@ -117,10 +117,10 @@ export type ToWorker =
   /** removes a ghost from the race */
   | { type: "remove-ghost"; id: number }
   /**
-   * judges the run by a maze of a challenge, answered by `judgement` with the same id; null: by
+   * judges the run by a maze of a task, answered by `judgement` with the same id; null: by
    * none
    */
-  | { type: "judge"; id: number; attempt: { challenge: ChallengeDocument; maze: number } | null }
+  | { type: "judge"; id: number; attempt: { task: Task; maze: number } | null }
   | { type: "speed"; speed: Speed }
   | { type: "driver"; driver: DriverName }
   /** the same, if the run has not started and no other driver was chosen */

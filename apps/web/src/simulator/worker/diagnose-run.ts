@@ -8,13 +8,13 @@ import {
   FREE_PLAY_PAST,
   freePlayTask,
   type Diagnosis,
-  type DiagnosisTask,
   type LoopNotice,
 } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
 import type { Recording, Run } from "@corridor/recording";
 import { Simulation } from "@corridor/simulation";
+import { allowedDiagnosis, type PageTask } from "./diagnosis-task.ts";
 
 /** A diagnosis with the program that drove: it may have been edited on the page since. */
 export interface DiagnosedRun {
@@ -23,9 +23,9 @@ export interface DiagnosedRun {
 }
 
 /**
- * The task of the open challenge. @param isWhole whether the program alone drove since the start
+ * The open task. @param isWhole whether the program alone drove since the start
  */
-export type TaskOf = (isWhole: boolean) => DiagnosisTask;
+export type TaskOf = (isWhole: boolean) => PageTask;
 
 /**
  * Diagnoses a bump at the newest tick.
@@ -76,11 +76,11 @@ export function diagnoseAt(
   const start = { maze, program, state };
   const bumpsBefore = failure === "bump" ? run.bumps - 1 : run.bumps;
   const diagnosis = diagnoseStretch(start, task, tick, failure, bumpsBefore);
-  return diagnosis && { program, diagnosis };
+  return diagnosis && { program, diagnosis: allowedDiagnosis(diagnosis, task) };
 }
 
 /** A goal that was reached before proves nothing about the path after it. */
-function freeTask({ maze, goalTick }: Run, tick: number): DiagnosisTask {
-  const task = freePlayTask(maze, tick);
+function freeTask({ maze, goalTick }: Run, tick: number): PageTask {
+  const task = { ...freePlayTask(maze, tick), hasBlame: true };
   return goalTick === null ? task : { ...task, newSolvedCheck: null };
 }

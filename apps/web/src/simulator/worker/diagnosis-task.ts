@@ -1,26 +1,35 @@
-/** The task of a challenge in one of its mazes, in the terms of the diagnosis. */
+/** A task in one of its mazes, in the terms of the diagnosis. */
 import {
   findViolation,
   checkChallenge,
   GoalTracker,
-  type ChallengeDocument,
+  rightsOf,
+  type Task,
 } from "@corridor/challenge";
-import type { DiagnosisTask } from "@corridor/coach";
+import type { Diagnosis, DiagnosisTask } from "@corridor/coach";
+import type { MazeDocument } from "@corridor/maze";
 import { TICKS_PER_SECOND } from "@corridor/simulation";
 
+/** A task that may hide which line caused a failure. */
+export interface PageTask extends DiagnosisTask {
+  hasBlame: boolean;
+}
+
+/** A diagnosis as the task allows it: without blame, only what happened. */
+export function allowedDiagnosis(diagnosis: Diagnosis, { hasBlame }: PageTask): Diagnosis {
+  if (hasBlame) return diagnosis;
+  const { event } = diagnosis;
+  const fact = event.kind === "bump" ? { ...event, line: null } : event;
+  return { event: fact, cause: null, fixes: [] };
+}
+
 /**
- * @param index of the maze
+ * @param maze a given or an unseen maze of the task
  * @param isWhole whether the program alone has driven since the start; otherwise only the goal
  *   counts
  */
-export function diagnosisTask(
-  challenge: ChallengeDocument,
-  index: number,
-  isWhole = true,
-): DiagnosisTask {
-  const { goal, checks, mazes } = challenge;
-  const maze = mazes[index];
-  if (maze === undefined) throw new RangeError(`The challenge has no maze ${index}.`);
+export function diagnosisTask(task: Task, maze: MazeDocument, isWhole = true): PageTask {
+  const { goal, checks, mazes } = task;
   const newSolvedCheck: DiagnosisTask["newSolvedCheck"] = () => {
     const watch = new GoalTracker(goal, maze);
     let standing = 0;
@@ -34,8 +43,9 @@ export function diagnosisTask(
     until: checks.seconds * TICKS_PER_SECOND,
     bumps: checks.bumps,
     newSolvedCheck: isWhole || goal.kind === "reach" ? newSolvedCheck : null,
-    allows: (program) => findViolation(challenge, program) === null,
-    solvesAll: (program) => checkChallenge(challenge, program).passed,
+    allows: (program) => findViolation(task, program) === null,
+    solvesAll: (program) => checkChallenge(task, program).passed,
     mazes: mazes.length,
+    hasBlame: rightsOf(task).help.has("blame"),
   };
 }

@@ -32,13 +32,13 @@ export class RunEvaluation {
     this.#diagnostics = new Lazy(() => import("./diagnose-run.ts"), guarded);
   }
 
-  /** Judges the run by a challenge. Ticks that run before the judge has loaded are judged then. */
+  /** Judges the run by a task. Ticks that run before the judge has loaded are judged then. */
   judge(updates: RunUpdates, { id, attempt }: Extract<ToWorker, { type: "judge" }>): void {
     this.#judgeId = id;
     updates.judgeBy(null);
     if (attempt === null) return;
     this.#judge.use((Judge) => {
-      if (id === this.#judgeId) updates.judgeBy(new Judge(attempt.challenge, attempt.maze));
+      if (id === this.#judgeId) updates.judgeBy(new Judge(attempt.task, attempt.maze));
     }, this.#ports.onFault);
   }
 

@@ -1,17 +1,16 @@
 /**
- * Judges the run by the open challenge: each tick as it runs, and all of them again for another run
- * or after a truncation. Loaded when a challenge opens.
+ * Judges the run by the open task: each tick as it runs, and all of them again for another run
+ * or after a truncation. Loaded when a lesson opens.
  */
 import {
   AttemptJudge,
   termsOf,
   type AttemptTerms,
-  type ChallengeDocument,
   type Judgement,
+  type Task,
 } from "@corridor/challenge";
-import type { DiagnosisTask } from "@corridor/coach";
 import type { Recording, Run } from "@corridor/recording";
-import { diagnosisTask } from "./diagnosis-task.ts";
+import { diagnosisTask, type PageTask } from "./diagnosis-task.ts";
 
 const open: Judgement = { kind: "open" };
 
@@ -25,14 +24,12 @@ export class RunJudge {
   #rested: Extract<Judgement, { kind: "met" }> | null = null;
   #reported: Judgement = open;
 
-  readonly #challenge: ChallengeDocument;
-  readonly #maze: number;
+  readonly #task: Task;
 
   /** @param maze index of the displayed maze */
-  constructor(challenge: ChallengeDocument, maze: number) {
-    this.#challenge = challenge;
-    this.#maze = maze;
-    this.#terms = termsOf(challenge, maze);
+  constructor(task: Task, maze: number) {
+    this.#task = task;
+    this.#terms = termsOf(task, maze);
     this.#judge = new AttemptJudge(this.#terms);
   }
 
@@ -40,16 +37,16 @@ export class RunJudge {
    * The task of a changed program.
    * @param isWhole whether the program alone drove so far
    */
-  task(isWhole: boolean): DiagnosisTask {
-    return diagnosisTask(this.#challenge, this.#maze, isWhole);
+  task(isWhole: boolean): PageTask {
+    return diagnosisTask(this.#task, this.#terms.maze, isWhole);
   }
 
-  /** Whether the run does not meet the challenge any more. */
+  /** Whether the run does not meet the task any more. */
   get hasFailed(): boolean {
     return this.#judge.judgement.kind === "failed";
   }
 
-  /** Whether the time of the challenge ended with the newest tick. */
+  /** Whether the time of the task ended with the newest tick. */
   isLate({ tick }: Run): boolean {
     const { judgement } = this.#judge;
     return judgement.kind === "failed" && judgement.code === "late" && judgement.tick === tick;
@@ -96,7 +93,7 @@ export class RunJudge {
     if (wasOpen && judged.kind === "met") this.#rested = judged;
   }
 
-  /** The judge needs no more ticks than the challenge allows, because then it is decided. */
+  /** The judge needs no more ticks than the task allows, because then it is decided. */
   #rejudge(recording: Recording): void {
     this.#judge = new AttemptJudge(this.#terms);
     if (recording.run.tick === 0) return;

@@ -29,9 +29,9 @@ const room = ["#####", "#...#", "#...#", "#...#", "#####"];
 
 describe("the bonus mission of all mazes", () => {
   it("counts the mazes that a program solves, and names those where it fails", () => {
-    const answer = answerBonus({ kind: "mazes", challenge, program });
+    const answer = answerBonus({ kind: "mazes", task: challenge, program });
     expect(answer).toMatchObject({ value: { solved: 7, all: 7, failed: [] } });
-    const poor = answerBonus({ kind: "mazes", challenge, program: backAndForth });
+    const poor = answerBonus({ kind: "mazes", task: challenge, program: backAndForth });
     // A straight corridor is all that it solves.
     expect(poor).toMatchObject({ value: { solved: 1, all: 7, ticks: 465 } });
   });
@@ -40,7 +40,7 @@ describe("the bonus mission of all mazes", () => {
     const [line] = program.rules;
     if (line === undefined) throw new Error("no line");
     const long = { ...program, rules: Array.from({ length: 5 }, () => line) };
-    const answer = answerBonus({ kind: "mazes", challenge, program: long });
+    const answer = answerBonus({ kind: "mazes", task: challenge, program: long });
     expect(answer).toMatchObject({ value: { solved: 0, all: 7 } });
   });
 });

@@ -2,7 +2,7 @@
  * Every wrong answer to a mission gets one cause. The diagnosis names a line only where changing it
  * can help.
  */
-import { findViolation, checkChallenge, type ChallengeDocument } from "@corridor/challenge";
+import { checkChallenge, findViolation, taskOf, type ChallengeDocument } from "@corridor/challenge";
 import { causeLine, type Diagnosis } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
@@ -34,7 +34,7 @@ const asGood = new Set([
 
 /** The diagnosis of the first maze that fails. */
 function diagnosed({ challenge, program }: WrongAnswer): { maze: number; diagnosis: Diagnosis } {
-  const { verdict, diagnoses } = checkProgram({ challenge, program });
+  const { verdict, diagnoses } = checkProgram({ task: taskOf(challenge), program });
   const maze = verdict.failure?.maze ?? -1;
   const diagnosis = diagnoses[maze];
   if (diagnosis === null || diagnosis === undefined) throw new Error("no diagnosis");

@@ -1,4 +1,5 @@
 /** The text after the typical wrong answer, in whole sentences of every language. */
+import { taskOf } from "@corridor/challenge";
 import { describe, expect, it } from "vitest";
 import { en } from "../../../text/en/index.ts";
 import { createI18n } from "../../../text/i18n.ts";
@@ -40,7 +41,7 @@ function feedback(
   program: ProgramDocument,
 ): string {
   const challenge = challengeOf(mission, "Mission", noWords);
-  const { verdict, diagnoses } = checkProgram({ challenge, program });
+  const { verdict, diagnoses } = checkProgram({ task: taskOf(challenge), program });
   if (verdict.failure === null) throw new Error("no failure");
   return failureText(
     words,

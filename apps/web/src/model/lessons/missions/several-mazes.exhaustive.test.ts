@@ -1,4 +1,5 @@
 /** The verdicts of a check in several mazes: they agree where one change repairs all of them. */
+import { taskOf } from "@corridor/challenge";
 import { causeLine, type Cause } from "@corridor/coach";
 import type { Condition, ProgramDocument, Rule } from "@corridor/program";
 import type { PlainAction } from "@corridor/protocol";
@@ -94,7 +95,7 @@ describe("two lines that undo each other", () => {
     const program = lines("forward", front("<", 50, "left 90"), front("<", 100, "reverse"));
     const mission = solved.find(({ id }) => id === "every-maze");
     if (mission === undefined) throw new Error("no such mission");
-    const [first] = checkProgram({ challenge: mission.challenge, program }).diagnoses;
+    const [first] = checkProgram({ task: taskOf(mission.challenge), program }).diagnoses;
     expect(first?.cause).toMatchObject({
       kind: "action",
       moment: { line: 1 },

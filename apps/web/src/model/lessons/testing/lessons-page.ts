@@ -2,6 +2,7 @@
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import { createChallengeStore } from "../../challenge/challenge-store.ts";
+import { createRunStore } from "../../run/run-store.ts";
 import { createScreenStore } from "../../screen/screen-store.ts";
 import { MemoryStorage } from "../../storage/testing/memory-storage.ts";
 import { createWorkspaceStore, openProject } from "../../workspace/workspace-store.ts";
@@ -23,6 +24,7 @@ export function lessonsPage() {
   const challenge = createChallengeStore();
   const workspace = createWorkspaceStore(firstMaze, firstProgram);
   const screen = createScreenStore();
+  const run = createRunStore();
   const device = new MemoryStorage();
   const storage = new LessonsStorage(device);
   const sent: ToWorker[] = [];
@@ -43,6 +45,8 @@ export function lessonsPage() {
     workspace,
     storage,
     screen,
+    run,
+    device,
     words: {
       t: (key: string, options?: { returnObjects: true }) => (options === undefined ? key : []),
       loadNamespaces: () => Promise.resolve(),
@@ -84,6 +88,6 @@ export function lessonsPage() {
 /** An address bar that stores nothing. */
 export const noAddressBar = {
   location: { pathname: "/", search: "", hash: "" },
-  history: { pushState: () => undefined, replaceState: () => undefined },
+  history: { pushState: () => undefined, replaceState: () => undefined, state: null },
   onMove: () => undefined,
 };

@@ -1,4 +1,5 @@
 /** The missions with a program, and the causes that the diagnosis names for their answers. */
+import { taskOf } from "@corridor/challenge";
 import type { Cause } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
 import { checkProgram } from "../../../../simulator/check-worker/check-program.ts";
@@ -19,6 +20,6 @@ export const solved = missions.flatMap((mission) => {
 export function causes(id: string, program: ProgramDocument): (Cause | null)[] {
   const mission = solved.find((each) => each.id === id);
   if (mission === undefined) throw new Error("no such mission");
-  const { diagnoses } = checkProgram({ challenge: mission.challenge, program });
+  const { diagnoses } = checkProgram({ task: taskOf(mission.challenge), program });
   return diagnoses.map((each) => each?.cause ?? null);
 }

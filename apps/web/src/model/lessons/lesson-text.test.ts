@@ -1,6 +1,7 @@
-import type { ChallengeDocument } from "@corridor/challenge";
+import { lessonOf, type ChallengeDocument } from "@corridor/challenge";
 import { describe, expect, it } from "vitest";
-import { readChallengeText, writeChallengeText } from "./challenge-text.ts";
+import { readLessonText, writeLessonText } from "./lesson-text.ts";
+import { sampleLesson } from "./testing/sample-lesson.ts";
 
 const large: ChallengeDocument = {
   format: "corridor/challenge",
@@ -29,18 +30,24 @@ const large: ChallengeDocument = {
   par: null,
 };
 
-describe("a challenge on the device", () => {
+const lesson = lessonOf(large);
+
+describe("a lesson on the device", () => {
   it("is restored, and takes no more space than its link", () => {
-    const text = writeChallengeText(large);
-    expect(text?.length).toBeLessThan(400);
-    expect(readChallengeText(text ?? "")).toEqual(large);
+    const text = writeLessonText(lesson);
+    expect(text.length).toBeLessThan(400);
+    expect(readLessonText(text)).toEqual(lesson);
   });
 
-  it("reads the format of earlier versions", () => {
-    expect(readChallengeText(JSON.stringify(large))).toEqual(large);
+  it("of several tasks is restored", () => {
+    expect(readLessonText(writeLessonText(sampleLesson))).toEqual(sampleLesson);
+  });
+
+  it("is read from the formats of earlier versions", () => {
+    expect(readLessonText(JSON.stringify(large))).toEqual(lesson);
   });
 
   it.each(["", "{", "{}", "nonsense"])("is none in %j", (text) => {
-    expect(readChallengeText(text)).toBeNull();
+    expect(readLessonText(text)).toBeNull();
   });
 });

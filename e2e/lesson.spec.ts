@@ -1,0 +1,375 @@
+/** A student with a teacher's lesson of several tasks: opening it, working on it, saving it. */
+import type { LessonDocument, LessonTask } from "@corridor/challenge";
+import { encodeLink } from "@corridor/link";
+import type { Page } from "playwright/test";
+import { readFileSync } from "node:fs";
+import { expect, test } from "./fixtures.ts";
+import { LessonsPanel } from "./pages/lessons-panel.ts";
+import { expectNoAxeViolations } from "./support/axe.ts";
+import { horizontalOverflow } from "./support/layout.ts";
+
+const side: LessonTask["mazes"][number] = {
+  format: "corridor/maze",
+  version: 1,
+  name: "Side opening",
+  blocks: ["#######", "#.....#", "###.###", "###.###", "#######"],
+  start: { column: 1, row: 1, heading: "east" },
+  goals: [{ column: 3, row: 3 }],
+};
+const straight: LessonTask["mazes"][number] = {
+  ...side,
+  name: "Straight on",
+  blocks: ["#######", "#.....#", "#######"],
+  goals: [{ column: 5, row: 1 }],
+};
+
+function taskOf(name: string, change: Partial<LessonTask> = {}): LessonTask {
+  return {
+    name,
+    words: { task: `Solve ${name}.`, short: `Solve ${name}`, hints: ["Look at right."] },
+    mazes: [straight],
+    program: null,
+    goal: { kind: "reach" },
+    allowed: {
+      drivers: ["program"],
+      lines: 3,
+      conditions: null,
+      actions: null,
+      edits: ["condition", "number", "action", "otherwise", "order", "lines"],
+      maze: false,
+      tools: null,
+      help: null,
+    },
+    checks: { bumps: 0, seconds: 60 },
+    par: null,
+    unseen: null,
+    ...change,
+  };
+}
+
+const lesson: LessonDocument = {
+  format: "corridor/challenge",
+  version: 2,
+  language: "en",
+  name: "Two mazes, three lines",
+  intro: "Write short programs.",
+  order: "any",
+  tasks: [taskOf("Straight on"), taskOf("Side opening", { mazes: [side] })],
+  survey: [],
+};
+
+/** Drops a lesson onto the page as a file. */
+async function drop(page: Page, document: unknown): Promise<void> {
+  const text = typeof document === "string" ? document : JSON.stringify(document);
+  const files = await page.evaluateHandle((content) => {
+    const data = new DataTransfer();
+    data.items.add(new File([content], "lesson.json", { type: "application/json" }));
+    return data;
+  }, text);
+  await page.dispatchEvent("body", "drop", { dataTransfer: files });
+}
+
+class Lesson {
+  readonly page: Page;
+  readonly card;
+  readonly tasks;
+  readonly outcome;
+
+  constructor(page: Page) {
+    this.page = page;
+    this.card = page.getByRole("region", { name: "Lesson", exact: true });
+    this.tasks = this.card.getByRole("navigation", { name: "Tasks of this lesson" });
+    this.outcome = this.card.getByRole("note");
+  }
+
+  task(number: number) {
+    return this.tasks.getByRole("button", { name: new RegExp(`^${number} `) });
+  }
+
+  async expectTask(number: number): Promise<void> {
+    await expect(this.task(number)).toHaveAttribute("aria-current", "step");
+  }
+}
+
+test("opens a lesson from a file, and keeps the work on each task", async ({ corridor, page }) => {
+  const opened = new Lesson(page);
+  await drop(page, lesson);
+  await opened.expectTask(1);
+  await expect(opened.card).toContainText("Two mazes, three lines");
+  await expect(opened.card).toContainText("Write short programs.");
+  await expect(opened.card).toContainText("Solve Straight on.");
+  await corridor.program.addLine("front <", "50", "turn 180");
+  await opened.task(2).click();
+  await opened.expectTask(2);
+  await expect(corridor.program.lines).toHaveCount(0);
+  await corridor.program.addLine("right >", "60", "delayed right 90");
+  await opened.task(1).click();
+  await expect(corridor.program.number(1)).toHaveValue("50");
+  await page.reload();
+  await opened.expectTask(1);
+  await expect(corridor.program.number(1)).toHaveValue("50");
+  await opened.task(2).click();
+  await expect(corridor.program.number(1)).toHaveValue("60");
+});
+
+test("goes through the tasks with the browser's Back and Forward, and home", async ({
+  corridor,
+  page,
+}) => {
+  const opened = new Lesson(page);
+  await drop(page, lesson);
+  await opened.expectTask(1);
+  await opened.task(2).click();
+  await opened.expectTask(2);
+  await page.goBack();
+  await opened.expectTask(1);
+  await page.goForward();
+  await opened.expectTask(2);
+  await page.goBack();
+  await page.goBack();
+  await expect(opened.card).toBeHidden();
+  await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+  await page.goForward();
+  await opened.expectTask(1);
+});
+
+test("marks a solved task in words, also after a reload, and leads to the next one", async ({
+  corridor,
+  page,
+}) => {
+  const opened = new Lesson(page);
+  await drop(page, lesson);
+  await opened.expectTask(1);
+  await corridor.speed.selectOption("16×");
+  await corridor.run.click();
+  await expect(opened.outcome).toHaveText("Challenge solved. Lines used: 0 of 3");
+  await expect(opened.task(1)).toHaveAccessibleName("1 Straight on solved");
+  await page.reload();
+  await expect(opened.task(1)).toHaveAccessibleName("1 Straight on solved");
+  // The same lesson again continues where the student left it.
+  await drop(page, lesson);
+  await opened.expectTask(2);
+  await opened.task(1).click();
+  await opened.expectTask(1);
+  await corridor.reset.click();
+  await corridor.run.click();
+  const card = page.getByRole("region", { name: "Solved!" });
+  await card.getByRole("button", { name: "Next task" }).click();
+  await opened.expectTask(2);
+});
+
+test("opens tasks in turn: a locked one says what opens it", async ({ corridor, page }) => {
+  const opened = new Lesson(page);
+  await drop(page, { ...lesson, order: "in turn" });
+  await opened.expectTask(1);
+  await expect(opened.task(2)).toHaveAccessibleName("2 Side opening locked");
+  await expect(opened.tasks).toContainText("Task 2 opens when you solve task 1.");
+  // Playwright does not click what is disabled, but a student may.
+  await opened.task(2).press("Enter");
+  await opened.expectTask(1);
+  await corridor.speed.selectOption("16×");
+  await corridor.run.click();
+  await expect(opened.task(2)).toHaveAccessibleName("2 Side opening");
+  await opened.task(2).press("Enter");
+  await opened.expectTask(2);
+});
+
+test("counts a task as solved only after a check in its unseen mazes", async ({
+  corridor,
+  page,
+}) => {
+  const unseen = { kind: "tree", columns: 11, rows: 11, seed: 7, count: 20, pass: 20 } as const;
+  const checks = { bumps: 0, seconds: 900 };
+  const opened = new Lesson(page);
+  await drop(page, { ...lesson, tasks: [taskOf("Every maze", { unseen, checks }), taskOf("Two")] });
+  await expect(opened.card).toContainText(
+    "Your program is also tested in unseen mazes. It must pass in 20 of 20.",
+  );
+  await corridor.speed.selectOption("16×");
+  await corridor.run.click();
+  await expect(
+    page.getByRole("main").getByText("Works in this maze. Now check all 21."),
+  ).toHaveCount(2);
+  await expect(opened.task(1)).toHaveAccessibleName("1 Every maze");
+  const check = opened.card.getByRole("button", { name: "Check in all 21 mazes" });
+  await page.keyboard.press("Escape");
+  await check.click();
+  await expect(opened.outcome).toHaveText(/^Unseen maze 1: Bump at /);
+  await expect(opened.card).toContainText("Unseen mazes: your program passes in 0 of 20.");
+  await corridor.program.addLine("right >", "60", "delayed right 90");
+  await corridor.program.addLine("front <", "50", "left 90");
+  await check.click();
+  await expect(opened.outcome).toHaveText("Challenge solved. Lines used: 2 of 3");
+  await expect(opened.task(1)).toHaveAccessibleName("1 Every maze solved");
+});
+
+test("calls a missed goal the end of the time, never wrong", async ({ corridor, page }) => {
+  const opened = new Lesson(page);
+  const checks = { bumps: 0, seconds: 2 };
+  await drop(page, { ...lesson, tasks: [taskOf("Slow", { checks, mazes: [straight, side] })] });
+  const card = new LessonsPanel(page).card;
+  await expect(card).toContainText("Solve Slow.");
+  await card.getByRole("button", { name: "Check in both mazes" }).click();
+  await expect(card.getByRole("note")).toHaveText(
+    "Maze 1: Goal not reached in 2 s. More time may be enough.",
+  );
+  await corridor.speed.selectOption("16×");
+  await corridor.run.click();
+  await expect(card.getByRole("note")).toHaveText(
+    "Goal not reached in 2 s. More time may be enough.",
+  );
+  await expect(opened.card).toBeHidden();
+});
+
+test("hides the tools and the help that a task does not allow", async ({ corridor, page }) => {
+  const bare = { ...taskOf("").allowed, drivers: ["program", "remote"], tools: [], help: [] };
+  const opened = new Lesson(page);
+  await drop(page, {
+    ...lesson,
+    tasks: [{ ...taskOf("Bare"), mazes: [side], allowed: bare }, taskOf("All")],
+  });
+  await opened.expectTask(1);
+  const banner = page.getByRole("banner");
+  await expect(banner.getByRole("button", { name: "Presets" })).toBeHidden();
+  await expect(banner.getByRole("button", { name: "Share" })).toBeHidden();
+  await expect(page.getByRole("radio", { name: "Measure" })).toBeHidden();
+  await expect(page.getByRole("radio", { name: "Remote" })).toBeHidden();
+  await expect(corridor.speed).toBeHidden();
+  await expect(page.getByRole("slider")).toBeHidden();
+  await expect(opened.card.getByRole("button", { name: /hint/ })).toBeHidden();
+  await corridor.mazeMenu.click();
+  await expect(page.getByRole("button", { name: "Save maze", exact: true })).toBeHidden();
+  await page.keyboard.press("Escape");
+  await corridor.program.addLine("right >", "60", "right 90");
+  const line = page.getByRole("listitem", { name: /^Line 1/ });
+  await expect(line).toHaveAccessibleName("Line 1: if right is more than 60, right 90.");
+  await corridor.run.click();
+  await expect(opened.outcome).toHaveText(/^Bump at \d+\.\d s\./);
+  await expect(opened.outcome).not.toContainText("Line 1");
+  await expect(page.locator("#spoken")).not.toContainText(/line 1|true/i);
+  await opened.task(2).click();
+  await expect(banner.getByRole("button", { name: "Presets" })).toBeVisible();
+  await expect(corridor.speed).toBeVisible();
+});
+
+test("saves a lesson as it was opened, and one task as version 1", async ({ page, corridor }) => {
+  const opened = new Lesson(page);
+  const save = async (): Promise<unknown> => {
+    await corridor.mazeMenu.click();
+    const saving = page.waitForEvent("download");
+    await page.getByRole("button", { name: "Save lesson" }).click();
+    const file = await (await saving).path();
+    return JSON.parse(readFileSync(file, "utf8"));
+  };
+  await drop(page, lesson);
+  await opened.expectTask(1);
+  expect(await save()).toEqual(lesson);
+  const {
+    tasks: [task],
+  } = lesson;
+  const plain = { ...lesson, name: "", intro: "", language: null, tasks: [task] };
+  await drop(page, plain);
+  await expect(opened.card).toBeHidden();
+  expect(await save()).toMatchObject({ version: 1, name: "Straight on" });
+});
+
+test("refuses a bad lesson in one sentence each, and leaves the open work alone", async ({
+  corridor,
+  page,
+}) => {
+  await corridor.program.deleteAllLines();
+  await corridor.program.addLine("front <", "50", "turn 180");
+  const dialog = page.getByRole("dialog", { name: "This file cannot be opened" });
+  const bad: [unknown, string][] = [
+    [{ ...lesson, version: 3 }, "version 1 or 2, the newest that this Corridor reads"],
+    [{ ...lesson, tasks: Array.from({ length: 13 }, () => lesson.tasks[0]) }, "at most 12 tasks"],
+    [{ ...lesson, name: "<img src=x onerror=alert(1)>".repeat(9) }, "at most 100 characters"],
+    ['{"format":"corridor/challenge","version":2', "a JSON document"],
+  ];
+  for (const [document, expected] of bad) {
+    await drop(page, document);
+    await expect(dialog).toContainText(expected);
+    await expect(dialog).toContainText("Nothing changed.");
+    await page.keyboard.press("Escape");
+    await expect(dialog).toBeHidden();
+  }
+  await expect(corridor.program.number(1)).toHaveValue("50");
+});
+
+test("shows hostile texts as texts, in the language of the lesson", async ({ corridor }) => {
+  const { page } = corridor;
+  const opened = new Lesson(page);
+  // cspell:ignore متاهتان
+  await drop(page, {
+    ...lesson,
+    language: "ar",
+    name: "<b>‮متاهتان</b>",
+    intro: "{{seconds}} $t(card.label)",
+  });
+  const name = opened.card.getByText("<b>‮متاهتان</b>");
+  await expect(name).toHaveAttribute("lang", "ar");
+  await expect(name).toHaveAttribute("dir", "rtl");
+  await expect(opened.card.getByText("{{seconds}} $t(card.label)")).toBeVisible();
+});
+
+test("leads back to the task after another maze closed it", async ({ page, corridor }) => {
+  const opened = new Lesson(page);
+  await drop(page, lesson);
+  await opened.task(2).click();
+  await opened.expectTask(2);
+  await corridor.choosePreset("Long way round");
+  await expect(opened.card).toBeHidden();
+  const closed = corridor.message("You opened another maze, so the task is closed.");
+  await expect(closed).toBeVisible();
+  await page.getByRole("button", { name: "Back to the task" }).click();
+  await opened.expectTask(2);
+});
+
+test("opens a lesson from a link, and shares it as a short link", async ({
+  corridor,
+  openWindow,
+  page,
+}) => {
+  const link = encodeLink({ lesson });
+  if (!link.ok) throw new Error(link.code);
+  await corridor.open(`/#${link.text}`);
+  const opened = new Lesson(page);
+  await opened.expectTask(1);
+  await expect(corridor.message("You opened a lesson.")).toBeVisible();
+  expect(new URL(page.url()).hash).toBe("");
+  await opened.task(2).click();
+  await opened.expectTask(2);
+  await page.goBack();
+  await opened.expectTask(1);
+
+  await corridor.share.click();
+  const dialog = corridor.dialog("Share this lesson");
+  await expect(dialog.getByRole("checkbox", { name: "Lesson with all its tasks" })).toBeChecked();
+  await expect(dialog.getByRole("checkbox", { name: "My program" })).toBeDisabled();
+  const field = dialog.getByRole("textbox", { name: "Link" });
+  expect(new URL(await field.inputValue()).hash).toBe(`#${link.text}`);
+  await dialog.getByRole("button", { name: "Short link", exact: true }).click();
+  await expect(field).toHaveValue(/\/m\/[A-Z]{4,6}$/);
+
+  const recipient = await openWindow();
+  await recipient.open(await field.inputValue());
+  await new Lesson(recipient.page).expectTask(1);
+  expect(new URL(recipient.page.url()).pathname).toBe("/");
+});
+
+test("fits twelve tasks and their targets at 320 px", async ({ openWindow }) => {
+  const corridor = await openWindow({ viewport: { width: 320, height: 640 }, hasTouch: true });
+  await corridor.open();
+  const { page } = corridor;
+  const opened = new Lesson(page);
+  const names = Array.from({ length: 12 }, (_, at) => taskOf(`A task with a long name ${at + 1}`));
+  await drop(page, { ...lesson, order: "in turn", tasks: names });
+  await opened.expectTask(1);
+  expect(await horizontalOverflow(page)).toEqual([]);
+  for (const button of await opened.tasks.getByRole("button").all()) {
+    const box = await button.boundingBox();
+    expect(box?.height).toBeGreaterThanOrEqual(44);
+    expect(box?.width).toBeGreaterThanOrEqual(44);
+  }
+  await expectNoAxeViolations(page, "a lesson of twelve tasks");
+});
