@@ -52,13 +52,7 @@ export {
   type TaskVerdict,
   type UnseenFailure,
 } from "./check-task.ts";
-export {
-  checkUnitAt,
-  countCheckUnits,
-  runCheckUnit,
-  type CheckJob,
-  type CheckUnit,
-} from "./check-units.ts";
+export { checkUnitAt, countCheckUnits, runCheckUnit, type CheckJob } from "./check-units.ts";
 export { GoalTracker } from "./goal-tracker.ts";
 export {
   lessonOf,

@@ -8,15 +8,8 @@ export {
   type HandInLine,
   type HandInRefusal,
   type HandInResult,
-  type RefusedHandIn,
 } from "./hand-in.ts";
-export {
-  readLessonLink,
-  readLink,
-  type AddressRefusal,
-  type AddressResult,
-  type LessonLinkResult,
-} from "./link-address.ts";
+export { readLessonLink, type AddressRefusal } from "./link-address.ts";
 export {
   decodeLink,
   encodeLink,

@@ -58,7 +58,7 @@ async function readFile(file: TextFile): Promise<ReadHandIn> {
   return readHandInFile(text);
 }
 
-export function refuse(code: HandInProblem["code"], problem: string): ReadHandIn {
+function refuse(code: HandInProblem["code"], problem: string): ReadHandIn {
   return { ok: false, code, problems: [], problem };
 }
 
