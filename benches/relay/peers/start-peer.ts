@@ -122,7 +122,7 @@ async function startRedisStreams(isDurable: boolean): Promise<RunningPeer | null
   const redis = await startRedisServer([...settings, "--maxclients", "20000"]);
   if (redis === null) return null;
   const port = String(redis.port);
-  return { pages: port, readers: port, pids: [redis.pid], stop: redis.stop };
+  return { pages: port, readers: port, pids: [redis.pid], stop: () => redis.stop() };
 }
 
 /**

@@ -1,5 +1,5 @@
 /** Checks the hand-ins of a class: opens a lesson, takes programs, and shows where they fail. */
-import { useEffect, useRef, useState } from "react";
+import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { readShortLink } from "../../model/address/short-link.ts";
@@ -56,17 +56,13 @@ export function HandIns({ device, link }: HandInsProps) {
 }
 
 function useWork(device: KeyValueStorage): { work: HandInsWork; check: HandInCheck } {
-  const { t, i18n } = useTranslation("teach", { useSuspense: false });
-  const translate = useRef({ t, i18n });
-  useEffect(() => {
-    translate.current = { t, i18n };
-  });
+  const { i18n } = useTranslation("teach", { useSuspense: false });
   const [parts] = useState(() => {
     const pool = createWorkerPool();
     const check = new HandInCheck(
       pool,
       (show) => setTimeout(show, SHOW_MS),
-      (task, maze) => mazeName(translate.current.t, task, maze),
+      (task, maze) => mazeName(i18n.getFixedT(null, "teach"), task, maze),
     );
     const readShort = async (id: string) =>
       readShortLink(

@@ -1,5 +1,5 @@
 /** Reads the lesson that a teacher opens: a link, a short link, or the text of its document. */
-import { lessonOf, readLesson, type LessonDocument } from "@corridor/challenge";
+import { readLesson, type LessonDocument } from "@corridor/challenge";
 import { readLessonLink, type AddressRefusal } from "@corridor/link";
 import type { FieldProblem } from "@corridor/protocol";
 import type { ShortLinkResult } from "../../model/address/short-link.ts";
@@ -73,10 +73,8 @@ export async function readLessonAddress(
 
 function lessonOfShortLink(read: ShortLinkResult): OpenedLesson {
   if (read.ok) {
-    const { challenge } = read.value;
-    return challenge === undefined
-      ? refuse("no-lesson")
-      : { ok: true, lesson: lessonOf(challenge) };
+    const { lesson } = read.value;
+    return lesson === undefined ? refuse("no-lesson") : { ok: true, lesson };
   }
   switch (read.sentence) {
     case "share.shortLink.gone":

@@ -44,7 +44,7 @@ describe("the units of a worker", () => {
     expect(posted).toHaveLength(2);
   });
 
-  it("run one at a time if each takes longer than a slice, so that a stop is heard in between", () => {
+  it("run one at a time if each takes longer than a slice, so that a stop is received in between", () => {
     const { queue, posted } = setUp(100);
     queue.receive({ type: "begin", id: 1, job });
     queue.receive({ type: "units", from: 0, to: 9 });
