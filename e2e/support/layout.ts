@@ -29,6 +29,8 @@ export async function smallTouchTargets(page: Page): Promise<string[]> {
           ? (control.parentElement ?? control)
           : control;
       if (!target.checkVisibility()) return [];
+      // A skip link is clipped until it has the focus.
+      if (getComputedStyle(target).clipPath === "inset(50%)") return [];
       const { width, height } = target.getBoundingClientRect();
       if (width >= minimum && height >= minimum) return [];
       const name = control.getAttribute("aria-label") ?? target.textContent;

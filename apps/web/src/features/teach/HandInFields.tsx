@@ -9,23 +9,16 @@ import field from "../../ui/field.module.css";
 import { FieldError } from "../../ui/FieldError.tsx";
 import { Icon } from "../../ui/Icon.tsx";
 import { chooseFiles } from "../../ui/incoming-files.ts";
-import type { HandInCheck } from "./check-hand-ins.ts";
 import { groupedNumber } from "./grouped-number.ts";
 import { countHandIns } from "./hand-in-entries.ts";
 import type { HandInsWork } from "./hand-ins-work.ts";
 import styles from "./hand-in-fields.module.css";
 
-interface HandInFieldsProps {
-  work: HandInsWork;
-  check: HandInCheck;
-}
-
-export function HandInFields({ work, check }: HandInFieldsProps) {
+export function HandInFields({ work }: { work: HandInsWork }) {
   const { t, i18n } = useTranslation("teach", { useSuspense: false });
   const files = useStore(work.store, (state) => state.files);
   const text = useStore(work.store, (state) => state.text);
   const refusal = useStore(work.store, (state) => state.refusal);
-  const isRunning = useStore(check.store, ({ state }) => state === "running");
   const id = useId();
   const count = countHandIns(files, text);
   const refusalText =
@@ -82,7 +75,6 @@ export function HandInFields({ work, check }: HandInFieldsProps) {
           kind="primary"
           size="large"
           icon={<Icon of={ListChecks} />}
-          disabled={isRunning}
           onClick={() => work.startCheck()}
         >
           {count === 0 ? t("handIns.checkNone") : t("handIns.check", { count })}

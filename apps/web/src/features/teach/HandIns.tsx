@@ -47,7 +47,7 @@ export function HandIns({ device, link }: HandInsProps) {
     <div className={styles["view"]} data-over={isOver}>
       <h2 className={styles["title"]}>{t("handIns.title")}</h2>
       {hasLesson ? <OpenLesson work={work} /> : <LessonOpener work={work} />}
-      {hasLesson && <HandInFields work={work} check={check} />}
+      {hasLesson && <HandInFields work={work} />}
       {hasLesson && <CheckProgress check={check} />}
       {hasLesson && <HandInTable check={check} />}
       {isOver && <p className={styles["over"]}>{t("handIns.drop")}</p>}
@@ -62,7 +62,7 @@ function useWork(device: KeyValueStorage): { work: HandInsWork; check: HandInChe
     const check = new HandInCheck(
       pool,
       (show) => setTimeout(show, SHOW_MS),
-      (task, maze) => mazeName(i18n.getFixedT(null, "teach"), task, maze),
+      (task, maze) => mazeName(i18n.getFixedT(i18n.language, "teach"), task, maze),
     );
     const readShort = async (id: string) =>
       readShortLink(
