@@ -181,7 +181,7 @@ test("shows results as they come, and stops with those so far", async ({ page })
   await expect(page.getByText(/^Checking \d+ of 3,006\.$/)).toBeVisible();
   await expect(page.getByText(/^Checking [1-9]/)).toBeVisible();
   await page.getByRole("button", { name: "Stop" }).click();
-  const stopped = page.getByText(/^Stopped after \d+ of 3,006\.$/);
+  const stopped = page.getByRole("paragraph").filter({ hasText: /^Stopped after \d+ of 3,006\.$/ });
   const done = await stopped.textContent();
   await expect(page.getByRole("button", { name: "Stop" })).toBeHidden();
   await expect(teach.rows).toHaveCount(3);
