@@ -142,8 +142,8 @@ describe("grade --challenge", () => {
     const args = ["--challenge", lesson, "--program", formula, "--handins", handIns, "--csv"];
     expect(grade(args).lines).toEqual([
       "program,task,passed,code,maze,tick,lines,seconds,unseenCount,unseenPassed,unseenFailed,problem",
-      "'=1+1.json,1,true,,,,2,13.367,5,5,,",
-      "'=1+1.json,2,true,,,,2,7.967,,,,",
+      `"'=1+1.json",1,true,,,,2,13.367,5,5,,`,
+      `"'=1+1.json",2,true,,,,2,7.967,,,,`,
       "line 1,1,true,,,,2,13.367,5,5,,",
       "line 1,2,true,,,,2,7.967,,,,",
       expect.stringMatching(/^line 3,,false,unreadable,,,,,,,,"?link: found /),

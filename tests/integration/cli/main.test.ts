@@ -29,7 +29,7 @@ const rightWall = file("right-wall.json", paperPrograms[1]?.program);
 const wrong = file("wrong.json", paperPrograms[3]?.program);
 
 describe("help", () => {
-  const names = ["simulate", "grade", "conformance"];
+  const names = ["simulate", "grade", "report", "conformance"];
 
   it("lists all commands", () => {
     const { code, out } = corridor("--help");
@@ -53,7 +53,7 @@ describe("help", () => {
     { found: "grad", answer: "Did you mean grade?" },
     { found: "Simulate", answer: "Did you mean simulate?" },
     { found: "conf", answer: "Did you mean conformance?" },
-    { found: "drive", answer: "The commands are simulate, grade, conformance." },
+    { found: "drive", answer: "The commands are simulate, grade, report, conformance." },
   ])("names the command that resembles $found", ({ found, answer }) => {
     expect(corridor(found)).toEqual({
       code: 2,
