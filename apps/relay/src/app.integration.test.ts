@@ -221,7 +221,9 @@ describe("responses match the description", () => {
     const { id } = (shown.body as { question: { id: string } }).question;
     const yes = { key, body: { id, accept: true } };
     expect((await api.call("put", PAIRING, yes)).status).toBe(204);
-    expect((await api.call("put", PAIRING, yes)).status).toBe(409);
+    expect((await api.call("put", PAIRING, yes)).status).toBe(204);
+    const no = { key, body: { id, accept: false } };
+    expect((await api.call("put", PAIRING, no)).status).toBe(409);
     expect((await api.callAt("get", PAIR, { key: waiting })).body).toMatchObject({
       state: "accepted",
     });
