@@ -373,3 +373,50 @@ test("fits twelve tasks and their targets at 320 px", async ({ openWindow }) => 
   }
   await expectNoAxeViolations(page, "a lesson of twelve tasks");
 });
+
+test.describe("the completion code of a solved task", () => {
+  test("is copied for the teacher, shown as a QR code, and accepted on /teach", async ({
+    page,
+    corridor,
+    openWindow,
+  }) => {
+    await drop(page, lesson);
+    await corridor.run.click();
+    const code = page.getByRole("region", { name: "Completion code" });
+    await expect(code).toContainText("not who wrote it, when, or with what help.");
+    await expectNoAxeViolations(page, "a completion code");
+    await code.getByRole("button", { name: "QR code" }).click();
+    await expect(code.locator("svg[viewBox]").last()).toBeVisible();
+    await code.getByRole("button", { name: "Copy code" }).click();
+    await expect(code.getByRole("status")).toHaveText(
+      "Completion code copied. It shows that this program passes, not who wrote it.",
+    );
+    const copied = await page.evaluate(() => navigator.clipboard.readText());
+    expect(copied).toMatch(/^[\w-]{10,40}$/);
+
+    const teacher = await openWindow();
+    const link = encodeLink({ lesson });
+    await teacher.page.goto(`/teach#${link.ok ? link.text : ""}`);
+    await teacher.page.getByLabel("Links and completion codes").fill(copied);
+    await teacher.page.getByRole("button", { name: "Check 1" }).click();
+    await expect(teacher.page.getByRole("row").nth(1)).toContainText("1 of 1");
+
+    // An edited program has not passed yet.
+    await corridor.program.addLine("front <", "50", "left 90");
+    await expect(code).toBeHidden();
+  });
+
+  test("contains the commands of a drive by hand", async ({ page, corridor }) => {
+    const byHand = taskOf("By hand", {
+      allowed: { ...taskOf("").allowed, drivers: ["me"] },
+    });
+    await drop(page, { ...lesson, tasks: [byHand] });
+    await expect(page.getByText("Solve By hand.")).toBeVisible();
+    await page.keyboard.down("w");
+    const code = page.getByRole("region", { name: "Completion code" });
+    await expect(code.getByRole("button", { name: "Copy code" })).toBeVisible();
+    await page.keyboard.up("w");
+    await corridor.waitForRobotToStop();
+    await expect(code.locator("code")).toHaveText(/^[\w-]{10,60}$/);
+  });
+});

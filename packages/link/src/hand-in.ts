@@ -127,7 +127,7 @@ function handInOfRun(run: RunDocument, path: string): HandInResult {
  * Returns the program that drives at the end of a run, or the commands of a run that is driven by
  * hand alone; null for other runs.
  */
-function attemptOf({ program, inputs }: RunDocument): Attempt | null {
+export function attemptOf({ program, inputs }: RunDocument): Attempt | null {
   const drivers = inputs.flatMap((input) =>
     input.do === "driver" ? [{ tick: input.tick, driver: input.driver }] : [],
   );

@@ -2,6 +2,7 @@ export type { CompletionCode } from "./completion-code.ts";
 export type { LessonPart } from "./lesson-coder.ts";
 export type { LinkContent } from "./link-body.ts";
 export {
+  attemptOf,
   handInsOf,
   readHandInFile,
   type HandIn,

@@ -13,6 +13,7 @@ import {
 import { allOf } from "../../text/all-of.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button, IconButton } from "../../ui/Button.tsx";
+import { lazyPart } from "../../ui/lazy-part.tsx";
 import type { LessonsService } from "../../model/lessons/lessons-service.ts";
 import { nextTaskOf } from "../../model/lessons/task-order.ts";
 import { LessonHead, TaskRow } from "./LessonHead.tsx";
@@ -26,6 +27,8 @@ import shared from "./mission-text.module.css";
 import { missionIds, nextMission } from "../../model/lessons/missions/mission.ts";
 import { bonusMissionIds, bonusMissionOf } from "../../model/lessons/missions/bonus-missions.ts";
 import { useTask } from "./use-task.ts";
+
+const CompletionCode = lazyPart(async () => (await import("./CompletionCode.tsx")).CompletionCode);
 
 export interface MissionCardProps {
   /** `slim` shows only the task and the next step, where the drive keys need the space */
@@ -140,6 +143,7 @@ function OpenMission({ service }: { service: LessonsService }) {
       ) : (
         <BonusOutcome id={bonus} service={service} />
       )}
+      {mission === null && <CompletionCodePlace />}
       <HintList
         hints={isFolded ? [] : hints.slice(0, hintsShown)}
         language={isMission ? null : lesson.language}
@@ -187,6 +191,16 @@ function SlimMission({ service }: { service: LessonsService }) {
       </div>
     </section>
   );
+}
+
+/** The code of a solved task of a lesson. Corridor's own missions need none. */
+function CompletionCodePlace() {
+  const { challenge: store } = useServices();
+  const lesson = useStore(store, (state) => state.lesson);
+  const index = useStore(store, (state) => state.index);
+  const driver = useStore(store, ({ result }) => (result.state === "met" ? result.driver : null));
+  if (lesson === null || driver === null || driver === "remote") return null;
+  return <CompletionCode lesson={lesson} task={index} driver={driver} />;
 }
 
 /** The unseen mazes of the task, so that no one takes the given ones for all. */

@@ -1,12 +1,11 @@
-/**
- * The link as a QR code that can be saved as a picture. It is drawn as elements, never as markup.
- */
+/** The link as a QR code that can be saved as a picture. */
 import { Download } from "lucide";
 import { useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
-import { qrPath } from "./qr-path.ts";
+import { QrCode } from "../../ui/QrCode.tsx";
+import { qrPath } from "../../ui/qr-path.ts";
 import { savePicture } from "./save-picture.ts";
 import styles from "./share.module.css";
 
@@ -17,17 +16,7 @@ export function QrCard({ link, name }: { link: string; name: string }) {
   if (code === null) return <p className={styles["noQr"]}>{t("share.noQr")}</p>;
   return (
     <figure className={styles["qr"]} aria-label={t("share.qr")}>
-      <svg
-        ref={picture}
-        className={styles["code"]}
-        viewBox={`0 0 ${code.size} ${code.size}`}
-        shapeRendering="crispEdges"
-        aria-hidden="true"
-      >
-        {/* Black on white in both themes: many scanners cannot read a light code on dark. */}
-        <rect width={code.size} height={code.size} fill="white" />
-        <path d={code.path} fill="black" />
-      </svg>
+      <QrCode ref={picture} code={code} />
       <h3 className={styles["scan"]}>{t("share.scan")}</h3>
       <p className={styles["note"]}>{t("share.scanNote")}</p>
       <Button
