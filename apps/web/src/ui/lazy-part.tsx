@@ -20,20 +20,26 @@ declare global {
   }
 }
 
-const loaders = new Set<{ load: () => Promise<void> }>();
+interface Preloaded {
+  load: () => Promise<void>;
+  /** whether the part appears by itself, rather than when the user opens it */
+  appears: boolean;
+}
+
+const preloaded = new Set<Preloaded>();
 
 /**
  * Loads the parts that were not requested yet, one after the other. A failed one loads when it is
- * requested. So do all if the user asked the browser to save data.
+ * requested. So does a part that the user opens, if the user asked the browser to save data.
  */
 export async function preloadParts(): Promise<void> {
-  if (navigator.connection?.saveData === true) return;
-  for (const loader of loaders) await loader.load();
+  const savesData = navigator.connection?.saveData === true;
+  for (const part of preloaded) if (part.appears || !savesData) await part.load();
 }
 
-function loaderOf<Props>(load: () => Promise<ComponentType<Props>>) {
+function loaderOf<Props>(load: () => Promise<ComponentType<Props>>, appears = false) {
   const loader = new PartLoader(load);
-  loaders.add(loader);
+  preloaded.add({ load: () => loader.load(), appears });
   return loader;
 }
 
@@ -76,7 +82,7 @@ export interface DeferredProps {
 export function deferredPart<Props extends object>(
   load: () => Promise<ComponentType<Props>>,
 ): ComponentType<Props & DeferredProps> {
-  const loader = loaderOf(load);
+  const loader = loaderOf(load, true);
   return function DeferredPart(props: Props & DeferredProps) {
     const { isWanted, children } = props;
     const state = useLoaded(loader, isWanted);
