@@ -381,6 +381,7 @@ test.describe("the completion code of a solved task", () => {
     openWindow,
   }) => {
     await drop(page, lesson);
+    await new Lesson(page).expectTask(1);
     await corridor.run.click();
     const code = page.getByRole("region", { name: "Completion code" });
     await expect(code).toContainText("not who wrote it, when, or with what help.");
