@@ -2,9 +2,13 @@
 import { readFileSync } from "node:fs";
 import { lessonMark, type LessonDocument, type LessonTask } from "@corridor/challenge";
 import { encodeLink, type LinkContent } from "@corridor/link";
-import { mazePresets, type MazePresetId } from "@corridor/maze";
-import { programPresets, type ProgramDocument, type ProgramPresetId } from "@corridor/program";
+import type { ProgramPresetId } from "@corridor/program";
 import { Recording } from "@corridor/recording";
+import {
+  mazeOf,
+  programOf,
+  sampleTask,
+} from "../apps/web/src/features/teach/testing/sample-lesson.ts";
 import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
@@ -12,20 +16,7 @@ import { TeachPage } from "./pages/teach-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 import { KeyboardUser } from "./support/keyboard-user.ts";
 import { horizontalOverflow, smallTouchTargets } from "./support/layout.ts";
-
-const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
-
-function mazeOf(id: MazePresetId) {
-  const preset = mazePresets.find((each) => each.id === id);
-  if (preset === undefined) throw new Error(`no maze ${id}`);
-  return preset.maze;
-}
-
-function programOf(id: ProgramPresetId, name: string): ProgramDocument {
-  const preset = programPresets.find((each) => each.id === id);
-  if (preset === undefined) throw new Error(`no program ${id}`);
-  return { ...preset.program, name };
-}
+import { phone } from "./support/phone.ts";
 
 function linkOf(content: LinkContent): string {
   const link = encodeLink(content);
@@ -35,23 +26,9 @@ function linkOf(content: LinkContent): string {
 
 /** Right-wall passes in all mazes; left-wall bumps in maze 2. */
 const everyMaze: LessonTask = {
+  ...sampleTask,
   name: "Every maze",
-  words: { task: "Reach the goal.", short: "Reach the goal", hints: [] },
-  mazes: [mazeOf("first-steps"), mazeOf("comb")],
-  program: null,
-  goal: { kind: "reach" },
-  allowed: {
-    drivers: ["program"],
-    lines: 3,
-    conditions: null,
-    actions: null,
-    edits: ["condition", "number", "action", "otherwise", "order", "lines"],
-    maze: false,
-    tools: null,
-    help: null,
-  },
   checks: { bumps: 0, seconds: 120 },
-  par: null,
   unseen: { kind: "tree", columns: 11, rows: 11, seed: 7, count: 48, pass: 40 },
 };
 

@@ -18,7 +18,7 @@ export interface PoolListener {
 const LEAST_SHARE = 2;
 
 /** A worker, and the number of units that it still has to run. */
-interface Crew {
+interface PooledWorker {
   port: PoolPort;
   waiting: number;
 }
@@ -36,7 +36,7 @@ interface RunningJob {
 export class WorkerPool {
   readonly #start: () => PoolPort;
   readonly #size: number;
-  #crews: Crew[] = [];
+  #workers: PooledWorker[] = [];
   /** increases with each job; results of an earlier job are ignored */
   #id = 0;
   #running: RunningJob | null = null;
@@ -48,8 +48,8 @@ export class WorkerPool {
 
   /** Starts the workers, so that they are ready for a job. */
   open(): void {
-    if (this.#crews.length > 0) return;
-    this.#crews = Array.from({ length: this.#size }, () => this.#openCrew());
+    if (this.#workers.length > 0) return;
+    this.#workers = Array.from({ length: this.#size }, () => this.#startWorker());
   }
 
   /**
@@ -61,10 +61,10 @@ export class WorkerPool {
     if (count === 0) return;
     this.open();
     this.#running = { listener, count, left: count, next: 0, isStopped: false };
-    for (const crew of this.#crews) {
-      crew.waiting = 0;
-      crew.port.postMessage({ type: "begin", id: this.#id, job });
-      this.#give(crew);
+    for (const worker of this.#workers) {
+      worker.waiting = 0;
+      worker.port.postMessage({ type: "begin", id: this.#id, job });
+      this.#give(worker);
     }
   }
 
@@ -72,7 +72,7 @@ export class WorkerPool {
   stop(): void {
     const running = this.#running;
     if (running === null) return;
-    for (const { port } of this.#crews) port.postMessage({ type: "stop" });
+    for (const { port } of this.#workers) port.postMessage({ type: "stop" });
     running.isStopped = true;
     this.#end();
     running.listener.onEnd("stopped");
@@ -81,8 +81,8 @@ export class WorkerPool {
   /** Terminates the workers; the next job starts new ones. */
   close(): void {
     this.stop();
-    for (const { port } of this.#crews) port.terminate();
-    this.#crews = [];
+    for (const { port } of this.#workers) port.terminate();
+    this.#workers = [];
   }
 
   #end(): void {
@@ -90,15 +90,15 @@ export class WorkerPool {
     this.#running = null;
   }
 
-  #openCrew(): Crew {
+  #startWorker(): PooledWorker {
     const port = this.#start();
-    const crew = { port, waiting: 0 };
+    const worker = { port, waiting: 0 };
     port.onmessage = ({ data: { id, results } }) => {
       const running = this.#running;
       if (running === null || id !== this.#id) return;
-      crew.waiting -= results.length;
+      worker.waiting -= results.length;
       running.left -= results.length;
-      this.#give(crew);
+      this.#give(worker);
       if (running.left === 0) this.#end();
       for (const { unit, result } of results) {
         if (!running.isStopped) running.listener.onResult(result, unit);
@@ -110,23 +110,23 @@ export class WorkerPool {
       this.close();
       running?.listener.onEnd("failed");
     };
-    return crew;
+    return worker;
   }
 
   /**
    * Gives a worker its next share: half of the remaining units, divided by the number of workers. A
    * worker that still has more than half of a share receives none.
    */
-  #give(crew: Crew): void {
+  #give(worker: PooledWorker): void {
     const running = this.#running;
     if (running === null) return;
     const { count, next } = running;
-    const share = Math.max(LEAST_SHARE, Math.ceil((count - next) / (2 * this.#crews.length)));
-    if (next === count || crew.waiting > share / 2) return;
+    const share = Math.max(LEAST_SHARE, Math.ceil((count - next) / (2 * this.#workers.length)));
+    if (next === count || worker.waiting > share / 2) return;
     const to = Math.min(count, next + share);
     running.next = to;
-    crew.waiting += to - next;
-    crew.port.postMessage({ type: "units", from: next, to });
+    worker.waiting += to - next;
+    worker.port.postMessage({ type: "units", from: next, to });
   }
 }
 

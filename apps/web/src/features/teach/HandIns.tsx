@@ -5,7 +5,7 @@ import { useStore } from "zustand";
 import { readShortLink } from "../../model/address/short-link.ts";
 import type { KeyValueStorage } from "../../model/storage/key-value-storage.ts";
 import { createWorkerPool } from "../../simulator/worker-pool.ts";
-import { listenForFiles } from "../../ui/incoming-files.ts";
+import { DropView } from "../../ui/DropView.tsx";
 import { HandInCheck } from "./check-hand-ins.ts";
 import { CheckProgress } from "./CheckProgress.tsx";
 import { HandInFields } from "./HandInFields.tsx";
@@ -17,7 +17,6 @@ import { OpenLesson } from "./OpenLesson.tsx";
 import { looksLikeLesson, readLessonAddress } from "./read-lesson.ts";
 import { TeachStorage } from "./teach-storage.ts";
 import { HAND_INS_HASH } from "./teach-view.ts";
-import styles from "./hand-ins.module.css";
 
 /** Interval between two updates of the table. */
 const SHOW_MS = 125;
@@ -35,7 +34,10 @@ export function HandIns({ device, link }: HandInsProps) {
   const { t } = useTranslation("teach", { useSuspense: false });
   const { work, check } = useWork(device);
   const hasLesson = useStore(work.store, ({ lesson }) => lesson !== null);
-  const isOver = useIncoming(work);
+  const takeText = (text: string): void => {
+    if (hasLesson && !looksLikeLesson(text)) work.addLines(text);
+    else void work.openAddress(text);
+  };
   useEffect(() => {
     if (link === null) return;
     void work.openAddress(link).then(() => {
@@ -44,14 +46,17 @@ export function HandIns({ device, link }: HandInsProps) {
     });
   }, [work, link]);
   return (
-    <div className={styles["view"]} data-over={isOver}>
-      <h2 className={styles["title"]}>{t("handIns.title")}</h2>
+    <DropView
+      title={t("handIns.title")}
+      drop={t("handIns.drop")}
+      onFiles={(files) => void work.addFiles(files)}
+      onText={takeText}
+    >
       {hasLesson ? <OpenLesson work={work} /> : <LessonOpener work={work} />}
       {hasLesson && <HandInFields work={work} />}
       {hasLesson && <CheckProgress check={check} />}
       {hasLesson && <HandInTable check={check} />}
-      {isOver && <p className={styles["over"]}>{t("handIns.drop")}</p>}
-    </div>
+    </DropView>
   );
 }
 
@@ -84,23 +89,4 @@ function useWork(device: KeyValueStorage): { work: HandInsWork; check: HandInChe
     return () => pool.close();
   }, [pool]);
   return parts;
-}
-
-/** Takes dropped files, and what is pasted outside of a field. @returns whether a drag is over */
-function useIncoming(work: HandInsWork): boolean {
-  const [isOver, setOver] = useState(false);
-  useEffect(
-    () =>
-      listenForFiles({
-        over: setOver,
-        take: (files) => void work.addFiles(files),
-        pasted: (text) => {
-          const hasLesson = work.store.getState().lesson !== null;
-          if (hasLesson && !looksLikeLesson(text)) work.addLines(text);
-          else void work.openAddress(text);
-        },
-      }),
-    [work],
-  );
-  return isOver;
 }

@@ -1,11 +1,12 @@
 /** Shows the figures of a class from its tables, as the thesis of 2013 does. */
 import { reportOf, studyCsv, type Report } from "@corridor/report";
 import { FileDown, FolderOpen, Printer } from "lucide";
-import { useEffect, useEffectEvent, useMemo, useState } from "react";
+import { useMemo, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { Button } from "../../../ui/Button.tsx";
+import { DropView } from "../../../ui/DropView.tsx";
 import { Icon } from "../../../ui/Icon.tsx";
-import { chooseFiles, listenForFiles, type TextFile } from "../../../ui/incoming-files.ts";
+import { chooseFiles, type TextFile } from "../../../ui/incoming-files.ts";
 import { saveFile } from "../../../ui/save-file.ts";
 import { addReportFiles, studyOf, type ReadFiles } from "./report-files.ts";
 import { ReportProblems } from "./ReportProblems.tsx";
@@ -24,11 +25,16 @@ export function ReportView() {
   const report = useMemo(() => reportOf(study, mistakes), [study, mistakes]);
   const add = async (added: readonly TextFile[]): Promise<void> =>
     setRead(await addReportFiles(files, added));
-  const isOver = useIncoming((added) => void add(added));
   const isEmpty = files.length === 0;
   return (
-    <div className={styles["view"]}>
-      <h2 className={styles["title"]}>{t("title")}</h2>
+    <DropView
+      title={t("title")}
+      drop={t("drop")}
+      onFiles={(added) => void add(added)}
+      onText={(text) =>
+        void add([{ name: "pasted.csv", size: text.length, text: async () => text }])
+      }
+    >
       <section className={styles["opener"]} aria-label={t("tables")}>
         <p>{isEmpty ? t("intro") : files.map(({ name }) => name).join(", ")}</p>
         <div className={styles["buttons"]}>
@@ -69,8 +75,7 @@ export function ReportView() {
           }}
         />
       )}
-      {isOver && <p className={styles["over"]}>{t("drop")}</p>}
-    </div>
+    </DropView>
   );
 }
 
@@ -112,21 +117,4 @@ function ReportContent({ report, onMistakes, onSave }: ReportContentProps) {
       </div>
     </>
   );
-}
-
-/** Takes dropped and pasted files, and pasted tables. @returns whether a drag is over the page */
-function useIncoming(take: (files: readonly TextFile[]) => void): boolean {
-  const [isOver, setOver] = useState(false);
-  const onFiles = useEffectEvent(take);
-  useEffect(
-    () =>
-      listenForFiles({
-        over: setOver,
-        take: (files) => onFiles(files),
-        pasted: (text) =>
-          onFiles([{ name: "pasted.csv", size: text.length, text: async () => text }]),
-      }),
-    [],
-  );
-  return isOver;
 }

@@ -4,7 +4,7 @@ import { encodeLink } from "@corridor/link";
 import { mazePresets, type MazePresetId } from "@corridor/maze";
 import { programPresets, type ProgramDocument, type ProgramPresetId } from "@corridor/program";
 
-function mazeOf(id: MazePresetId) {
+export function mazeOf(id: MazePresetId) {
   const preset = mazePresets.find((each) => each.id === id);
   if (preset === undefined) throw new Error(`no maze ${id}`);
   return preset.maze;
