@@ -11,6 +11,9 @@ import { LongPollConnections } from "./gateways/long-poll/long-poll-connections.
 import { Metrics } from "./ops/metrics.ts";
 import { Readiness } from "./ops/readiness.ts";
 import { systemClock } from "./platform/time/clock.ts";
+import { LocalClassBus } from "./bus/local-class-bus.ts";
+import { ClassRegistry } from "./classes/registry.ts";
+import { SqliteClassStore } from "./store/sqlite/sqlite-class-store.ts";
 import { DocumentService } from "./short-links/document-service.ts";
 import { PairingService } from "./pairing/pairing-service.ts";
 import { RobotRegistry } from "./robots/registry.ts";
@@ -66,6 +69,12 @@ function appWithoutPage(): Express {
   const log = pino({ level: "silent" });
   const registry = new RobotRegistry(store, systemClock, log);
   const documents = new DocumentService(new SqliteDocumentStore(file), systemClock, log);
+  const classes = new ClassRegistry({
+    store: new SqliteClassStore(file),
+    bus: new LocalClassBus(),
+    clock: systemClock,
+    log,
+  });
   const pairings = new SqlitePairingStore(file);
   const pairing = new PairingService({ pairings, robots: store, clock: systemClock, log });
   onTestFinished(async () => {
@@ -73,14 +82,15 @@ function appWithoutPage(): Express {
     pairing.close();
     await documents.close();
     await registry.close();
+    await classes.close();
     await store.close();
   });
   const guard = new RequestGuard(defaults());
   const readiness = new Readiness(store, systemClock, log);
   const metrics = new Metrics();
   const longPolls = new LongPollConnections({ registry, clock: systemClock, log, metrics });
-  const served = { registry, longPolls, documents, pairing, guard, readiness, metrics };
-  const parts = { ...served, clock: systemClock, log, page: Router() };
+  const services = { registry, classes, longPolls, documents, pairing };
+  const parts = { ...services, guard, readiness, metrics, clock: systemClock, log, page: Router() };
   return createApp({ ...parts, isDevelopment: false });
 }
 

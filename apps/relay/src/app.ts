@@ -8,6 +8,8 @@ import type { LongPollConnections } from "./gateways/long-poll/long-poll-connect
 import type { Metrics } from "./ops/metrics.ts";
 import type { PairingService } from "./pairing/pairing-service.ts";
 import type { Readiness } from "./ops/readiness.ts";
+import { classRoutes } from "./gateways/rest/classes/routes.ts";
+import type { ClassRegistry } from "./classes/registry.ts";
 import { checkRoutes } from "./site/check/check.ts";
 import { commandRoutes } from "./gateways/rest/commands/routes.ts";
 import { descriptionRoutes } from "./site/description.ts";
@@ -32,6 +34,7 @@ import type { RobotRegistry } from "./robots/registry.ts";
 
 export interface AppDependencies {
   registry: RobotRegistry;
+  classes: ClassRegistry;
   longPolls: LongPollConnections;
   documents: DocumentService;
   pairing: PairingService;
@@ -47,7 +50,8 @@ export interface AppDependencies {
 
 /** Builds the application from its parts. */
 export function createApp(dependencies: AppDependencies): Express {
-  const { registry, longPolls, documents, pairing, clock, log, guard, readiness } = dependencies;
+  const { registry, classes, longPolls, documents, pairing, clock, log, guard, readiness } =
+    dependencies;
   const { metrics, page, isDevelopment } = dependencies;
   const app = express();
   app.disable("x-powered-by");
@@ -83,6 +87,7 @@ export function createApp(dependencies: AppDependencies): Express {
   api.use(eventRoutes(registry, clock));
   api.use(longPollRoutes(longPolls, guard));
   api.use(documentRoutes(documents, guard));
+  api.use(classRoutes(classes, guard));
   api.use(notFound);
   app.use("/api/v1", api);
 

@@ -6,6 +6,7 @@ import type { Router } from "express";
 import type { Logger } from "pino";
 import { createApp } from "./app.ts";
 import { openBackend } from "./backend.ts";
+import { ClassRegistry } from "./classes/registry.ts";
 import type { Clock } from "./platform/time/clock.ts";
 import type { Config } from "./config.ts";
 import { DocumentService } from "./short-links/document-service.ts";
@@ -73,6 +74,12 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     clock,
     log,
   });
+  const classes = new ClassRegistry({
+    store: backend.classes,
+    bus: backend.classBus,
+    clock,
+    log,
+  });
   const guard = new RequestGuard(config);
   const readiness = new Readiness(store, clock, log);
   const gateway = new WebSocketGateway({ registry, clock, log, guard, metrics });
@@ -91,7 +98,18 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   });
   const development = isDevelopment ? await developmentPage(webRoot, server) : null;
   const page: Router = development?.router ?? builtPage(join(webRoot, "dist"));
-  const parts = { registry, longPolls, documents, pairing, clock, log, guard, readiness, metrics };
+  const parts = {
+    registry,
+    classes,
+    longPolls,
+    documents,
+    pairing,
+    clock,
+    log,
+    guard,
+    readiness,
+    metrics,
+  };
   const application = createApp({ ...parts, page, isDevelopment });
   answerBrokenRequests(server, application, (kind) => metrics.refused(kind));
   server.on("request", application);
@@ -118,6 +136,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     checkSocket.close();
     pairing.close();
     await registry.close();
+    await classes.close();
     await development?.close();
     await closeServer(server, SHUTDOWN_MS, () => gateway.destroyAll());
     await closeServer(metricsHttp, 0, () => undefined);

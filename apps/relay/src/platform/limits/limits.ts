@@ -51,6 +51,16 @@ export const limits = {
   heldChecks: 100,
   /** sockets per address; a whole school may share one address */
   socketsPerAddress: 400,
+  /** classes per address, which a school may share */
+  classRate: { perSecond: 0.1, burst: 20 },
+  /** right codes of classes per address; wrong ones are limited by `codeChecks` */
+  joinRate: { perSecond: 5, burst: 200 },
+  classIdleMs: 2 * 60 * 60 * 1000,
+  classLifeMs: 12 * 60 * 60 * 1000,
+  /** a code by which another device becomes a student */
+  returnCodeMs: 10 * 60 * 1000,
+  /** a class without use for this long is not held in memory */
+  classQuietMs: 10 * 60 * 1000,
   /** interval of snapshots to one reader; on a long-poll connection each one costs a request */
   snapshotIntervalMs: 50,
   longPollSnapshotIntervalMs: 100,

@@ -65,6 +65,22 @@ export function describeApi(): oas31.OpenAPIObject {
             description:
               "The key from the response to a pairing request. It becomes a driver key when the owner accepts.",
           },
+          teacherKey: {
+            type: "http",
+            scheme: "bearer",
+            description:
+              "The key of a class's teacher, from the response that created the class. It permits everything in the class.",
+          },
+          screenKey: {
+            type: "http",
+            scheme: "bearer",
+            description: "The key of a class's big screen. It permits reading the lesson.",
+          },
+          studentKey: {
+            type: "http",
+            scheme: "bearer",
+            description: "The key of one student of a class, from the response to a join request.",
+          },
           watchKey: {
             type: "http",
             scheme: "bearer",

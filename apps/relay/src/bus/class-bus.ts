@@ -1,0 +1,41 @@
+/**
+ * Messages between relays that serve the same class, on one channel per class. Nothing that is
+ * stored is lost without them, because a relay that missed a commit reads the class again.
+ */
+import type { ProgressRecord, StudentView } from "@corridor/protocol";
+import type { ClassChanges } from "../store/class-store.ts";
+
+/** An event for dashboards, without its number. */
+export type ClassRecord =
+  | { type: "student"; student: StudentView; progress: ProgressRecord | null }
+  | { type: "removed"; student: number };
+
+/** A commit: the version before it, the rows that it replaces, and its events. */
+export interface ClassNews {
+  kind: "changes";
+  version: number;
+  changes: Pick<ClassChanges, "row" | "students" | "removed">;
+  events: readonly ClassRecord[];
+}
+
+export interface ClassListener {
+  /** A commit of another relay. */
+  news(news: ClassNews): void;
+  /** Another relay has deleted the class. */
+  over(): void;
+  /** Messages may have been missed. */
+  missed(): void;
+}
+
+export interface ClassChannel {
+  /** Publishes a commit of this relay to the others, unless the store has done so. */
+  committed(news: ClassNews): void;
+  /** Publishes that this relay has deleted the class, unless the store has done so. */
+  over(): void;
+  leave(): void;
+}
+
+export interface ClassBus {
+  /** Subscribes this relay to the channel of a class. */
+  join(id: string, listener: ClassListener): Promise<ClassChannel>;
+}
