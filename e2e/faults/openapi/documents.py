@@ -15,7 +15,10 @@ def apply_rules(body):
     if body.get("format") == "corridor/maze":
         apply_maze_rules(body)
     elif body.get("format") == "corridor/challenge":
-        apply_challenge_rules(body)
+        apply_lesson_rules(body)
+    elif "lesson" in body:
+        apply_lesson_rules(body["lesson"])
+        apply_name_rules(body)
     elif "action" in body and "age" in body:
         body["age"] = min(body["age"], YOUNG * body.get("ttl", DEFAULT_TTL))
     return body
@@ -32,6 +35,21 @@ def apply_maze_rules(maze):
     maze["blocks"] = ["".join(row) for row in rows]
 
 
+def apply_lesson_rules(lesson):
+    """A challenge document of either version."""
+    for task in lesson.get("tasks", [lesson]):
+        apply_challenge_rules(task)
+    if "survey" in lesson:
+        lesson["survey"] = list({each["id"]: each for each in lesson["survey"]}.values())
+
+
+def apply_name_rules(request):
+    """Different names without spaces around them and without control characters."""
+    if request.get("names"):
+        names = ("".join(c for c in name if c.isprintable()).strip()[:12] for name in request["names"])
+        request["names"] = list(dict.fromkeys(name or "Ada" for name in names))
+
+
 def apply_challenge_rules(challenge):
     """Makes the goal reachable in its mazes, within its time and with its lines."""
     goal, checks, program = challenge["goal"], challenge["checks"], challenge["program"]
@@ -45,3 +63,5 @@ def apply_challenge_rules(challenge):
         goal["seconds"] = min(goal["seconds"], checks["seconds"])
     if program is not None:
         challenge["allowed"]["lines"] = max(challenge["allowed"]["lines"], len(program["rules"]))
+    if challenge.get("unseen"):
+        challenge["unseen"]["pass"] = min(challenge["unseen"]["pass"], challenge["unseen"]["count"])

@@ -37,7 +37,12 @@ KEY = r"[A-Za-z0-9_-]{8,64}"
 SCRIPT_CLOCK = r"[A-Za-z0-9_-]{8,32} \d{1,15}"
 MAX_BODY = 16 * 1024
 MAX_DOCUMENT = 64 * 1024
-DOCUMENTS = ["/api/v1/mazes", "/api/v1/robots/{id}/maze"]
+DOCUMENTS = [
+    "/api/v1/mazes",
+    "/api/v1/robots/{id}/maze",
+    "/api/v1/classes",
+    "/api/v1/classes/{id}/lesson",
+]
 # Calls that delete the robot, exhaust its keys or connections, or block these hooks.
 USES_UP = "deleteRobot createKey revokeKey openConnection closeConnection sendMessages fetchMessages blockScript".split()
 # Calls that DELETE the list of commands, which stay readable. Robots of their own, because these hooks
