@@ -1,0 +1,65 @@
+/**
+ * Sends the newest content to one reader: at most one message in an interval, and at most two that
+ * the reader has not acknowledged. Newer content is merged with the content that waits.
+ */
+import type { Clock } from "../platform/time/clock.ts";
+import { limits } from "../platform/limits/limits.ts";
+
+export interface CreditedFeedParts<T> {
+  clock: Clock;
+  intervalMs: number;
+  merge(waiting: T, newer: T): T;
+  send(seq: number, content: T): void;
+}
+
+export class CreditedFeed<T> {
+  readonly #parts: CreditedFeedParts<T>;
+  #waiting: T | null = null;
+  /** number of the last message that was sent, and of the last one that was acknowledged */
+  #seq = 0;
+  #seen = 0;
+  #notBefore = -Infinity;
+  #cancelTimer: (() => void) | null = null;
+  #isClosed = false;
+
+  constructor(parts: CreditedFeedParts<T>) {
+    this.#parts = parts;
+  }
+
+  /** Sends the content now or later. */
+  offer(content: T): void {
+    this.#waiting = this.#waiting === null ? content : this.#parts.merge(this.#waiting, content);
+    this.#flush();
+  }
+
+  /** The reader has read everything up to this message. */
+  seen(seq: number): void {
+    this.#seen = Math.max(this.#seen, Math.min(seq, this.#seq));
+    this.#flush();
+  }
+
+  close(): void {
+    this.#isClosed = true;
+    this.#waiting = null;
+    this.#cancelTimer?.();
+  }
+
+  #flush(): void {
+    const { clock, intervalMs, send } = this.#parts;
+    const hasCredit = this.#seq - this.#seen < limits.classCredit;
+    if (this.#waiting === null || this.#isClosed || !hasCredit) return;
+    const waitMs = this.#notBefore - clock.now();
+    if (waitMs > 0) {
+      this.#cancelTimer ??= clock.after(waitMs, () => {
+        this.#cancelTimer = null;
+        this.#flush();
+      });
+      return;
+    }
+    const content = this.#waiting;
+    this.#waiting = null;
+    this.#notBefore = clock.now() + intervalMs;
+    this.#seq += 1;
+    send(this.#seq, content);
+  }
+}
