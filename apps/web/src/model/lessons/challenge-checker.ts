@@ -36,6 +36,13 @@ export class ChallengeChecker {
     });
   }
 
+  /** Terminates the worker. Pending requests are not answered. */
+  close(): void {
+    this.#port?.terminate();
+    this.#port = null;
+    this.#waiting = [];
+  }
+
   #open(): CheckPort {
     const port = this.#start();
     port.onmessage = ({ data }) => this.#waiting.shift()?.resolve(data);

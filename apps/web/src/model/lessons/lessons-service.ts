@@ -19,8 +19,8 @@ export class LessonsService {
 
   constructor(
     ports: LessonsPorts,
-    checker: ChallengeChecker = startChecker(),
-    bar: AddressBar = pageAddressBar(),
+    checker: ChallengeChecker = ports.own?.checker ?? startChecker(),
+    bar: AddressBar = ports.own?.bar ?? pageAddressBar(),
   ) {
     this.progress = new LessonsProgress(ports);
     this.trails = new SolvedTrails(ports);
