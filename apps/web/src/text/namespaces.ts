@@ -4,6 +4,7 @@
  * loaded on first use: `useTranslation("missions")`.
  */
 import type { en } from "./en/index.ts";
+import type lessonEditor from "./en/lesson-editor.json";
 import type diagnosis from "./en/diagnosis.json";
 import type missions from "./en/missions.json";
 import type otherMazes from "./en/other-mazes.json";
@@ -33,6 +34,8 @@ export interface Namespaces {
   daily: typeof daily;
   /** sounds of the run */
   sound: typeof sound;
+  /** the lesson editor */
+  lessonEditor: typeof lessonEditor;
   /** the pages for teachers */
   teach: typeof teach;
   /** the page of a viewer */

@@ -88,6 +88,16 @@ export const partLoaders: Record<
     pt: async () => (await import("./pt/sound.json")).default,
     "zh-Hans": async () => (await import("./zh-Hans/sound.json")).default,
   },
+  lessonEditor: {
+    en: async () => (await import("./en/lesson-editor.json")).default,
+    ar: async () => (await import("./ar/lesson-editor.json")).default,
+    de: async () => (await import("./de/lesson-editor.json")).default,
+    es: async () => (await import("./es/lesson-editor.json")).default,
+    fr: async () => (await import("./fr/lesson-editor.json")).default,
+    ja: async () => (await import("./ja/lesson-editor.json")).default,
+    pt: async () => (await import("./pt/lesson-editor.json")).default,
+    "zh-Hans": async () => (await import("./zh-Hans/lesson-editor.json")).default,
+  },
   teach: {
     en: async () => (await import("./en/teach.json")).default,
     ar: async () => (await import("./ar/teach.json")).default,

@@ -12,6 +12,7 @@ export const files = import.meta.glob<Words>(
     "!./report.json",
     "!./daily.json",
     "!./sound.json",
+    "!./lesson-editor.json",
     "!./teach.json",
     "!./watch.json",
   ],

@@ -2,9 +2,11 @@
 import { readLesson, type LessonDocument } from "@corridor/challenge";
 import { readLessonLink, type AddressRefusal } from "@corridor/link";
 import type { FieldProblem } from "@corridor/protocol";
-import type { ShortLinkResult } from "../../model/address/short-link.ts";
-import type { TextFile } from "../../ui/incoming-files.ts";
-import { MAX_FILE_BYTES } from "./hand-in-entries.ts";
+import type { ShortLinkResult } from "../../../model/address/short-link.ts";
+import type { TextFile } from "../../../ui/incoming-files.ts";
+
+/** The longest run fits. */
+export const MAX_FILE_BYTES = 9_000_000;
 
 /** Why no lesson was opened. */
 export interface LessonProblem {

@@ -1,6 +1,6 @@
 /** Why no lesson was opened, and what to do. */
 import { useTranslation } from "react-i18next";
-import { ProblemDetail, ProblemNote } from "../../ui/ProblemNote.tsx";
+import { ProblemDetail, ProblemNote } from "../../../ui/ProblemNote.tsx";
 import type { LessonProblem } from "./read-lesson.ts";
 
 export function LessonProblemNote({ problem }: { problem: LessonProblem }) {
