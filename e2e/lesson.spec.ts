@@ -5,6 +5,7 @@ import type { Page } from "playwright/test";
 import { readFileSync } from "node:fs";
 import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
+import { TeachPage } from "./pages/teach-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 import { horizontalOverflow } from "./support/layout.ts";
 
@@ -397,8 +398,9 @@ test.describe("the completion code of a solved task", () => {
 
     const teacher = await openWindow();
     const link = encodeLink({ lesson });
-    await teacher.page.goto(`/teach#${link.ok ? link.text : ""}`);
-    await teacher.page.getByLabel("Links and completion codes").fill(copied);
+    const teach = new TeachPage(teacher.page);
+    await teach.openHandIns(link.ok ? link.text : "");
+    await teach.lines.fill(copied);
     await teacher.page.getByRole("button", { name: "Check 1" }).click();
     await expect(teacher.page.getByRole("row").nth(1)).toContainText("1 of 1");
 
