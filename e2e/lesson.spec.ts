@@ -195,13 +195,63 @@ test("counts a task as solved only after a check in its unseen mazes", async ({
   const check = opened.card.getByRole("button", { name: "Check in all 21 mazes" });
   await page.keyboard.press("Escape");
   await check.click();
-  await expect(opened.outcome).toHaveText(/^Unseen maze 1: Bump at /);
-  await expect(opened.card).toContainText("Unseen mazes: your program passes in 0 of 20.");
+  await expect(opened.outcome).toHaveText(/^Tree 1 of seed 7: Bump at /);
+  await expect(opened.card).toContainText(
+    /Passes in 1 of 21\. First failure: Tree 1 of seed 7, bump at \d+\.\d s, “otherwise”/,
+  );
   await corridor.program.addLine("right >", "60", "delayed right 90");
   await corridor.program.addLine("front <", "50", "left 90");
   await check.click();
   await expect(opened.outcome).toHaveText("Challenge solved. Lines used: 2 of 3");
   await expect(opened.task(1)).toHaveAccessibleName("1 Every maze solved");
+});
+
+test("plays the last seconds before a failure in an unseen maze, and leads back", async ({
+  corridor,
+  page,
+}) => {
+  const unseen = { kind: "tree", columns: 11, rows: 11, seed: 7, count: 50, pass: 45 } as const;
+  const checks = { bumps: 0, seconds: 900 };
+  const opened = new Lesson(page);
+  await drop(page, { ...lesson, tasks: [taskOf("Every maze", { unseen, checks }), taskOf("Two")] });
+  await opened.expectTask(1);
+  await corridor.program.addLine("left >", "60", "left 90");
+  await corridor.program.addLine("front <", "30", "right 90");
+  await opened.card.getByRole("button", { name: "Check in all 51 mazes" }).click();
+  const all = opened.card.getByText(/^All mazes that do not pass: \d+$/);
+  await expect(all).toBeVisible();
+  await all.click();
+  const list = opened.card.getByRole("list", { name: "Mazes that do not pass" });
+  const last = list.getByRole("button").last();
+  const name = (await last.textContent()) ?? "";
+  expect(name).toMatch(/^Tree \d+ of seed 7$/);
+  await expectNoAxeViolations(page, "a check with failures");
+  await last.click();
+  await expect(corridor.mazeMenu).toHaveAccessibleName(`${name}, Maze menu`);
+  await expect(corridor.message(/bump at/)).toBeVisible();
+  await expect(corridor.bumps).toHaveText("1 bump");
+  await expect(opened.card).toBeHidden();
+  await page.getByRole("button", { name: "Back to the task" }).click();
+  await opened.expectTask(1);
+  // The result is still there: the next failure needs no second check.
+  await expect(all).toBeVisible();
+  await opened.card.getByRole("button", { name: "Watch" }).click();
+  await expect(corridor.bumps).toHaveText("1 bump");
+});
+
+test("stops a check at once, with the mazes so far", async ({ corridor, page }) => {
+  const unseen = { kind: "tree", columns: 33, rows: 33, seed: 7, count: 1_000, pass: 1 } as const;
+  const checks = { bumps: null, seconds: 3_600 };
+  const opened = new Lesson(page);
+  await drop(page, { ...lesson, tasks: [taskOf("Many", { unseen, checks }), taskOf("Two")] });
+  await opened.expectTask(1);
+  await corridor.program.addLine("front <", "50", "turn 180");
+  await opened.card.getByRole("button", { name: "Check in all 1001 mazes" }).click();
+  await expect(opened.card.getByText(/^Checking [1-9]\d* of 1,001\.$/)).toBeVisible();
+  const stop = opened.card.getByRole("button", { name: "Stop" });
+  await stop.click();
+  await expect(opened.card).toContainText(/Stopped after \d+ of 1,001\./);
+  await expect(opened.card.getByRole("button", { name: /^Check in all/ })).toBeFocused();
 });
 
 test("calls a missed goal the end of the time, never wrong", async ({ corridor, page }) => {

@@ -55,7 +55,13 @@ export {
   type TaskVerdict,
   type UnseenFailure,
 } from "./check-task.ts";
-export { checkUnitAt, countCheckUnits, runCheckUnit, type CheckJob } from "./check-units.ts";
+export {
+  checkUnitAt,
+  countCheckUnits,
+  runCheckUnit,
+  type CheckJob,
+  type CheckUnit,
+} from "./check-units.ts";
 export { GoalTracker } from "./goal-tracker.ts";
 export {
   lessonOf,

@@ -17,7 +17,7 @@ const StudentTrial = lazyPart(async () => (await import("./StudentTrial.tsx")).S
 
 export async function openPage(parts: PageParts): Promise<void> {
   const { root, words, language, screen, device, tools } = parts;
-  await words.loadNamespaces(["teach", "report", "lessonEditor"]);
+  await words.loadNamespaces(["teach", "check", "report", "lessonEditor"]);
   root.render(
     <I18nextProvider i18n={words}>
       <LanguageProvider value={language}>

@@ -4,13 +4,13 @@
  */
 import type { i18n } from "i18next";
 import type { AddressBar } from "../model/address/lesson-address.ts";
-import { startChecker } from "../model/lessons/challenge-checker.ts";
 import { storeSwitches } from "../model/preferences/stored-switches.ts";
 import { ProjectReader } from "../model/projects/project-reader.ts";
 import { createScreenStore, type ScreenStore } from "../model/screen/screen-store.ts";
 import type { Services } from "../model/services.ts";
 import type { KeyValueStorage } from "../model/storage/key-value-storage.ts";
 import { VolatileStorage } from "../model/storage/volatile-storage.ts";
+import { createWorkerPool } from "../simulator/worker-pool.ts";
 import { newSimulator, onSimulatorFailure } from "./boot/simulator-start.ts";
 import { createServices } from "./create-services.ts";
 
@@ -43,7 +43,7 @@ export function openStudentPage({ words, screen: around, device }: SurroundingPa
   const worker = newSimulator();
   const screen = screenLike(around);
   storeSwitches(screen, device);
-  const checker = startChecker();
+  const pool = createWorkerPool();
   const services = createServices({
     worker,
     device: new VolatileStorage(),
@@ -52,7 +52,7 @@ export function openStudentPage({ words, screen: around, device }: SurroundingPa
     screen,
     reader: new ProjectReader(),
     nextFrame: (task) => setTimeout(task, FRAME_MS),
-    own: { checker, bar: noAddressBar },
+    own: { pool, bar: noAddressBar },
   });
   onSimulatorFailure(worker, (reason) => {
     services.simulator.fail(reason || words.t("shell.failure.notLoaded"));
@@ -61,7 +61,7 @@ export function openStudentPage({ words, screen: around, device }: SurroundingPa
     services,
     end: () => {
       worker.terminate();
-      checker.close();
+      pool.close();
     },
   };
 }

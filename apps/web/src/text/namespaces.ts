@@ -4,6 +4,7 @@
  * loaded on first use: `useTranslation("missions")`.
  */
 import type { en } from "./en/index.ts";
+import type check from "./en/check.json";
 import type lessonEditor from "./en/lesson-editor.json";
 import type diagnosis from "./en/diagnosis.json";
 import type missions from "./en/missions.json";
@@ -18,6 +19,8 @@ import type watch from "./en/watch.json";
 
 export interface Namespaces {
   words: typeof en;
+  /** checks of attempts in all mazes of a task */
+  check: typeof check;
   /** why a run failed */
   diagnosis: typeof diagnosis;
   /** the lessons */

@@ -8,6 +8,16 @@ export const partLoaders: Record<
   Exclude<Namespace, "words">,
   Record<LanguageTag, () => Promise<Words>>
 > = {
+  check: {
+    en: async () => (await import("./en/check.json")).default,
+    ar: async () => (await import("./ar/check.json")).default,
+    de: async () => (await import("./de/check.json")).default,
+    es: async () => (await import("./es/check.json")).default,
+    fr: async () => (await import("./fr/check.json")).default,
+    ja: async () => (await import("./ja/check.json")).default,
+    pt: async () => (await import("./pt/check.json")).default,
+    "zh-Hans": async () => (await import("./zh-Hans/check.json")).default,
+  },
   diagnosis: {
     en: async () => (await import("./en/diagnosis.json")).default,
     ar: async () => (await import("./ar/diagnosis.json")).default,

@@ -2,6 +2,7 @@
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
+import { mazeName } from "../../model/check/maze-name.ts";
 import type { KeyValueStorage } from "../../model/storage/key-value-storage.ts";
 import { createWorkerPool } from "../../simulator/worker-pool.ts";
 import { DropView } from "../../ui/DropView.tsx";
@@ -11,7 +12,6 @@ import { HandInFields } from "./HandInFields.tsx";
 import { HandInTable } from "./HandInTable.tsx";
 import { HandInsWork } from "./hand-ins-work.ts";
 import { LessonOpener } from "./LessonOpener.tsx";
-import { mazeName } from "./maze-name.ts";
 import { OpenLesson } from "./OpenLesson.tsx";
 import { SavedLessons } from "./lessons/saved-lessons.ts";
 import { looksLikeLesson } from "./lessons/read-lesson.ts";
@@ -19,8 +19,6 @@ import { readTypedLesson } from "./lessons/read-typed-lesson.ts";
 import { TeachStorage } from "./teach-storage.ts";
 import { HAND_INS_HASH } from "./frame/teach-view.ts";
 
-/** Interval between two updates of the table. */
-const SHOW_MS = 125;
 
 interface HandInsProps {
   /** localStorage */
@@ -65,8 +63,8 @@ function useWork(device: KeyValueStorage): { work: HandInsWork; check: HandInChe
     const pool = createWorkerPool();
     const check = new HandInCheck(
       pool,
-      (show) => setTimeout(show, SHOW_MS),
-      (task, maze) => mazeName(i18n.getFixedT(i18n.language, "teach"), task, maze),
+      (action, milliseconds) => setTimeout(action, milliseconds),
+      (task, maze) => mazeName(i18n.getFixedT(i18n.language, "check"), task, maze),
     );
     const work = new HandInsWork({
       storage: new TeachStorage(device),

@@ -4,6 +4,7 @@ import type { Words } from "../en/words.ts";
 export const files = import.meta.glob<Words>(
   [
     "./*.json",
+    "!./check.json",
     "!./diagnosis.json",
     "!./missions.json",
     "!./other-mazes.json",

@@ -1,27 +1,46 @@
-/** Why a hand-in does not pass, in a sentence with its numbers. */
+/** Why an attempt does not pass, as a fact with its numbers. */
 import type { Failure, LessonTask } from "@corridor/challenge";
 import type { TFunction } from "i18next";
 import { roundedSides } from "../../text/compared.ts";
 import { formatSeconds, localNumber } from "../../text/numbers.ts";
-import type { FirstFailure } from "./hand-in-result.ts";
+import { isTimeLimit, type MazeFailure } from "./attempt-result.ts";
 import { mazeName } from "./maze-name.ts";
 
-interface Words {
-  t: TFunction<"teach">;
+export interface CheckWords {
+  /** with the namespace "check" loaded */
+  t: TFunction<"check">;
   language: string;
 }
 
+/** "Tree 31 of seed 7: bump at 12.4 s, line 2" */
 export function failureSentence(
-  words: Words,
+  words: CheckWords,
   task: LessonTask,
-  { maze, failure }: FirstFailure,
+  { maze, failure }: MazeFailure,
 ): string {
   const reason = reasonText(words, task, failure);
   if (maze === null) return reason;
   return words.t("failure.inMaze", { maze: mazeName(words.t, task, maze), reason });
 }
 
-function reasonText({ t, language }: Words, task: LessonTask, failure: Failure): string {
+/** "First failure: Tree 31 of seed 7, bump at 12.4 s, line 2." */
+export function firstFailureSentence(
+  words: CheckWords,
+  task: LessonTask,
+  { maze, failure }: MazeFailure,
+): string {
+  const reason = reasonText(words, task, failure);
+  const known = { maze: mazeName(words.t, task, maze ?? 0), reason };
+  // The reason for a time limit contains a sentence of its own.
+  return words.t(isTimeLimit(failure) ? "failure.firstTimeLimit" : "failure.first", known);
+}
+
+/** "bump at 12.4 s, line 2" */
+export function reasonText(
+  { t, language }: CheckWords,
+  task: LessonTask,
+  failure: Failure,
+): string {
   const { code, line, tick } = failure;
   const { found, needed } = numbers(failure, language);
   const { seconds } = task.checks;

@@ -2,10 +2,13 @@
 import type { LessonTask } from "@corridor/challenge";
 import type { TFunction } from "i18next";
 
-/** @param maze see `mazeOf` */
+/**
+ * @param t with the namespace "check" loaded
+ * @param maze see `mazeOf`
+ */
 export function mazeName(
-  t: TFunction<"teach">,
-  { mazes, unseen }: LessonTask,
+  t: TFunction<"check">,
+  { mazes, unseen }: Pick<LessonTask, "mazes" | "unseen">,
   maze: number,
 ): string {
   if (maze < mazes.length || unseen === null) return t("maze.given", { number: maze + 1 });

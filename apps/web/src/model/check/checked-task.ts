@@ -1,4 +1,4 @@
-/** Requests to the worker that checks programs against tasks, and its answers. */
+/** What a check of a program in all mazes of a task finds. */
 import type { LessonTask, MazeOutcome, TaskVerdict } from "@corridor/challenge";
 import type { Diagnosis } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";

@@ -1,4 +1,4 @@
-/** What the table shows of an attempt at a task, while it is checked and afterwards. */
+/** What is known of an attempt at a task, while it is checked in all mazes and afterwards. */
 import {
   countMazes,
   isProgram,
@@ -34,14 +34,14 @@ export type Verdict =
   /** not checked in every maze */
   | "open";
 
-/** The first maze in which an attempt fails. */
-export interface FirstFailure {
+/** A maze in which an attempt fails. */
+export interface MazeFailure {
   /** see `mazeOf`; null if the task does not allow the attempt */
   maze: number | null;
   failure: Failure;
 }
 
-export interface HandInResult {
+export interface AttemptResult {
   verdict: Verdict;
   /** number of mazes in which the attempt passes, of `checked` mazes */
   passed: number;
@@ -53,7 +53,7 @@ export interface HandInResult {
   /** ticks in the slowest given maze; null unless the attempt passes in all of them */
   ticks: number | null;
   /** null until all mazes before it are checked */
-  first: FirstFailure | null;
+  first: MazeFailure | null;
 }
 
 /** @param outcomes by maze; undefined for a maze that is not checked yet */
@@ -62,7 +62,7 @@ export function resultOf(
   attempt: Attempt,
   violation: Failure | null,
   outcomes: readonly (MazeOutcome | undefined)[],
-): HandInResult {
+): AttemptResult {
   const mazes = countMazes(task);
   const lines = isProgram(attempt) ? attempt.rules.length : null;
   const common = { mazes, lines };
@@ -89,10 +89,21 @@ export function resultOf(
   return { ...common, ...counts, verdict, ticks, first };
 }
 
+/** Every maze in which an attempt fails, in order. */
+export function failuresOf(outcomes: readonly (MazeOutcome | undefined)[]): MazeFailure[] {
+  const found: MazeFailure[] = [];
+  for (const [maze, outcome] of outcomes.entries()) {
+    if (outcome !== undefined && outcome.failure !== null) {
+      found.push({ maze, failure: outcome.failure });
+    }
+  }
+  return found;
+}
+
 function firstFailure(
   outcomes: readonly (MazeOutcome | undefined)[],
   mazes: number,
-): FirstFailure | null {
+): MazeFailure | null {
   for (let maze = 0; maze < mazes; maze++) {
     const outcome = outcomes[maze];
     if (outcome === undefined) return null;
