@@ -53,7 +53,7 @@ export function CheckResult({ task, service }: CheckResultProps) {
 
 interface FinishedProps extends CheckResultProps {
   progress: CheckProgress;
-  /** whether the task tells which line caused a failure */
+  /** whether the task shows which line caused a failure */
   hasBlame: boolean;
 }
 

@@ -19,7 +19,6 @@ import { readTypedLesson } from "./lessons/read-typed-lesson.ts";
 import { TeachStorage } from "./teach-storage.ts";
 import { HAND_INS_HASH } from "./frame/teach-view.ts";
 
-
 interface HandInsProps {
   /** localStorage */
   device: KeyValueStorage;
