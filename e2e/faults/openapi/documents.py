@@ -14,8 +14,10 @@ def apply_rules(body):
     body = copy.deepcopy(body)
     if body.get("format") == "corridor/maze":
         apply_maze_rules(body)
+    elif body.get("format") == "corridor/project":
+        apply_maze_rules(body["maze"])
     elif body.get("format") == "corridor/challenge":
-        apply_challenge_rules(body)
+        apply_lesson_rules(body)
     elif "action" in body and "age" in body:
         body["age"] = min(body["age"], YOUNG * body.get("ttl", DEFAULT_TTL))
     return body
@@ -32,6 +34,14 @@ def apply_maze_rules(maze):
     maze["blocks"] = ["".join(row) for row in rows]
 
 
+def apply_lesson_rules(lesson):
+    """A challenge document of either version."""
+    for task in lesson.get("tasks", [lesson]):
+        apply_challenge_rules(task)
+    if "survey" in lesson:
+        lesson["survey"] = list({each["id"]: each for each in lesson["survey"]}.values())
+
+
 def apply_challenge_rules(challenge):
     """Makes the goal reachable in its mazes, within its time and with its lines."""
     goal, checks, program = challenge["goal"], challenge["checks"], challenge["program"]
@@ -45,3 +55,5 @@ def apply_challenge_rules(challenge):
         goal["seconds"] = min(goal["seconds"], checks["seconds"])
     if program is not None:
         challenge["allowed"]["lines"] = max(challenge["allowed"]["lines"], len(program["rules"]))
+    if challenge.get("unseen"):
+        challenge["unseen"]["pass"] = min(challenge["unseen"]["pass"], challenge["unseen"]["count"])
