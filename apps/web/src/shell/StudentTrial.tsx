@@ -18,8 +18,7 @@ export function StudentTrial({ page, lesson, program, onSolved, band }: StudentT
     void services.lessons.openShared(lesson, program).finally(() => {
       services.screen.setState({ isOpening: false });
     });
-    // A lesson that opens is not opened again: the student's work would be lost.
-    // oxlint-disable-next-line react/exhaustive-deps
+    // oxlint-disable-next-line react/exhaustive-deps -- opening the lesson again would lose the student's work
   }, [services]);
   const report = useEffectEvent((state: ChallengeState): void => {
     const task = openTask(state);
