@@ -118,6 +118,8 @@ test("has no axe violations on any page, in both themes and on the smallest phon
     const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     expect(overflow, path).toBeLessThanOrEqual(0);
     await expectNone(allRules(page), path);
+    // The pages of the problem types have the same elements, so one of them stands for their colours.
+    if (path.startsWith("/problems/") && path !== "/problems/too-late") continue;
     await page.emulateMedia({ colorScheme: "dark" });
     await expectNone(onlyColours(page), path);
   }

@@ -5,6 +5,7 @@ import type { Page } from "playwright/test";
 import { readFileSync } from "node:fs";
 import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
+import { TeachPage } from "./pages/teach-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 import { horizontalOverflow } from "./support/layout.ts";
 
@@ -194,13 +195,61 @@ test("counts a task as solved only after a check in its unseen mazes", async ({
   const check = opened.card.getByRole("button", { name: "Check in all 21 mazes" });
   await page.keyboard.press("Escape");
   await check.click();
-  await expect(opened.outcome).toHaveText(/^Unseen maze 1: Bump at /);
-  await expect(opened.card).toContainText("Unseen mazes: your program passes in 0 of 20.");
+  await expect(opened.outcome).toHaveText(/^Tree 1 of seed 7: Bump at /);
+  await expect(opened.card).toContainText(
+    /Passes in 1 of 21\. First failure: Tree 1 of seed 7, bump at \d+\.\d s, “otherwise”/,
+  );
   await corridor.program.addLine("right >", "60", "delayed right 90");
   await corridor.program.addLine("front <", "50", "left 90");
   await check.click();
   await expect(opened.outcome).toHaveText("Challenge solved. Lines used: 2 of 3");
   await expect(opened.task(1)).toHaveAccessibleName("1 Every maze solved");
+});
+
+test("plays the last seconds before a failure in an unseen maze, and leads back", async ({
+  corridor,
+  page,
+}) => {
+  const unseen = { kind: "tree", columns: 11, rows: 11, seed: 7, count: 50, pass: 45 } as const;
+  const checks = { bumps: 0, seconds: 900 };
+  const opened = new Lesson(page);
+  await drop(page, { ...lesson, tasks: [taskOf("Every maze", { unseen, checks }), taskOf("Two")] });
+  await opened.expectTask(1);
+  await opened.card.getByRole("button", { name: "Check in all 51 mazes" }).click();
+  const all = opened.card.getByText(/^All mazes that do not pass: \d+$/);
+  await expect(all).toBeVisible();
+  await all.click();
+  const list = opened.card.getByRole("list", { name: "Mazes that do not pass" });
+  const last = list.getByRole("button").last();
+  const name = (await last.textContent()) ?? "";
+  expect(name).toMatch(/^Tree \d+ of seed 7$/);
+  await expectNoAxeViolations(page, "a check with failures");
+  await last.click();
+  await expect(corridor.mazeMenu).toHaveAccessibleName(`${name}, Maze menu`);
+  await expect(corridor.message(/bump at/)).toBeVisible();
+  await expect(corridor.bumps).toHaveText("1 bump");
+  await expect(opened.card).toBeHidden();
+  await page.getByRole("button", { name: "Back to the task" }).click();
+  await opened.expectTask(1);
+  // The result is still there: the next failure needs no second check.
+  await expect(all).toBeVisible();
+  await opened.card.getByRole("button", { name: "Watch" }).click();
+  await expect(corridor.bumps).toHaveText("1 bump");
+});
+
+test("stops a check at once, with the mazes so far", async ({ corridor, page }) => {
+  const unseen = { kind: "tree", columns: 33, rows: 33, seed: 7, count: 1_000, pass: 1 } as const;
+  const checks = { bumps: null, seconds: 3_600 };
+  const opened = new Lesson(page);
+  await drop(page, { ...lesson, tasks: [taskOf("Many", { unseen, checks }), taskOf("Two")] });
+  await opened.expectTask(1);
+  await corridor.program.addLine("front <", "50", "turn 180");
+  await opened.card.getByRole("button", { name: "Check in all 1001 mazes" }).click();
+  await expect(opened.card.getByText(/^Checking [1-9]\d* of 1,001\.$/)).toBeVisible();
+  const stop = opened.card.getByRole("button", { name: "Stop" });
+  await stop.click();
+  await expect(opened.card).toContainText(/Stopped after \d+ of 1,001\./);
+  await expect(opened.card.getByRole("button", { name: /^Check in all/ })).toBeFocused();
 });
 
 test("calls a missed goal the end of the time, never wrong", async ({ corridor, page }) => {
@@ -397,8 +446,9 @@ test.describe("the completion code of a solved task", () => {
 
     const teacher = await openWindow();
     const link = encodeLink({ lesson });
-    await teacher.page.goto(`/teach#${link.ok ? link.text : ""}`);
-    await teacher.page.getByLabel("Links and completion codes").fill(copied);
+    const teach = new TeachPage(teacher.page);
+    await teach.openHandIns(link.ok ? link.text : "");
+    await teach.lines.fill(copied);
     await teacher.page.getByRole("button", { name: "Check 1" }).click();
     await expect(teacher.page.getByRole("row").nth(1)).toContainText("1 of 1");
 

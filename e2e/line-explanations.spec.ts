@@ -82,15 +82,14 @@ test("keeps the tick mark of a line in place while its number changes", async ({
         const recordFrame = (): void => {
           lengths.add(number?.textContent.length ?? 0);
           positions.add(tick?.getBoundingClientRect().left ?? 0);
-          // Both lengths occur while the line is true. A false line has a lighter font weight.
-          const isComplete = lengths.has(3) && lengths.has(5);
-          if (isComplete) resolve({ lengths: [...lengths], positions: [...positions] });
+          // Two lengths occur while the line is true. A false line has a lighter font weight.
+          if (lengths.size > 1) resolve({ lengths: [...lengths], positions: [...positions] });
           else requestAnimationFrame(recordFrame);
         };
         recordFrame();
       }),
   );
-  // Such as "250" and "241.7".
+  // Such as "250" and "241.7", or "103.4" and "98.1" on a machine that shows few frames.
   expect(seen.positions, `numbers of ${seen.lengths.join(", ")} characters`).toHaveLength(1);
 });
 

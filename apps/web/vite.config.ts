@@ -107,6 +107,8 @@ export default defineConfig({
               name: "react",
               test: /node_modules\/(?:react|react-dom|scheduler|i18next|react-i18next|zustand|zundo|use-sync-external-store)|ui\/(?:Button|Icon|button\.module|class-names|field\.module)|icons\/x\.|maze-limits|maze-cells|languages\.ts|program\/src\/(?:vocabulary|condition-parts|same-program)|rolldown\/runtime|vite\/preload-helper|src\/text\/numbers/,
             },
+            // Otherwise each module that another page shares with the first screen becomes a file.
+            { name: "page", tags: ["$initial"] },
           ],
         },
       },

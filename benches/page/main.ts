@@ -8,13 +8,21 @@ import { RelayProcess } from "../../tests/support/relay-process.ts";
 import { chromiumArguments, requireChromium } from "../../scripts/chromium.ts";
 import { formatGoal, isMet, type Goal } from "../core/goals.ts";
 import { firstVisit } from "./first-visit.ts";
+import { lessonCheck } from "./lesson-check.ts";
 import { otherMazes } from "./other-mazes.ts";
 import { frames } from "./frames.ts";
 import { scrubbing } from "./scrubbing.ts";
 import { storedEndings } from "./stored-endings.ts";
 import type { Section } from "./section.ts";
 
-const sections: readonly Section[] = [frames, storedEndings, scrubbing, firstVisit, otherMazes];
+const sections: readonly Section[] = [
+  frames,
+  storedEndings,
+  scrubbing,
+  firstVisit,
+  otherMazes,
+  lessonCheck,
+];
 
 const filters = process.argv.slice(2).map((filter) => filter.toLowerCase());
 const selected = sections.filter(

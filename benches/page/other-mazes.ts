@@ -10,6 +10,7 @@ import type { Browser, Page } from "playwright";
 import { formatNumber, type Goal } from "../core/goals.ts";
 import { median } from "../core/measure.ts";
 import { traceFrames } from "./frame-times.ts";
+import { capturePoolWorkerUrl, runAlone } from "./pool-worker.ts";
 import type { PageUnderTest, Section } from "./section.ts";
 
 const ROUNDS = 5;
@@ -23,11 +24,6 @@ const MAZES = 100;
  */
 const programs = ["right-wall", "left-at-every-wall"] as const;
 
-declare global {
-  /** URL of the worker script that tries mazes; set when the page has started a worker */
-  var trialWorkerUrl: string | undefined;
-}
-
 export const otherMazes: Section = { title: "Other mazes", measure };
 
 async function measure({ browser, url }: PageUnderTest): Promise<readonly Goal[]> {
@@ -40,7 +36,7 @@ async function measure({ browser, url }: PageUnderTest): Promise<readonly Goal[]
     const times: { first: number; all: number; raw: number }[] = [];
     for (let round = 0; round <= ROUNDS; round++) {
       const { first, all } = await page.evaluate(clickAndWait, MAZES);
-      const raw = await page.evaluate(runAlone, { program, side: SIDE, mazes: MAZES });
+      const raw = await page.evaluate(runAlone, { program, side: SIDE, mazes: MAZES, first: 1 });
       // The first round loads the dialog and its texts.
       if (round > 0) times.push({ first, all, raw });
     }
@@ -82,7 +78,7 @@ async function openWith(browser: Browser, url: string, program: ProgramDocument)
   const viewport = { width: 1440, height: 900 };
   const page = await browser.newPage({ viewport, reducedMotion: "reduce" });
   page.setDefaultTimeout(120_000);
-  await page.addInitScript(captureTrialWorkerUrl);
+  await page.addInitScript(capturePoolWorkerUrl);
   await page.goto(`${url}/#${link.text}`);
   await page.getByRole("button", { name: "Try it in other mazes" }).waitFor();
   // Resources that load late belong to the first visit, not to this measurement.
@@ -111,17 +107,6 @@ async function measureFramesDuringTrials(browser: Browser, page: Page): Promise<
   };
 }
 
-/** Runs in the page before its own scripts. */
-function captureTrialWorkerUrl(): void {
-  const PlainWorker = globalThis.Worker;
-  globalThis.Worker = class extends PlainWorker {
-    constructor(address: string | URL, options?: WorkerOptions) {
-      super(address, options);
-      if (String(address).includes("pool.worker")) globalThis.trialWorkerUrl = String(address);
-    }
-  };
-}
-
 /**
  * Runs in the page. Opens the dialog, waits for all results and closes it.
  * @returns milliseconds until the first result and until all results are displayed
@@ -147,34 +132,4 @@ async function clickAndWait(mazes: number): Promise<{ first: number; all: number
   document.querySelector<HTMLElement>("dialog[open] button")?.click();
   await new Promise((resolve) => setTimeout(resolve, 200));
   return { first, all };
-}
-
-/** Runs in the page. Runs all mazes in one worker that is warmed up. @returns milliseconds */
-async function runAlone(job: {
-  program: ProgramDocument;
-  side: number;
-  mazes: number;
-}): Promise<number> {
-  const { trialWorkerUrl } = globalThis;
-  if (trialWorkerUrl === undefined) throw new Error("the page has not started a trial worker");
-  const worker = new Worker(trialWorkerUrl, { type: "module" });
-  const run = async (): Promise<number> => {
-    const start = performance.now();
-    const mazes = { kind: "tree", side: job.side };
-    const trial = { kind: "trial", program: job.program, mazes, first: 1 };
-    worker.postMessage({ type: "begin", id: 0, job: trial });
-    worker.postMessage({ type: "units", from: 0, to: job.mazes });
-    await new Promise<void>((resolve) => {
-      let results = 0;
-      worker.onmessage = ({ data }: MessageEvent<{ results: unknown[] }>) => {
-        results += data.results.length;
-        if (results === job.mazes) resolve();
-      };
-    });
-    return performance.now() - start;
-  };
-  await run();
-  const elapsed = await run();
-  worker.terminate();
-  return elapsed;
 }

@@ -18,7 +18,9 @@ export class TeachPage {
 
   /** Opens the hand-ins of a lesson. @param link text after # */
   async openHandIns(link: string): Promise<void> {
-    await this.page.goto(`/teach#${link}`);
+    await this.page.goto("/teach#hand-ins");
+    await this.lesson.fill(link);
+    await this.openLesson.click();
     await expect(this.lines).toBeVisible();
   }
 

@@ -65,7 +65,7 @@ async function start(): Promise<void> {
   if (other !== null) {
     return other.then(
       ({ openPage }) =>
-        openPage({ root, words, language, device, tools: <PageTools screen={screen} /> }),
+        openPage({ root, words, language, screen, device, tools: <PageTools screen={screen} /> }),
       () => window.corridorFailed(),
     );
   }

@@ -14,6 +14,8 @@ def apply_rules(body):
     body = copy.deepcopy(body)
     if body.get("format") == "corridor/maze":
         apply_maze_rules(body)
+    elif body.get("format") == "corridor/project":
+        apply_maze_rules(body["maze"])
     elif body.get("format") == "corridor/challenge":
         apply_lesson_rules(body)
     elif "lesson" in body:

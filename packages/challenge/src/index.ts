@@ -24,11 +24,14 @@ export {
   MAX_GOAL_DISTANCE,
   MAX_HINTS,
   MAX_LANGUAGE_LENGTH,
+  MAX_LESSON_SECONDS,
   MAX_QUESTION_LENGTH,
   MAX_SHORT_LENGTH,
   MAX_SURVEY_QUESTIONS,
   MAX_TASK_LENGTH,
   MAX_TASKS,
+  MAX_UNSEEN_COUNT,
+  MAX_UNSEEN_SEED,
   MAX_UNSEEN_SIDE,
   MIN_UNSEEN_SIDE,
   toolNames,
@@ -52,13 +55,20 @@ export {
   type TaskVerdict,
   type UnseenFailure,
 } from "./check-task.ts";
-export { checkUnitAt, countCheckUnits, runCheckUnit, type CheckJob } from "./check-units.ts";
+export {
+  checkUnitAt,
+  countCheckUnits,
+  runCheckUnit,
+  type CheckJob,
+  type CheckUnit,
+} from "./check-units.ts";
 export { GoalTracker } from "./goal-tracker.ts";
 export {
   lessonOf,
   oldestDocumentOf,
   parseLesson,
   readLesson,
+  readLessonDraft,
   taskOf,
   type LessonDocument,
   type LessonTask,

@@ -1,5 +1,11 @@
 import { describe, expect, it } from "vitest";
-import { lessonOf, oldestDocumentOf, parseLesson, readLesson } from "./lesson-document.ts";
+import {
+  lessonOf,
+  oldestDocumentOf,
+  parseLesson,
+  readLesson,
+  readLessonDraft,
+} from "./lesson-document.ts";
 import type { LessonDocument, LessonTask } from "./lesson-document.ts";
 import { sampleChallenge } from "./testing/sample-challenge.ts";
 import { sampleLesson, sampleTask } from "./testing/sample-lesson.ts";
@@ -82,5 +88,20 @@ describe("a lesson", () => {
   ])("refuses unseen mazes with %s", (_, change, problem) => {
     const unseen = { ...sampleTask.unseen, ...change } as LessonTask["unseen"];
     expect(problemsOf(withTask({ unseen })).join("\n")).toContain(problem);
+  });
+});
+
+describe("a lesson that is still being written", () => {
+  it("may contradict itself, and is read as it was written", () => {
+    const [maze] = sampleTask.mazes;
+    const tasks = [{ ...sampleTask, mazes: maze === undefined ? [] : [{ ...maze, goals: [] }] }];
+    const draft = { ...sampleLesson, tasks };
+    expect(parseLesson(draft).ok).toBe(false);
+    expect(readLessonDraft(JSON.stringify(draft))).toEqual({ ok: true, value: draft });
+  });
+
+  it("has fields within their bounds all the same", () => {
+    const read = readLessonDraft(JSON.stringify({ ...sampleLesson, order: "random" }));
+    expect(read.ok).toBe(false);
   });
 });

@@ -18,22 +18,23 @@ import { allowedInLesson, findContradictions, taskFields, textOf } from "./task-
 import { unseenSchema } from "./unseen-mazes.ts";
 import { MAX_NAME_LENGTH } from "@corridor/program";
 
-const task = z
-  .strictObject(
-    {
-      ...taskFields(MAX_LESSON_SECONDS),
-      allowed: allowedInLesson,
-      /** generated mazes in which an attempt must pass as well, or null */
-      unseen: unseenSchema.nullable(),
-    },
-    { error: "a task: an object" },
-  )
-  .check(({ value, issues }) => {
-    findContradictions(value, (path, message) => {
-      issues.push({ code: "custom", path, message, input: value });
-    });
+/** A task, whose fields may contradict each other. */
+const draftTask = z.strictObject(
+  {
+    ...taskFields(MAX_LESSON_SECONDS),
+    allowed: allowedInLesson,
+    /** generated mazes in which an attempt must pass as well, or null */
+    unseen: unseenSchema.nullable(),
+  },
+  { error: "a task: an object" },
+);
+export type LessonTask = z.infer<typeof draftTask>;
+
+const task = draftTask.check(({ value, issues }) => {
+  findContradictions(value, (path, message) => {
+    issues.push({ code: "custom", path, message, input: value });
   });
-export type LessonTask = z.infer<typeof task>;
+});
 
 const LANGUAGE = /^[A-Za-z]{2,8}(?:-[A-Za-z0-9]{1,8})*$/;
 const language = z
@@ -54,6 +55,13 @@ const question = z.strictObject(
 
 const VERSIONS = "version 1 or 2, the newest that this Corridor reads";
 
+/** A list of 1 to 12 tasks. */
+const tasksOf = (each: typeof draftTask) =>
+  z
+    .array(each, { error: "a list of tasks" })
+    .min(1, { error: "at least one task" })
+    .max(MAX_TASKS, { error: `at most ${MAX_TASKS} tasks` });
+
 export const lessonSchema = z.strictObject(
   {
     format: z.literal("corridor/challenge", { error: '"corridor/challenge"' }),
@@ -64,10 +72,7 @@ export const lessonSchema = z.strictObject(
     intro: textOf(MAX_TASK_LENGTH),
     /** `in turn`: a task opens when the one before it is solved */
     order: z.enum(["any", "in turn"], { error: '"any" or "in turn"' }),
-    tasks: z
-      .array(task, { error: "a list of tasks" })
-      .min(1, { error: "at least one task" })
-      .max(MAX_TASKS, { error: `at most ${MAX_TASKS} tasks` }),
+    tasks: tasksOf(task),
     /** questions with answers from 1 (no help) to 5 (very helpful) */
     survey: z
       .array(question, { error: "a list of questions" })
@@ -79,6 +84,8 @@ export const lessonSchema = z.strictObject(
   { error: "a lesson: an object" },
 );
 export type LessonDocument = z.infer<typeof lessonSchema>;
+
+const draftSchema = lessonSchema.extend({ tasks: tasksOf(draftTask) });
 
 /** A challenge document of either version. */
 export const challengeOrLessonSchema = z.discriminatedUnion(
@@ -97,6 +104,14 @@ export function parseLesson(input: unknown): ReadResult<LessonDocument> {
 /** Reads a lesson of either version from JSON text. */
 export function readLesson(text: string): ReadResult<LessonDocument> {
   return asLesson(readJson(challengeOrLessonSchema, text, MAX_CHALLENGE_TEXT_LENGTH));
+}
+
+/**
+ * Reads a lesson that is still being written: version 2, whose fields may contradict each other. A
+ * maze may lack the goal that its task requires, for example.
+ */
+export function readLessonDraft(text: string): ReadResult<LessonDocument> {
+  return readJson(draftSchema, text, MAX_CHALLENGE_TEXT_LENGTH);
 }
 
 /** The lesson of one task that a challenge document contains. */

@@ -1,6 +1,7 @@
 /** The stage, with the parts that other features add. */
 import { RunEventCards } from "../features/cards/RunEventCards.tsx";
 import { ChallengePlace } from "../features/lessons/OpenChallenge.tsx";
+import { HistoryButtons } from "../features/maze-editor/HistoryButtons.tsx";
 import { Stage } from "../features/maze-editor/Stage.tsx";
 import { RacePlace } from "../features/race/RacePlace.tsx";
 import { lazyPart } from "../ui/lazy-part.tsx";
@@ -11,6 +12,7 @@ const SoundMenu = lazyPart(async () => (await import("../features/sound/SoundMen
 export function StageArea() {
   return (
     <Stage
+      history={<HistoryButtons />}
       strip={
         <>
           <ChallengePlace />

@@ -9,6 +9,7 @@ import { namedAfterEdit } from "../model/workspace/own-program.ts";
 import { createSolvedStore } from "../model/presets/solved-presets.ts";
 import { Speech } from "../model/speech/speech.ts";
 import { LessonsEntry } from "../model/lessons/lessons-entry.ts";
+import type { LessonsPorts } from "../model/lessons/lessons-ports.ts";
 import { LessonsStorage } from "../model/lessons/lessons-storage.ts";
 import { createCameraStore } from "../model/screen/camera-store.ts";
 import {
@@ -40,6 +41,7 @@ import { sendEdits } from "../model/workspace/send-edits.ts";
 import { ProjectService } from "../model/projects/project-service.ts";
 import { ProjectStorage } from "../model/projects/project-storage.ts";
 import type { KeyValueStorage } from "../model/storage/key-value-storage.ts";
+import { newTextId } from "../model/storage/new-text-id.ts";
 
 /** Dependencies from the browser; tests inject others. */
 export interface Browser {
@@ -55,11 +57,13 @@ export interface Browser {
   screen: ScreenStore;
   /** parser of stored projects; already loaded if something is stored */
   reader: ProjectReader;
+  /** see `LessonsPorts` */
+  own?: LessonsPorts["own"];
 }
 
 /** Creates and connects everything: documents flow to the worker, its messages to the stores. */
 export function createServices(browser: Browser): Services {
-  const { worker, device, tab, words, screen, reader, nextFrame } = browser;
+  const { worker, device, tab, words, screen, reader, nextFrame, own } = browser;
   const store = new ProjectStorage(device, () => reader.read);
   const first = firstProject(words);
   const current = new CurrentProject(
@@ -184,6 +188,7 @@ export function createServices(browser: Browser): Services {
     storage,
     device,
     words,
+    own,
   });
   return {
     advice,
@@ -207,10 +212,4 @@ export function createServices(browser: Browser): Services {
     lessons,
     speech,
   };
-}
-
-/** A random id. crypto.randomUUID is not available in insecure contexts. */
-function newTextId(): string {
-  const bytes = crypto.getRandomValues(new Uint8Array(12));
-  return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
 }

@@ -46,10 +46,14 @@ export class WorkerPool {
     this.#size = size;
   }
 
-  /** Starts the workers, so that they are ready for a job. */
-  open(): void {
-    if (this.#workers.length > 0) return;
-    this.#workers = Array.from({ length: this.#size }, () => this.#startWorker());
+  /**
+   * Starts the workers, so that they are ready for a job.
+   * @param count number of units of the job; it needs no more workers
+   */
+  open(count = this.#size): void {
+    while (this.#workers.length < Math.min(count, this.#size)) {
+      this.#workers.push(this.#startWorker());
+    }
   }
 
   /**
@@ -59,7 +63,7 @@ export class WorkerPool {
   run(job: PoolJob, count: number, listener: PoolListener): void {
     this.stop();
     if (count === 0) return;
-    this.open();
+    this.open(count);
     this.#running = { listener, count, left: count, next: 0, isStopped: false };
     for (const worker of this.#workers) {
       worker.waiting = 0;

@@ -4,6 +4,8 @@
  * loaded on first use: `useTranslation("missions")`.
  */
 import type { en } from "./en/index.ts";
+import type check from "./en/check.json";
+import type lessonEditor from "./en/lesson-editor.json";
 import type diagnosis from "./en/diagnosis.json";
 import type missions from "./en/missions.json";
 import type otherMazes from "./en/other-mazes.json";
@@ -17,6 +19,8 @@ import type watch from "./en/watch.json";
 
 export interface Namespaces {
   words: typeof en;
+  /** checks of attempts in all mazes of a task */
+  check: typeof check;
   /** why a run failed */
   diagnosis: typeof diagnosis;
   /** the lessons */
@@ -33,6 +37,8 @@ export interface Namespaces {
   daily: typeof daily;
   /** sounds of the run */
   sound: typeof sound;
+  /** the lesson editor */
+  lessonEditor: typeof lessonEditor;
   /** the pages for teachers */
   teach: typeof teach;
   /** the page of a viewer */

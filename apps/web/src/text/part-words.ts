@@ -8,6 +8,16 @@ export const partLoaders: Record<
   Exclude<Namespace, "words">,
   Record<LanguageTag, () => Promise<Words>>
 > = {
+  check: {
+    en: async () => (await import("./en/check.json")).default,
+    ar: async () => (await import("./ar/check.json")).default,
+    de: async () => (await import("./de/check.json")).default,
+    es: async () => (await import("./es/check.json")).default,
+    fr: async () => (await import("./fr/check.json")).default,
+    ja: async () => (await import("./ja/check.json")).default,
+    pt: async () => (await import("./pt/check.json")).default,
+    "zh-Hans": async () => (await import("./zh-Hans/check.json")).default,
+  },
   diagnosis: {
     en: async () => (await import("./en/diagnosis.json")).default,
     ar: async () => (await import("./ar/diagnosis.json")).default,
@@ -87,6 +97,16 @@ export const partLoaders: Record<
     ja: async () => (await import("./ja/sound.json")).default,
     pt: async () => (await import("./pt/sound.json")).default,
     "zh-Hans": async () => (await import("./zh-Hans/sound.json")).default,
+  },
+  lessonEditor: {
+    en: async () => (await import("./en/lesson-editor.json")).default,
+    ar: async () => (await import("./ar/lesson-editor.json")).default,
+    de: async () => (await import("./de/lesson-editor.json")).default,
+    es: async () => (await import("./es/lesson-editor.json")).default,
+    fr: async () => (await import("./fr/lesson-editor.json")).default,
+    ja: async () => (await import("./ja/lesson-editor.json")).default,
+    pt: async () => (await import("./pt/lesson-editor.json")).default,
+    "zh-Hans": async () => (await import("./zh-Hans/lesson-editor.json")).default,
   },
   teach: {
     en: async () => (await import("./en/teach.json")).default,

@@ -35,26 +35,14 @@ export function FileDropTarget({ children }: { children: ReactNode }) {
 
   const paste = useCallback(
     async (text: string): Promise<void> => {
-      let pasted: "file" | "script" | "other" | URL;
       try {
-        const { readPasted } = await import("./read-pasted.ts");
-        pasted = readPasted(text, location.origin);
+        const { openPasted } = await import("./open-pasted.ts");
+        await openPasted(services, i18n, text, take);
       } catch {
         showMessage(services.screen, { tone: "bad", text: i18n.t("offline.partFailed") });
-        return;
-      }
-      if (pasted === "file") {
-        const name = t("files.pasted");
-        await take([{ name, size: text.length, text: () => Promise.resolve(text) }]);
-      } else if (pasted === "script" || pasted === "other") {
-        const key = pasted === "script" ? "files.scriptAddress" : "files.strayText";
-        showMessage(services.screen, { tone: "info", text: t(key) });
-      } else {
-        // Navigates as the address bar does: for this page, only the fragment changes.
-        location.assign(pasted);
       }
     },
-    [take, services, i18n, t],
+    [take, services, i18n],
   );
 
   useEffect(

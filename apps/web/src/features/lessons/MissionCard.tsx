@@ -1,5 +1,5 @@
 /** The open task in the panel: its lesson, its text, hints one by one, the check and the next step. */
-import { ArrowRight, ChevronDown, ChevronUp, House, ListChecks, ListRestart } from "lucide";
+import { ArrowRight, ChevronDown, ChevronUp, House, ListChecks, ListRestart, Square } from "lucide";
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -16,6 +16,7 @@ import { Button, IconButton } from "../../ui/Button.tsx";
 import { lazyPart } from "../../ui/lazy-part.tsx";
 import type { LessonsService } from "../../model/lessons/lessons-service.ts";
 import { nextTaskOf } from "../../model/lessons/task-order.ts";
+import { CheckResult } from "./CheckResult.tsx";
 import { LessonHead, TaskRow } from "./LessonHead.tsx";
 import { HintButton, HintList } from "./MissionHints.tsx";
 import { MissionMazes } from "./MissionMazes.tsx";
@@ -143,6 +144,7 @@ function OpenMission({ service }: { service: LessonsService }) {
       ) : (
         <BonusOutcome id={bonus} service={service} />
       )}
+      <CheckResult task={open} service={service} />
       {mission === null && <CompletionCodePlace />}
       <HintList
         hints={isFolded ? [] : hints.slice(0, hintsShown)}
@@ -208,17 +210,9 @@ function UnseenNote() {
   const { t } = useTranslation("missions", { useSuspense: false });
   const { challenge: store } = useServices();
   const unseen = useStore(store, (state) => openTask(state)?.unseen ?? null);
-  const failures = useStore(store, ({ checked }) => checked?.unseenFailures.length ?? null);
-  const isRun = useStore(store, ({ checked }) => (checked?.mazes.length ?? 0) > 0);
   if (unseen === null) return null;
   const { count: all, pass } = unseen;
-  return (
-    <p className={styles["unseen"]}>
-      {isRun && failures !== null
-        ? t("lesson.unseenPassed", { passed: all - failures, all, pass })
-        : t("lesson.unseen", { all, pass })}
-    </p>
-  );
+  return <p className={styles["unseen"]}>{t("lesson.unseen", { all, pass })}</p>;
 }
 
 /**
@@ -226,7 +220,7 @@ function UnseenNote() {
  * tasks or the Lessons dialog offers every task.
  */
 function Actions({ service }: { service: LessonsService }) {
-  const { t } = useTranslation(["missions", "words"], { useSuspense: false });
+  const { t } = useTranslation(["missions", "words", "check"], { useSuspense: false });
   const { challenge: store } = useServices();
   const task = useStore(store, openTask);
   const mission = useStore(store, (state) => state.mission);
@@ -241,16 +235,17 @@ function Actions({ service }: { service: LessonsService }) {
   return (
     <div className={styles["actions"]}>
       {isChecked && !isMet && (
+        // One button for both, so that the focus stays on it.
         <Button
           size="small"
-          kind="primary"
-          disabled={isChecking}
-          icon={<Icon of={ListChecks} />}
-          onClick={() => void service.attempt.check()}
+          kind={isChecking ? "outline" : "primary"}
+          icon={<Icon of={isChecking ? Square : ListChecks} />}
+          onClick={() => {
+            if (isChecking) service.check.stop();
+            else void service.attempt.check();
+          }}
         >
-          {isChecking
-            ? t("missions:card.checking")
-            : t("missions:card.check", allOf(mazeCount(task)))}
+          {isChecking ? t("check:progress.stop") : t("missions:card.check", allOf(mazeCount(task)))}
         </Button>
       )}
       <NextStep service={service} />

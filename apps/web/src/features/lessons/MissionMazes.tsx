@@ -5,7 +5,6 @@ import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
 import { openTask } from "../../model/challenge/challenge-store.ts";
 import { Icon } from "../../ui/Icon.tsx";
-import { Button } from "../../ui/Button.tsx";
 import type { LessonsService } from "../../model/lessons/lessons-service.ts";
 import styles from "./mission-mazes.module.css";
 
@@ -16,56 +15,42 @@ export function MissionMazes({ service }: { service: LessonsService }) {
   const shown = useStore(store, (state) => state.maze);
   const verdict = useStore(store, (state) => state.checked);
   const outcomes = verdict?.mazes ?? [];
-  const passed = outcomes.filter(({ failure }) => failure === null).length;
   // A bonus mission is checked automatically, without a verdict.
   const live = useStore(service.bonus.status, ({ status }) =>
     status.kind === "mazes" ? status.result.failed : null,
   );
-  const failing = verdict?.failure?.maze ?? null;
   return (
-    <div className={styles["mazes"]}>
-      <ul className={styles["mazeList"]} aria-label={t("card.mazes")}>
-        {Array.from({ length: count }, (_, at) => {
-          const outcome = outcomes[at];
-          const isKnown = live !== null || outcome !== undefined;
-          const doesFail = live?.includes(at) ?? outcome?.failure !== null;
-          const state = isKnown ? (doesFail ? "fails" : "passes") : null;
-          return (
-            <li key={at}>
-              <button
-                type="button"
-                className={styles["maze"]}
-                data-state={state ?? undefined}
-                aria-pressed={at === shown}
-                onClick={() => service.navigation.showMaze(at)}
-              >
-                {state === "passes" && <Icon of={Check} size={14} />}
-                {state === "fails" && <Icon of={X} size={14} />}
-                <span aria-hidden={state === null ? undefined : "true"}>
-                  {t("card.maze", { number: at + 1 })}
+    <ul className={styles["mazeList"]} aria-label={t("card.mazes")}>
+      {Array.from({ length: count }, (_, at) => {
+        const outcome = outcomes[at];
+        const isKnown = live !== null || outcome !== undefined;
+        const doesFail = live?.includes(at) ?? outcome?.failure !== null;
+        const state = isKnown ? (doesFail ? "fails" : "passes") : null;
+        return (
+          <li key={at}>
+            <button
+              type="button"
+              className={styles["maze"]}
+              data-state={state ?? undefined}
+              aria-pressed={at === shown}
+              onClick={() => service.navigation.showMaze(at)}
+            >
+              {state === "passes" && <Icon of={Check} size={14} />}
+              {state === "fails" && <Icon of={X} size={14} />}
+              <span aria-hidden={state === null ? undefined : "true"}>
+                {t("card.maze", { number: at + 1 })}
+              </span>
+              {state !== null && (
+                <span className="visually-hidden">
+                  {t(state === "passes" ? "card.mazePasses" : "card.mazeFails", {
+                    number: at + 1,
+                  })}
                 </span>
-                {state !== null && (
-                  <span className="visually-hidden">
-                    {t(state === "passes" ? "card.mazePasses" : "card.mazeFails", {
-                      number: at + 1,
-                    })}
-                  </span>
-                )}
-              </button>
-            </li>
-          );
-        })}
-      </ul>
-      {outcomes.length > 0 && (
-        <div className={styles["passed"]}>
-          <p>{t("card.passed", { passed, count })}</p>
-          {failing !== null && failing !== shown && (
-            <Button size="small" onClick={() => service.navigation.showMaze(failing)}>
-              {t("card.openMaze", { number: failing + 1 })}
-            </Button>
-          )}
-        </div>
-      )}
-    </div>
+              )}
+            </button>
+          </li>
+        );
+      })}
+    </ul>
   );
 }

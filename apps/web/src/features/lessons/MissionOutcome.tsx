@@ -7,7 +7,8 @@ import { useEffect, useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useShallow } from "zustand/react/shallow";
-import type { CheckedTask } from "../../simulator/protocol/check-request.ts";
+import type { CheckedTask } from "../../model/check/checked-task.ts";
+import { mazeName } from "../../model/check/maze-name.ts";
 import { openTask } from "../../model/challenge/challenge-store.ts";
 import { useServices } from "../../model/use-services.ts";
 import { useAnnouncement } from "../../model/use-announcement.ts";
@@ -26,6 +27,7 @@ import styles from "./mission-text.module.css";
 
 export function MissionOutcome({ task }: { task: LessonTask }) {
   const { t, i18n } = useTranslation(["missions", "words", "diagnosis"], { useSuspense: false });
+  const { t: checkText } = useTranslation("check", { useSuspense: false });
   const words: MissionWords = { t: t as unknown as MissionWords["t"], i18n };
   const { challenge: store, run, timeline, speech, workspace, cards, cardDock } = useServices();
   // The run of a check contains no waiting ticks.
@@ -64,7 +66,11 @@ export function MissionOutcome({ task }: { task: LessonTask }) {
           task,
           failure,
           unseen === null ? (diagnoses[failure.maze ?? -1] ?? null) : unseenDiagnosis,
-          { unseen, isLesson },
+          {
+            unseen:
+              unseen === null ? null : mazeName(checkText, task, task.mazes.length + unseen - 1),
+            isLesson,
+          },
         )
       : failedRun !== null
         ? isLesson && failedRun.event.kind === "late" && failedRun.cause === null

@@ -18,6 +18,8 @@ const CameraView = lazyPart(async () => (await import("./CameraView.tsx")).Camer
 const SmallMap = lazyPart(async () => (await import("./SmallMap.tsx")).SmallMap);
 
 interface StageProps {
+  /** beside the tools: undo and redo; null without them */
+  history: ReactNode;
   /** in the strip above the maze: the open challenge and the race */
   strip: ReactNode;
   /** in the View menu */
@@ -30,7 +32,7 @@ interface StageProps {
  * Fills its grid area. The stage holds the trail, so that it stays mounted while the page's layout
  * changes.
  */
-export function Stage({ strip, sound, cards }: StageProps) {
+export function Stage({ history, strip, sound, cards }: StageProps) {
   const services = useServices();
   const { t, i18n } = useTranslation();
   const [controller] = useState(() => new StageController(services, i18n));
@@ -55,7 +57,9 @@ export function Stage({ strip, sound, cards }: StageProps) {
       {isDriving ? (
         <CameraView view={controller.view} />
       ) : (
-        <ToolStrip sound={sound}>{strip}</ToolStrip>
+        <ToolStrip history={history} sound={sound}>
+          {strip}
+        </ToolStrip>
       )}
       <div
         ref={scroller}

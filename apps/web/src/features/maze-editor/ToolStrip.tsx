@@ -1,23 +1,12 @@
 /** Above the maze: the tools that edit squares, and the commands for the whole maze. */
-import {
-  Eraser,
-  Flag,
-  Grid2x2Plus,
-  LocateFixed,
-  Redo2,
-  Ruler,
-  Scaling,
-  Undo2,
-  type IconNode,
-} from "lucide";
+import { Eraser, Flag, Grid2x2Plus, LocateFixed, Ruler, Scaling, type IconNode } from "lucide";
 import { useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
 import { tools, type Tool } from "../../model/screen/screen-store.ts";
-import { redo, undo } from "../../model/workspace/workspace-store.ts";
 import { Icon } from "../../ui/Icon.tsx";
-import { Button, IconButton } from "../../ui/Button.tsx";
+import { Button } from "../../ui/Button.tsx";
 import { lazyDialog } from "../../ui/lazy-part.tsx";
 import { Segmented } from "../../ui/Segmented.tsx";
 import { ViewMenu } from "./ViewMenu.tsx";
@@ -35,13 +24,15 @@ const icons: Record<Tool, IconNode> = {
 };
 
 interface ToolStripProps {
+  /** undo and redo, or null */
+  history: ReactNode;
   /** in the View menu */
   sound: ReactNode;
   /** before the View menu */
   children: ReactNode;
 }
 
-export function ToolStrip({ sound, children }: ToolStripProps) {
+export function ToolStrip({ history, sound, children }: ToolStripProps) {
   const { screen, race } = useServices();
   const { t } = useTranslation();
   const isFixed = useRights()?.maze === false;
@@ -68,14 +59,15 @@ export function ToolStrip({ sound, children }: ToolStripProps) {
           onChange={(value) => screen.setState({ tool: value })}
         />
       </div>
-      <div className={styles["edits"]}>
-        <HistoryButtons />
+      <div className={styles["edits"]} data-history={history !== null}>
+        {history}
         {!isFixed && (
           <WholeMaze onClear={() => setDialog("clear")} onResize={() => setDialog("resize")} />
         )}
       </div>
       {children}
       <ViewMenu
+        hasHistory={history !== null}
         sound={sound}
         onClear={() => setDialog("clear")}
         onResize={() => setDialog("resize")}
@@ -111,23 +103,6 @@ function WholeMaze({ onClear, onResize }: { onClear: () => void; onResize: () =>
       >
         <span className={styles["word"]}>{t("stage.resize")}</span>
       </Button>
-    </>
-  );
-}
-
-function HistoryButtons() {
-  const { workspace } = useServices();
-  const { t } = useTranslation();
-  const canUndo = useStore(workspace.temporal, (history) => history.pastStates.length > 0);
-  const canRedo = useStore(workspace.temporal, (history) => history.futureStates.length > 0);
-  return (
-    <>
-      <IconButton label={t("stage.undo")} disabled={!canUndo} onClick={() => undo(workspace)}>
-        <Icon of={Undo2} isDirectional />
-      </IconButton>
-      <IconButton label={t("stage.redo")} disabled={!canRedo} onClick={() => redo(workspace)}>
-        <Icon of={Redo2} isDirectional />
-      </IconButton>
     </>
   );
 }

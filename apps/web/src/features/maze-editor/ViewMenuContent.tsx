@@ -16,6 +16,8 @@ import styles from "./tool-strip.module.css";
 const choices = ["showBeams", "showTrail", "showRulers"] as const;
 
 export interface ViewMenuProps {
+  /** whether a narrow stage offers undo and redo here */
+  hasHistory: boolean;
   sound: ReactNode;
   onClear: () => void;
   onResize: () => void;
@@ -25,7 +27,7 @@ export interface ViewMenuProps {
  * Includes the commands for which a phone has no room in the strip or the legend. A phone has no
  * rulers.
  */
-export function ViewMenuContent({ sound, onClear, onResize }: ViewMenuProps) {
+export function ViewMenuContent({ hasHistory, sound, onClear, onResize }: ViewMenuProps) {
   const services = useServices();
   const { screen } = services;
   const { t, i18n } = useTranslation();
@@ -53,7 +55,7 @@ export function ViewMenuContent({ sound, onClear, onResize }: ViewMenuProps) {
           {t("speech.describe.button")}
         </MenuItem>
       </div>
-      <HistoryItems />
+      {hasHistory && <HistoryItems />}
       {!isFixed && (
         <div className={styles["wholeItems"]}>
           <MenuItem icon={<Icon of={Scaling} />} onSelect={onResize}>

@@ -3,6 +3,7 @@ import { Eye, RotateCcw, Square } from "lucide";
 import { useDeferredValue, useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
+import { RunOpener } from "../../model/projects/run-opener.ts";
 import { useServices } from "../../model/use-services.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
@@ -10,7 +11,6 @@ import { Dialog } from "../../ui/Dialog.tsx";
 import { minutesFor } from "../../simulator/pool-worker/maze-trial.ts";
 import type { TrialResult } from "../../simulator/protocol/trial-messages.ts";
 import { createWorkerPool } from "../../simulator/worker-pool.ts";
-import { TrialOpener } from "./open-trial.ts";
 import styles from "./other-mazes.module.css";
 import { TrialChoices } from "./TrialChoices.tsx";
 import { TrialGrid } from "./TrialGrid.tsx";
@@ -33,9 +33,9 @@ interface OtherMazesDialogProps {
  * hundred tiles.
  */
 export function OtherMazesDialog({ isOpen, onClose }: OtherMazesDialogProps) {
-  const { t, i18n, ready } = useTranslation("otherMazes", { useSuspense: false });
+  const { t, ready } = useTranslation("otherMazes", { useSuspense: false });
   const services = useServices();
-  const { trials } = trialsOfPage(services, i18n);
+  const { trials } = trialsOfPage(services);
   const minutes = useStore(trialChoice, ({ side }) => minutesFor(side));
   useEffect(() => tryWhileOpen(services, trials), [services, trials]);
   return (
@@ -51,9 +51,9 @@ export function OtherMazesDialog({ isOpen, onClose }: OtherMazesDialogProps) {
 }
 
 function TrialRun({ onClose }: { onClose: () => void }) {
-  const { t, i18n } = useTranslation(["words", "otherMazes"], { useSuspense: false });
+  const { t } = useTranslation(["words", "otherMazes", "check"], { useSuspense: false });
   const services = useServices();
-  const { trials, opener } = trialsOfPage(services, i18n);
+  const { trials, opener } = trialsOfPage(services);
   const [isOpening, setOpening] = useState(false);
   const choice = useStore(trialChoice);
   const { state, results, pictured } = useStore(trials.store);
@@ -72,7 +72,19 @@ function TrialRun({ onClose }: { onClose: () => void }) {
   async function open(result: TrialResult): Promise<void> {
     if (isOpening) return;
     setOpening(true);
-    const isOpen = await opener.open(result, choice, services.workspace.getState().program);
+    const { maze, seed, outcome, tick } = result;
+    const { kind, side } = choice;
+    const name = t(`words:presets.random.names.${kind}`, { side, seed });
+    const run = {
+      maze: { ...maze, name },
+      attempt: services.workspace.getState().program,
+      ticks: tick,
+    };
+    const isOpen = await opener.open(run, outcome !== "works", {
+      opened: t(`otherMazes:opened.${outcome}`, { name }),
+      notOpened: t("check:notOpened"),
+      back: t("otherMazes:back"),
+    });
     setOpening(false);
     if (isOpen) onClose();
   }
@@ -135,7 +147,7 @@ function TrialRun({ onClose }: { onClose: () => void }) {
 
 interface PageTrials {
   trials: Trials;
-  opener: TrialOpener;
+  opener: RunOpener;
 }
 
 /**
@@ -144,14 +156,11 @@ interface PageTrials {
  */
 let pageTrials: PageTrials | null = null;
 
-function trialsOfPage(
-  services: ReturnType<typeof useServices>,
-  words: ReturnType<typeof useTranslation>["i18n"],
-): PageTrials {
+function trialsOfPage(services: ReturnType<typeof useServices>): PageTrials {
   if (pageTrials === null) {
     const pool = createWorkerPool();
     const trials = new Trials(pool, (show) => setTimeout(show, SHOW_MS));
-    pageTrials = { trials, opener: new TrialOpener(services, words, pool) };
+    pageTrials = { trials, opener: new RunOpener(services, pool) };
   }
   return pageTrials;
 }

@@ -2,14 +2,15 @@
 import { Square } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
+import { groupedNumber } from "../../text/grouped-number.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Icon } from "../../ui/Icon.tsx";
+import { ProgressStrip } from "../../ui/ProgressStrip.tsx";
 import type { HandInCheck } from "./check-hand-ins.ts";
-import { groupedNumber } from "./grouped-number.ts";
 import styles from "./check-progress.module.css";
 
 export function CheckProgress({ check }: { check: HandInCheck }) {
-  const { t, i18n } = useTranslation("teach", { useSuspense: false });
+  const { t, i18n } = useTranslation("check", { useSuspense: false });
   const state = useStore(check.store, (each) => each.state);
   const done = useStore(check.store, (each) => each.done);
   const count = useStore(check.store, (each) => each.count);
@@ -30,12 +31,7 @@ export function CheckProgress({ check }: { check: HandInCheck }) {
         )}
       </div>
       {state === "running" && (
-        <progress
-          className={styles["strip"]}
-          max={count}
-          value={done}
-          aria-label={t("progress.label")}
-        />
+        <ProgressStrip label={t("progress.label")} value={done} max={count} />
       )}
       {/* Announced once, at the end. */}
       <output className="visually-hidden">{state === "running" ? "" : sentence}</output>

@@ -1,11 +1,12 @@
 /** A hand-in and a task: in how many mazes it passes, and where it fails first. */
 import { Ban, Check, CircleDashed, Clock, TriangleAlert, X, type IconNode } from "lucide";
 import { useTranslation } from "react-i18next";
+import type { AttemptResult, Verdict } from "../../model/check/attempt-result.ts";
+import { failureSentence } from "../../model/check/failure-sentence.ts";
+import { diagnosisText, diagnosisWords } from "../../model/diagnosis/diagnosis-text.ts";
 import { formatSeconds } from "../../text/numbers.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import type { HandInRow } from "./check-hand-ins.ts";
-import { failureSentence } from "./failure-sentence.ts";
-import type { HandInResult, Verdict } from "./hand-in-result.ts";
 import { problemSentence } from "./problem-sentence.ts";
 import styles from "./hand-in-table.module.css";
 
@@ -48,12 +49,7 @@ export function HandInTableRow({ row, hasTasks }: HandInTableRowProps) {
               : formatSeconds(checked.result.ticks, i18n.language)}
           </td>
           <td className={styles["first"]}>
-            {checked.result.first !== null &&
-              failureSentence(
-                { t, language: i18n.language },
-                checked.task.task,
-                checked.result.first,
-              )}
+            <FirstFailure checked={checked} />
           </td>
           <td>
             {checked.watch !== null && (
@@ -98,7 +94,28 @@ function HandInName({ row: { source, title } }: { row: HandInRow }) {
   );
 }
 
-function Passes({ result }: { result: HandInResult }) {
+type Checked = Extract<HandInRow["checked"], { ok: true }>;
+
+/** Where the attempt fails first and, once it is diagnosed, why. */
+function FirstFailure({ checked: { task, result, diagnosis } }: { checked: Checked }) {
+  const { t, i18n } = useTranslation("check", { useSuspense: false });
+  const { t: why, ready } = useTranslation(["diagnosis", "words"], { useSuspense: false });
+  const { language } = i18n;
+  if (result.first === null) return null;
+  return (
+    <>
+      {failureSentence({ t, language }, task.task, result.first)}
+      {/* Without a known cause, the sentence above already states what happened. */}
+      {ready && diagnosis !== null && diagnosis.cause !== null && (
+        <span className={styles["why"]}>
+          {diagnosisText(diagnosisWords(why, language), diagnosis)}
+        </span>
+      )}
+    </>
+  );
+}
+
+function Passes({ result }: { result: AttemptResult }) {
   const { t } = useTranslation("teach", { useSuspense: false });
   const { verdict, passed, mazes } = result;
   return (

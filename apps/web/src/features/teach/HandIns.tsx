@@ -2,7 +2,7 @@
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import { readShortLink } from "../../model/address/short-link.ts";
+import { mazeName } from "../../model/check/maze-name.ts";
 import type { KeyValueStorage } from "../../model/storage/key-value-storage.ts";
 import { createWorkerPool } from "../../simulator/worker-pool.ts";
 import { DropView } from "../../ui/DropView.tsx";
@@ -12,25 +12,21 @@ import { HandInFields } from "./HandInFields.tsx";
 import { HandInTable } from "./HandInTable.tsx";
 import { HandInsWork } from "./hand-ins-work.ts";
 import { LessonOpener } from "./LessonOpener.tsx";
-import { mazeName } from "./maze-name.ts";
 import { OpenLesson } from "./OpenLesson.tsx";
-import { looksLikeLesson, readLessonAddress } from "./read-lesson.ts";
+import { SavedLessons } from "./lessons/saved-lessons.ts";
+import { looksLikeLesson } from "./lessons/read-lesson.ts";
+import { readTypedLesson } from "./lessons/read-typed-lesson.ts";
 import { TeachStorage } from "./teach-storage.ts";
-import { HAND_INS_HASH } from "./teach-view.ts";
-
-/** Interval between two updates of the table. */
-const SHOW_MS = 125;
-/** Interval of requests while the service delays short links. */
-const WAIT_MS = 1_000;
+import { HAND_INS_HASH } from "./frame/teach-view.ts";
 
 interface HandInsProps {
   /** localStorage */
   device: KeyValueStorage;
-  /** link of a lesson in the address, or null */
-  link: string | null;
+  /** id of the saved lesson to check; null for the one that was checked last */
+  saved: string | null;
 }
 
-export function HandIns({ device, link }: HandInsProps) {
+export function HandIns({ device, saved }: HandInsProps) {
   const { t } = useTranslation("teach", { useSuspense: false });
   const { work, check } = useWork(device);
   const hasLesson = useStore(work.store, ({ lesson }) => lesson !== null);
@@ -39,12 +35,12 @@ export function HandIns({ device, link }: HandInsProps) {
     else void work.openAddress(text);
   };
   useEffect(() => {
-    if (link === null) return;
-    void work.openAddress(link).then(() => {
-      // A reload continues with the stored work.
-      if (location.hash === `#${link}`) location.replace(HAND_INS_HASH);
-    });
-  }, [work, link]);
+    if (saved === null) return;
+    const lesson = new SavedLessons(device).read(saved)?.lesson;
+    if (lesson !== undefined) work.openLesson(lesson);
+    // A reload continues with the stored work.
+    location.replace(HAND_INS_HASH);
+  }, [work, device, saved]);
   return (
     <DropView
       title={t("handIns.title")}
@@ -66,19 +62,13 @@ function useWork(device: KeyValueStorage): { work: HandInsWork; check: HandInChe
     const pool = createWorkerPool();
     const check = new HandInCheck(
       pool,
-      (show) => setTimeout(show, SHOW_MS),
-      (task, maze) => mazeName(i18n.getFixedT(i18n.language, "teach"), task, maze),
+      (action, milliseconds) => setTimeout(action, milliseconds),
+      (task, maze) => mazeName(i18n.getFixedT(i18n.language, "check"), task, maze),
     );
-    const readShort = async (id: string) =>
-      readShortLink(
-        id,
-        (url) => fetch(url),
-        async () => new Promise((resolve) => setTimeout(resolve, WAIT_MS)),
-      );
     const work = new HandInsWork({
       storage: new TeachStorage(device),
       check,
-      readAddress: (text) => readLessonAddress(text, location.host, readShort),
+      readAddress: readTypedLesson,
     });
     return { pool, work, check };
   });

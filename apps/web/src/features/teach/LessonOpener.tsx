@@ -8,7 +8,7 @@ import { Icon } from "../../ui/Icon.tsx";
 import { chooseFiles } from "../../ui/incoming-files.ts";
 import { TextField } from "../../ui/TextField.tsx";
 import type { HandInsWork } from "./hand-ins-work.ts";
-import { LessonProblemNote } from "./LessonProblemNote.tsx";
+import { LessonProblemNote } from "./lessons/LessonProblemNote.tsx";
 import styles from "./lesson-opener.module.css";
 
 export function LessonOpener({ work }: { work: HandInsWork }) {

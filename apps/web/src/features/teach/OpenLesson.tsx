@@ -1,5 +1,5 @@
 /** The open lesson, and the choice of its tasks. */
-import type { LessonDocument, LessonTask } from "@corridor/challenge";
+import type { LessonTask } from "@corridor/challenge";
 import { useId } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -7,7 +7,8 @@ import { Button } from "../../ui/Button.tsx";
 import { Checkbox } from "../../ui/Checkbox.tsx";
 import { MazePicture } from "../../ui/MazePicture.tsx";
 import type { HandInsWork } from "./hand-ins-work.ts";
-import { LessonProblemNote } from "./LessonProblemNote.tsx";
+import { lessonName } from "./lessons/lesson-name.ts";
+import { LessonProblemNote } from "./lessons/LessonProblemNote.tsx";
 import styles from "./open-lesson.module.css";
 
 export function OpenLesson({ work }: { work: HandInsWork }) {
@@ -75,9 +76,4 @@ function TaskChoice({ work, tasks }: { work: HandInsWork; tasks: readonly Lesson
 
 function mazesOf({ mazes, unseen }: LessonTask): { given: number; unseen: number } {
   return { given: mazes.length, unseen: unseen?.count ?? 0 };
-}
-
-/** A lesson of one task often has no name of its own. */
-function lessonName({ name, tasks }: LessonDocument): string {
-  return name === "" && tasks.length === 1 ? (tasks[0]?.name ?? "") : name;
 }

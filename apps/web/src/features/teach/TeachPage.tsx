@@ -1,21 +1,26 @@
-/** The frame of the pages for teachers: the bar, and the view that the address names. */
+/** The pages for teachers: shows the view that the address names. */
 import { useEffect, useRef, useState, useSyncExternalStore, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import type { KeyValueStorage } from "../../model/storage/key-value-storage.ts";
-import { Brand } from "../../ui/Brand.tsx";
 import { ErrorBoundary } from "../../ui/ErrorBoundary.tsx";
 import { lazyPart } from "../../ui/lazy-part.tsx";
+import { TeachFrame } from "./frame/TeachFrame.tsx";
 import { TeachHome } from "./TeachHome.tsx";
-import { teachViewOf } from "./teach-view.ts";
-import styles from "./teach.module.css";
+import type { TeachSlots } from "./frame/teach-slots.ts";
+import { teachViewOf, type TeachView } from "./frame/teach-view.ts";
 
 const HandIns = lazyPart(async () => (await import("./HandIns.tsx")).HandIns);
 const ReportView = lazyPart(async () => (await import("./report/ReportView.tsx")).ReportView);
+const MakeLesson = lazyPart(async () => (await import("./make/MakeLesson.tsx")).MakeLesson);
+const SavedLessonEditor = lazyPart(
+  async () => (await import("./editor/SavedLessonEditor.tsx")).SavedLessonEditor,
+);
 
 const titles = {
   home: "teach:title",
+  make: "teach:make.pageTitle",
+  link: "teach:make.pageTitle",
   "hand-ins": "teach:handIns.pageTitle",
-  lesson: "teach:handIns.pageTitle",
   report: "report:pageTitle",
 } as const;
 
@@ -24,50 +29,52 @@ interface TeachPageProps {
   device: KeyValueStorage;
   /** the buttons for theme and language */
   tools: ReactNode;
+  slots: TeachSlots;
 }
 
-export function TeachPage({ device, tools }: TeachPageProps) {
-  const { t, i18n } = useTranslation(["teach", "report", "words"], { useSuspense: false });
+export function TeachPage({ device, tools, slots }: TeachPageProps) {
+  const { t } = useTranslation(["teach", "report", "words"], { useSuspense: false });
   const hash = useSyncExternalStore(listenToAddress, () => location.hash);
   const view = teachViewOf(hash);
-  const title = t(titles[view.name]);
-  useEffect(() => {
-    document.title = title;
-  }, [title, i18n.language]);
-  const main = useFocusOnChange(view.name === "home");
+  const main = useFocusOnChange(view.name);
   return (
     <ErrorBoundary onError={() => undefined}>
-      <div className={styles["page"]}>
-        <header className={styles["bar"]}>
-          <a
-            className={styles["skip"]}
-            href="#main"
-            onClick={(event) => {
-              // The fragment of the address names the view.
-              event.preventDefault();
-              main.current?.focus();
-            }}
-          >
-            {t("teach:skip")}
-          </a>
-          <a className={styles["brand"]} href="/">
-            <Brand />
-          </a>
-          <a className={styles["here"]} href="/teach" aria-label={t("teach:all")}>
-            {t("teach:teach")}
-          </a>
-          <div className={styles["end"]}>{tools}</div>
-        </header>
-        <main ref={main} id="main" className={styles["main"]} tabIndex={-1}>
-          {view.name === "home" && <TeachHome />}
-          {view.name === "report" && <ReportView />}
-          {(view.name === "hand-ins" || view.name === "lesson") && (
-            <HandIns device={device} link={view.name === "lesson" ? view.link : null} />
-          )}
-        </main>
-      </div>
+      {view.name === "lesson" ? (
+        <SavedLessonEditor
+          key={view.id}
+          id={view.id}
+          device={device}
+          tools={tools}
+          slots={slots}
+          main={main}
+        />
+      ) : (
+        <TeachFrame title={t(titles[view.name])} end={tools} main={main}>
+          <View view={view} device={device} />
+        </TeachFrame>
+      )}
     </ErrorBoundary>
   );
+}
+
+interface ViewProps {
+  view: Exclude<TeachView, { name: "lesson" }>;
+  device: KeyValueStorage;
+}
+
+function View({ view, device }: ViewProps) {
+  switch (view.name) {
+    case "home":
+      return <TeachHome device={device} />;
+    case "make":
+      return <MakeLesson device={device} link={null} />;
+    case "link":
+      return <MakeLesson key={view.link} device={device} link={view.link} />;
+    case "hand-ins":
+      return <HandIns device={device} saved={view.lesson} />;
+    case "report":
+      return <ReportView />;
+  }
 }
 
 function listenToAddress(changed: () => void): () => void {

@@ -132,6 +132,20 @@ describe("a check of hand-ins", () => {
     expect(search).toBe(`?from=${Math.max(0, (run?.ticks ?? 0) - 120)}`);
   });
 
+  it("explains the first failure of each program, also where the task hides it from students", async () => {
+    const { start, answerAll, state } = setUp();
+    const { task } = first;
+    const hidden = { ...task, allowed: { ...task.allowed, help: [] } };
+    start([rightWall, leftWall], [{ task: hidden, number: 1 }]);
+    answerAll();
+    await Promise.resolve();
+    await Promise.resolve();
+    answerAll();
+    const causes = state().rows.map(({ checked }) => checked.ok && checked.diagnosis?.cause);
+    expect(causes[0]).toBeUndefined();
+    expect(causes[1]).not.toBeNull();
+  });
+
   it("fails as a whole if a worker does not load, and can be repeated", () => {
     const { workers, start, answerAll, state } = setUp();
     start([rightWall]);

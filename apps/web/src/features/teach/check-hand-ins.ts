@@ -4,22 +4,24 @@
  */
 import {
   checkedRow,
-  checkUnitAt,
-  countCheckUnits,
+  isProgram,
   mazeOf,
   violationOf,
   violationRow,
   type Attempt,
-  type CheckJob,
   type Failure,
   type Graded,
   type LessonRow,
   type LessonTask,
   type MazeOutcome,
 } from "@corridor/challenge";
+import type { Diagnosis } from "@corridor/coach";
 import type { HandIn } from "@corridor/link";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import type { RunToRecord } from "../../simulator/protocol/pool-messages.ts";
+import { resultOf, type AttemptResult } from "../../model/check/attempt-result.ts";
+import { PoolCheck, SHOW_MS, type Later } from "../../model/check/pool-check.ts";
+import { diagnoseAttempts } from "../../simulator/diagnose-attempts.ts";
+import type { AttemptToDiagnose, RunToRecord } from "../../simulator/protocol/pool-messages.ts";
 import { recordRuns } from "../../simulator/record-runs.ts";
 import type { WorkerPool } from "../../simulator/worker-pool.ts";
 import {
@@ -28,7 +30,6 @@ import {
   type HandInEntry,
   type HandInProblem,
 } from "./hand-in-entries.ts";
-import { resultOf, type HandInResult } from "./hand-in-result.ts";
 import { watchAddress } from "./watch-address.ts";
 
 /** A row of the table: a hand-in and a task, or a hand-in that cannot be read. */
@@ -41,7 +42,7 @@ export interface HandInRow {
   /** number of another hand-in with the identical program; null if there is none */
   sameAs: number | null;
   checked:
-    | ({ ok: true; task: ChosenTask } & Pick<Subject, "result" | "row" | "watch">)
+    | ({ ok: true; task: ChosenTask } & Pick<Subject, "result" | "row" | "watch" | "diagnosis">)
     | ({ ok: false } & HandInProblem);
 }
 
@@ -59,11 +60,13 @@ interface Subject {
   attempt: Attempt;
   violation: Failure | null;
   outcomes: (MazeOutcome | undefined)[];
-  result: HandInResult;
+  result: AttemptResult;
   /** as in the output of `grade`, but without a name; null until all mazes are checked */
   row: LessonRow | null;
   /** address at which the first failed run can be watched; null if there is none yet */
   watch: string | null;
+  /** why the first failed run failed; null until it is known */
+  diagnosis: Diagnosis | null;
 }
 
 const idle: CheckState = { state: "idle", done: 0, count: 0, rows: [] };
@@ -71,25 +74,24 @@ const idle: CheckState = { state: "idle", done: 0, count: 0, rows: [] };
 export class HandInCheck {
   readonly store: StoreApi<CheckState> = createStore<CheckState>()(() => idle);
   readonly #pool: WorkerPool;
-  readonly #later: (show: () => void) => void;
+  readonly #check: PoolCheck;
+  readonly #later: Later;
   readonly #nameMaze: (task: LessonTask, maze: number) => string;
   #subjects: Subject[] = [];
   /** subjects with new outcomes that are not displayed yet */
   #changed = new Set<Subject>();
   #rowsOf: () => HandInRow[] = () => [];
-  #done = 0;
-  #isDue = false;
 
   /**
-   * @param later runs a function after a delay; results in between are displayed together
    * @param nameMaze names the maze of a run that is watched, in the language of the page
    */
   constructor(
     pool: WorkerPool,
-    later: (show: () => void) => void,
+    later: Later,
     nameMaze: (task: LessonTask, maze: number) => string,
   ) {
     this.#pool = pool;
+    this.#check = new PoolCheck(pool, later);
     this.#later = later;
     this.#nameMaze = nameMaze;
   }
@@ -99,76 +101,61 @@ export class HandInCheck {
     this.#subjects = subjects;
     this.#rowsOf = rowsOf;
     this.#changed = new Set();
-    this.#done = 0;
     const groups = tasks.map((task) =>
       subjects.filter((each) => each.task === task && each.violation === null),
     );
-    const job: CheckJob = {
-      checks: tasks.map(({ task }, at) => ({
-        task,
-        attempts: (groups[at] ?? []).map(({ attempt }) => attempt),
-      })),
-    };
-    const count = countCheckUnits(job);
-    const state = count === 0 ? "done" : "running";
-    this.store.setState({ state, done: 0, count, rows: rowsOf() });
-    this.#pool.run({ kind: "check", check: job }, count, {
-      onResult: (result, unit) => {
-        if (result.kind !== "check") return;
-        const { check, attempt, maze } = checkUnitAt(job, unit);
-        const subject = groups[check]?.[attempt];
-        if (subject === undefined) return;
-        subject.outcomes[maze] = result.outcome;
-        this.#changed.add(subject);
-        this.#done++;
-        this.#showSoon(count);
+    const checks = tasks.map(({ task }, at) => ({
+      task,
+      attempts: (groups[at] ?? []).map(({ attempt }) => attempt),
+    }));
+    this.store.setState({ ...idle, state: "running", rows: rowsOf() });
+    const count = this.#check.start(
+      { checks },
+      {
+        onOutcome: ({ check, attempt, maze }, outcome) => {
+          const subject = groups[check]?.[attempt];
+          if (subject === undefined) return;
+          subject.outcomes[maze] = outcome;
+          this.#changed.add(subject);
+        },
+        onShow: (done) => {
+          this.store.setState({ done });
+          this.#show();
+        },
+        onEnd: (state) => {
+          this.store.setState({ state });
+          if (state === "done") void this.#explain();
+        },
       },
-      onEnd: (reason) => {
-        if (reason === "failed") this.store.setState({ state: "failed" });
-      },
-    });
+    );
+    this.store.setState({ count });
   }
 
   /** Ends the check; the results so far stay. */
   stop(): void {
-    if (this.store.getState().state !== "running") return;
-    this.#pool.stop();
-    this.#show();
+    if (!this.#check.isRunning) return;
+    this.#check.stop();
     this.store.setState({ state: "stopped" });
-    void this.#record();
+    void this.#explain();
   }
 
   /** Ends the check, and deletes its results. */
   clear(): void {
+    this.#check.stop();
     this.#pool.stop();
     this.#subjects = [];
+    this.#changed.clear();
     this.store.setState(idle);
-  }
-
-  #showSoon(count: number): void {
-    if (this.#done === count) {
-      this.#show();
-      this.store.setState({ state: "done" });
-      void this.#record();
-      return;
-    }
-    if (this.#done === 1) return this.#show();
-    if (this.#isDue) return;
-    this.#isDue = true;
-    this.#later(() => {
-      this.#isDue = false;
-      if (this.store.getState().state === "running") this.#show();
-    });
   }
 
   #show(): void {
     for (const subject of this.#changed) decide(subject);
     this.#changed.clear();
-    this.store.setState({ done: this.#done, rows: this.#rowsOf() });
+    this.store.setState({ rows: this.#rowsOf() });
   }
 
-  /** Records the first failed run of each attempt, so that it can be watched. */
-  async #record(): Promise<void> {
+  /** Records the first failed run of each attempt, so that it can be watched, and diagnoses it. */
+  async #explain(): Promise<void> {
     const subjects = this.#subjects;
     const failed = subjects.flatMap((subject) => {
       const { first } = subject.result;
@@ -179,7 +166,7 @@ export class HandInCheck {
         attempt: subject.attempt,
         ticks: first.failure.tick ?? 0,
       };
-      return [{ subject, run }];
+      return [{ subject, run, maze: first.maze }];
     });
     await recordRuns(
       this.#pool,
@@ -188,12 +175,43 @@ export class HandInCheck {
         const each = failed[at];
         if (each === undefined || this.#subjects !== subjects) return;
         each.subject.watch = watchAddress(each.run, written);
-        this.#changed.add(each.subject);
-        this.#later(() => {
-          if (this.#subjects === subjects && this.#changed.size > 0) this.#show();
-        });
+        this.#showLater(each.subject);
       },
     );
+    if (this.#subjects !== subjects || this.#check.isRunning) return;
+    const programs = failed.flatMap(({ subject, maze }) => {
+      const { attempt, task } = subject;
+      if (!isProgram(attempt)) return [];
+      const toDiagnose: AttemptToDiagnose = {
+        task: task.task,
+        program: attempt,
+        maze,
+        reader: "teacher",
+      };
+      return [{ subject, toDiagnose }];
+    });
+    diagnoseAttempts(
+      this.#pool,
+      programs.map(({ toDiagnose }) => toDiagnose),
+      {
+        onDiagnosis: (diagnosis, at) => {
+          const subject = programs[at]?.subject;
+          if (subject === undefined || this.#subjects !== subjects) return;
+          subject.diagnosis = diagnosis;
+          this.#showLater(subject);
+        },
+        onEnd: () => undefined,
+      },
+    );
+  }
+
+  /** Displays what was found after the check, together with what follows soon. */
+  #showLater(subject: Subject): void {
+    this.#changed.add(subject);
+    if (this.#changed.size > 1) return;
+    this.#later(() => {
+      if (this.#changed.size > 0) this.#show();
+    }, SHOW_MS);
   }
 }
 
@@ -236,6 +254,7 @@ function prepare(
           result: subject.result,
           row: subject.row,
           watch: subject.watch,
+          diagnosis: subject.diagnosis,
         },
       });
     });
@@ -273,6 +292,7 @@ function subjectOf(task: ChosenTask, attempt: Attempt): Subject {
     result,
     row: null,
     watch: null,
+    diagnosis: null,
   };
   decide(subject);
   return subject;

@@ -2,6 +2,7 @@
 import { isProgram, type Attempt, type LessonDocument, type LessonTask } from "@corridor/challenge";
 import { handInsOf, readHandInFile, type HandIn, type HandInRefusal } from "@corridor/link";
 import type { FieldProblem } from "@corridor/protocol";
+import { MAX_FILE_BYTES } from "./lessons/read-lesson.ts";
 import type { TextFile } from "../../ui/incoming-files.ts";
 
 /** Why a hand-in is not checked. */
@@ -33,8 +34,6 @@ export interface HandInEntry {
 
 /** Maximum number of hand-ins in one check. */
 export const MAX_HAND_INS = 500;
-/** The longest run fits. */
-export const MAX_FILE_BYTES = 9_000_000;
 
 /** Reads files; each file that cannot be read has its problem. */
 export async function readHandInFiles(files: readonly TextFile[]): Promise<HandInFile[]> {

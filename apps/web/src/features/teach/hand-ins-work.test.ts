@@ -3,7 +3,7 @@ import { MemoryStorage } from "../../model/storage/testing/memory-storage.ts";
 import type { TextFile } from "../../ui/incoming-files.ts";
 import type { HandInCheck } from "./check-hand-ins.ts";
 import { HandInsWork } from "./hand-ins-work.ts";
-import { readLessonAddress, type OpenedLesson } from "./read-lesson.ts";
+import { readLessonAddress, type OpenedLesson } from "./lessons/read-lesson.ts";
 import { TeachStorage } from "./teach-storage.ts";
 import { linkOf, programOf, sampleLesson } from "./testing/sample-lesson.ts";
 

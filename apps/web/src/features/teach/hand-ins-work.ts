@@ -16,7 +16,7 @@ import {
   readLessonFile,
   type LessonProblem,
   type OpenedLesson,
-} from "./read-lesson.ts";
+} from "./lessons/read-lesson.ts";
 import type { TeachStorage } from "./teach-storage.ts";
 
 /** Maximum number of runs in one check: a run is one hand-in in one maze. */
@@ -73,6 +73,10 @@ export class HandInsWork {
   async openAddress(text: string): Promise<void> {
     this.store.setState({ isOpening: true, problem: null });
     this.#open(await this.#ports.readAddress(text));
+  }
+
+  openLesson(lesson: LessonDocument): void {
+    this.#open({ ok: true, lesson });
   }
 
   async openFile(file: TextFile): Promise<void> {

@@ -2,12 +2,9 @@
 import { isProgram } from "@corridor/challenge";
 import { encodeLink } from "@corridor/link";
 import type { WrittenRun } from "@corridor/recording";
-import { TICKS_PER_SECOND } from "@corridor/simulation";
 import { replayAddress } from "../../model/address/replay-start.ts";
+import { failureStart } from "../../model/check/failure-start.ts";
 import type { RunToRecord } from "../../simulator/protocol/pool-messages.ts";
-
-/** Ticks of the run that are played before its end. */
-const SHOWN_TICKS = 2 * TICKS_PER_SECOND;
 
 /**
  * @returns an address of the page; of the maze and the program alone if the run does not fit into a
@@ -18,7 +15,7 @@ export function watchAddress(
   written: WrittenRun | null,
 ): string | null {
   const link = written?.ok === true ? encodeLink({ run: written.run }) : null;
-  if (link?.ok === true) return replayAddress(link.text, Math.max(0, ticks - SHOWN_TICKS));
+  if (link?.ok === true) return replayAddress(link.text, failureStart(ticks));
   if (!isProgram(attempt)) return null;
   const plain = encodeLink({ maze, program: attempt });
   return plain.ok ? `/#${plain.text}` : null;

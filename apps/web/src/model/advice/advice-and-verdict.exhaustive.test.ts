@@ -2,7 +2,7 @@
 import { lessonOf, rightsOf, taskOf } from "@corridor/challenge";
 import { adviseProgram, causeLine, type Advice, type Cause, type Diagnosis } from "@corridor/coach";
 import { describe, expect, it } from "vitest";
-import { checkProgram } from "../../simulator/check-worker/check-program.ts";
+import { checkProgram } from "../lessons/testing/check-program.ts";
 import { challengeOf } from "../lessons/missions/mission.ts";
 import { missions } from "../lessons/missions/missions.ts";
 import { answers } from "../lessons/missions/testing/answers.ts";

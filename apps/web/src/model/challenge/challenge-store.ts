@@ -12,7 +12,7 @@ import type {
 import type { Diagnosis } from "@corridor/coach";
 import type { DriverName } from "@corridor/protocol";
 import { createStore } from "zustand/vanilla";
-import type { CheckedTask } from "../../simulator/protocol/check-request.ts";
+import type { CheckedTask } from "../check/checked-task.ts";
 
 /** State of the attempt. */
 export type ChallengeResult =

@@ -11,7 +11,7 @@ import reasons from "../../text/en/diagnosis.json" with { type: "json" };
 import { en } from "../../text/en/index.ts";
 import english from "../../text/en/missions.json" with { type: "json" };
 import { createI18n } from "../../text/i18n.ts";
-import { checkProgram } from "../../simulator/check-worker/check-program.ts";
+import { checkProgram } from "../lessons/testing/check-program.ts";
 import { failureText } from "../lessons/failure-text.ts";
 import type { MissionWords } from "../lessons/mission-words.ts";
 import { lines } from "../lessons/missions/mission.ts";

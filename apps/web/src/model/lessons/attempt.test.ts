@@ -1,17 +1,17 @@
 import type { Judgement, LessonTask } from "@corridor/challenge";
 import type { Diagnosis } from "@corridor/coach";
 import { describe, expect, it } from "vitest";
-import { checkProgram } from "../../simulator/check-worker/check-program.ts";
-import type { CheckAnswer, CheckRequest } from "../../simulator/protocol/check-request.ts";
+import { FakePoolWorker } from "../../simulator/testing/fake-pool-worker.ts";
+import { WorkerPool } from "../../simulator/worker-pool.ts";
 import { RunJudge } from "../../simulator/worker/run-judge.ts";
 import { RunLoop } from "../../simulator/worker/run-loop.ts";
-import { openTask } from "../challenge/challenge-store.ts";
+import { noChallenge, openTask } from "../challenge/challenge-store.ts";
 import { setProgram } from "../workspace/workspace-store.ts";
 import { Attempt } from "./attempt.ts";
-import { ChallengeChecker } from "./challenge-checker.ts";
 import { LessonsNavigation } from "./lessons-navigation.ts";
 import { LessonsProgress } from "./lessons-progress.ts";
 import { lines, type MissionId } from "./missions/mission.ts";
+import { ProgramCheck } from "./program-check.ts";
 import { sampleLesson, sampleTask } from "./testing/sample-lesson.ts";
 import { StoredLessons } from "./stored-lessons.ts";
 import { lessonsPage, noAddressBar } from "./testing/lessons-page.ts";
@@ -19,19 +19,10 @@ import { lessonsPage, noAddressBar } from "./testing/lessons-page.ts";
 /** A page with an open mission, its robot, and the check in this thread. */
 function openMission(id: MissionId) {
   const { ports, challenge, workspace, storage, device, sent, report } = lessonsPage();
-  const port: ReturnType<ConstructorParameters<typeof ChallengeChecker>[0]> = {
-    postMessage: (request: CheckRequest) => {
-      queueMicrotask(() =>
-        port.onmessage?.({ data: checkProgram(request) } as MessageEvent<CheckAnswer>),
-      );
-    },
-    onmessage: null,
-    onerror: null,
-    terminate: () => undefined,
-  };
-  const checker = new ChallengeChecker(() => port);
+  const worker = new FakePoolWorker();
+  const check = new ProgramCheck(new WorkerPool(() => worker, 1), () => undefined);
   const lessons = new StoredLessons(device);
-  const attempt = new Attempt(ports, new LessonsProgress(ports), lessons, checker);
+  const attempt = new Attempt(ports, new LessonsProgress(ports), lessons, check);
   const navigation = new LessonsNavigation(ports, attempt, lessons, noAddressBar);
   navigation.openMission(id);
   const open = openTask(challenge.getState());
@@ -45,6 +36,13 @@ function openMission(id: MissionId) {
   };
   return {
     attempt,
+    progress: () => check.progress.getState(),
+    stopCheck: () => check.stop(),
+    /** Runs what the check needs next. @returns false if it needs nothing */
+    answer: () => worker.answer(),
+    answerAll: () => {
+      while (worker.answer());
+    },
     navigation,
     challenge,
     storage,
@@ -78,13 +76,14 @@ const wavering = lines("forward", { when: nearWall, do: "reverse" });
 const solving = lines("forward", { when: nearWall, do: "turn 180" });
 
 describe("the figures of a solved mission", () => {
-  it("are those of the run on the screen if the program was edited during it", async () => {
+  it("are those of the run on the screen if the program was edited during it", () => {
     const page = openMission("one-line");
     page.program(wavering);
     page.drive(6);
     page.program(solving);
     page.drive(10);
-    await expect.poll(() => page.challenge.getState().result.state).toBe("met");
+    page.answerAll();
+    expect(page.challenge.getState().result.state).toBe("met");
     const ticks = page.clock();
     expect(page.challenge.getState().result).toMatchObject({ ticks, bumps: 0, lines: 1 });
     // The best result is that of the program from the start.
@@ -93,11 +92,12 @@ describe("the figures of a solved mission", () => {
     expect(best).toBeLessThan(ticks - 200);
   });
 
-  it("are equally those of the check if the program drove from the start", async () => {
+  it("are equally those of the check if the program drove from the start", () => {
     const page = openMission("one-line");
     page.program(solving);
     page.drive(10);
-    await expect.poll(() => page.challenge.getState().result.state).toBe("met");
+    page.answerAll();
+    expect(page.challenge.getState().result.state).toBe("met");
     const ticks = page.clock();
     expect(page.challenge.getState().result).toMatchObject({ ticks });
     expect(page.storage.record.done["one-line"]).toEqual({ lines: 1, ticks });
@@ -152,7 +152,9 @@ describe("the marks of the mazes", () => {
   async function checked(program: ReturnType<typeof lines>) {
     const page = openMission("every-maze");
     page.program(program);
-    await page.attempt.check();
+    const ended = page.attempt.check();
+    page.answerAll();
+    await ended;
     return page;
   }
   const rightWall = lines(
@@ -216,5 +218,49 @@ describe("a task of a lesson", () => {
       result: { state: "here", driver: "me" },
       solved: [false, false, false, false],
     });
+  });
+});
+
+describe("a check", () => {
+  it("that is stopped keeps what it has found, and decides nothing", async () => {
+    const page = openMission("every-maze");
+    page.program(wavering);
+    const ended = page.attempt.check();
+    expect(page.challenge.getState().isChecking).toBe(true);
+    page.answer();
+    page.stopCheck();
+    await ended;
+    expect(page.progress()).toMatchObject({ state: "stopped", done: 1, count: 3 });
+    expect(page.challenge.getState()).toMatchObject({
+      isChecking: false,
+      checked: null,
+      result: { state: "open" },
+    });
+  });
+
+  it("ends without a verdict when the program changes, also while its failures are diagnosed", async () => {
+    for (const answers of [1, 4]) {
+      const page = openMission("every-maze");
+      page.program(wavering);
+      const ended = page.attempt.check();
+      for (let each = 0; each < answers; each++) page.answer();
+      page.program(solving);
+      page.answerAll();
+      await ended;
+      expect(page.progress().state).toBe("idle");
+      expect(page.challenge.getState()).toMatchObject({ isChecking: false, checked: null });
+    }
+  });
+
+  it("is still known after a visit to another maze with the same program", async () => {
+    const page = openMission("every-maze");
+    page.program(wavering);
+    const ended = page.attempt.check();
+    page.answerAll();
+    await ended;
+    // The page closes the task of a project before another project opens.
+    page.challenge.setState(noChallenge);
+    page.navigation.sync();
+    expect(page.progress()).toMatchObject({ state: "done", count: 3 });
   });
 });

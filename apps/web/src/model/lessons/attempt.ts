@@ -5,17 +5,17 @@
 import { startingProgram, type Judgement, type LessonTask } from "@corridor/challenge";
 import type { Diagnosis } from "@corridor/coach";
 import { isSameBehaviour, type ProgramDocument } from "@corridor/program";
-import type { CheckAnswer, CheckedTask } from "../../simulator/protocol/check-request.ts";
 import type { FromWorker } from "../../simulator/protocol/worker-messages.ts";
-import { mazeCount, openTask } from "../challenge/challenge-store.ts";
+import { isJudgedByRun, mazeCount, openTask } from "../challenge/challenge-store.ts";
+import type { CheckAnswer, CheckedTask } from "../check/checked-task.ts";
 import { showMessage } from "../screen/screen-store.ts";
 import { showUndoable } from "../workspace/show-undoable.ts";
 import { newLineIds, setProgram } from "../workspace/workspace-store.ts";
-import type { ChallengeChecker } from "./challenge-checker.ts";
 import type { LessonsPorts } from "./lessons-ports.ts";
 import type { LessonsProgress } from "./lessons-progress.ts";
 import type { Done } from "./lessons-storage.ts";
 import { bonusMissionOf } from "./missions/bonus-missions.ts";
+import type { CheckEnd, ProgramCheck } from "./program-check.ts";
 import { reportUnlessStored } from "./report-unless-stored.ts";
 import type { StoredLessons } from "./stored-lessons.ts";
 
@@ -34,7 +34,7 @@ export class Attempt {
   readonly #ports: LessonsPorts;
   readonly #progress: Pick<LessonsProgress, "add">;
   readonly #lessons: Pick<StoredLessons, "addSolved">;
-  readonly #checker: ChallengeChecker;
+  readonly #check: ProgramCheck;
   /** rises with each task and maze to judge; judgements with another id are ignored */
   #judgeId = 0;
   #judged: Judgement = { kind: "open" };
@@ -43,20 +43,22 @@ export class Attempt {
     ports: LessonsPorts,
     progress: Pick<LessonsProgress, "add">,
     lessons: Pick<StoredLessons, "addSolved">,
-    checker: ChallengeChecker,
+    check: ProgramCheck,
   ) {
     this.#ports = ports;
     this.#progress = progress;
     this.#lessons = lessons;
-    this.#checker = checker;
+    this.#check = check;
     ports.simulator.listen((message) => this.#follow(message));
     ports.challenge.subscribe((next, before) => {
       if (next.lesson !== null || before.lesson === null) return;
       ports.simulator.send({ type: "judge", id: ++this.#judgeId, attempt: null });
+      check.pool.close();
     });
     ports.workspace.subscribe((next, before) => {
       if (next.program === before.program || ports.challenge.getState().lesson === null) return;
       ports.challenge.setState({ ...nothingKnown, result: { state: "open" } });
+      this.#clearUnlessSame(openTask(ports.challenge.getState()));
     });
   }
 
@@ -67,6 +69,9 @@ export class Attempt {
     // screen decides it.
     const attempt = bonusMissionOf(mission) === "beat-right-wall" ? null : { task, maze };
     this.#ports.simulator.send({ type: "judge", id: ++this.#judgeId, attempt });
+    this.#clearUnlessSame(task);
+    const isChecked = task.allowed.drivers.includes("program") && !isJudgedByRun(task);
+    if (isChecked && bonusMissionOf(mission) === null) this.#check.prepare(task);
   }
 
   /** Restores the starting program of the task. The message offers undo. */
@@ -92,23 +97,38 @@ export class Attempt {
   }
 
   /**
-   * Runs the program in all mazes of the task, also in the unseen ones, in a worker.
+   * Runs the program in all mazes of the task, also in the unseen ones, in workers.
    * @param run the run on the screen that met the goal. Its figures are displayed beside its
    *   clock; those of the check differ if the program was edited on the way, and are stored
+   * @returns once the check has ended
    */
   async check(run: Met | null = null): Promise<void> {
-    const { challenge: store, screen, words } = this.#ports;
+    const { challenge: store, workspace } = this.#ports;
+    const task = openTask(store.getState());
+    if (task === null) return;
+    const { program } = workspace.getState();
+    this.#check.stop();
     store.setState({ isChecking: true });
-    let answer: CheckAnswer | null;
-    try {
-      answer = await this.#ask();
-    } catch {
+    return new Promise((resolve) => {
+      this.#check.start({ task, program }, (end) => {
+        store.setState({ isChecking: false });
+        this.#conclude(end, run);
+        resolve();
+      });
+    });
+  }
+
+  #conclude(end: CheckEnd, run: Met | null): void {
+    if (end.ok) {
+      this.#decide(end.answer, run);
+    } else if (end.reason === "failed") {
+      const { screen, words } = this.#ports;
       showMessage(screen, { tone: "bad", text: words.t("lessons.notLoaded") });
-      return;
-    } finally {
-      store.setState({ isChecking: false });
     }
-    if (answer === null) return;
+  }
+
+  #decide(answer: CheckAnswer, run: Met | null): void {
+    const { challenge: store } = this.#ports;
     const { verdict } = answer;
     store.setState({ ...answer, checked: verdict, failedRun: null });
     if (verdict.passed) this.#passed(verdict, run);
@@ -125,15 +145,10 @@ export class Attempt {
     return mazeCount(openTask(this.#ports.challenge.getState())) === 1;
   }
 
-  /** @returns null if the program or the task changed in the meantime */
-  async #ask(): Promise<CheckAnswer | null> {
-    const { challenge: store, workspace } = this.#ports;
-    const task = openTask(store.getState());
-    const { program } = workspace.getState();
-    if (task === null) return null;
-    const answer = await this.#checker.check({ task, program });
-    const isSame = openTask(store.getState()) === task && workspace.getState().program === program;
-    return isSame ? answer : null;
+  /** Ends and deletes a check of another program or task. */
+  #clearUnlessSame(task: LessonTask | null): void {
+    const { program } = this.#ports.workspace.getState();
+    if (task === null || !this.#check.isOf(task, program)) this.#check.clear();
   }
 
   #follow(message: FromWorker): void {

@@ -10,8 +10,8 @@ import type { HandAdvice } from "./hand-advice.ts";
 
 /** What a failure belongs to, besides its task. */
 export interface FailureContext {
-  /** number of the unseen maze; null for a given one */
-  unseen: number | null;
+  /** name of the unseen maze; null for a given one */
+  unseen: string | null;
   /** whether a teacher may have set the time limit: then more time may be enough */
   isLesson: boolean;
 }
@@ -31,7 +31,7 @@ export function failureText(
 ): string {
   const reason = diagnosed(words, challenge, it, diagnosis, context);
   const { unseen } = context;
-  if (unseen !== null) return words.t("missions:lesson.inUnseen", { number: unseen, reason });
+  if (unseen !== null) return words.t("missions:lesson.inUnseen", { maze: unseen, reason });
   if (it.maze === null || challenge.mazes.length === 1) return reason;
   return words.t("missions:failure.inMaze", { number: it.maze + 1, reason });
 }

@@ -6,11 +6,13 @@ import type { RunStore } from "../run/run-store.ts";
 import type { ScreenStore } from "../screen/screen-store.ts";
 import type { WorkspaceStore } from "../workspace/workspace-store.ts";
 import type { SimulatorClient } from "../../simulator/simulator-client.ts";
+import type { WorkerPool } from "../../simulator/worker-pool.ts";
 import type { KeyValueStorage } from "../storage/key-value-storage.ts";
+import type { AddressBar } from "../address/lesson-address.ts";
 import type { LessonsStorage } from "./lessons-storage.ts";
 
 export interface LessonsPorts {
-  simulator: Pick<SimulatorClient, "send" | "listen">;
+  simulator: Pick<SimulatorClient, "send" | "listen" | "isGone">;
   workspace: WorkspaceStore;
   screen: ScreenStore;
   run: Pick<RunStore, "getState" | "setState">;
@@ -23,4 +25,6 @@ export interface LessonsPorts {
   /** localStorage, for the lessons of several tasks */
   device: KeyValueStorage;
   words: Pick<i18n, "t" | "loadNamespaces">;
+  /** in place of the page's own, for a student's page inside another one */
+  own?: { pool: WorkerPool; bar: AddressBar } | undefined;
 }

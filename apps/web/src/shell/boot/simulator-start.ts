@@ -18,12 +18,13 @@ declare global {
 }
 
 export function startSimulator(): Worker {
-  return (
-    window.corridorSimulator?.worker ??
-    new Worker(new URL("../../simulator/worker/simulator.worker.ts", import.meta.url), {
-      type: "module",
-    })
-  );
+  return window.corridorSimulator?.worker ?? newSimulator();
+}
+
+export function newSimulator(): Worker {
+  return new Worker(new URL("../../simulator/worker/simulator.worker.ts", import.meta.url), {
+    type: "module",
+  });
 }
 
 /** Messages of the worker before the page listened. */

@@ -3,6 +3,7 @@ import { isProgram, runCheckUnit } from "@corridor/challenge";
 import { emptyProgram } from "@corridor/program";
 import { Recording, type WrittenRun } from "@corridor/recording";
 import type { PoolJob, PoolResult, RunToRecord } from "../protocol/pool-messages.ts";
+import { diagnoseAttempt } from "./diagnose-attempt.ts";
 import { mazeOf, minutesFor, tryMaze } from "./maze-trial.ts";
 
 /** @param unit from 0 @throws RangeError if the job has no such unit */
@@ -21,6 +22,11 @@ export function runUnit(job: PoolJob, unit: number): PoolResult {
       const run = job.runs[unit];
       if (run === undefined) throw new RangeError(`no unit ${unit}`);
       return { kind: "record", written: recordAttempt(run) };
+    }
+    case "diagnose": {
+      const attempt = job.attempts[unit];
+      if (attempt === undefined) throw new RangeError(`no unit ${unit}`);
+      return { kind: "diagnose", diagnosis: diagnoseAttempt(attempt) };
     }
   }
 }

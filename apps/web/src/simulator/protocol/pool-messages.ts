@@ -2,7 +2,8 @@
  * Messages between a pool and its workers. A job consists of numbered units that any worker can run
  * in any order; each unit has one result.
  */
-import type { Attempt, CheckJob, MazeOutcome } from "@corridor/challenge";
+import type { Attempt, CheckJob, LessonTask, MazeOutcome } from "@corridor/challenge";
+import type { Diagnosis } from "@corridor/coach";
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { WrittenRun } from "@corridor/recording";
@@ -15,19 +16,32 @@ export interface RunToRecord {
   ticks: number;
 }
 
+/** A program to diagnose in a maze of a task. */
+export interface AttemptToDiagnose {
+  task: LessonTask;
+  program: ProgramDocument;
+  /** see `mazeOf` */
+  maze: number;
+  /** a task can hide from a student what caused a failure, but not from a teacher */
+  reader: "student" | "teacher";
+}
+
 export type PoolJob =
   /** unit n tries the program in the maze with the seed `first` + n */
   | { kind: "trial"; program: ProgramDocument; mazes: TrialMazes; first: number }
   /** units of `checkUnitAt` */
   | { kind: "check"; check: CheckJob }
   /** a unit for each run */
-  | { kind: "record"; runs: readonly RunToRecord[] };
+  | { kind: "record"; runs: readonly RunToRecord[] }
+  /** a unit for each attempt */
+  | { kind: "diagnose"; attempts: readonly AttemptToDiagnose[] };
 
 /** The result of a unit, by the kind of its job. */
 export type PoolResult =
   | { kind: "trial"; trial: TrialResult }
   | { kind: "check"; outcome: MazeOutcome }
-  | { kind: "record"; written: WrittenRun };
+  | { kind: "record"; written: WrittenRun }
+  | { kind: "diagnose"; diagnosis: Diagnosis | null };
 
 /** Units from `from` up to and without `to`. */
 export interface UnitRange {

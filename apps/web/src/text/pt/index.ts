@@ -4,6 +4,7 @@ import type { Words } from "../en/words.ts";
 export const files = import.meta.glob<Words>(
   [
     "./*.json",
+    "!./check.json",
     "!./diagnosis.json",
     "!./missions.json",
     "!./other-mazes.json",
@@ -12,6 +13,7 @@ export const files = import.meta.glob<Words>(
     "!./report.json",
     "!./daily.json",
     "!./sound.json",
+    "!./lesson-editor.json",
     "!./teach.json",
     "!./watch.json",
   ],

@@ -7,7 +7,7 @@ import { causeLine, type Diagnosis } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
 import type { LineRef } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { checkProgram } from "../../../simulator/check-worker/check-program.ts";
+import { checkProgram } from "../testing/check-program.ts";
 import { lines } from "./mission.ts";
 import { causes, solved } from "./testing/causes.ts";
 import {

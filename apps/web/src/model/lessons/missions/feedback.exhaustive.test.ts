@@ -5,7 +5,7 @@ import { en } from "../../../text/en/index.ts";
 import { createI18n } from "../../../text/i18n.ts";
 import { languages } from "../../../text/languages.ts";
 import { loadWords } from "../../../text/load-words.ts";
-import { checkProgram } from "../../../simulator/check-worker/check-program.ts";
+import { checkProgram } from "../testing/check-program.ts";
 import type { ProgramDocument } from "@corridor/program";
 import reasons from "../../../text/en/diagnosis.json" with { type: "json" };
 import english from "../../../text/en/missions.json" with { type: "json" };

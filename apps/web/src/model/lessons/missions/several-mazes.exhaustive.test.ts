@@ -4,7 +4,7 @@ import { causeLine, type Cause } from "@corridor/coach";
 import type { Condition, ProgramDocument, Rule } from "@corridor/program";
 import type { PlainAction } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { checkProgram } from "../../../simulator/check-worker/check-program.ts";
+import { checkProgram } from "../testing/check-program.ts";
 import { lines } from "./mission.ts";
 import { causes, solved } from "./testing/causes.ts";
 import { oneStepAnswers } from "./testing/wrong-answers.ts";

@@ -2,7 +2,7 @@
 import { taskOf } from "@corridor/challenge";
 import type { Cause } from "@corridor/coach";
 import type { ProgramDocument } from "@corridor/program";
-import { checkProgram } from "../../../../simulator/check-worker/check-program.ts";
+import { checkProgram } from "../../testing/check-program.ts";
 import { challengeOf } from "../mission.ts";
 import { missions } from "../missions.ts";
 import { answers } from "./answers.ts";

@@ -1,0 +1,159 @@
+/**
+ * The check of the program in all mazes of the task: its progress, in how many mazes the program
+ * passes, where it fails first, and every maze in which it fails.
+ */
+import type { LessonTask } from "@corridor/challenge";
+import { Eye } from "lucide";
+import { useState } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { showsHelp } from "../../model/challenge/challenge-store.ts";
+import type { MazeFailure } from "../../model/check/attempt-result.ts";
+import {
+  failureSentence,
+  firstFailureSentence,
+  reasonText,
+  type CheckWords,
+} from "../../model/check/failure-sentence.ts";
+import { mazeName } from "../../model/check/maze-name.ts";
+import type { LessonsService } from "../../model/lessons/lessons-service.ts";
+import type { CheckProgress } from "../../model/lessons/program-check.ts";
+import { useServices } from "../../model/use-services.ts";
+import { groupedNumber } from "../../text/grouped-number.ts";
+import { Button } from "../../ui/Button.tsx";
+import { Icon } from "../../ui/Icon.tsx";
+import { ProgressStrip } from "../../ui/ProgressStrip.tsx";
+import styles from "./check-result.module.css";
+
+interface CheckResultProps {
+  task: LessonTask;
+  service: LessonsService;
+}
+
+export function CheckResult({ task, service }: CheckResultProps) {
+  const { t, i18n } = useTranslation("check", { useSuspense: false });
+  const { challenge } = useServices();
+  const hasBlame = useStore(challenge, ({ rights }) => showsHelp(rights, "blame"));
+  const progress = useStore(service.check.progress);
+  const { state, done, count } = progress;
+  // A run in the only maze has shown its result.
+  if (state === "idle" || count === 1) return null;
+  if (state === "running") {
+    return (
+      <div className={styles["check"]}>
+        <p className={styles["sentence"]}>
+          {progressText({ t, language: i18n.language }, progress)}
+        </p>
+        <ProgressStrip label={t("progress.label")} value={done} max={count} />
+      </div>
+    );
+  }
+  return <Finished task={task} service={service} progress={progress} hasBlame={hasBlame} />;
+}
+
+interface FinishedProps extends CheckResultProps {
+  progress: CheckProgress;
+  /** whether the task shows which line caused a failure */
+  hasBlame: boolean;
+}
+
+function Finished({ task, service, progress, hasBlame }: FinishedProps) {
+  const { t, i18n } = useTranslation("check", { useSuspense: false });
+  const words: CheckWords = { t, language: i18n.language };
+  const first = progress.first && withoutBlame(progress.first, hasBlame);
+  const sentences = [
+    progress.state === "stopped"
+      ? progressText(words, progress)
+      : t("result.passes", {
+          passed: groupedNumber(progress.passed, i18n.language),
+          all: groupedNumber(progress.count, i18n.language),
+        }),
+    ...(first === null ? [] : [firstFailureSentence(words, task, first)]),
+  ];
+  return (
+    <div className={styles["check"]}>
+      <div className={styles["row"]}>
+        <p className={styles["sentence"]}>
+          {sentences.map((sentence) => (
+            <span key={sentence}>{sentence} </span>
+          ))}
+        </p>
+        {first !== null && (
+          <WatchButton task={task} service={service} failure={first}>
+            {t("result.watch")}
+          </WatchButton>
+        )}
+      </div>
+      {progress.failures.length > 1 && (
+        <FailureList task={task} service={service} progress={progress} hasBlame={hasBlame} />
+      )}
+      {/* Announced once, at the end. */}
+      <output className="visually-hidden">{sentences.join(" ")}</output>
+    </div>
+  );
+}
+
+/** The mazes by name. Up to a thousand rows are rendered only while the list is open. */
+function FailureList({ task, service, progress: { failures }, hasBlame }: FinishedProps) {
+  const { t, i18n } = useTranslation("check", { useSuspense: false });
+  const [isOpen, setOpen] = useState(false);
+  return (
+    <details onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
+      <summary className={styles["summary"]}>{t("result.all", { count: failures.length })}</summary>
+      {isOpen && (
+        <ul className={styles["list"]} aria-label={t("result.list")}>
+          {failures.map((each) => {
+            const failure = withoutBlame(each, hasBlame);
+            return (
+              <li key={each.maze} className={styles["item"]}>
+                <WatchButton task={task} service={service} failure={failure} isRow>
+                  {mazeName(t, task, each.maze ?? 0)}
+                </WatchButton>
+                <span className={styles["reason"]}>
+                  {reasonText({ t, language: i18n.language }, task, failure.failure)}
+                </span>
+              </li>
+            );
+          })}
+        </ul>
+      )}
+    </details>
+  );
+}
+
+interface WatchButtonProps extends CheckResultProps {
+  failure: MazeFailure;
+  isRow?: boolean;
+  children: string;
+}
+
+function WatchButton({ task, service, failure, isRow = false, children }: WatchButtonProps) {
+  const { t, i18n } = useTranslation("check", { useSuspense: false });
+  return (
+    <Button
+      size="small"
+      kind={isRow ? "quiet" : "outline"}
+      icon={<Icon of={Eye} />}
+      className={isRow ? styles["watch"] : undefined}
+      onClick={() => {
+        const name = mazeName(t, task, failure.maze ?? 0);
+        const opened = failureSentence({ t, language: i18n.language }, task, failure);
+        void service.watcher.watch(failure, name, opened);
+      }}
+    >
+      {children}
+    </Button>
+  );
+}
+
+function progressText({ t, language }: CheckWords, { state, done, count }: CheckProgress): string {
+  return t(state === "stopped" ? "progress.stopped" : "progress.running", {
+    done: groupedNumber(done, language),
+    all: groupedNumber(count, language),
+  });
+}
+
+/** A failure without its line, where the task hides what caused it. */
+function withoutBlame(failed: MazeFailure, hasBlame: boolean): MazeFailure {
+  return hasBlame ? failed : { ...failed, failure: { ...failed.failure, line: null } };
+}

@@ -1,0 +1,135 @@
+/** The lesson editor: tasks, stage and form side by side, or the same in tabs on a phone. */
+import type { LessonDocument } from "@corridor/challenge";
+import { emptyProgram, type ProgramDocument } from "@corridor/program";
+import { useEffect, useState, type ReactNode, type RefObject } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useMediaQuery } from "../../../ui/use-media-query.ts";
+import type { LessonAutosave } from "./lesson-autosave.ts";
+import { lessonName } from "../lessons/lesson-name.ts";
+import { solutionOf } from "../lessons/solution.ts";
+import { ShareLessonDialog } from "../share/ShareLessonDialog.tsx";
+import { TeachFrame } from "../frame/TeachFrame.tsx";
+import type { TeachSlots, WorkbenchParts } from "../frame/teach-slots.ts";
+import { EditorBar, EditorBarEnd } from "./EditorBar.tsx";
+import { EditorPanels } from "./EditorPanels.tsx";
+import type { LessonDraft } from "./lesson-draft.ts";
+import { PhoneEditor } from "./PhoneEditor.tsx";
+import { TrialBand } from "./TrialBand.tsx";
+import { listenToHistoryKeys } from "./history-keys.ts";
+
+/** The lines of a task that starts with none. */
+const noLines = emptyProgram();
+
+/** A lesson that the teacher tries as a student. */
+interface Trial {
+  lesson: LessonDocument;
+  program: ProgramDocument | null;
+  /** whether the trial is to solve the open task */
+  isSolving: boolean;
+}
+
+interface LessonEditorProps {
+  draft: LessonDraft;
+  autosave: LessonAutosave;
+  /** the buttons for theme and language */
+  tools: ReactNode;
+  slots: TeachSlots;
+  main: RefObject<HTMLElement | null>;
+}
+
+export function LessonEditor({ draft, autosave, tools, slots, main }: LessonEditorProps) {
+  const { t } = useTranslation(["lessonEditor", "teach"], { useSuspense: false });
+  const isPhone = useMediaQuery("(max-width: 37.49em)");
+  const lesson = useStore(draft.store, (state) => state.lesson);
+  const solutions = useStore(draft.store, (state) => state.solutions);
+  const [trial, setTrial] = useState<Trial | null>(null);
+  const [isSharing, setSharing] = useState(false);
+  const title = t("lessonEditor:pageTitle", {
+    name: lessonName(lesson) || t("teach:lesson.unnamed"),
+  });
+  const tryLesson = () => setTrial({ lesson: draft.lesson, program: null, isSolving: false });
+  const solve = (): void => {
+    const { task } = draft;
+    const program = solutionOf(draft.store.getState().solutions, task)?.program ?? null;
+    // Only this task: in a lesson in turn, it may not be open yet.
+    const alone = { ...draft.lesson, order: "any" as const, tasks: [task] };
+    setSharing(false);
+    setTrial({ lesson: alone, program, isSolving: true });
+  };
+  if (trial !== null) {
+    return (
+      <slots.Trial
+        lesson={trial.lesson}
+        program={trial.program}
+        onSolved={(task, solution) => draft.solve(task, solution)}
+        band={
+          <TrialBand
+            title={title}
+            isSolving={trial.isSolving}
+            onClose={() => {
+              setTrial(null);
+              // The button is gone.
+              requestAnimationFrame(() => main.current?.focus());
+            }}
+          />
+        }
+      />
+    );
+  }
+  const commands = { onTry: tryLesson, onShare: () => setSharing(true) };
+  return (
+    <TeachFrame
+      title={title}
+      isFull
+      main={main}
+      bar={<EditorBar autosave={autosave} />}
+      end={<EditorBarEnd isPhone={isPhone} autosave={autosave} tools={tools} {...commands} />}
+    >
+      <EditorWorkbench draft={draft} slots={slots}>
+        {(parts) =>
+          isPhone ? (
+            <PhoneEditor parts={parts} onSolve={solve} />
+          ) : (
+            <EditorPanels parts={parts} onSolve={solve} />
+          )
+        }
+      </EditorWorkbench>
+      {isSharing && (
+        <ShareLessonDialog
+          lesson={lesson}
+          isSolved={lesson.tasks.every((task) => solutionOf(solutions, task) !== null)}
+          onSolve={solve}
+          onClose={() => setSharing(false)}
+        />
+      )}
+    </TeachFrame>
+  );
+}
+
+interface EditorWorkbenchProps {
+  draft: LessonDraft;
+  slots: TeachSlots;
+  children: (parts: WorkbenchParts) => ReactNode;
+}
+
+/** Connects the stage and the lines with the open task. */
+function EditorWorkbench({ draft, slots, children }: EditorWorkbenchProps) {
+  const maze = useStore(draft.store, (state) => {
+    const { mazes } = state.lesson.tasks[state.task] ?? { mazes: [] };
+    return mazes[state.maze] ?? mazes[0] ?? null;
+  });
+  const program = useStore(draft.store, ({ lesson, task }) => lesson.tasks[task]?.program ?? null);
+  useEffect(() => listenToHistoryKeys(draft), [draft]);
+  if (maze === null) return null;
+  return (
+    <slots.Workbench
+      maze={maze}
+      program={program ?? noLines}
+      onMaze={(edited) => draft.setMaze(edited)}
+      onProgram={(edited) => draft.editTask({ program: edited })}
+    >
+      {(parts) => <div onBlur={() => draft.endGroup()}>{children(parts)}</div>}
+    </slots.Workbench>
+  );
+}

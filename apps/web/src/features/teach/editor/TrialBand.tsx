@@ -1,0 +1,49 @@
+/** Above the student's page in a trial: what it is, whether the task is solved, and the way back. */
+import { Check } from "lucide";
+import { useEffect, useRef } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { Button } from "../../../ui/Button.tsx";
+import { Icon } from "../../../ui/Icon.tsx";
+import { solutionOf } from "../lessons/solution.ts";
+import { useDraft, useOpenTask } from "./draft-context.ts";
+import { useSolutionText } from "./use-solution-text.ts";
+import styles from "./trial-band.module.css";
+
+interface TrialBandProps {
+  title: string;
+  /** whether the trial is to solve the open task */
+  isSolving: boolean;
+  onClose: () => void;
+}
+
+export function TrialBand({ title, isSolving, onClose }: TrialBandProps) {
+  const { t, i18n } = useTranslation("lessonEditor", { useSuspense: false });
+  const draft = useDraft();
+  const task = useOpenTask();
+  const solution = useStore(draft.store, ({ solutions }) => solutionOf(solutions, task));
+  const solved = useSolutionText(solution);
+  const region = useRef<HTMLElement>(null);
+  useEffect(() => {
+    region.current?.focus();
+  }, []);
+  useEffect(() => {
+    document.title = title;
+  }, [title, i18n.language]);
+  return (
+    <section ref={region} className={styles["band"]} aria-label={t("try.label")} tabIndex={-1}>
+      <p>{t(isSolving ? "try.solving" : "try.note")}</p>
+      <output className={styles["solved"]}>
+        {isSolving && solved !== null && (
+          <>
+            <Icon of={Check} size={18} />
+            {solved}
+          </>
+        )}
+      </output>
+      <Button size="small" onClick={onClose}>
+        {t("try.back")}
+      </Button>
+    </section>
+  );
+}

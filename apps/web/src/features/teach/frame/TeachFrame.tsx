@@ -1,0 +1,55 @@
+/** The frame of the pages for teachers: the bar and the content. */
+import { useEffect, type ReactNode, type RefObject } from "react";
+import { useTranslation } from "react-i18next";
+import { Brand } from "../../../ui/Brand.tsx";
+import styles from "./teach.module.css";
+
+interface TeachFrameProps {
+  /** title of the document */
+  title: string;
+  /** in the bar, in place of the link to the start page */
+  bar?: ReactNode;
+  /** at the end of the bar */
+  end: ReactNode;
+  /** receives the focus when another view opens */
+  main: RefObject<HTMLElement | null>;
+  /** whether the content fills the window, without a margin */
+  isFull?: boolean;
+  children: ReactNode;
+}
+
+export function TeachFrame({ title, bar, end, main, isFull = false, children }: TeachFrameProps) {
+  const { t, i18n } = useTranslation(["teach", "words"], { useSuspense: false });
+  useEffect(() => {
+    document.title = title;
+  }, [title, i18n.language]);
+  return (
+    <div className={styles["page"]} data-full={isFull}>
+      <header className={styles["bar"]}>
+        <a
+          className={styles["skip"]}
+          href="#main"
+          onClick={(event) => {
+            // The fragment of the address names the view.
+            event.preventDefault();
+            main.current?.focus();
+          }}
+        >
+          {t("teach:skip")}
+        </a>
+        <a className={styles["brand"]} href="/">
+          <Brand />
+        </a>
+        {bar ?? (
+          <a className={styles["here"]} href="/teach" aria-label={t("teach:all")}>
+            {t("teach:teach")}
+          </a>
+        )}
+        <div className={styles["end"]}>{end}</div>
+      </header>
+      <main ref={main} id="main" className={styles["main"]} tabIndex={-1}>
+        {children}
+      </main>
+    </div>
+  );
+}

@@ -1,0 +1,67 @@
+/** The lessons with which a teacher begins. */
+import { lessonOf, type LessonDocument, type LessonTask } from "@corridor/challenge";
+import type { MazeDocument } from "@corridor/maze";
+import type { i18n } from "i18next";
+import { missionDocument } from "../../../model/lessons/mission-document.ts";
+import type { Mission } from "../../../model/lessons/missions/mission.ts";
+
+const COLUMNS = 11;
+const ROWS = 7;
+
+/** A maze without blocks: the start is at the bottom left, the goal at the top right. */
+export function emptyMaze(name: string): MazeDocument {
+  return {
+    format: "corridor/maze",
+    version: 1,
+    name,
+    blocks: Array.from({ length: ROWS }, () => ".".repeat(COLUMNS)),
+    start: { column: 0, row: ROWS - 1, heading: "east" },
+    goals: [{ column: COLUMNS - 1, row: 0 }],
+  };
+}
+
+/** A task in one maze, in which students write a program of their own. */
+export function newTask(maze: MazeDocument, name: string): LessonTask {
+  return {
+    name,
+    words: { task: "", short: "", hints: [] },
+    mazes: [maze],
+    program: null,
+    goal: { kind: maze.goals.length > 0 ? "reach" : "visit" },
+    allowed: {
+      drivers: ["program"],
+      lines: 10,
+      conditions: null,
+      actions: null,
+      edits: ["condition", "number", "action", "otherwise", "order", "lines"],
+      maze: false,
+      tools: null,
+      help: null,
+    },
+    checks: { bumps: 0, seconds: 120 },
+    par: null,
+    unseen: null,
+  };
+}
+
+/** A lesson of one task. */
+export function newLesson(task: LessonTask, name: string): LessonDocument {
+  return {
+    format: "corridor/challenge",
+    version: 2,
+    language: null,
+    name,
+    intro: "",
+    order: "any",
+    tasks: [task],
+    survey: [],
+  };
+}
+
+/**
+ * A copy of a mission in the language of the page.
+ * @param words with the namespace "missions" loaded
+ */
+export function missionLesson(mission: Mission, words: Pick<i18n, "t">): LessonDocument {
+  return lessonOf(missionDocument(mission, words));
+}

@@ -1,0 +1,205 @@
+/** Teachers make, try, solve and save lessons on `/teach`. */
+import { encodeLink } from "@corridor/link";
+import type { Page } from "playwright/test";
+import { sampleLesson } from "../apps/web/src/features/teach/testing/sample-lesson.ts";
+import { expect, test } from "./fixtures.ts";
+import { CorridorPage } from "./pages/corridor-page.ts";
+import { MazeGrid } from "./pages/maze-grid.ts";
+import { expectNoAxeViolations } from "./support/axe.ts";
+import { horizontalOverflow, smallTouchTargets } from "./support/layout.ts";
+import { phone } from "./support/phone.ts";
+
+const link = encodeLink({ lesson: sampleLesson });
+const lessonAddress = `/teach#${link.ok ? link.text : ""}`;
+
+/** The lesson editor. */
+class LessonEditor {
+  readonly page: Page;
+  readonly name;
+  readonly status;
+  readonly tasks;
+  readonly maze;
+
+  constructor(page: Page) {
+    this.page = page;
+    this.name = page.getByRole("banner").getByRole("heading", { level: 2 });
+    this.status = page.getByRole("banner").getByText("Saved", { exact: true });
+    this.tasks = page
+      .getByRole("navigation", { name: "Parts of the lesson" })
+      .getByRole("listitem");
+    this.maze = new MazeGrid(page);
+  }
+
+  field(name: string) {
+    return this.page.getByRole("textbox", { name, exact: true });
+  }
+
+  button(name: string) {
+    return this.page.getByRole("button", { name, exact: true });
+  }
+
+  async chooseInMenu(menu: string, item: string): Promise<void> {
+    await this.button(menu).click();
+    await this.button(item).click();
+  }
+
+  /** Begins with an empty maze of 11 by 7 squares. */
+  async beginEmpty(): Promise<void> {
+    await this.page.goto("/teach");
+    await this.page.getByRole("link", { name: /^Make a lesson/ }).click();
+    await this.page.getByRole("button", { name: /^An empty maze/ }).click();
+    await expect(this.maze.grid).toBeVisible();
+  }
+}
+
+test("opens the lesson of a link, and saves what the teacher changes", async ({ page }) => {
+  const editor = new LessonEditor(page);
+  await page.goto(lessonAddress);
+  await expect(page).toHaveURL(/\/teach#lesson=\w+$/);
+  await expect(editor.name).toHaveText("Two tasks");
+  await expect(editor.tasks).toHaveCount(2);
+
+  await editor.button("Lesson").click();
+  await editor.field("Name").fill("Sensors");
+  await expect(editor.name).toHaveText("Sensors");
+  await editor.tasks.nth(1).getByRole("button").first().click();
+  await editor.field("Task").fill("Find the door.");
+  await expect(editor.status).toBeVisible();
+  await page.reload();
+  await expect(editor.name).toHaveText("Sensors");
+
+  // The same link opens another lesson, because this one is different now.
+  await page.goto("/teach");
+  await expect(page.getByRole("link", { name: "Sensors" })).toBeVisible();
+  await editor.chooseInMenu("More for Sensors", "Check hand-ins");
+  await expect(page.getByRole("heading", { name: "Sensors" })).toBeVisible();
+  await expect(page).toHaveURL(/#hand-ins$/);
+});
+
+test("undoes edits of the form, the tasks and the maze in one history", async ({ page }) => {
+  const editor = new LessonEditor(page);
+  await editor.beginEmpty();
+  await editor.field("Name").fill("Round the corner");
+  await editor.maze.click({ column: 4, row: 6 });
+  await editor.button("Task").click();
+  await expect(editor.tasks).toHaveCount(2);
+  await page.keyboard.press("Control+z");
+  await expect(editor.tasks).toHaveCount(1);
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  await expect(editor.field("Name")).toHaveValue("Task 1");
+  await expect(editor.button("Undo")).toBeDisabled();
+  await page.keyboard.press("Control+Shift+z");
+  await expect(editor.field("Name")).toHaveValue("Round the corner");
+});
+
+test("lets the teacher solve a task, which sets its numbers", async ({ page }) => {
+  const editor = new LessonEditor(page);
+  await editor.beginEmpty();
+  await expect(page.getByText("You have not solved this task yet.")).toBeVisible();
+  await editor.button("Solve it once").click();
+  const student = new CorridorPage(page);
+  const band = page.getByRole("region", { name: "Trial" });
+  await expect(band).toContainText("Solve this task once");
+  await student.program.addLine("front <", "60", "left 90");
+  await student.run.click();
+  await expect(band.getByRole("status")).toHaveText(/^passes: 1 line, \d+\.\d s$/, {
+    timeout: 40_000,
+  });
+  await band.getByRole("button", { name: "Back to the editor" }).click();
+
+  await expect(page.getByText(/^passes: 1 line/)).toBeVisible();
+  await expect(page.getByText("You have not solved this task yet.")).toBeHidden();
+  await expect(page.getByRole("checkbox", { name: "A good solution" })).toBeChecked();
+  // An edit of the maze needs another solution; undo restores this one.
+  await editor.maze.click({ column: 4, row: 3 });
+  await expect(page.getByText("You have not solved this task yet.")).toBeVisible();
+  await editor.button("Undo").click();
+  await expect(page.getByText(/^passes: 1 line/)).toBeVisible();
+  await expect(editor.status).toBeVisible();
+  await page.goto("/teach");
+  await expect(page.getByText("solved by you")).toBeVisible();
+
+  // The student's page of this device has nothing of it.
+  await student.open();
+  await expect(student.mazeMenu).toHaveAccessibleName(/^Long way round/);
+});
+
+test("warns of a maze that nobody can solve, and of a lesson that was not solved", async ({
+  page,
+}) => {
+  const editor = new LessonEditor(page);
+  await editor.beginEmpty();
+  await editor.maze.drag([0, 1].map((row) => ({ column: 9, row })));
+  await editor.maze.click({ column: 10, row: 2 });
+  await expect(page.getByText("No path leads to the goal of maze 1.")).toBeVisible();
+  await editor.button("Share lesson").click();
+  const dialog = page.getByRole("dialog");
+  await expect(dialog).toContainText("You have not solved this lesson yet.");
+  await dialog.getByRole("button", { name: "Share anyway" }).click();
+  await expect(dialog.getByRole("textbox")).toHaveValue(/\/#\S+$/);
+});
+
+test("keeps both versions if two tabs change a lesson", async ({ page, context }) => {
+  const editor = new LessonEditor(page);
+  await page.goto(lessonAddress);
+  await expect(editor.name).toHaveText("Two tasks");
+  const other = new LessonEditor(await context.newPage());
+  await other.page.goto(page.url());
+  for (const [each, name] of [
+    [other, "Theirs"],
+    [editor, "Mine"],
+  ] as const) {
+    await each.button("Lesson").click();
+    await each.field("Name").fill(name);
+    await each.page.waitForTimeout(600);
+  }
+  await expect(page.getByText("This one is now a copy.")).toBeVisible();
+  await page.goto("/teach");
+  await expect(page.getByRole("link", { name: "Theirs" })).toBeVisible();
+  await page.getByRole("link", { name: "Mine" }).click();
+  await expect(editor.name).toHaveText("Mine");
+});
+
+test("copies and deletes saved lessons, and undoes the deletion", async ({ page }) => {
+  const editor = new LessonEditor(page);
+  await page.goto(lessonAddress);
+  await expect(editor.name).toHaveText("Two tasks");
+  await page.goto("/teach");
+  await editor.chooseInMenu("More for Two tasks", "Make a copy");
+  const lessons = page.getByRole("link", { name: "Two tasks" });
+  await expect(lessons).toHaveCount(2);
+  await page.getByRole("button", { name: "More for Two tasks" }).first().click();
+  await editor.button("Delete").click();
+  await expect(lessons).toHaveCount(1);
+  await editor.button("Undo").click();
+  await expect(lessons).toHaveCount(2);
+});
+
+test("is accessible, and fits a phone and 320 px in a right-to-left language", async ({
+  page,
+  openWindow,
+}) => {
+  test.slow();
+  await page.goto(lessonAddress);
+  await expect(new MazeGrid(page).grid).toBeVisible();
+  await expectNoAxeViolations(page, "editor");
+  for (const locale of ["en-US", "ar-EG"]) {
+    const small = (await openWindow({ ...phone, locale })).page;
+    await small.goto("/teach#make");
+    await expect(small.getByRole("main").getByRole("textbox")).toBeVisible();
+    await expectNoAxeViolations(small, `${locale}, beginnings`);
+    await small.goto(lessonAddress);
+    const tabs = small.getByRole("tab");
+    await expect(tabs).toHaveCount(4);
+    for (const at of [0, 1, 2, 3]) {
+      await tabs.nth(at).click();
+      await expectNoAxeViolations(small, `${locale}, tab ${at}`);
+      expect(await smallTouchTargets(small), `${locale}, tab ${at}`).toEqual([]);
+      for (const width of [390, 320]) {
+        await small.setViewportSize({ width, height: 640 });
+        expect(await horizontalOverflow(small), `${locale}, tab ${at}, ${width} px`).toEqual([]);
+      }
+    }
+  }
+});
