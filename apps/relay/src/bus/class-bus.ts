@@ -8,7 +8,9 @@ import type { ClassChanges } from "../store/class-store.ts";
 /** An event for dashboards, without its number. */
 export type ClassRecord =
   | { type: "student"; student: StudentView; progress: ProgressRecord | null }
-  | { type: "removed"; student: number };
+  | { type: "removed"; student: number }
+  /** the settings changed: each reader receives the current ones */
+  | { type: "settings" };
 
 /** A commit: the version before it, the rows that it replaces, and its events. */
 export interface ClassNews {

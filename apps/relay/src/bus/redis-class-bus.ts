@@ -23,6 +23,7 @@ const newsSchema = z.object({
         progress: progressRecordSchema.nullable(),
       }),
       z.object({ type: z.literal("removed"), student }),
+      z.object({ type: z.literal("settings") }),
     ]),
   ),
 });

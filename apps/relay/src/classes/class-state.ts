@@ -32,6 +32,22 @@ export function pausedMs({ pause, pausedMs: before }: ClassRow, now: number): nu
   return before + (pause === null ? 0 : Math.max(0, Math.min(now, pause.endsAt) - pause.startedAt));
 }
 
+/** ms since the class was created, without its pauses */
+export function activeMs(row: ClassRow, now: number): number {
+  return Math.max(0, now - row.createdAt - pausedMs(row, now));
+}
+
+/** Whether the settings that members see differ. */
+export function differInSettings(one: ClassRow, other: ClassRow): boolean {
+  return (
+    one.code !== other.code ||
+    one.isLocked !== other.isLocked ||
+    one.pause?.endsAt !== other.pause?.endsAt ||
+    one.paceTo !== other.paceTo ||
+    one.lessonVersion !== other.lessonVersion
+  );
+}
+
 export function settingsOf(row: ClassRow, now: number): ClassSettings {
   const end = pauseEnd(row, now);
   return {
@@ -58,6 +74,6 @@ export function viewOf(row: ClassRow, student: StudentRow): StudentView {
   };
 }
 
-function isoTime(ms: number): string {
+export function isoTime(ms: number): string {
   return new Date(ms).toISOString();
 }

@@ -2,9 +2,10 @@
  * A step of a class: a function of its state that decides on changes and events. Steps may run
  * again on a newer state, if another relay has changed the class meanwhile.
  */
+import type { ProgressRecord } from "@corridor/protocol";
 import type { ClassRecord } from "../bus/class-bus.ts";
 import type { ClassChanges, ClassRow, StudentRow } from "../store/class-store.ts";
-import { viewOf, type ClassState } from "./class-state.ts";
+import { differInSettings, viewOf, type ClassState } from "./class-state.ts";
 
 /** Sources of what a step does not decide itself. */
 export interface StepContext {
@@ -40,20 +41,33 @@ export function changed<T>(
   value: T,
   { row, events = [], ...rest }: Change,
 ): StepResult<T> {
-  const next = { ...before, ...row, version: before.version + 1, n: before.n + events.length };
-  return { value, changes: { ...noChanges(next), ...rest }, events };
+  const next = { ...before, ...row, version: before.version + 1 };
+  const all: ClassRecord[] = [...events];
+  if (differInSettings(before, next)) all.push({ type: "settings" });
+  next.n += all.length;
+  return { value, changes: { ...noChanges(next), ...rest }, events: all };
 }
 
-/** A student joined or changed, which dashboards then see. */
+/** A student joined or changed, which dashboards then see, with a new progress record. */
 export function studentChanged<T>(
   state: ClassState,
   value: T,
   student: StudentRow,
-  change: Omit<Change, "students" | "events"> = {},
+  {
+    progress = null,
+    ...change
+  }: Omit<Change, "students" | "events" | "progress"> & { progress?: ProgressRecord | null } = {},
 ): StepResult<T> {
   const view = viewOf({ ...state.row, ...change.row }, student);
-  const events: ClassRecord[] = [{ type: "student", student: view, progress: null }];
-  return changed(state, value, { ...change, students: [student], events });
+  const { student: number } = student;
+  return changed(state, value, {
+    ...change,
+    students: [student],
+    ...(progress !== null && {
+      progress: [{ student: number, seq: progress.seq, text: JSON.stringify(progress) }],
+    }),
+    events: [{ type: "student", student: view, progress }],
+  });
 }
 
 function noChanges(row: ClassRow): ClassChanges {

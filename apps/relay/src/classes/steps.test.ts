@@ -4,10 +4,18 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { Refusal } from "../platform/errors/problems.ts";
 import { hashKey } from "../platform/keys.ts";
+import type { ClassRecord } from "../bus/class-bus.ts";
 import type { ClassRow } from "../store/class-store.ts";
 import { applied, pausedMs, settingsOf, type ClassState } from "./class-state.ts";
 import type { Step } from "./step.ts";
-import { joinStep, returnStep } from "./student-steps.ts";
+import {
+  helpStep,
+  joinStep,
+  programStep,
+  progressStep,
+  renameStep,
+  returnStep,
+} from "./student-steps.ts";
 import {
   lockStep,
   newCodeStep,
@@ -45,17 +53,24 @@ function newClass(change: Partial<ClassRow> = {}): ClassState {
 function classOf(state: ClassState) {
   const held = { state, now: 0 };
   let codes = 0;
+  const events: ClassRecord[] = [];
   const run = <T>(step: Step<T>): T => {
     const context = {
       now: held.now,
       mintCode: () => `CODE-${(codes += 1)}`,
       random: (below: number) => Math.max(0, below - 1),
     };
-    const { value, changes } = step(held.state, context);
-    if (changes !== null) held.state = applied(held.state, changes);
-    return value;
+    const result = step(held.state, context);
+    if (result.changes !== null) held.state = applied(held.state, result.changes);
+    events.push(...result.events);
+    return result.value;
   };
-  return { held, run, join: (key: string) => run(joinStep(key, hashKey(held.state.row.code))) };
+  return {
+    held,
+    events,
+    run,
+    join: (key: string) => run(joinStep(key, hashKey(held.state.row.code))),
+  };
 }
 
 const refused = (kind: string) => expect.objectContaining({ kind });
@@ -133,6 +148,8 @@ describe("joining a class", () => {
   });
 });
 
+type Room = ReturnType<typeof classOf>;
+
 describe("a return code", () => {
   const RETURN = hashKey("CODE-1");
 
@@ -207,4 +224,85 @@ describe("what a teacher sets", () => {
     run(step);
     expect(held.state.row.version).toBe(before);
   });
+});
+
+describe("what a student sends", () => {
+  const caller = { student: 1, key: "key" };
+  const opened = { kind: "opened", task: 1 } as const;
+
+  function classWithStudent(change: Partial<ClassRow> = {}) {
+    const room = classOf(newClass(change));
+    room.join("key");
+    room.events.splice(0);
+    return room;
+  }
+
+  it("is another name, twice", () => {
+    const { held, run } = classWithStudent();
+    const names = [0, 1].map(() => {
+      run(renameStep(caller));
+      return held.state.students.get(1)?.name;
+    });
+    // The highest free number, which is not the present one.
+    expect(names).toEqual([NAME_WORDS - 2, NAME_WORDS - 1]);
+    expect(() => run(renameStep(caller))).toThrow(refused("no-other-name"));
+  });
+
+  it("is another name only if one is free", () => {
+    const { run } = classWithStudent({ names: ["Ada"] });
+    expect(() => run(renameStep(caller))).toThrow(refused("no-other-name"));
+  });
+
+  it("is progress, which counts once however often it is sent, with its time without pauses", () => {
+    const { held, events, run } = classWithStudent();
+    run(pauseStep(60));
+    held.now = 100_000;
+    for (const seq of [1, 1]) run(progressStep(caller, seq, opened));
+    expect(held.state.students.get(1)?.progress).toBe(1);
+    const progress = { seq: 1, at: "1970-01-01T00:01:40.000Z", activeMs: 40_000, event: opened };
+    expect(events.slice(1)).toMatchObject([{ type: "student", progress }]);
+    expect(() => run(progressStep(caller, 3, opened))).toThrow(refused("bad-request"));
+  });
+
+  it("is a program, of which the teacher sees that it is there", () => {
+    const { events, run } = classWithStudent();
+    run(programStep(caller, 2, "c1.AAAA"));
+    expect(events).toMatchObject([{ type: "student", student: { programs: 1 }, progress: null }]);
+  });
+
+  it("is a request for help, whose first time counts until it is withdrawn", () => {
+    const { held, run } = classWithStudent();
+    for (const now of [1_000, 2_000]) {
+      held.now = now;
+      run(helpStep(caller, true));
+    }
+    expect(held.state.students.get(1)?.helpSince).toBe(1_000);
+    run(helpStep(caller, false));
+    expect(held.state.students.get(1)?.helpSince).toBeNull();
+  });
+
+  it.each([
+    { what: "name", step: renameStep },
+    { what: "progress", step: (each: typeof caller) => progressStep(each, 1, opened) },
+    { what: "program", step: (each: typeof caller) => programStep(each, 1, "c1.AAAA") },
+    { what: "help", step: (each: typeof caller) => helpStep(each, true) },
+  ])("is refused with the key of an earlier device or of a removed student: $what", ({ step }) => {
+    const { run } = classWithStudent();
+    expect(() => run(step({ student: 1, key: "old key" }))).toThrow(refused("not-authorised"));
+    run(removeStep(1));
+    expect(() => run(step(caller))).toThrow(refused("not-authorised"));
+  });
+});
+
+it.each([
+  { what: "the lock", set: (room: Room) => room.run(lockStep(true)) },
+  { what: "the pace", set: (room: Room) => room.run(paceStep(2)) },
+  { what: "the code", set: (room: Room) => room.run(newCodeStep()) },
+  { what: "a pause", set: (room: Room) => room.run(pauseStep(60)) },
+])("dashboards see a change of $what as one numbered event", ({ set }) => {
+  const room = classOf(newClass());
+  set(room);
+  const { held, events } = room;
+  expect(events).toEqual([{ type: "settings" }]);
+  expect(held.state.row.n).toBe(1);
 });

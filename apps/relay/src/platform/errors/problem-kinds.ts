@@ -257,6 +257,13 @@ export const problemKinds = {
       "To return to the class on another device, ask the teacher for a return code.",
     ],
   },
+  "no-other-name": {
+    status: 409,
+    title: "The name stays",
+    what: "The student keeps the present name.",
+    why: "A student can change the name twice, and two students never have the same name.",
+    fix: ["Ask the teacher to remove you, then join the class again."],
+  },
   "class-full": {
     status: 409,
     title: "The class is full",
