@@ -7,6 +7,7 @@ import { describe, expect, it, onTestFinished } from "vitest";
 import type { oas31 } from "zod-openapi";
 import { createApp } from "./app.ts";
 import { RequestGuard } from "./platform/http/request-guard.ts";
+import { robotEndpoint } from "./gateways/conversations/endpoint.ts";
 import { LongPollConnections } from "./gateways/long-poll/long-poll-connections.ts";
 import { Metrics } from "./ops/metrics.ts";
 import { Readiness } from "./ops/readiness.ts";
@@ -88,7 +89,8 @@ function appWithoutPage(): Express {
   const guard = new RequestGuard(defaults());
   const readiness = new Readiness(store, systemClock, log);
   const metrics = new Metrics();
-  const longPolls = new LongPollConnections({ registry, clock: systemClock, log, metrics });
+  const endpoint = robotEndpoint({ registry, metrics, clock: systemClock });
+  const longPolls = new LongPollConnections({ endpoint, clock: systemClock, log, metrics });
   const services = { registry, classes, longPolls, documents, pairing };
   const parts = { ...services, guard, readiness, metrics, clock: systemClock, log, page: Router() };
   return createApp({ ...parts, isDevelopment: false });

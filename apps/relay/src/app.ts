@@ -1,4 +1,5 @@
 /** The HTTP application: API, health and page, without a port of its own. */
+import type { Hello } from "@corridor/protocol";
 import express, { Router, type Express } from "express";
 import type { Logger } from "pino";
 import type { Clock } from "./platform/time/clock.ts";
@@ -35,7 +36,7 @@ import type { RobotRegistry } from "./robots/registry.ts";
 export interface AppDependencies {
   registry: RobotRegistry;
   classes: ClassRegistry;
-  longPolls: LongPollConnections;
+  longPolls: LongPollConnections<Hello>;
   documents: DocumentService;
   pairing: PairingService;
   clock: Clock;

@@ -13,6 +13,7 @@ import { DocumentService } from "./short-links/document-service.ts";
 import { RequestGuard } from "./platform/http/request-guard.ts";
 import { answerBrokenRequests } from "./platform/http/broken-requests.ts";
 import { CheckSocket } from "./site/check/check-socket.ts";
+import { robotEndpoint } from "./gateways/conversations/endpoint.ts";
 import { LongPollConnections } from "./gateways/long-poll/long-poll-connections.ts";
 import { WebSocketGateway } from "./gateways/websocket/websocket-gateway.ts";
 import { closeServer, listen, portOf } from "./platform/http/listening.ts";
@@ -82,8 +83,9 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   });
   const guard = new RequestGuard(config);
   const readiness = new Readiness(store, clock, log);
-  const gateway = new WebSocketGateway({ registry, clock, log, guard, metrics });
-  const longPolls = new LongPollConnections({ registry, clock, log, metrics });
+  const endpoint = robotEndpoint({ registry, metrics, clock });
+  const gateway = new WebSocketGateway({ endpoint, clock, log, guard, metrics });
+  const longPolls = new LongPollConnections({ endpoint, clock, log, metrics });
   const checkSocket = new CheckSocket(guard, clock);
   const server = createServer({
     // Old HTTP clients offer "Upgrade: h2c"; that is an ordinary request, not a WebSocket.

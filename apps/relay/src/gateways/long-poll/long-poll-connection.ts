@@ -22,8 +22,8 @@ import type { ReaderConnection } from "../conversations/reader-connection.ts";
 const MAX_ANSWER_CHARACTERS = 64 * 1024;
 
 export interface LongPollConnectionParts {
-  /** robot of the connection */
-  robot: string;
+  /** of the robot or the class */
+  id: string;
   /** client address, for the limit only */
   address: string;
   clock: Clock;
@@ -37,7 +37,7 @@ export interface LongPollConnectionParts {
 
 export class LongPollConnection implements ReaderConnection {
   readonly transport = "long-poll-connection";
-  readonly robot: string;
+  readonly id: string;
   readonly address: string;
   readonly #clock: Clock;
   readonly #onRequest: () => void;
@@ -59,7 +59,7 @@ export class LongPollConnection implements ReaderConnection {
   #cancelTimer: () => void = () => undefined;
 
   constructor(parts: LongPollConnectionParts) {
-    this.robot = parts.robot;
+    this.id = parts.id;
     this.address = parts.address;
     this.#clock = parts.clock;
     this.#onRequest = () => parts.onRequest();
