@@ -13,6 +13,7 @@ import { DocumentService } from "./short-links/document-service.ts";
 import { RequestGuard } from "./platform/http/request-guard.ts";
 import { answerBrokenRequests } from "./platform/http/broken-requests.ts";
 import { CheckSocket } from "./site/check/check-socket.ts";
+import { classEndpoint } from "./gateways/conversations/class-endpoint.ts";
 import { robotEndpoint } from "./gateways/conversations/endpoint.ts";
 import { LongPollConnections } from "./gateways/long-poll/long-poll-connections.ts";
 import { WebSocketGateway } from "./gateways/websocket/websocket-gateway.ts";
@@ -85,6 +86,13 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   const readiness = new Readiness(store, clock, log);
   const endpoint = robotEndpoint({ registry, metrics, clock });
   const gateway = new WebSocketGateway({ endpoint, clock, log, guard, metrics });
+  const classSockets = new WebSocketGateway({
+    endpoint: classEndpoint({ classes, metrics, clock }),
+    clock,
+    log,
+    guard,
+    metrics,
+  });
   const longPolls = new LongPollConnections({ endpoint, clock, log, metrics });
   const checkSocket = new CheckSocket(guard, clock);
   const server = createServer({
@@ -121,6 +129,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     const isHotReload = isDevelopment && protocol.startsWith(HOT_RELOAD_PREFIX);
     if (isHotReload) return;
     if (checkSocket.isFor(request)) checkSocket.upgrade(request, socket, head);
+    else if (classSockets.isFor(request)) classSockets.upgrade(request, socket, head);
     else gateway.upgrade(request, socket, head);
   });
 
@@ -134,13 +143,17 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
       });
     }
     gateway.close();
+    classSockets.close();
     longPolls.close();
     checkSocket.close();
     pairing.close();
     await registry.close();
     await classes.close();
     await development?.close();
-    await closeServer(server, SHUTDOWN_MS, () => gateway.destroyAll());
+    await closeServer(server, SHUTDOWN_MS, () => {
+      gateway.destroyAll();
+      classSockets.destroyAll();
+    });
     await closeServer(metricsHttp, 0, () => undefined);
     await documents.close();
     await backend.close();

@@ -2,15 +2,8 @@
  * Messages between relays that serve the same class, on one channel per class. Nothing that is
  * stored is lost without them, because a relay that missed a commit reads the class again.
  */
-import type { ProgressRecord, StudentView } from "@corridor/protocol";
 import type { ClassChanges } from "../store/class-store.ts";
-
-/** An event for dashboards, without its number. */
-export type ClassRecord =
-  | { type: "student"; student: StudentView; progress: ProgressRecord | null }
-  | { type: "removed"; student: number }
-  /** the settings changed: each reader receives the current ones */
-  | { type: "settings" };
+import type { ClassRecord } from "./class-record.ts";
 
 /** A commit: the version before it, the rows that it replaces, and its events. */
 export interface ClassNews {

@@ -2,30 +2,20 @@
  * Message bus for classes over Redis. The store publishes commits and deletions in the transaction
  * that makes them. A broken connection makes the bus call `missed`.
  */
-import { progressRecordSchema, studentViewSchema } from "@corridor/protocol";
 import type { Logger } from "pino";
 import { z } from "zod";
 import { classRow, studentRow } from "../store/class-rows.ts";
 import { asked, type Redis } from "../store/redis/connection.ts";
 import { classChannelOf } from "../store/redis/redis-keys.ts";
 import type { ClassBus, ClassChannel, ClassListener } from "./class-bus.ts";
+import { classRecordSchema } from "./class-record.ts";
 
 const student = z.int();
 const newsSchema = z.object({
   kind: z.literal("changes"),
   version: z.int(),
   changes: z.object({ row: classRow, students: z.array(studentRow), removed: z.array(student) }),
-  events: z.array(
-    z.discriminatedUnion("type", [
-      z.object({
-        type: z.literal("student"),
-        student: studentViewSchema,
-        progress: progressRecordSchema.nullable(),
-      }),
-      z.object({ type: z.literal("removed"), student }),
-      z.object({ type: z.literal("settings") }),
-    ]),
-  ),
+  events: z.array(classRecordSchema),
 });
 const publishedSchema = z.discriminatedUnion("kind", [
   newsSchema,

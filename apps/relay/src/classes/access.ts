@@ -16,6 +16,10 @@ export const classRights = {
   end: ["teach"],
   /** change the lesson, pause, lock, pace, codes and students */
   direct: ["teach"],
+  /** connect as a dashboard, a big screen or a student */
+  teach: ["teach"],
+  show: ["show"],
+  learn: ["learn"],
   /** read the lesson */
   readLesson: ["teach", "show", "learn"],
 } as const satisfies Record<string, readonly Member["kind"][]>;
@@ -37,8 +41,15 @@ export function memberOf({ row, students }: ClassState, key: string): Member | n
 export function checkClassRight(kind: Member["kind"], verb: ClassVerb): void {
   const kinds: readonly Member["kind"][] = classRights[verb];
   if (kinds.includes(kind)) return;
-  throw new Refusal("forbidden", "This requires the teacher's key, which starts with tea_.");
+  throw new Refusal("forbidden", remedies[kinds[0] ?? "teach"]);
 }
+
+/** By the kind of key that is required. */
+const remedies: Record<Member["kind"], string> = {
+  teach: "This requires the teacher's key, which starts with tea_.",
+  show: "This requires the key of the big screen, which starts with scr_.",
+  learn: "This requires the key of a student, which starts with stu_.",
+};
 
 /** @param key as sent; null: none */
 export function wrongClassKey(key: string | null): Refusal {

@@ -8,13 +8,19 @@ import type { Clock } from "../platform/time/clock.ts";
 import { mintClassCode } from "../platform/keys.ts";
 import { noClass } from "../platform/errors/problems.ts";
 import type { ClassChanges, ClassStore } from "../store/class-store.ts";
-import type { ClassNews, ClassRecord } from "../bus/class-bus.ts";
+import type { ClassNews } from "../bus/class-bus.ts";
+import type { ClassRecord } from "../bus/class-record.ts";
 import { applied, stateOf, type ClassState } from "./class-state.ts";
 import { mergedChanges, type Step, type StepContext } from "./step.ts";
 
 export interface CommitListener {
   /** Publishes a commit of this relay, unless the store has done so. */
   committed(news: ClassNews): void;
+  /**
+   * The state is newer than `before`, by a commit of this relay or of another.
+   * @param events null: some may be missing
+   */
+  changed(before: ClassState, events: readonly ClassRecord[] | null): void;
   /** The class does not exist any more. */
   ended(): void;
 }
@@ -126,6 +132,7 @@ export class ClassCommits {
         if (result !== "committed") continue;
         this.#state = applied(before, changes);
         this.#listener.committed(news);
+        this.#listener.changed(before, events);
       }
       for (const answer of answers) answer();
       return;
@@ -162,11 +169,12 @@ export class ClassCommits {
 
   /** Applies commits of other relays in order. @returns whether some are missing */
   #applyNews(): boolean {
-    for (const { version, changes } of this.#news.splice(0)) {
-      const { row } = this.#state;
-      if (changes.row.version <= row.version) continue;
-      if (version !== row.version) return true;
-      this.#state = applied(this.#state, changes);
+    for (const { version, changes, events } of this.#news.splice(0)) {
+      const before = this.#state;
+      if (changes.row.version <= before.row.version) continue;
+      if (version !== before.row.version) return true;
+      this.#state = applied(before, changes);
+      this.#listener.changed(before, events);
     }
     return false;
   }
@@ -179,7 +187,9 @@ export class ClassCommits {
       this.#listener.ended();
       return false;
     }
+    const before = this.#state;
     this.#state = stateOf(loaded);
+    this.#listener.changed(before, null);
     return true;
   }
 

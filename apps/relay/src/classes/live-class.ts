@@ -11,6 +11,7 @@ import { limits } from "../platform/limits/limits.ts";
 import type { Clock } from "../platform/time/clock.ts";
 import type { ClassBus, ClassChannel } from "../bus/class-bus.ts";
 import type { ClassStore, LoadedClass } from "../store/class-store.ts";
+import { ClassConnections } from "./class-connections.ts";
 import { ClassCommits } from "./class-commits.ts";
 import { settingsOf, stateOf, viewOf, type ClassState } from "./class-state.ts";
 import type { Step } from "./step.ts";
@@ -28,6 +29,7 @@ export class LiveClass {
   readonly id: string;
   readonly #parts: LiveClassParts;
   readonly #commits: ClassCommits;
+  readonly connections: ClassConnections;
   #channel: ClassChannel | null = null;
   #usedAt: number;
   /** last use that is stored */
@@ -41,9 +43,12 @@ export class LiveClass {
     const { store, clock } = parts;
     const listener = {
       committed: (news: Parameters<ClassChannel["committed"]>[0]) => this.#channel?.committed(news),
+      changed: (...change: Parameters<ClassConnections["changed"]>) =>
+        this.connections.changed(...change),
       ended: () => parts.ended(),
     };
     this.#commits = new ClassCommits(id, stateOf(loaded), { store, clock, listener });
+    this.connections = new ClassConnections(clock, () => this.#commits.state);
   }
 
   /** @returns null if there is no such class */
@@ -120,6 +125,7 @@ export class LiveClass {
 
   /** Stores the last use, if the stored one is older than a minute. */
   async noteUse(): Promise<void> {
+    this.connections.deleteOldEvents();
     const usedAt = this.#usedAt;
     if (usedAt - this.#notedAt < limits.touchMs) return;
     await this.#parts.store.touch(this.id, usedAt);
@@ -128,12 +134,19 @@ export class LiveClass {
 
   /** Whether it may be loaded again later, because it was not used for a while. */
   get isQuiet(): boolean {
-    return this.#parts.clock.now() - this.#usedAt > limits.classQuietMs;
+    const isIdle = this.#parts.clock.now() - this.#usedAt > limits.classQuietMs;
+    return isIdle && this.connections.isEmpty;
   }
 
-  /** Publishes that the class was deleted. */
+  /** Publishes that the class was deleted, and ends it here. */
   over(): void {
     this.#channel?.over();
+    this.end();
+  }
+
+  /** Closes all connections, because the class was deleted. */
+  end(): void {
+    this.connections.ended();
     this.leave();
   }
 

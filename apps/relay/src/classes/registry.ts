@@ -171,7 +171,7 @@ export class ClassRegistry {
   async #ended(id: string): Promise<void> {
     const found = this.#classes.get(id);
     this.#classes.delete(id);
-    (await found?.catch(() => null))?.leave();
+    (await found?.catch(() => null))?.end();
   }
 
   #limitRate(

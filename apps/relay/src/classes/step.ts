@@ -3,7 +3,7 @@
  * again on a newer state, if another relay has changed the class meanwhile.
  */
 import type { ProgressRecord } from "@corridor/protocol";
-import type { ClassRecord } from "../bus/class-bus.ts";
+import type { ClassRecord } from "../bus/class-record.ts";
 import type { ClassChanges, ClassRow, StudentRow } from "../store/class-store.ts";
 import { differInSettings, viewOf, type ClassState } from "./class-state.ts";
 

@@ -4,7 +4,7 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { Refusal } from "../platform/errors/problems.ts";
 import { hashKey } from "../platform/keys.ts";
-import type { ClassRecord } from "../bus/class-bus.ts";
+import type { ClassRecord } from "../bus/class-record.ts";
 import type { ClassRow } from "../store/class-store.ts";
 import { applied, pausedMs, settingsOf, type ClassState } from "./class-state.ts";
 import type { Step } from "./step.ts";

@@ -115,7 +115,7 @@ export interface StudentCaller {
 }
 
 /** @throws Refusal not-authorised if the student was removed or has returned on another device */
-function requireCaller(state: ClassState, { student, key }: StudentCaller): StudentRow {
+export function requireCaller(state: ClassState, { student, key }: StudentCaller): StudentRow {
   const found = state.students.get(student);
   if (found?.key === key) return found;
   throw notAuthorised("The student was removed, or continues on another device.");

@@ -18,7 +18,9 @@ import { limits } from "../../platform/limits/limits.ts";
 import { closeWith, handleMessage, type Conversation } from "../conversations/conversation.ts";
 import type { ReaderConnection } from "../conversations/reader-connection.ts";
 
-/** Size limit of a response, because clients read a response only as a whole. */
+/**
+ * Size limit of a response with several messages, because clients read a response only as a whole.
+ */
 const MAX_ANSWER_CHARACTERS = 64 * 1024;
 
 export interface LongPollConnectionParts {
@@ -151,7 +153,7 @@ export class LongPollConnection implements ReaderConnection {
     let characters = 0;
     const messages = this.#unacknowledged
       .slice(0, MAX_LONG_POLL_MESSAGES)
-      .filter((text) => (characters += text.length) <= MAX_ANSWER_CHARACTERS);
+      .filter((text, index) => (characters += text.length) <= MAX_ANSWER_CHARACTERS || index === 0);
     const isLast = messages.length === this.#unacknowledged.length;
     return {
       first: this.#first,

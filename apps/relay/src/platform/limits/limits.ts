@@ -59,6 +59,30 @@ export const limits = {
   classLifeMs: 12 * 60 * 60 * 1000,
   /** a code by which another device becomes a student */
   returnCodeMs: 10 * 60 * 1000,
+  /** connections of students per address, which a school may share; and of dashboards and screens */
+  classConnectionsPerAddress: 2_000,
+  /** connections of dashboards and big screens of one class together */
+  teacherConnections: 4,
+  /** messages of one student; a tile at most 5 times a second, while a teacher watches */
+  studentRates: {
+    tile: { perSecond: 5, burst: 10 },
+    progress: { perSecond: 0.5, burst: 10 },
+    program: { perSecond: 0.5, burst: 10 },
+    help: { perSecond: 1, burst: 5 },
+    name: { perSecond: 1, burst: 5 },
+  },
+  /** messages of one dashboard */
+  teacherRates: {
+    watch: { perSecond: 5, burst: 20 },
+    hint: { perSecond: 5, burst: 20 },
+    display: { perSecond: 2, burst: 4 },
+  },
+  /** interval of tiles to a dashboard, also while it watches a student; and of displays */
+  tilesIntervalMs: 500,
+  watchedTilesIntervalMs: 200,
+  displayIntervalMs: 500,
+  /** unacknowledged batches of tiles to a dashboard, and displays to a big screen */
+  classCredit: 2,
   /** a class without use for this long is not held in memory */
   classQuietMs: 10 * 60 * 1000,
   /** interval of snapshots to one reader; on a long-poll connection each one costs a request */

@@ -7,18 +7,19 @@ import { limits } from "../platform/limits/limits.ts";
 
 export interface CreditedFeedParts<T> {
   clock: Clock;
-  intervalMs: number;
+  /** @returns the ms from the message that is sent now to the next one */
+  intervalMs(): number;
   merge(waiting: T, newer: T): T;
   send(seq: number, content: T): void;
 }
 
 export class CreditedFeed<T> {
   readonly #parts: CreditedFeedParts<T>;
-  #waiting: T | null = null;
+  #waiting: { content: T } | null = null;
   /** number of the last message that was sent, and of the last one that was acknowledged */
   #seq = 0;
   #seen = 0;
-  #notBefore = -Infinity;
+  #sentAt = -Infinity;
   #cancelTimer: (() => void) | null = null;
   #isClosed = false;
 
@@ -27,14 +28,23 @@ export class CreditedFeed<T> {
   }
 
   /** Sends the content now or later. */
-  offer(content: T): void {
-    this.#waiting = this.#waiting === null ? content : this.#parts.merge(this.#waiting, content);
+  offer(newer: T): void {
+    const waiting = this.#waiting;
+    const content = waiting === null ? newer : this.#parts.merge(waiting.content, newer);
+    this.#waiting = { content };
     this.#flush();
   }
 
   /** The reader has read everything up to this message. */
   seen(seq: number): void {
     this.#seen = Math.max(this.#seen, Math.min(seq, this.#seq));
+    this.#flush();
+  }
+
+  /** The interval may be shorter than before. */
+  intervalChanged(): void {
+    this.#cancelTimer?.();
+    this.#cancelTimer = null;
     this.#flush();
   }
 
@@ -48,7 +58,7 @@ export class CreditedFeed<T> {
     const { clock, intervalMs, send } = this.#parts;
     const hasCredit = this.#seq - this.#seen < limits.classCredit;
     if (this.#waiting === null || this.#isClosed || !hasCredit) return;
-    const waitMs = this.#notBefore - clock.now();
+    const waitMs = this.#sentAt + intervalMs() - clock.now();
     if (waitMs > 0) {
       this.#cancelTimer ??= clock.after(waitMs, () => {
         this.#cancelTimer = null;
@@ -56,9 +66,9 @@ export class CreditedFeed<T> {
       });
       return;
     }
-    const content = this.#waiting;
+    const { content } = this.#waiting;
     this.#waiting = null;
-    this.#notBefore = clock.now() + intervalMs;
+    this.#sentAt = clock.now();
     this.#seq += 1;
     send(this.#seq, content);
   }
