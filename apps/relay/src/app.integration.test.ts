@@ -7,6 +7,7 @@ import { describe, expect, it, onTestFinished } from "vitest";
 import type { oas31 } from "zod-openapi";
 import { createApp } from "./app.ts";
 import { RequestGuard } from "./platform/http/request-guard.ts";
+import { classEndpoint } from "./gateways/conversations/class-endpoint.ts";
 import { robotEndpoint } from "./gateways/conversations/endpoint.ts";
 import { LongPollConnections } from "./gateways/long-poll/long-poll-connections.ts";
 import { Metrics } from "./ops/metrics.ts";
@@ -80,6 +81,7 @@ function appWithoutPage(): Express {
   const pairing = new PairingService({ pairings, robots: store, clock: systemClock, log });
   onTestFinished(async () => {
     longPolls.close();
+    classLongPolls.close();
     pairing.close();
     await documents.close();
     await registry.close();
@@ -91,7 +93,13 @@ function appWithoutPage(): Express {
   const metrics = new Metrics();
   const endpoint = robotEndpoint({ registry, metrics, clock: systemClock });
   const longPolls = new LongPollConnections({ endpoint, clock: systemClock, log, metrics });
-  const services = { registry, classes, longPolls, documents, pairing };
+  const classLongPolls = new LongPollConnections({
+    endpoint: classEndpoint({ classes, metrics, clock: systemClock }),
+    clock: systemClock,
+    log,
+    metrics,
+  });
+  const services = { registry, classes, longPolls, classLongPolls, documents, pairing };
   const parts = { ...services, guard, readiness, metrics, clock: systemClock, log, page: Router() };
   return createApp({ ...parts, isDevelopment: false });
 }

@@ -1,5 +1,5 @@
 /** The HTTP application: API, health and page, without a port of its own. */
-import type { Hello } from "@corridor/protocol";
+import type { ClassHello, Hello } from "@corridor/protocol";
 import express, { Router, type Express } from "express";
 import type { Logger } from "pino";
 import type { Clock } from "./platform/time/clock.ts";
@@ -37,6 +37,7 @@ export interface AppDependencies {
   registry: RobotRegistry;
   classes: ClassRegistry;
   longPolls: LongPollConnections<Hello>;
+  classLongPolls: LongPollConnections<ClassHello>;
   documents: DocumentService;
   pairing: PairingService;
   clock: Clock;
@@ -53,7 +54,7 @@ export interface AppDependencies {
 export function createApp(dependencies: AppDependencies): Express {
   const { registry, classes, longPolls, documents, pairing, clock, log, guard, readiness } =
     dependencies;
-  const { metrics, page, isDevelopment } = dependencies;
+  const { classLongPolls, metrics, page, isDevelopment } = dependencies;
   const app = express();
   app.disable("x-powered-by");
   app.set("query parser", "simple");
@@ -89,6 +90,7 @@ export function createApp(dependencies: AppDependencies): Express {
   api.use(longPollRoutes(longPolls, guard));
   api.use(documentRoutes(documents, guard));
   api.use(classRoutes(classes, guard));
+  api.use(longPollRoutes(classLongPolls, guard));
   api.use(notFound);
   app.use("/api/v1", api);
 

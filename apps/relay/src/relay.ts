@@ -86,13 +86,15 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   const readiness = new Readiness(store, clock, log);
   const endpoint = robotEndpoint({ registry, metrics, clock });
   const gateway = new WebSocketGateway({ endpoint, clock, log, guard, metrics });
-  const classSockets = new WebSocketGateway({
+  const ofClasses = {
     endpoint: classEndpoint({ classes, metrics, clock }),
     clock,
     log,
     guard,
     metrics,
-  });
+  };
+  const classSockets = new WebSocketGateway(ofClasses);
+  const classLongPolls = new LongPollConnections(ofClasses);
   const longPolls = new LongPollConnections({ endpoint, clock, log, metrics });
   const checkSocket = new CheckSocket(guard, clock);
   const server = createServer({
@@ -112,6 +114,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     registry,
     classes,
     longPolls,
+    classLongPolls,
     documents,
     pairing,
     clock,
@@ -145,6 +148,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     gateway.close();
     classSockets.close();
     longPolls.close();
+    classLongPolls.close();
     checkSocket.close();
     pairing.close();
     await registry.close();

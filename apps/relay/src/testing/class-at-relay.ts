@@ -6,6 +6,7 @@ import {
   type JoinedClass,
 } from "@corridor/protocol";
 import { lesson } from "../platform/testing/sample-documents.ts";
+import type { AskOptions } from "./test-relay.ts";
 import { TestSocket } from "./test-socket.ts";
 
 export const tile = {
@@ -42,10 +43,15 @@ export class ClassAtRelay {
 
   /** A request of the teacher to a path below the class. */
   async direct(method: string, path = "", body?: unknown): Promise<Response> {
+    return this.ask(path, { method, body });
+  }
+
+  /** A request with a key to a path below the class. */
+  async ask(path: string, { method, key, body }: AskOptions): Promise<Response> {
     return fetch(`${this.#relay.origin}/api/v1/classes/${this.created.id}${path}`, {
-      method,
+      method: method ?? "GET",
       headers: {
-        Authorization: `Bearer ${this.created.teacherKey}`,
+        Authorization: `Bearer ${key ?? this.created.teacherKey}`,
         ...(body !== undefined && { "Content-Type": "application/json" }),
       },
       ...(body !== undefined && { body: JSON.stringify(body) }),
