@@ -78,10 +78,11 @@ export function MakeLesson({ device, link }: MakeLessonProps) {
     return lesson === null ? opened : { ok: true, lesson };
   }
 
-  const openLink = useEffectEvent(async (text: string) => receive(await readBeginning(text), true));
+  const readLink = useEffectEvent((text: string) => readBeginning(text));
+  const receiveLink = useEffectEvent((opened: OpenedLesson) => receive(opened, true));
   useEffect(() => {
-    // A lesson of a maze begins with a text.
-    if (link !== null && ready) void openLink(link);
+    // The name of a first task is a text, so it waits until the texts are loaded.
+    if (link !== null && ready) void readLink(link).then((opened) => receiveLink(opened));
   }, [link, ready]);
 
   const begin = (lesson: LessonDocument): void => follow(beginLesson(lessons, lesson));

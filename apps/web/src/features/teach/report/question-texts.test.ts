@@ -6,9 +6,9 @@ import { questionTexts } from "./question-texts.ts";
 const lesson = {
   ...lessonWith(taskWith()),
   language: "de",
-  survey: [{ id: "question_1", question: "Was hat geholfen?" }],
+  survey: [{ id: "question_1", question: "Die Pause?" }],
 };
-const other = { ...lesson, survey: [{ id: "question_1", question: "Und was nicht?" }] };
+const other = { ...lesson, survey: [{ id: "question_1", question: "Das Video?" }] };
 
 function reportWith(task: string | null, id: string): Report {
   const unknown = {
@@ -29,7 +29,7 @@ function reportWith(task: string | null, id: string): Report {
 
 describe("the questions of a report", () => {
   it("are those of the lesson with the same questions and tasks", () => {
-    const text = { question: "Was hat geholfen?", language: "de" };
+    const text = { question: "Die Pause?", language: "de" };
     for (const task of [null, "Straight on"]) {
       expect([...questionTexts(reportWith(task, "question_1"), [lesson])]).toEqual([
         ["question_1", text],
