@@ -29,7 +29,7 @@ export async function connectRedis(url: string, log: (error: unknown) => void): 
   redis.on("ready", () => (lastLogged = null));
   redis.on("error", (error: unknown) => {
     const why = reasonOf(error);
-    // While Redis is away, each attempt to reconnect fails with the same error.
+    // While Redis is unavailable, each attempt to reconnect fails with the same error.
     if (!isConnected || why === lastLogged) return;
     lastLogged = why;
     log(error);
