@@ -91,7 +91,7 @@ test("begins with the 2013 study, or with a maze that a student shares", async (
   ]);
   await page.getByRole("button", { name: /^Survey/ }).click();
   await expect(editor.field("Question 2")).toHaveValue(/how a robot finds its way/);
-  await expect(editor.field("Question 4")).toHaveValue(/how people and computers work/);
+  await expect(editor.field("Question 4")).toHaveValue(/how we all work with computers/);
 
   const student = new CorridorPage(page);
   await student.open();
