@@ -169,9 +169,10 @@ async function resume(services: Services, words: i18n): Promise<void> {
   await extras?.resumeExtras(services, words, tab);
 }
 
-/** The pages of viewers and teachers, which have no robot of their own; null for the student's page. */
+/** The pages of viewers, teachers and joining students, which have no robot; null for the student's page. */
 function otherPage(path: string): Promise<{ openPage: OpenPage }> | null {
   if (path.startsWith("/r/")) return import("./features/watch/open-watch.tsx");
+  if (path.startsWith("/join")) return import("./features/join/open-join.tsx");
   return path.startsWith("/teach") ? import("./shell/open-teach.tsx") : null;
 }
 

@@ -7,6 +7,7 @@ import type { en } from "./en/index.ts";
 import type check from "./en/check.json";
 import type lessonEditor from "./en/lesson-editor.json";
 import type diagnosis from "./en/diagnosis.json";
+import type join from "./en/join.json";
 import type missions from "./en/missions.json";
 import type otherMazes from "./en/other-mazes.json";
 import type runDetails from "./en/run-details.json";
@@ -23,6 +24,8 @@ export interface Namespaces {
   check: typeof check;
   /** why a run failed */
   diagnosis: typeof diagnosis;
+  /** the page on which a student joins a class */
+  join: typeof join;
   /** the lessons */
   missions: typeof missions;
   /** "Try it in other mazes" */

@@ -118,6 +118,16 @@ export const partLoaders: Record<
     pt: async () => (await import("./pt/teach.json")).default,
     "zh-Hans": async () => (await import("./zh-Hans/teach.json")).default,
   },
+  join: {
+    en: async () => (await import("./en/join.json")).default,
+    ar: async () => (await import("./ar/join.json")).default,
+    de: async () => (await import("./de/join.json")).default,
+    es: async () => (await import("./es/join.json")).default,
+    fr: async () => (await import("./fr/join.json")).default,
+    ja: async () => (await import("./ja/join.json")).default,
+    pt: async () => (await import("./pt/join.json")).default,
+    "zh-Hans": async () => (await import("./zh-Hans/join.json")).default,
+  },
   watch: {
     en: async () => (await import("./en/watch.json")).default,
     ar: async () => (await import("./ar/watch.json")).default,

@@ -13,6 +13,7 @@ export const files = import.meta.glob<Words>(
     "!./report.json",
     "!./daily.json",
     "!./sound.json",
+    "!./join.json",
     "!./lesson-editor.json",
     "!./teach.json",
     "!./watch.json",

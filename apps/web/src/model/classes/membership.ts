@@ -1,0 +1,27 @@
+/**
+ * The class that this tab has joined. The tab stores the key of the student, so that a reload stays
+ * in the class.
+ */
+import { joinedClassSchema, readJson, type JoinedClass } from "@corridor/protocol";
+import type { KeyValueStorage } from "../storage/key-value-storage.ts";
+
+const STORAGE_KEY = "corridor.class";
+const MAX_STORED_TEXT = 1_024;
+
+/** @returns null if this tab has joined no class */
+export function storedMembership(tab: KeyValueStorage): JoinedClass | null {
+  const text = tab.getItem(STORAGE_KEY);
+  if (text === null) return null;
+  const read = readJson(joinedClassSchema, text, MAX_STORED_TEXT);
+  return read.ok ? read.value : null;
+}
+
+/** @returns false if the tab cannot store it: a reload then needs the code again */
+export function storeMembership(tab: KeyValueStorage, joined: JoinedClass): boolean {
+  try {
+    tab.setItem(STORAGE_KEY, JSON.stringify(joined));
+    return true;
+  } catch {
+    return false;
+  }
+}

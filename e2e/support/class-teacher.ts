@@ -1,0 +1,36 @@
+/** A teacher's script: starts a class at the relay, and directs it as a dashboard does. */
+import { createdClassSchema, type CreatedClass } from "@corridor/protocol";
+import { sampleLesson } from "../../apps/web/src/model/lessons/testing/sample-lesson.ts";
+
+export class ClassTeacher {
+  readonly #relay: string;
+  readonly created: CreatedClass;
+
+  private constructor(relay: string, created: CreatedClass) {
+    this.#relay = relay;
+    this.created = created;
+  }
+
+  static async start(relay: string, names: string[] | null = null): Promise<ClassTeacher> {
+    const answer = await fetch(`${relay}/api/v1/classes`, {
+      method: "POST",
+      headers: { "Content-Type": "application/json" },
+      body: JSON.stringify({ lesson: sampleLesson, names }),
+    });
+    return new ClassTeacher(relay, createdClassSchema.parse(await answer.json()));
+  }
+
+  get code(): string {
+    return this.created.code;
+  }
+
+  /** A request with the teacher's key. @param path below the class */
+  async direct(method: "DELETE" | "PUT", path = ""): Promise<void> {
+    const { id, teacherKey } = this.created;
+    const answer = await fetch(`${this.#relay}/api/v1/classes/${id}${path}`, {
+      method,
+      headers: { Authorization: `Bearer ${teacherKey}` },
+    });
+    if (!answer.ok) throw new Error(`${method} ${path}: ${answer.status} ${await answer.text()}`);
+  }
+}
