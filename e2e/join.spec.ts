@@ -5,6 +5,7 @@ import { expect, test } from "./fixtures.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 import { ClassTeacher } from "./support/class-teacher.ts";
 import { horizontalOverflow, smallTouchTargets } from "./support/layout.ts";
+import type { PageErrors } from "./support/page-errors.ts";
 import { phone } from "./support/phone.ts";
 
 /** Letters of no class: codes are random, and the chance of this one is 1 in 64 million. */
@@ -19,9 +20,14 @@ async function join(page: Page, letters: string): Promise<void> {
   await page.keyboard.press("Enter");
 }
 
+/** The browser reports each refused or failed request as an error. */
+function ignoreFailedRequests({ messages }: PageErrors): void {
+  const others = messages.filter((each) => !each.startsWith("console: Failed to load resource"));
+  messages.splice(0, messages.length, ...others);
+}
+
 test("a student joins with small letters, and stays in the class after a reload", async ({
   page,
-  pageErrors: _pageErrors,
   relay,
 }) => {
   const { code } = await ClassTeacher.start(relay);
@@ -53,7 +59,11 @@ test("the code of an address is in the field, and is gone once the student has j
   expect(new URL(page.url()).hash).toBe("");
 });
 
-test("each refusal says what to do, and the letters stay in the field", async ({ page, relay }) => {
+test("each refusal says what to do, and the letters stay in the field", async ({
+  page,
+  pageErrors,
+  relay,
+}) => {
   const teacher = await ClassTeacher.start(relay, ["Only one"]);
   await page.goto("/join");
   const alert = page.getByRole("alert");
@@ -76,6 +86,7 @@ test("each refusal says what to do, and the letters stay in the field", async ({
   await teacher.direct("DELETE");
   await join(page, teacher.code);
   await expect(alert).toHaveText("No class has these letters now. Look at the board again.");
+  ignoreFailedRequests(pageErrors);
 });
 
 test("a page that is older than the relay offers to reload", async ({ page, relay }) => {
@@ -92,15 +103,24 @@ test("a page that is older than the relay offers to reload", async ({ page, rela
   await expect(page.getByRole("heading", { name: /^You are / })).toBeVisible();
 });
 
-test("a student without a network reads what still works", async ({ page, context }) => {
+test("a student without a network reads what still works", async ({
+  page,
+  context,
+  pageErrors,
+}) => {
   await page.goto("/join");
   await expect(lettersOf(page)).toBeVisible();
   await context.setOffline(true);
   await join(page, NO_CLASS);
   await expect(page.getByRole("alert")).toContainText("You are offline.");
+  ignoreFailedRequests(pageErrors);
 });
 
-test("fits a phone and 320 px, also in a right-to-left language", async ({ openWindow, relay }) => {
+test("fits a phone and 320 px, also in a right-to-left language", async ({
+  openWindow,
+  pageErrors,
+  relay,
+}) => {
   const { code } = await ClassTeacher.start(relay);
   for (const locale of ["en", "ar"]) {
     const { page } = await openWindow({ ...phone, locale });
@@ -118,4 +138,5 @@ test("fits a phone and 320 px, also in a right-to-left language", async ({ openW
     expect(await smallTouchTargets(page)).toEqual([]);
     expect(await horizontalOverflow(page), locale).toEqual([]);
   }
+  ignoreFailedRequests(pageErrors);
 });

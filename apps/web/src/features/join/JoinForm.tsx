@@ -1,6 +1,6 @@
 /** One field for the letters on the board. */
 import type { JoinedClass } from "@corridor/protocol";
-import { useId, useRef, useState, type SubmitEvent } from "react";
+import { useEffect, useId, useRef, useState, type SubmitEvent } from "react";
 import { useTranslation } from "react-i18next";
 import { Button } from "../../ui/Button.tsx";
 import { FieldError } from "../../ui/FieldError.tsx";
@@ -23,6 +23,8 @@ export function JoinForm({ code, onJoin }: JoinFormProps) {
   const [problem, setProblem] = useState<JoinProblem | null>(null);
   const [isJoining, setJoining] = useState(false);
   const field = useRef<HTMLInputElement>(null);
+  // The field is all that this page is for.
+  useEffect(() => field.current?.focus(), []);
   const noteId = useId();
   const errorId = useId();
   const join = async (event: SubmitEvent): Promise<void> => {
@@ -48,7 +50,6 @@ export function JoinForm({ code, onJoin }: JoinFormProps) {
           onChange={setTyped}
           maxLength={MAX_TYPED}
           dir="ltr"
-          autoFocus
           autoCapitalize="characters"
           spellCheck={false}
           aria-invalid={problem !== null}

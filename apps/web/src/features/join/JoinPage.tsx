@@ -19,9 +19,19 @@ interface JoinPageProps {
 
 export function JoinPage({ tab, tools }: JoinPageProps) {
   const { t, i18n } = useTranslation("join", { useSuspense: false });
-  const [code] = useState(() => location.hash.slice(1));
+  const [code, setCode] = useState(codeOfAddress);
   // A code in the address is for a class that this tab may not have joined yet.
   const [joined, setJoined] = useState(() => (code === "" ? storedMembership(tab) : null));
+  useEffect(() => {
+    // Another code in the address bar does not reload the page.
+    const follow = (): void => {
+      if (codeOfAddress() === "") return;
+      setCode(codeOfAddress());
+      setJoined(null);
+    };
+    window.addEventListener("hashchange", follow);
+    return () => window.removeEventListener("hashchange", follow);
+  }, []);
   useEffect(() => {
     document.title = t("pageTitle");
   }, [t, i18n.language]);
@@ -42,7 +52,7 @@ export function JoinPage({ tab, tools }: JoinPageProps) {
         </header>
         <main className={styles["main"]}>
           {joined === null ? (
-            <JoinForm code={code} onJoin={enter} />
+            <JoinForm key={code} code={code} onJoin={enter} />
           ) : (
             <JoinedClassCard joined={joined} />
           )}
@@ -50,4 +60,8 @@ export function JoinPage({ tab, tools }: JoinPageProps) {
       </div>
     </ErrorBoundary>
   );
+}
+
+function codeOfAddress(): string {
+  return location.hash.slice(1);
 }

@@ -17,7 +17,7 @@ function problem(status: number, kind: string, headers: Record<string, string> =
 async function joinWith(typed: string, answer: Response) {
   const sent: string[] = [];
   const result = await joinClass(typed, (_url, { body }) => {
-    sent.push(String(body));
+    sent.push(body);
     return Promise.resolve(answer);
   });
   return { result, sent };

@@ -7,12 +7,14 @@ import {
   PAIRING_LETTERS,
   problemSchema,
   readJson,
+  readValue,
   type JoinedClass,
 } from "@corridor/protocol";
 
 const MAX_ANSWER = 4_096;
 /** if the relay does not send a `Retry-After` */
 const DEFAULT_WAIT_SECONDS = 20;
+const PAIRING_CODE = new RegExp(`^[${PAIRING_LETTERS}]{${PAIRING_LENGTH}}$`);
 
 export type JoinProblem =
   /** `wrong`: no class has this code; `robot`: a pairing code; `old`: the page is too old */
@@ -21,18 +23,24 @@ export type JoinProblem =
 
 export type JoinResult = { ok: true; value: JoinedClass } | { ok: false; problem: JoinProblem };
 
+interface JoinRequest {
+  method: "POST";
+  headers: Record<string, string>;
+  body: string;
+}
+
 /** the part of fetch that is used */
-export type Ask = (url: string, init: RequestInit) => Promise<Response>;
+type Ask = (url: string, request: JoinRequest) => Promise<Response>;
 
 /** @param typed upper or lower case, with spaces or hyphens */
 export async function joinClass(typed: string, ask: Ask): Promise<JoinResult> {
-  const code = joinRequestSchema.safeParse({ code: typed });
-  if (!code.success) return failed(isPairingCode(typed) ? "robot" : "wrong");
+  const code = readValue(joinRequestSchema, { code: typed });
+  if (!code.ok) return failed(isPairingCode(typed) ? "robot" : "wrong");
   try {
     const answer = await ask("/api/v1/joins", {
       method: "POST",
       headers: { "Content-Type": "application/json" },
-      body: JSON.stringify(code.data),
+      body: JSON.stringify(code.value),
     });
     const text = await answer.text();
     if (answer.status === 201) {
@@ -81,9 +89,5 @@ function failed(kind: Exclude<JoinProblem["kind"], "tooFast">): JoinResult {
 }
 
 function isPairingCode(typed: string): boolean {
-  const letters = typed.toUpperCase().replaceAll(/[ -]/g, "");
-  return (
-    letters.length === PAIRING_LENGTH &&
-    [...letters].every((each) => PAIRING_LETTERS.includes(each))
-  );
+  return PAIRING_CODE.test(typed.toUpperCase().replaceAll(/[ -]/g, ""));
 }

@@ -16,12 +16,10 @@ export function storedMembership(tab: KeyValueStorage): JoinedClass | null {
   return read.ok ? read.value : null;
 }
 
-/** @returns false if the tab cannot store it: a reload then needs the code again */
-export function storeMembership(tab: KeyValueStorage, joined: JoinedClass): boolean {
+export function storeMembership(tab: KeyValueStorage, joined: JoinedClass): void {
   try {
     tab.setItem(STORAGE_KEY, JSON.stringify(joined));
-    return true;
   } catch {
-    return false;
+    // Without storage, a reload needs the letters again.
   }
 }
