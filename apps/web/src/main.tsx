@@ -169,7 +169,7 @@ async function resume(services: Services, words: i18n): Promise<void> {
   await extras?.resumeExtras(services, words, tab);
 }
 
-/** The pages of viewers, teachers and joining students, which have no robot; null for the student's page. */
+/** The pages without a robot: of viewers, teachers and joining students; null for the student's. */
 function otherPage(path: string): Promise<{ openPage: OpenPage }> | null {
   if (path.startsWith("/r/")) return import("./features/watch/open-watch.tsx");
   if (path.startsWith("/join")) return import("./features/join/open-join.tsx");
