@@ -76,6 +76,31 @@ test("opens the lesson of a link, and saves what the teacher changes", async ({ 
   await expect(page).toHaveURL(/#hand-ins$/);
 });
 
+test("begins with the 2013 study, or with a maze that a student shares", async ({ page }) => {
+  const editor = new LessonEditor(page);
+  await page.goto("/teach#make");
+  await page.getByRole("button", { name: /^The 2013 study/ }).click();
+  await expect(editor.name).toHaveText("The 2013 study");
+  await expect(editor.tasks).toHaveText([
+    /Make it move/,
+    /How far is the wall/,
+    /One line/,
+    /The first true line/,
+    /Follow the right wall/,
+    /The farthest distance/,
+  ]);
+  await page.getByRole("button", { name: /^Survey/ }).click();
+  await expect(editor.field("Question 2")).toHaveValue(/how a robot finds its way/);
+  await expect(editor.field("Question 4")).toHaveValue(/how we all work with computers/);
+
+  const student = new CorridorPage(page);
+  await student.open();
+  await student.share.click();
+  await page.getByRole("link", { name: "Teaching? Make a lesson of this" }).click();
+  await expect(editor.name).toHaveText("Long way round");
+  await expect(editor.tasks).toHaveText([/Task 1/]);
+});
+
 test("undoes edits of the form, the tasks and the maze in one history", async ({ page }) => {
   const editor = new LessonEditor(page);
   await editor.beginEmpty();

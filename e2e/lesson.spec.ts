@@ -244,7 +244,7 @@ test("stops a check at once, with the mazes so far", async ({ corridor, page }) 
   await drop(page, { ...lesson, tasks: [taskOf("Many", { unseen, checks }), taskOf("Two")] });
   await opened.expectTask(1);
   await corridor.program.addLine("front <", "50", "turn 180");
-  await opened.card.getByRole("button", { name: "Check in all 1001 mazes" }).click();
+  await opened.card.getByRole("button", { name: "Check in all 1,001 mazes" }).click();
   await expect(opened.card.getByText(/^Checking [1-9]\d* of 1,001\.$/)).toBeVisible();
   const stop = opened.card.getByRole("button", { name: "Stop" });
   await stop.click();

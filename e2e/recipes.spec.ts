@@ -214,3 +214,17 @@ for (const recipe of recipes) {
     await script.stop();
   });
 }
+
+test("the wall follower in curl ends with a sentence if the service does not respond", async ({
+  page,
+  relay,
+}) => {
+  const samples = await samplesOf(page, `${relay}/docs/recipes`);
+  const follower = samples.find(({ language }) => language === "curl");
+  const text = follower?.text.replaceAll("http://HOST", "http://localhost:1") ?? "";
+  const script = await start(text, "curl", `${relay}/r/ID#KEY`);
+  expect(await script.ended).toEqual([1, null]);
+  expect(script.output).toContain("The service did not respond. Check the address");
+  expect(script.output).not.toContain("awk");
+  await script.stop();
+});

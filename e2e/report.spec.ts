@@ -66,10 +66,12 @@ test("shows the paper's numbers from the paper's files, and the mistakes that th
   await expect(bars.getByRole("listitem").last()).toHaveText("Student 28: 14:00");
 
   const mistakes = page.getByRole("group", { name: "Students with a mistake" });
-  await mistakes.getByLabel("control flow").fill("1");
-  await mistakes.getByLabel("navigation").fill("3");
-  await expect(cells("control flow")).toHaveText(["0", "3", "5", "9", "11", "0", "4.0", "3.6%"]);
-  await expect(cells("navigation")).toHaveText(["0", "1", "4", "9", "14", "0", "4.3", "10.7%"]);
+  const controlFlow = "How much did the simulator help you see how a program runs";
+  const navigation = "How much did the simulator help you see how a robot finds its way";
+  await mistakes.getByLabel(controlFlow).fill("1");
+  await mistakes.getByLabel(navigation).fill("3");
+  await expect(cells(controlFlow)).toHaveText(["0", "3", "5", "9", "11", "0", "4.0", "3.6%"]);
+  await expect(cells(navigation)).toHaveText(["0", "1", "4", "9", "14", "0", "4.3", "10.7%"]);
   await expectNoAxeViolations(page, "a report");
 });
 

@@ -30,3 +30,12 @@ export function exitCodes(success: string, failure: string | null): string {
     "  2  the arguments or files are invalid; prints one problem per line to standard error",
   ].join("\n");
 }
+
+/** Help text: the fields of a run, as `simulate` and `grade` print them. */
+export const runFields = `  ticks, seconds             length of the run; a tick is 1/60 s
+  bumps                      number of bumps
+  visitedCells, openCells    cells that the robot visited; cells without a block
+  distance                   driven distance in cm
+  goal                       whether, and at which tick, the robot reached a goal
+  pose                       final position in cm, and degrees clockwise from north
+  lines                      number of decisions of each line, from 0, and of the default`;

@@ -3,7 +3,7 @@
  * cores.
  */
 import { gradeArguments, gradeOptions } from "./arguments.ts";
-import { exitCodes, type Command } from "./command.ts";
+import { exitCodes, runFields, type Command } from "./command.ts";
 
 const help = `Usage:
   corridor grade --program FILE... --maze FILE... [--seconds N] [--until time|goal|bump]
@@ -41,7 +41,10 @@ Options:
   --csv               print a CSV table without a summary
   --help              print this text
 
-corridor simulate --help describes the fields of a run. Fields of a line with --challenge:
+Fields of a line without --challenge, beside the files:
+${runFields}
+
+Fields of a line with --challenge:
   program     file, or the line of --handins, such as "line 3"
   task        number of the task, from 1
   passed      whether the program passes the task

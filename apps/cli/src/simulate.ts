@@ -2,7 +2,7 @@
 import { CompiledProgram } from "@corridor/program";
 import { replayDigest, TICKS_PER_SECOND, type Inputs } from "@corridor/simulation";
 import { simulateArguments } from "./arguments.ts";
-import { exitCodes, type Command } from "./command.ts";
+import { exitCodes, runFields, type Command } from "./command.ts";
 import { readFiles } from "./read-files.ts";
 import { jsonLine } from "./report.ts";
 import type { RunLimits } from "./run-limits.ts";
@@ -27,13 +27,7 @@ Options:
   --help           print this text
 
 Result:
-  ticks, seconds             length of the run; a tick is 1/60 s
-  bumps                      number of bumps
-  visitedCells, openCells    cells that the robot visited; cells without a block
-  distance                   driven distance in cm
-  goal                       whether, and at which tick, the robot reached a goal
-  pose                       final position in cm, and degrees clockwise from north
-  lines                      number of decisions of each line, from 0, and of the default
+${runFields}
 
 ${exitCodes("success, even if the robot bumps or misses the goal", null)}`;
 

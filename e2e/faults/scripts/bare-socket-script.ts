@@ -21,6 +21,7 @@ export class BareSocketScript {
   readonly #started = new Map<number, number>();
   readonly #records = new Map<number, CommandRecord>();
   #newest: Snapshot | null = null;
+  #lastTickAt = 0;
   #count = 0;
   /** whether the relay has closed the connection */
   isClosed = false;
@@ -46,6 +47,11 @@ export class BareSocketScript {
   /** state in the newest snapshot */
   get robotState(): Snapshot["state"] | null {
     return this.#newest?.state ?? null;
+  }
+
+  /** when the newest tick of the robot arrived */
+  get lastTickAt(): number {
+    return this.#lastTickAt;
   }
 
   /** ms from posting a command until its start was reported; Infinity before that */
@@ -80,6 +86,7 @@ export class BareSocketScript {
     if (!message.ok) throw new Error(`The relay sent an invalid message: ${text}`);
     const { value } = message;
     if (value.type === "snapshot") {
+      if (value.snapshot.tick !== this.#newest?.tick) this.#lastTickAt = machineNow();
       this.#newest = value.snapshot;
       this.#send({ type: "seen", seq: value.snapshot.seq });
     }

@@ -10,7 +10,7 @@ export {
   type HandInRefusal,
   type HandInResult,
 } from "./hand-in.ts";
-export { readLessonLink, type AddressRefusal } from "./link-address.ts";
+export { readLessonLink, readLink, type AddressRefusal } from "./link-address.ts";
 export {
   decodeLink,
   encodeLink,

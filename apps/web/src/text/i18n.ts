@@ -73,6 +73,7 @@ function usedNamespaces(words: i18n): Namespace[] {
  * the value is wrapped in a first strong isolate (U+2068).
  */
 function written(value: string, tag: LanguageTag): string {
-  const text = /^-?\d+\.\d+$/.test(value) ? localNumber(value, tag) : value;
+  // A number with three digits after the point is grouped: "1.001" in German.
+  const text = /^-?\d+\.\d{1,2}$/.test(value) ? localNumber(value, tag) : value;
   return languageOf(tag).dir === "rtl" ? `\u2068${text}\u2069` : text;
 }

@@ -29,6 +29,27 @@ describe.skipIf(!hasRedis)("with Redis", () => {
     }, SOON);
   });
 
+  it("logs each error of an outage once, however often it reconnects", async () => {
+    const server = await startTestRedis();
+    const logged: string[] = [];
+    const redis = await connectRedis(server.url, (error) => logged.push(String(error)));
+    onTestFinished(() => redis.destroy());
+    let attempts = 0;
+    redis.on("reconnecting", () => (attempts += 1));
+    const outage = async (): Promise<string[]> => {
+      [logged.length, attempts] = [0, 0];
+      await server.stop();
+      await vi.waitFor(() => expect(attempts).toBeGreaterThan(4), SOON);
+      await server.restart();
+      await vi.waitFor(() => expect(redis.isReady).toBe(true), SOON);
+      return [...logged];
+    };
+    const first = await outage();
+    expect(first.length).toBeGreaterThan(0);
+    expect(new Set(first).size).toBe(first.length);
+    expect((await outage()).length).toBeGreaterThan(0);
+  });
+
   it("stays closed after it was closed", async () => {
     const { url } = await startTestRedis();
     vi.useFakeTimers({ toFake: ["setTimeout", "clearTimeout"] });

@@ -19,28 +19,37 @@ export type Redis = ReturnType<typeof redisAt>;
 /**
  * Connects. The client reconnects automatically. Commands fail immediately while it is
  * disconnected, so that callers can ask their clients to retry.
- * @param log receives the errors of a lost connection
+ * @param log receives each error of a lost connection once
  * @throws Error if the server cannot be reached
  */
 export async function connectRedis(url: string, log: (error: unknown) => void): Promise<Redis> {
   const redis = redisAt(url);
   let isConnected = false;
+  let lastLogged: string | null = null;
+  redis.on("ready", () => (lastLogged = null));
   redis.on("error", (error: unknown) => {
-    if (isConnected) log(error);
+    const why = reasonOf(error);
+    // While Redis is unavailable, each attempt to reconnect fails with the same error.
+    if (!isConnected || why === lastLogged) return;
+    lastLogged = why;
+    log(error);
   });
   try {
     await redis.connect();
   } catch (error) {
     redis.destroy();
-    const why = error instanceof Error ? error.message : String(error);
     throw new Error(
-      `Cannot connect to Redis at ${new URL(url).host} (${why}). Start Redis, or correct STORE_URL.`,
+      `Cannot connect to Redis at ${new URL(url).host} (${reasonOf(error)}). Start Redis, or correct STORE_URL.`,
       { cause: error },
     );
   }
   isConnected = true;
   watch(redis, log);
   return redis;
+}
+
+function reasonOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
 }
 
 /**

@@ -34,7 +34,7 @@ export function Onward({ maze, onClose }: OnwardProps) {
 }
 
 function AfterChallenge({ onClose }: Pick<OnwardProps, "onClose">) {
-  const { t } = useTranslation(["words", "missions"], { useSuspense: false });
+  const { t, i18n } = useTranslation(["words", "missions"], { useSuspense: false });
   const { challenge, lessons } = useServices();
   const count = useStore(challenge, (state) => mazeCount(openTask(state)));
   const isCheckable = useStore(
@@ -65,7 +65,7 @@ function AfterChallenge({ onClose }: Pick<OnwardProps, "onClose">) {
           void service.attempt.check();
         }}
       >
-        {t("missions:card.check", allOf(count))}
+        {t("missions:card.check", allOf(count, i18n.language))}
       </Button>
     );
   }

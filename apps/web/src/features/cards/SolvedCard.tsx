@@ -88,7 +88,7 @@ export function SolvedCard({ view, solved, raceOutcome, raceButton, onClose }: S
           ? t("words:cards.solved.title")
           : isChecked || isByHand
             ? t("missions:bar.hereOnly")
-            : t("missions:bar.here", allOf(mazes))
+            : t("missions:bar.here", allOf(mazes, i18n.language))
       }
       onClose={onClose}
     >

@@ -43,7 +43,7 @@ export function ChallengeLine() {
         <span className={styles["short"]}>
           {isChecked || !task.allowed.drivers.includes("program")
             ? t("missions:bar.hereOnly")
-            : t("missions:bar.here", allOf(count))}
+            : t("missions:bar.here", allOf(count, i18n.language))}
         </span>
       </p>
     );

@@ -31,24 +31,28 @@ interface CheckResultProps {
 }
 
 export function CheckResult({ task, service }: CheckResultProps) {
-  const { t, i18n } = useTranslation("check", { useSuspense: false });
   const { challenge } = useServices();
   const hasBlame = useStore(challenge, ({ rights }) => showsHelp(rights, "blame"));
   const progress = useStore(service.check.progress);
-  const { state, done, count } = progress;
+  const { state, count } = progress;
   // A run in the only maze has shown its result.
   if (state === "idle" || count === 1) return null;
-  if (state === "running") {
-    return (
-      <div className={styles["check"]}>
-        <p className={styles["sentence"]}>
-          {progressText({ t, language: i18n.language }, progress)}
-        </p>
-        <ProgressStrip label={t("progress.label")} value={done} max={count} />
-      </div>
-    );
-  }
+  if (state === "running") return <RunningCheck service={service} />;
   return <Finished task={task} service={service} progress={progress} hasBlame={hasBlame} />;
+}
+
+/** Renders nothing unless a check of several mazes runs. */
+export function RunningCheck({ service }: Pick<CheckResultProps, "service">) {
+  const { t, i18n } = useTranslation("check", { useSuspense: false });
+  const progress = useStore(service.check.progress);
+  const { state, done, count } = progress;
+  if (state !== "running" || count === 1) return null;
+  return (
+    <div className={styles["check"]}>
+      <p className={styles["sentence"]}>{progressText({ t, language: i18n.language }, progress)}</p>
+      <ProgressStrip label={t("progress.label")} value={done} max={count} />
+    </div>
+  );
 }
 
 interface FinishedProps extends CheckResultProps {
@@ -99,7 +103,9 @@ function FailureList({ task, service, progress: { failures }, hasBlame }: Finish
   const [isOpen, setOpen] = useState(false);
   return (
     <details onToggle={({ currentTarget }) => setOpen(currentTarget.open)}>
-      <summary className={styles["summary"]}>{t("result.all", { count: failures.length })}</summary>
+      <summary className={styles["summary"]}>
+        {t("result.all", { found: groupedNumber(failures.length, i18n.language) })}
+      </summary>
       {isOpen && (
         <ul className={styles["list"]} aria-label={t("result.list")}>
           {failures.map((each) => {

@@ -11,12 +11,13 @@ import {
   showsHelp,
 } from "../../model/challenge/challenge-store.ts";
 import { allOf } from "../../text/all-of.ts";
+import { groupedNumber } from "../../text/grouped-number.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { lazyPart } from "../../ui/lazy-part.tsx";
 import type { LessonsService } from "../../model/lessons/lessons-service.ts";
 import { nextTaskOf } from "../../model/lessons/task-order.ts";
-import { CheckResult } from "./CheckResult.tsx";
+import { CheckResult, RunningCheck } from "./CheckResult.tsx";
 import { LessonHead, TaskRow } from "./LessonHead.tsx";
 import { HintButton, HintList } from "./MissionHints.tsx";
 import { MissionMazes } from "./MissionMazes.tsx";
@@ -189,6 +190,7 @@ function SlimMission({ service }: { service: LessonsService }) {
         ) : (
           <BonusOutcome id={bonus} service={service} />
         )}
+        <RunningCheck service={service} />
         <NextStep service={service} />
       </div>
     </section>
@@ -207,11 +209,12 @@ function CompletionCodePlace() {
 
 /** The unseen mazes of the task, so that no one takes the given ones for all. */
 function UnseenNote() {
-  const { t } = useTranslation("missions", { useSuspense: false });
+  const { t, i18n } = useTranslation("missions", { useSuspense: false });
   const { challenge: store } = useServices();
   const unseen = useStore(store, (state) => openTask(state)?.unseen ?? null);
   if (unseen === null) return null;
-  const { count: all, pass } = unseen;
+  const all = groupedNumber(unseen.count, i18n.language);
+  const pass = groupedNumber(unseen.pass, i18n.language);
   return <p className={styles["unseen"]}>{t("lesson.unseen", { all, pass })}</p>;
 }
 
@@ -220,7 +223,7 @@ function UnseenNote() {
  * tasks or the Lessons dialog offers every task.
  */
 function Actions({ service }: { service: LessonsService }) {
-  const { t } = useTranslation(["missions", "words", "check"], { useSuspense: false });
+  const { t, i18n } = useTranslation(["missions", "words", "check"], { useSuspense: false });
   const { challenge: store } = useServices();
   const task = useStore(store, openTask);
   const mission = useStore(store, (state) => state.mission);
@@ -245,7 +248,9 @@ function Actions({ service }: { service: LessonsService }) {
             else void service.attempt.check();
           }}
         >
-          {isChecking ? t("check:progress.stop") : t("missions:card.check", allOf(mazeCount(task)))}
+          {isChecking
+            ? t("check:progress.stop")
+            : t("missions:card.check", allOf(mazeCount(task), i18n.language))}
         </Button>
       )}
       <NextStep service={service} />

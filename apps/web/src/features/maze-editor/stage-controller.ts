@@ -184,7 +184,11 @@ export class StageController {
     if (this.#elements !== null) applyScroll(this.view, this.#elements.scroller);
   }
 
-  /** Loads the gestures after the stage. @returns a function that removes the listeners */
+  /**
+   * Loads the gestures when the pointer or a finger is first on the stage, so that the first screen
+   * does not load them.
+   * @returns a function that removes the listeners
+   */
   #listenToZoom(scroller: HTMLElement): () => void {
     const { camera } = this.#services;
     const zoom: CameraState["zoom"] = (by, at) => {
@@ -197,10 +201,14 @@ export class StageController {
       });
     };
     camera.setState({ zoom });
-    const stop = startLater(async () => {
-      const { listenToZoom } = await import("./zoom-gestures.ts");
-      return listenToZoom(scroller, zoom);
-    });
+    const load = (): void => {
+      stop = startLater(async () => {
+        const { listenToZoom } = await import("./zoom-gestures.ts");
+        return listenToZoom(scroller, zoom);
+      });
+    };
+    scroller.addEventListener("pointerenter", load, { once: true });
+    let stop = (): void => scroller.removeEventListener("pointerenter", load);
     return () => {
       stop();
       camera.setState({ zoom: () => {} });

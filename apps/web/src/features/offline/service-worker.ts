@@ -9,6 +9,13 @@
 /** How often an open page checks for a new version, in ms. */
 const LOOK_EVERY_MS = 3_600_000;
 
+/**
+ * How long the page waits before it activates a new version, in ms. The click or touch that accepts
+ * the version can also be the first on the maze, which then loads a file. Chromium gives up the
+ * activation when the old service worker receives a request meanwhile.
+ */
+const SETTLE_MS = 500;
+
 export interface UpdatePorts {
   /**
    * A new version is ready.
@@ -67,6 +74,7 @@ async function takeOver(worker: ServiceWorker): Promise<void> {
     worker.addEventListener("statechange", look);
     look();
   });
+  await new Promise((resolve) => setTimeout(resolve, SETTLE_MS));
   worker.postMessage({ type: "SKIP_WAITING" });
   await taken;
 }

@@ -18,6 +18,7 @@ import { LinkField } from "./LinkField.tsx";
 import { QrCard } from "./QrCard.tsx";
 import { RunChoice } from "./RunChoice.tsx";
 import styles from "./share.module.css";
+import { TeachLink } from "./TeachLink.tsx";
 import { ShortLinkChoice } from "./ShortLinkChoice.tsx";
 import { useShortLink } from "./use-short-link.ts";
 import { useSavedRun } from "./use-saved-run.ts";
@@ -147,6 +148,7 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
           )}
           <RunChoice isChosen={withRun} onChange={setWithRun} saved={saved} />
         </fieldset>
+        {result.ok && <TeachLink text={result.text} />}
       </div>
       {shown !== null && !isTooLong && <QrCard link={shown} name={maze.name} />}
     </div>

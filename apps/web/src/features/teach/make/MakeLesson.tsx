@@ -1,4 +1,7 @@
-/** The beginnings of a lesson: the open maze, an empty one, a file, a link, or a copy of a mission. */
+/**
+ * The beginnings of a lesson: the open maze, an empty one, a file, the study of 2013, a link, or a copy
+ * of a mission.
+ */
 import type { LessonDocument } from "@corridor/challenge";
 import { FolderOpen, SquareDashed } from "lucide";
 import { useEffect, useEffectEvent, useState, type ReactNode } from "react";
@@ -19,22 +22,30 @@ import { readTypedLesson } from "../lessons/read-typed-lesson.ts";
 import { lessonHash } from "../frame/teach-view.ts";
 import { beginLesson, beginShared, openMaze, type Begun } from "./begin-lesson.ts";
 import styles from "./make-lesson.module.css";
-import { emptyMaze, missionLesson, newLesson, newTask } from "../lessons/new-lesson.ts";
+import {
+  emptyMaze,
+  lessonOfMazeLink,
+  missionLesson,
+  newLesson,
+  newTask,
+} from "../lessons/new-lesson.ts";
+import { study2013, studyMissions } from "../lessons/study-2013.ts";
 
 interface MakeLessonProps {
   /** localStorage */
   device: KeyValueStorage;
-  /** link of the lesson in the address, which opens at once; null without one */
+  /** link of a lesson or a maze in the address, which opens at once; null without one */
   link: string | null;
 }
 
 export function MakeLesson({ device, link }: MakeLessonProps) {
-  const { t } = useTranslation("teach", { useSuspense: false });
+  const { t, ready } = useTranslation("teach", { useSuspense: false });
   const [lessons] = useState(() => new SavedLessons(device));
   const [maze] = useState(() => openMaze(device));
   const [problem, setProblem] = useState<LessonProblem | null>(null);
   const [refusal, setRefusal] = useState<"full" | "blocked" | null>(null);
   const [isOpening, setOpening] = useState(link !== null);
+  const task = t("make.taskName", { number: 1 });
 
   function follow(begun: Begun, isLink = false): void {
     setProblem(null);
@@ -53,20 +64,28 @@ export function MakeLesson({ device, link }: MakeLessonProps) {
 
   async function openText(text: string): Promise<void> {
     setOpening(true);
-    receive(await readTypedLesson(text));
+    receive(await readBeginning(text));
   }
 
   async function openFiles([file]: readonly TextFile[]): Promise<void> {
     if (file !== undefined) receive(await readLessonFile(file));
   }
 
+  async function readBeginning(text: string): Promise<OpenedLesson> {
+    const opened = await readTypedLesson(text);
+    if (opened.ok || opened.code !== "no-lesson") return opened;
+    const lesson = lessonOfMazeLink(text, task);
+    return lesson === null ? opened : { ok: true, lesson };
+  }
+
+  const readLink = useEffectEvent((text: string) => readBeginning(text));
   const receiveLink = useEffectEvent((opened: OpenedLesson) => receive(opened, true));
   useEffect(() => {
-    if (link !== null) void readTypedLesson(link).then((opened) => receiveLink(opened));
-  }, [link]);
+    // The name of a first task is a text, so it waits until the texts are loaded.
+    if (link !== null && ready) void readLink(link).then((opened) => receiveLink(opened));
+  }, [link, ready]);
 
   const begin = (lesson: LessonDocument): void => follow(beginLesson(lessons, lesson));
-  const task = t("make.taskName", { number: 1 });
   return (
     <DropView
       title={t("make.title")}
@@ -101,6 +120,7 @@ export function MakeLesson({ device, link }: MakeLessonProps) {
           picture={<Icon of={FolderOpen} />}
           onChoose={() => chooseFiles((files) => void openFiles(files))}
         />
+        <Study onChoose={begin} />
       </ul>
       <LinkForm isOpening={isOpening} isInvalid={problem !== null} onOpen={openText} />
       <Missions onChoose={begin} />
@@ -124,6 +144,21 @@ function Beginning({ name, note, picture, onChoose }: BeginningProps) {
         {note !== undefined && <span className={styles["note"]}>{note}</span>}
       </button>
     </li>
+  );
+}
+
+/** The study of 2013, in the language of the page. */
+function Study({ onChoose }: { onChoose: (lesson: LessonDocument) => void }) {
+  const { t, i18n, ready } = useTranslation(["teach", "missions"], { useSuspense: false });
+  const maze = studyMissions.at(-1)?.challenge.mazes[0];
+  if (!ready) return null;
+  return (
+    <Beginning
+      name={t("teach:study.name")}
+      note={t("teach:study.note")}
+      picture={maze !== undefined && <MazePicture maze={maze} />}
+      onChoose={() => onChoose(study2013(i18n))}
+    />
   );
 }
 

@@ -6,8 +6,11 @@ import { useTranslation } from "react-i18next";
 import { Button } from "../../../ui/Button.tsx";
 import { DropView } from "../../../ui/DropView.tsx";
 import { Icon } from "../../../ui/Icon.tsx";
+import type { KeyValueStorage } from "../../../model/storage/key-value-storage.ts";
 import { chooseFiles, type TextFile } from "../../../ui/incoming-files.ts";
 import { saveFile } from "../../../ui/save-file.ts";
+import { SavedLessons } from "../lessons/saved-lessons.ts";
+import { questionTexts, type QuestionText } from "./question-texts.ts";
 import { addReportFiles, studyOf, type ReadFiles } from "./report-files.ts";
 import { ReportProblems } from "./ReportProblems.tsx";
 import { SurveyTable } from "./SurveyTable.tsx";
@@ -17,12 +20,14 @@ import styles from "./report.module.css";
 
 const TABLES = ".csv,.txt,text/csv,text/plain";
 
-export function ReportView() {
+export function ReportView({ device }: { device: KeyValueStorage }) {
   const { t } = useTranslation("report", { useSuspense: false });
   const [{ files, problems }, setRead] = useState<ReadFiles>({ files: [], problems: [] });
   const [mistakes, setMistakes] = useState<ReadonlyMap<string, number>>(new Map());
   const study = useMemo(() => studyOf(files), [files]);
   const report = useMemo(() => reportOf(study, mistakes), [study, mistakes]);
+  const [lessons] = useState(() => new SavedLessons(device).list().map(({ lesson }) => lesson));
+  const texts = useMemo(() => questionTexts(report, lessons), [report, lessons]);
   const add = async (added: readonly TextFile[]): Promise<void> =>
     setRead(await addReportFiles(files, added));
   const isEmpty = files.length === 0;
@@ -62,6 +67,7 @@ export function ReportView() {
       {!isEmpty && (
         <ReportContent
           report={report}
+          texts={texts}
           onMistakes={(id, students) => {
             const next = new Map(mistakes);
             if (students === null) next.delete(id);
@@ -81,12 +87,14 @@ export function ReportView() {
 
 interface ReportContentProps {
   report: Report;
+  /** the texts of the questions, by their ids */
+  texts: ReadonlyMap<string, QuestionText>;
   /** @param students null: not counted */
   onMistakes: (question: string, students: number | null) => void;
   onSave: () => void;
 }
 
-function ReportContent({ report, onMistakes, onSave }: ReportContentProps) {
+function ReportContent({ report, texts, onMistakes, onSave }: ReportContentProps) {
   const { t } = useTranslation("report", { useSuspense: false });
   const { students, tasks, questions } = report;
   return (
@@ -97,7 +105,12 @@ function ReportContent({ report, onMistakes, onSave }: ReportContentProps) {
       {tasks.length > 0 && <TaskTables tasks={tasks} />}
       {tasks.length > 0 && <TaskFigures tasks={tasks} />}
       {questions.length > 0 && (
-        <SurveyTable questions={questions} students={students} onMistakes={onMistakes} />
+        <SurveyTable
+          questions={questions}
+          texts={texts}
+          students={students}
+          onMistakes={onMistakes}
+        />
       )}
       <section className={styles["definitions"]} aria-label={t("definitions.title")}>
         <h3 className={styles["heading"]}>{t("definitions.title")}</h3>

@@ -1,19 +1,24 @@
 /** The answers to the survey. The teacher types how many students made a related mistake. */
 import type { QuestionReport } from "@corridor/report";
 import { useTranslation } from "react-i18next";
+import { isStudyQuestion } from "../lessons/study-2013.ts";
+import { directionOf } from "../../../text/direction.ts";
 import { classNames } from "../../../ui/class-names.ts";
+import type { QuestionText } from "./question-texts.ts";
 import { columnName, decimalText, percentText } from "./report-numbers.ts";
 import field from "../../../ui/field.module.css";
 import styles from "./report.module.css";
 
 interface SurveyTableProps {
   questions: readonly QuestionReport[];
+  /** the texts of the questions, by their ids */
+  texts: ReadonlyMap<string, QuestionText>;
   students: number;
   /** @param count null: not counted */
   onMistakes: (question: string, count: number | null) => void;
 }
 
-export function SurveyTable({ questions, students, onMistakes }: SurveyTableProps) {
+export function SurveyTable({ questions, texts, students, onMistakes }: SurveyTableProps) {
   const { t, i18n } = useTranslation("report", { useSuspense: false });
   const { language } = i18n;
   return (
@@ -45,7 +50,9 @@ export function SurveyTable({ questions, students, onMistakes }: SurveyTableProp
           <tbody>
             {questions.map(({ id, counts, skipped, mean, mistakes }) => (
               <tr key={id}>
-                <th scope="row">{columnName(id)}</th>
+                <th scope="row" className={styles["question"]}>
+                  <Question id={id} text={texts.get(id)} />
+                </th>
                 {counts.map((count, at) => (
                   // oxlint-disable-next-line react/no-array-index-key -- the answers 1 to 5
                   <td key={at}>{count}</td>
@@ -62,7 +69,7 @@ export function SurveyTable({ questions, students, onMistakes }: SurveyTableProp
         <legend>{t("survey.mistakesOf")}</legend>
         {questions.map(({ id, mistakes }) => (
           <label key={id} className={styles["mistake"]}>
-            {columnName(id)}
+            <Question id={id} text={texts.get(id)} />
             <input
               type="number"
               inputMode="numeric"
@@ -81,4 +88,23 @@ export function SurveyTable({ questions, students, onMistakes }: SurveyTableProp
       </fieldset>
     </div>
   );
+}
+
+interface QuestionProps {
+  id: string;
+  /** in the lesson that asked it; undefined: unknown */
+  text: QuestionText | undefined;
+}
+
+function Question({ id, text }: QuestionProps) {
+  const { t } = useTranslation("teach", { useSuspense: false });
+  if (text !== undefined) {
+    const { question, language } = text;
+    return (
+      <span lang={language ?? undefined} dir={directionOf(language)}>
+        {question}
+      </span>
+    );
+  }
+  return isStudyQuestion(id) ? t(`study.questions.${id}`) : columnName(id);
 }
