@@ -13,6 +13,7 @@ import { programSchema } from "@corridor/program";
 import {
   attemptFailureSchema,
   classCodeSchema,
+  classHelloSchema,
   classSettingsSchema,
   classViewSchema,
   commandRecordSchema,
@@ -137,6 +138,7 @@ export const schemas: Record<string, z.ZodType> = {
   UnseenMazes: task.shape.unseen.unwrap(),
   SurveyQuestion: lessonSchema.shape.survey.element,
   Project: projectSchema,
+  ClassHello: classHelloSchema,
   ClassRequest: classRequestSchema,
   CreatedClass: createdClassSchema,
   JoinRequest: joinRequestSchema,

@@ -83,6 +83,8 @@ export const limits = {
   displayIntervalMs: 500,
   /** unacknowledged batches of tiles to a dashboard, and displays to a big screen */
   classCredit: 2,
+  /** minimum interval between two batches of tiles of a class to other relays */
+  classRelayIntervalMs: 250,
   /** a class without use for this long is not held in memory */
   classQuietMs: 10 * 60 * 1000,
   /** interval of snapshots to one reader; on a long-poll connection each one costs a request */
@@ -97,8 +99,8 @@ export const limits = {
   /** unsent bytes above which a reader is disconnected, because it does not read */
   stuckReaderBytes: 1024 * 1024,
   /**
-   * interval at which a relay announces a robot that it holds to the page's relay; without an
-   * announcement for `relaySilenceMs` it no longer counts
+   * interval at which a relay announces a robot that it holds to the page's relay, and a class to
+   * all; without an announcement for `relaySilenceMs` it no longer counts
    */
   relayHereMs: 2_000,
   relaySilenceMs: 6_000,
