@@ -33,7 +33,7 @@ interface ConnectedStudent {
   key: string;
   connectedAt: number;
   link: StudentLink;
-  /** whether the student was told that a dashboard watches */
+  /** whether a dashboard watches, as the student's page last received it */
   watched: boolean;
 }
 
@@ -59,9 +59,9 @@ export interface TeacherMember {
 export interface ClassConnectionsParts {
   clock: Clock;
   /** @returns the newest state */
-  state(): ClassState;
+  readonly state: () => ClassState;
   /** Sends a message to the other relays of the class. */
-  notify(message: ClassMessage): void;
+  readonly notify: (message: ClassMessage) => void;
 }
 
 export class ClassConnections {
@@ -204,7 +204,7 @@ export class ClassConnections {
     const screen = this.#screens.join(link, this.#state().row);
     this.#others.announce();
     return {
-      seen: screen.seen,
+      seen: (seq) => screen.seen(seq),
       leave: () => {
         screen.leave();
         this.#others.announce();
@@ -215,19 +215,19 @@ export class ClassConnections {
   // --- changes of the class ---
 
   /**
-   * Tells all members what has changed, here or at another relay.
+   * Notifies all members of what has changed, here or at another relay.
    * @param records the events of the change; null: some may be missing
    */
   changed(before: ClassState, records: readonly ClassRecord[] | null): void {
     for (const message of this.#events.follow(records)) {
       for (const { link } of this.#dashboards) link.send(message);
     }
-    this.#forgetRemoved(before);
+    this.#deleteRemoved(before);
     for (const [number, { key, link }] of this.#students) {
       const row = this.#state().students.get(number);
       if (row === undefined) link.close("removed");
       else if (row.key !== key) link.close("replaced");
-      else this.#tellStudent(link, number, before);
+      else this.#notifyStudent(link, number, before);
     }
     this.#screens.changed(before.row, this.#state().row);
   }
@@ -312,7 +312,7 @@ export class ClassConnections {
     };
   }
 
-  #tellStudent(link: StudentLink, number: number, before: ClassState): void {
+  #notifyStudent(link: StudentLink, number: number, before: ClassState): void {
     const { row, students } = this.#state();
     const [student, earlier] = [students.get(number), before.students.get(number)];
     const settings = settingsOf(row, this.#clock.now());
@@ -329,7 +329,7 @@ export class ClassConnections {
     if (row.paceTo !== before.row.paceTo) link.send({ type: "pace", to: row.paceTo });
   }
 
-  #forgetRemoved(before: ClassState): void {
+  #deleteRemoved(before: ClassState): void {
     for (const number of before.students.keys()) {
       if (this.#state().students.has(number)) continue;
       this.#tiles.delete(number);

@@ -19,11 +19,11 @@ interface OtherRelay {
 export interface OtherRelaysParts {
   clock: Clock;
   /** Sends a message to the other relays. */
-  notify(message: ClassMessage): void;
+  readonly notify: (message: ClassMessage) => void;
   /** @returns the connections at this relay */
-  presence(): ClassPresence;
+  readonly presence: () => ClassPresence;
   /** The connections at other relays have changed. @param students who may be affected */
-  changed(students: ReadonlySet<number>): void;
+  readonly changed: (students: ReadonlySet<number>) => void;
 }
 
 export class OtherRelays {

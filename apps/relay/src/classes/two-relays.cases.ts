@@ -128,10 +128,10 @@ export function twoRelaysCases(
     it("notifies a student whom a dashboard at the other relay watches", async () => {
       const { a, b, join, student, teacher } = await classAtTwoRelays(await open());
       const { sent } = await student(b, await join(b));
-      const { watch, leave } = await teacher(a);
-      watch(1);
+      const dashboard = await teacher(a);
+      dashboard.watch(1);
       await vi.waitFor(() => expect(sent.at(-1)).toEqual({ type: "watched", watched: true }));
-      leave();
+      dashboard.leave();
       await vi.waitFor(() => expect(sent.at(-1)).toEqual({ type: "watched", watched: false }));
     });
 
@@ -147,11 +147,12 @@ export function twoRelaysCases(
       const { a, b, at, teacher, screen } = await classAtTwoRelays(await open());
       const { connections } = await teacher(a);
       connections.display({ solved: 1 });
-      const { sent, seen } = await screen(b);
+      const display = await screen(b);
+      const { sent } = display;
       await vi.waitFor(() => expect(sent.at(-1)).toMatchObject({ content: { solved: 1 } }));
       connections.display({ solved: 2 });
       await vi.waitFor(() => expect(sent.at(-1)).toMatchObject({ content: { solved: 2 } }));
-      seen(2);
+      display.seen(2);
       (await at(b)).connections.display({ solved: 3 });
       await vi.waitFor(() => expect(sent.at(-1)).toMatchObject({ content: { solved: 3 } }));
     });

@@ -1,4 +1,5 @@
 import { describe, expect, it, onTestFinished, vi } from "vitest";
+import type { ClassListener } from "../../../../apps/relay/src/bus/class-bus.ts";
 import { RedisClassBus } from "../../../../apps/relay/src/bus/redis-class-bus.ts";
 import {
   twoRelaysCases,
@@ -36,7 +37,12 @@ describe.skipIf(!hasRedis)("with Redis", () => {
   it("reports that messages may be missing after a broken connection, and ignores invalid ones", async () => {
     const server = await startTestRedis();
     const { bus, redis } = await relayAt(server.url, "a");
-    const listener = { committed: vi.fn(), over: vi.fn(), received: vi.fn(), missed: vi.fn() };
+    const listener = {
+      committed: vi.fn<ClassListener["committed"]>(),
+      over: vi.fn<ClassListener["over"]>(),
+      received: vi.fn<ClassListener["received"]>(),
+      missed: vi.fn<ClassListener["missed"]>(),
+    };
     await bus.join(ID, listener);
     await redis.publish(classChannelOf(ID), '{"kind":"unknown"}');
     await redis.publish(classChannelOf(ID), '{"kind":"over"}');
