@@ -59,7 +59,7 @@ export const limits = {
   classLifeMs: 12 * 60 * 60 * 1000,
   /** a code by which another device becomes a student */
   returnCodeMs: 10 * 60 * 1000,
-  /** connections of students per address, which a school may share; and of dashboards and screens */
+  /** connections of students, dashboards and screens per address, which a school may share */
   classConnectionsPerAddress: 2_000,
   /** connections of dashboards and big screens of one class together */
   teacherConnections: 4,
@@ -83,7 +83,7 @@ export const limits = {
   displayIntervalMs: 500,
   /** unacknowledged batches of tiles to a dashboard, and displays to a big screen */
   classCredit: 2,
-  /** minimum interval between two batches of tiles of a class to other relays */
+  /** minimum interval between two messages of a class to other relays, with tiles or connections */
   classRelayIntervalMs: 250,
   /** a class without use for this long is not held in memory */
   classQuietMs: 10 * 60 * 1000,

@@ -1,6 +1,6 @@
 /**
- * One example of each message of a robot as it is on the wire. Together they form one sequence: a script moves
- * a robot by one metre.
+ * One example of each message of a robot as it is on the wire. Together they form one sequence: a
+ * script moves a robot by one metre.
  */
 import {
   expiredReason,
