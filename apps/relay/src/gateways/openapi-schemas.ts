@@ -166,6 +166,11 @@ export const describeCondition: ZodOpenApiOverride = ({ zodSchema, jsonSchema })
   Object.assign(jsonSchema, createSchema(condition.def.out, { opts }).schema);
 };
 
+/** A discriminator of OpenAPI is a string, and the version of a lesson is a number. */
+export const describeVersions: ZodOpenApiOverride = ({ zodSchema, jsonSchema }) => {
+  if (zodSchema === challengeOrLessonSchema) delete jsonSchema["discriminator"];
+};
+
 /**
  * Names the alternatives of a union by their discriminator: `left 90` of Command is
  * `Left90Command`.
