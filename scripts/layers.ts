@@ -25,7 +25,7 @@ export const appLayers: Record<string, AppLayers> = {
       ["config.ts"],
       ["site"],
       ["gateways", "ops"],
-      ["pairing", "short-links", "robots"],
+      ["pairing", "short-links", "robots", "classes"],
       ["bus"],
       ["store"],
       ["commands", "platform"],

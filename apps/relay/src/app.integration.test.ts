@@ -7,10 +7,15 @@ import { describe, expect, it, onTestFinished } from "vitest";
 import type { oas31 } from "zod-openapi";
 import { createApp } from "./app.ts";
 import { RequestGuard } from "./platform/http/request-guard.ts";
+import { classEndpoint } from "./gateways/conversations/class-endpoint.ts";
+import { robotEndpoint } from "./gateways/conversations/endpoint.ts";
 import { LongPollConnections } from "./gateways/long-poll/long-poll-connections.ts";
 import { Metrics } from "./ops/metrics.ts";
 import { Readiness } from "./ops/readiness.ts";
 import { systemClock } from "./platform/time/clock.ts";
+import { LocalClassBus } from "./bus/local-class-bus.ts";
+import { ClassRegistry } from "./classes/registry.ts";
+import { SqliteClassStore } from "./store/sqlite/sqlite-class-store.ts";
 import { DocumentService } from "./short-links/document-service.ts";
 import { PairingService } from "./pairing/pairing-service.ts";
 import { RobotRegistry } from "./robots/registry.ts";
@@ -66,21 +71,36 @@ function appWithoutPage(): Express {
   const log = pino({ level: "silent" });
   const registry = new RobotRegistry(store, systemClock, log);
   const documents = new DocumentService(new SqliteDocumentStore(file), systemClock, log);
+  const classes = new ClassRegistry({
+    store: new SqliteClassStore(file),
+    bus: new LocalClassBus(),
+    clock: systemClock,
+    log,
+  });
   const pairings = new SqlitePairingStore(file);
   const pairing = new PairingService({ pairings, robots: store, clock: systemClock, log });
   onTestFinished(async () => {
     longPolls.close();
+    classLongPolls.close();
     pairing.close();
     await documents.close();
     await registry.close();
+    await classes.close();
     await store.close();
   });
   const guard = new RequestGuard(defaults());
   const readiness = new Readiness(store, systemClock, log);
   const metrics = new Metrics();
-  const longPolls = new LongPollConnections({ registry, clock: systemClock, log, metrics });
-  const served = { registry, longPolls, documents, pairing, guard, readiness, metrics };
-  const parts = { ...served, clock: systemClock, log, page: Router() };
+  const endpoint = robotEndpoint({ registry, metrics, clock: systemClock });
+  const longPolls = new LongPollConnections({ endpoint, clock: systemClock, log, metrics });
+  const classLongPolls = new LongPollConnections({
+    endpoint: classEndpoint({ classes, metrics, clock: systemClock }),
+    clock: systemClock,
+    log,
+    metrics,
+  });
+  const services = { registry, classes, longPolls, classLongPolls, documents, pairing };
+  const parts = { ...services, guard, readiness, metrics, clock: systemClock, log, page: Router() };
   return createApp({ ...parts, isDevelopment: false });
 }
 

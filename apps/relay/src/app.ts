@@ -1,4 +1,5 @@
 /** The HTTP application: API, health and page, without a port of its own. */
+import type { ClassHello, Hello } from "@corridor/protocol";
 import express, { Router, type Express } from "express";
 import type { Logger } from "pino";
 import type { Clock } from "./platform/time/clock.ts";
@@ -8,6 +9,8 @@ import type { LongPollConnections } from "./gateways/long-poll/long-poll-connect
 import type { Metrics } from "./ops/metrics.ts";
 import type { PairingService } from "./pairing/pairing-service.ts";
 import type { Readiness } from "./ops/readiness.ts";
+import { classRoutes } from "./gateways/rest/classes/routes.ts";
+import type { ClassRegistry } from "./classes/registry.ts";
 import { checkRoutes } from "./site/check/check.ts";
 import { commandRoutes } from "./gateways/rest/commands/routes.ts";
 import { descriptionRoutes } from "./site/description.ts";
@@ -32,7 +35,9 @@ import type { RobotRegistry } from "./robots/registry.ts";
 
 export interface AppDependencies {
   registry: RobotRegistry;
-  longPolls: LongPollConnections;
+  classes: ClassRegistry;
+  longPolls: LongPollConnections<Hello>;
+  classLongPolls: LongPollConnections<ClassHello>;
   documents: DocumentService;
   pairing: PairingService;
   clock: Clock;
@@ -47,8 +52,9 @@ export interface AppDependencies {
 
 /** Builds the application from its parts. */
 export function createApp(dependencies: AppDependencies): Express {
-  const { registry, longPolls, documents, pairing, clock, log, guard, readiness } = dependencies;
-  const { metrics, page, isDevelopment } = dependencies;
+  const { registry, classes, longPolls, documents, pairing, clock, log, guard, readiness } =
+    dependencies;
+  const { classLongPolls, metrics, page, isDevelopment } = dependencies;
   const app = express();
   app.disable("x-powered-by");
   app.set("query parser", "simple");
@@ -83,6 +89,8 @@ export function createApp(dependencies: AppDependencies): Express {
   api.use(eventRoutes(registry, clock));
   api.use(longPollRoutes(longPolls, guard));
   api.use(documentRoutes(documents, guard));
+  api.use(classRoutes(classes, guard));
+  api.use(longPollRoutes(classLongPolls, guard));
   api.use(notFound);
   app.use("/api/v1", api);
 

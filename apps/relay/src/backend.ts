@@ -8,18 +8,24 @@ import type { Clock } from "./platform/time/clock.ts";
 import { LocalBus } from "./bus/local.ts";
 import { RedisBus } from "./bus/redis.ts";
 import type { Bus } from "./bus/bus.ts";
+import type { ClassBus } from "./bus/class-bus.ts";
+import { LocalClassBus } from "./bus/local-class-bus.ts";
+import { RedisClassBus } from "./bus/redis-class-bus.ts";
 import type { Config } from "./config.ts";
 import { mintId } from "./platform/keys.ts";
+import type { ClassStore } from "./store/class-store.ts";
 import type { DocumentStore } from "./store/document-store.ts";
 import type { PairingStore } from "./store/pairing-store.ts";
 import { connectRedis, timeOf, type Redis } from "./store/redis/connection.ts";
 import { requireDurable } from "./store/redis/durability.ts";
 import { DeletedBytes } from "./store/redis/deleted-bytes.ts";
+import { RedisClassStore } from "./store/redis/redis-class-store.ts";
 import { RedisClock } from "./store/redis/redis-clock.ts";
 import { RedisDocumentStore } from "./store/redis/redis-document-store.ts";
 import { RedisPairingStore } from "./store/redis/redis-pairing-store.ts";
 import { RedisRobotStore } from "./store/redis/redis-robot-store.ts";
 import type { RobotStore } from "./store/port.ts";
+import { SqliteClassStore } from "./store/sqlite/sqlite-class-store.ts";
 import { SqliteDocumentStore } from "./store/sqlite/sqlite-document-store.ts";
 import { SqliteFile } from "./store/sqlite/file/sqlite-file.ts";
 import { SqlitePairingStore } from "./store/sqlite/sqlite-pairing-store.ts";
@@ -31,7 +37,9 @@ export interface Backend {
   robots: RobotStore;
   documents: DocumentStore;
   pairings: PairingStore;
+  classes: ClassStore;
   bus: Bus;
+  classBus: ClassBus;
   close(): Promise<void>;
 }
 
@@ -60,7 +68,9 @@ function sqliteBackend(dataDir: string, clock: Clock, log: Logger): Backend {
     robots: new SqliteRobotStore(file),
     documents: new SqliteDocumentStore(file),
     pairings: new SqlitePairingStore(file),
+    classes: new SqliteClassStore(file),
     bus: new LocalBus(),
+    classBus: new LocalClassBus(),
     close: async () => file.close(),
   };
 }
@@ -90,7 +100,9 @@ async function redisBackend(url: string, machine: Clock, log: Logger): Promise<B
       robots: new RedisRobotStore(redis, deletedBytes, relay),
       documents: new RedisDocumentStore(redis, deletedBytes),
       pairings: new RedisPairingStore(redis, deletedBytes),
+      classes: new RedisClassStore(redis, deletedBytes),
       bus,
+      classBus: new RedisClassBus({ redis, subscriber, relay, log }),
       close: async () => {
         clock.close();
         await bus.close();

@@ -6,12 +6,15 @@ import type { Router } from "express";
 import type { Logger } from "pino";
 import { createApp } from "./app.ts";
 import { openBackend } from "./backend.ts";
+import { ClassRegistry } from "./classes/registry.ts";
 import type { Clock } from "./platform/time/clock.ts";
 import type { Config } from "./config.ts";
 import { DocumentService } from "./short-links/document-service.ts";
 import { RequestGuard } from "./platform/http/request-guard.ts";
 import { answerBrokenRequests } from "./platform/http/broken-requests.ts";
 import { CheckSocket } from "./site/check/check-socket.ts";
+import { classEndpoint } from "./gateways/conversations/class-endpoint.ts";
+import { robotEndpoint } from "./gateways/conversations/endpoint.ts";
 import { LongPollConnections } from "./gateways/long-poll/long-poll-connections.ts";
 import { WebSocketGateway } from "./gateways/websocket/websocket-gateway.ts";
 import { closeServer, listen, portOf } from "./platform/http/listening.ts";
@@ -73,10 +76,26 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     clock,
     log,
   });
+  const classes = new ClassRegistry({
+    store: backend.classes,
+    bus: backend.classBus,
+    clock,
+    log,
+  });
   const guard = new RequestGuard(config);
   const readiness = new Readiness(store, clock, log);
-  const gateway = new WebSocketGateway({ registry, clock, log, guard, metrics });
-  const longPolls = new LongPollConnections({ registry, clock, log, metrics });
+  const endpoint = robotEndpoint({ registry, metrics, clock });
+  const gateway = new WebSocketGateway({ endpoint, clock, log, guard, metrics });
+  const ofClasses = {
+    endpoint: classEndpoint({ classes, metrics, clock }),
+    clock,
+    log,
+    guard,
+    metrics,
+  };
+  const classSockets = new WebSocketGateway(ofClasses);
+  const classLongPolls = new LongPollConnections(ofClasses);
+  const longPolls = new LongPollConnections({ endpoint, clock, log, metrics });
   const checkSocket = new CheckSocket(guard, clock);
   const server = createServer({
     // Old HTTP clients offer "Upgrade: h2c"; that is an ordinary request, not a WebSocket.
@@ -91,7 +110,19 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   });
   const development = isDevelopment ? await developmentPage(webRoot, server) : null;
   const page: Router = development?.router ?? builtPage(join(webRoot, "dist"));
-  const parts = { registry, longPolls, documents, pairing, clock, log, guard, readiness, metrics };
+  const parts = {
+    registry,
+    classes,
+    longPolls,
+    classLongPolls,
+    documents,
+    pairing,
+    clock,
+    log,
+    guard,
+    readiness,
+    metrics,
+  };
   const application = createApp({ ...parts, page, isDevelopment });
   answerBrokenRequests(server, application, (kind) => metrics.refused(kind));
   server.on("request", application);
@@ -101,6 +132,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     const isHotReload = isDevelopment && protocol.startsWith(HOT_RELOAD_PREFIX);
     if (isHotReload) return;
     if (checkSocket.isFor(request)) checkSocket.upgrade(request, socket, head);
+    else if (classSockets.isFor(request)) classSockets.upgrade(request, socket, head);
     else gateway.upgrade(request, socket, head);
   });
 
@@ -114,12 +146,18 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
       });
     }
     gateway.close();
+    classSockets.close();
     longPolls.close();
+    classLongPolls.close();
     checkSocket.close();
     pairing.close();
     await registry.close();
+    await classes.close();
     await development?.close();
-    await closeServer(server, SHUTDOWN_MS, () => gateway.destroyAll());
+    await closeServer(server, SHUTDOWN_MS, () => {
+      gateway.destroyAll();
+      classSockets.destroyAll();
+    });
     await closeServer(metricsHttp, 0, () => undefined);
     await documents.close();
     await backend.close();

@@ -18,6 +18,9 @@ def apply_rules(body):
         apply_maze_rules(body["maze"])
     elif body.get("format") == "corridor/challenge":
         apply_lesson_rules(body)
+    elif "lesson" in body:
+        apply_lesson_rules(body["lesson"])
+        apply_name_rules(body)
     elif "action" in body and "age" in body:
         body["age"] = min(body["age"], YOUNG * body.get("ttl", DEFAULT_TTL))
     return body
@@ -42,8 +45,15 @@ def apply_lesson_rules(lesson):
         lesson["survey"] = list({each["id"]: each for each in lesson["survey"]}.values())
 
 
+def apply_name_rules(request):
+    """Different names without spaces around them and without control characters."""
+    if request.get("names"):
+        names = ("".join(c for c in name if c.isprintable()).strip()[:12] for name in request["names"])
+        request["names"] = list(dict.fromkeys(name or "Ada" for name in names))
+
+
 def apply_challenge_rules(challenge):
-    """Makes the goal reachable in its mazes, within its time and with its lines."""
+    """Makes the goal reachable in its mazes, within its time and with its lines, and sides odd."""
     goal, checks, program = challenge["goal"], challenge["checks"], challenge["program"]
     for maze in challenge["mazes"]:
         apply_maze_rules(maze)
@@ -55,5 +65,8 @@ def apply_challenge_rules(challenge):
         goal["seconds"] = min(goal["seconds"], checks["seconds"])
     if program is not None:
         challenge["allowed"]["lines"] = max(challenge["allowed"]["lines"], len(program["rules"]))
-    if challenge.get("unseen"):
-        challenge["unseen"]["pass"] = min(challenge["unseen"]["pass"], challenge["unseen"]["count"])
+    unseen = challenge.get("unseen")
+    if unseen:
+        unseen["pass"] = min(unseen["pass"], unseen["count"])
+        for side in ("columns", "rows"):
+            unseen[side] = int(unseen[side]) | 1

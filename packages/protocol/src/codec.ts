@@ -5,6 +5,15 @@
 import type { z } from "zod";
 import { readJson, type ReadResult } from "./document-reader.ts";
 import type {
+  ClassHello,
+  RelayToScreen,
+  RelayToStudent,
+  RelayToTeacher,
+  ScreenToRelay,
+  StudentToRelay,
+  TeacherToRelay,
+} from "./class-messages.ts";
+import type {
   DriverToRelay,
   Hello,
   PageToRelay,
@@ -18,10 +27,18 @@ export const MAX_FRAME_BYTES = 16 * 1024;
 /** Largest `hello`, in bytes: the sender is not authenticated yet. */
 export const MAX_HELLO_BYTES = 1024;
 
-type Frame = Hello | Resume | PageToRelay | RelayToPage | DriverToRelay | RelayToDriver;
+type RobotFrame = Hello | Resume | PageToRelay | RelayToPage | DriverToRelay | RelayToDriver;
+type ClassFrame =
+  | ClassHello
+  | StudentToRelay
+  | RelayToStudent
+  | TeacherToRelay
+  | RelayToTeacher
+  | ScreenToRelay
+  | RelayToScreen;
 
 /** The message as one JSON text. */
-export function encodeFrame(frame: Frame): string {
+export function encodeFrame(frame: RobotFrame | ClassFrame): string {
   return JSON.stringify(frame);
 }
 

@@ -1,4 +1,63 @@
 export { closeReasonOf, closeReasons, type CloseReason } from "./close-codes.ts";
+export {
+  classCodeSchema,
+  CLASS_CODE_LENGTH,
+  classFields,
+  classIdSchema,
+  classSettingsSchema,
+  classViewSchema,
+  createdClassSchema,
+  joinedClassSchema,
+  joinRequestSchema,
+  MAX_RENAMES,
+  MAX_STUDENTS,
+  NAME_WORDS,
+  paceSchema,
+  pauseRequestSchema,
+  returnCodeSchema,
+  studentNameSchema,
+  studentProgramSchema,
+  studentViewSchema,
+  type ClassCode,
+  type ClassSettings,
+  type ClassView,
+  type CreatedClass,
+  type JoinedClass,
+  type ReturnCode,
+  type StudentName,
+  type StudentProgram,
+  type StudentView,
+} from "./class.ts";
+export {
+  classHelloSchema,
+  relayToScreenSchema,
+  relayToStudentSchema,
+  relayToTeacherSchema,
+  screenToRelaySchema,
+  studentToRelaySchema,
+  teacherToRelaySchema,
+  type ClassEvent,
+  type ClassHello,
+  type ClassRole,
+  type RelayToScreen,
+  type RelayToStudent,
+  type RelayToTeacher,
+  type ScreenToRelay,
+  type StudentTile,
+  type StudentToRelay,
+  type TeacherToRelay,
+} from "./class-messages.ts";
+export {
+  attemptFailureSchema,
+  progressRecordSchema,
+  progressSchema,
+  surveyAnswerSchema,
+  type Progress,
+  type ProgressRecord,
+} from "./class-progress.ts";
+export { studentNumberSchema } from "./class-quantities.ts";
+export { MAX_TILE_LENGTH, tileSchema, type Tile } from "./class-tile.ts";
+export { decodeTeacherFrame, MAX_DISPLAY_LENGTH } from "./teacher-frame.ts";
 export { decodeFrame, encodeFrame, MAX_FRAME_BYTES, MAX_HELLO_BYTES } from "./codec.ts";
 export {
   actionNames,

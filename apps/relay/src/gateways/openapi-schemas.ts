@@ -11,6 +11,11 @@ import { projectSchema } from "@corridor/link/project";
 import { mazeSchema } from "@corridor/maze";
 import { programSchema } from "@corridor/program";
 import {
+  attemptFailureSchema,
+  classCodeSchema,
+  classHelloSchema,
+  classSettingsSchema,
+  classViewSchema,
   commandRecordSchema,
   commandSchema,
   eventPageSchema,
@@ -18,28 +23,40 @@ import {
   helloSchema,
   keyListSchema,
   keyRequestSchema,
+  createdClassSchema,
   createdKeySchema,
+  joinedClassSchema,
+  joinRequestSchema,
   openedConnectionSchema,
   orderSchema,
+  paceSchema,
   pairingAnswerSchema,
   requestedPairingSchema,
   createdPairingSchema,
   pairingReplySchema,
   pairingSchema,
   pairingRequestSchema,
+  pauseRequestSchema,
   problemSchema,
+  progressRecordSchema,
+  progressSchema,
   registrationSchema,
+  returnCodeSchema,
   scriptListSchema,
   scriptRefSchema,
   blockedScriptSchema,
   sentMessagesSchema,
   shortLinkSchema,
   snapshotSchema,
+  studentNameSchema,
+  studentProgramSchema,
+  surveyAnswerSchema,
   takenMessagesSchema,
 } from "@corridor/protocol";
 import type { z } from "zod";
 import { createSchema, type ZodOpenApiOverride } from "zod-openapi";
 import { documentSchema } from "../short-links/document-schema.ts";
+import { classRequestSchema } from "./rest/classes/reading.ts";
 import { commandLogSchema } from "./rest/commands/openapi.ts";
 import { heldSessionSchema } from "./rest/robots/openapi.ts";
 import { describeByExpectation } from "../platform/openapi/describe-by-expectation.ts";
@@ -121,6 +138,25 @@ export const schemas: Record<string, z.ZodType> = {
   UnseenMazes: task.shape.unseen.unwrap(),
   SurveyQuestion: lessonSchema.shape.survey.element,
   Project: projectSchema,
+  ClassHello: classHelloSchema,
+  ClassRequest: classRequestSchema,
+  CreatedClass: createdClassSchema,
+  JoinRequest: joinRequestSchema,
+  JoinedClass: joinedClassSchema,
+  StudentName: studentNameSchema,
+  Class: classViewSchema,
+  ClassSettings: classSettingsSchema,
+  Student: classViewSchema.shape.students.element,
+  ProgressRecord: progressRecordSchema,
+  Progress: progressSchema,
+  ...alternatives("Progress", "kind", progressSchema),
+  AttemptFailure: attemptFailureSchema,
+  SurveyAnswer: surveyAnswerSchema,
+  PauseRequest: pauseRequestSchema,
+  Pace: paceSchema,
+  ClassCode: classCodeSchema,
+  ReturnCode: returnCodeSchema,
+  StudentProgram: studentProgramSchema,
 };
 
 /** Conditions have a custom parser. This describes the expected value. */
@@ -128,6 +164,11 @@ export const describeCondition: ZodOpenApiOverride = ({ zodSchema, jsonSchema })
   if (zodSchema !== condition) return;
   const opts = { override: describeByExpectation };
   Object.assign(jsonSchema, createSchema(condition.def.out, { opts }).schema);
+};
+
+/** A discriminator of OpenAPI is a string, and the version of a lesson is a number. */
+export const describeVersions: ZodOpenApiOverride = ({ zodSchema, jsonSchema }) => {
+  if (zodSchema === challengeOrLessonSchema) delete jsonSchema["discriminator"];
 };
 
 /**

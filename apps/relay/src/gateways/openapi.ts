@@ -1,6 +1,7 @@
 /** All operations of the gateways, with the schemas that validate requests and responses. */
 import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { longPollCalls } from "./long-poll/openapi.ts";
+import { classCalls } from "./rest/classes/openapi.ts";
 import { commandCalls } from "./rest/commands/openapi.ts";
 import { keyCalls } from "./rest/keys/openapi.ts";
 import { mazeCalls } from "./rest/maze/openapi.ts";
@@ -22,4 +23,5 @@ export const gatewayCalls: ZodOpenApiPathsObject = {
   ...eventCalls,
   ...longPollCalls,
   ...documentCalls,
+  ...classCalls,
 };

@@ -2,11 +2,16 @@
  * Ids and bearer keys: random bits, 128 for robots and keys. Keys are stored only as their SHA-256.
  */
 import { createHash, randomBytes, randomInt, timingSafeEqual } from "node:crypto";
-import { PAIRING_LENGTH, PAIRING_LETTERS, SHORT_CODE_LENGTHS } from "@corridor/protocol";
+import {
+  CLASS_CODE_LENGTH,
+  PAIRING_LENGTH,
+  PAIRING_LETTERS,
+  SHORT_CODE_LENGTHS,
+} from "@corridor/protocol";
 
 /**
  * own, drive, watch: for a robot. delete: deletes a short link's document. connection:
- * authenticates a long-poll connection.
+ * authenticates a long-poll connection. teach, show, learn: for a class.
  */
 const PREFIX = {
   own: "own_",
@@ -14,6 +19,9 @@ const PREFIX = {
   watch: "wch_",
   delete: "del_",
   connection: "con_",
+  teach: "tea_",
+  show: "scr_",
+  learn: "stu_",
 } as const;
 
 function randomText(): string {
@@ -61,6 +69,11 @@ export function mintKey(kind: keyof typeof PREFIX): string {
 /** Creates a pairing code, one of 20^8 = 25,600,000,000. */
 export function mintCode(): string {
   return letters(PAIRING_LENGTH);
+}
+
+/** Creates a code of a class, one of 20^6 = 64,000,000. */
+export function mintClassCode(): string {
+  return letters(CLASS_CODE_LENGTH);
 }
 
 /** Format of every key of the service: a prefix for its kind, then 128 random bits. */

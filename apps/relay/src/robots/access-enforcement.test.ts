@@ -3,7 +3,8 @@ import { FakeClock } from "../platform/testing/fake-clock.ts";
 import type { StoredScript } from "../store/port.ts";
 import { AccessEnforcement } from "./access-enforcement.ts";
 import { callerOf } from "./access/caller.ts";
-import { EventLog } from "./readers/event-log.ts";
+import { EventLog } from "../platform/events/event-log.ts";
+import { recordPacking } from "./readers/packed-record.ts";
 import { Subscribers } from "./readers/subscribers.ts";
 
 const nobody = { snapshot: () => undefined, state: () => undefined };
@@ -11,7 +12,7 @@ const nobody = { snapshot: () => undefined, state: () => undefined };
 /** A robot with readers of several keys, and a list of what happens to it. */
 function withReaders({ hasPage = true } = {}) {
   const clock = new FakeClock();
-  const subscribers = new Subscribers(clock, new EventLog(clock));
+  const subscribers = new Subscribers(clock, new EventLog(clock, recordPacking));
   const seen: string[] = [];
   const join = (label: string, kind: "own" | "drive" | "watch", hash: string, name = "a") => {
     const caller = callerOf({ kind, hash }, { client: "Python", name });

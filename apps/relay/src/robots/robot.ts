@@ -32,7 +32,8 @@ import { OtherRelays } from "./other-relays.ts";
 import { PageOwnership } from "./page/page-ownership.ts";
 import { Presence } from "./presence/presence.ts";
 import { RobotChannel } from "./presence/robot-channel.ts";
-import { EventLog } from "./readers/event-log.ts";
+import { EventLog } from "../platform/events/event-log.ts";
+import { recordPacking } from "./readers/packed-record.ts";
 import { Readers } from "./readers/readers.ts";
 import { Subscribers, type CallerWait } from "./readers/subscribers.ts";
 import { RobotPage } from "./robot-page.ts";
@@ -70,7 +71,7 @@ export class Robot {
   readonly scriptClocks = new ScriptClocks();
   readonly #clock: Clock;
   readonly #view: LiveView;
-  readonly #events: EventLog;
+  readonly #events: EventLog<CommandRecord>;
   readonly #subscribers: Subscribers;
   readonly #ownership: PageOwnership;
   readonly #life: CommandLife;
@@ -89,7 +90,7 @@ export class Robot {
 
     const channel = new RobotChannel(clock, timers);
     const ownership = new PageOwnership(clock.now(), stored);
-    const events = new EventLog(clock);
+    const events = new EventLog(clock, recordPacking);
     const subscribers = new Subscribers(clock, events);
     const view = new LiveView({ clock, subscribers, channel });
     const shared = { store, clock, timers, observer };

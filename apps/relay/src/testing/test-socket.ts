@@ -43,8 +43,16 @@ export class TestSocket {
     headers: Record<string, string> = {},
     options: { autoPong?: boolean } = {},
   ): Promise<TestSocket> {
-    const url = `${relay.origin.replace("http", "ws")}/api/v1/robots/${id}/socket`;
-    const socket = new WebSocket(url, { headers, ...options });
+    return TestSocket.at(relay, `/robots/${id}/socket`, { headers, ...options });
+  }
+
+  /** Opens the socket at a path of the API. */
+  static async at(
+    { origin }: { origin: string },
+    path: string,
+    options: { headers?: Record<string, string>; autoPong?: boolean } = {},
+  ): Promise<TestSocket> {
+    const socket = new WebSocket(`${origin.replace("http", "ws")}/api/v1${path}`, options);
     const test = new TestSocket(socket);
     await new Promise((resolve, reject) => {
       socket.once("open", resolve);

@@ -1,25 +1,13 @@
-/** Creates the conversation for a hello and closes connections on errors, on every transport. */
-import { closeReasons, scriptName, type CloseReason, type Hello } from "@corridor/protocol";
-import type { Logger } from "pino";
+/** Creates the conversation with a robot for a hello, on every transport. */
+import type { Hello } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
 import type { ProblemKind } from "../../platform/errors/problem-kinds.ts";
-import { asRefusal } from "../../platform/errors/problems.ts";
-import type { Introduction } from "../../robots/access/caller.ts";
 import type { Grant } from "../../robots/registry.ts";
 import { withBoundedQueue } from "./bounded-queue.ts";
-import { closeWith, type Conversation } from "./conversation.ts";
+import type { Conversation } from "./conversation.ts";
 import { DriverConversation } from "./driver-conversation.ts";
 import { PageConversation } from "./page-conversation.ts";
 import type { ReaderConnection } from "./reader-connection.ts";
-
-const closeReasonByProblem = new Map<ProblemKind, CloseReason>([
-  ["no-robot", closeReasons.noRobot],
-  ["not-authorised", closeReasons.notAuthorised],
-  ["forbidden", closeReasons.forbidden],
-  ["blocked", closeReasons.forbidden],
-  ["too-many-readers", closeReasons.tooMany],
-  ["restarting", closeReasons.restart],
-]);
 
 /** Counts what the gateways reject and close. */
 export interface GatewayMetrics {
@@ -52,22 +40,4 @@ export function startConversation({
   const onRefusal = (kind: ProblemKind): void => metrics.refused(kind);
   const { since = null, sentAt } = hello;
   return new DriverConversation({ grant, connection, since, sentAt, clock, onRefusal });
-}
-
-/** How a hello identifies its script. @param client its language, from the request's headers */
-export function introductionOf({ name }: Hello, client: string): Introduction {
-  return { client, name: name === undefined ? null : scriptName(name) };
-}
-
-/** Closes a connection because of an error. Unexpected errors are logged. */
-export function closeOnError(
-  error: unknown,
-  connection: { close(code: number, reason: string): void },
-  { metrics, log }: { metrics: GatewayMetrics; log: Logger },
-): void {
-  const { kind } = asRefusal(error);
-  metrics.refused(kind);
-  const reason = closeReasonByProblem.get(kind) ?? closeReasons.busy;
-  if (reason === closeReasons.busy) log.error({ err: error }, "handling a message failed");
-  closeWith(connection, reason);
 }

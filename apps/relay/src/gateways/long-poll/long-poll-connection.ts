@@ -18,12 +18,14 @@ import { limits } from "../../platform/limits/limits.ts";
 import { closeWith, handleMessage, type Conversation } from "../conversations/conversation.ts";
 import type { ReaderConnection } from "../conversations/reader-connection.ts";
 
-/** Size limit of a response, because clients read a response only as a whole. */
+/**
+ * Size limit of a response with several messages, because clients read a response only as a whole.
+ */
 const MAX_ANSWER_CHARACTERS = 64 * 1024;
 
 export interface LongPollConnectionParts {
-  /** robot of the connection */
-  robot: string;
+  /** of the robot or the class */
+  id: string;
   /** client address, for the limit only */
   address: string;
   clock: Clock;
@@ -37,7 +39,7 @@ export interface LongPollConnectionParts {
 
 export class LongPollConnection implements ReaderConnection {
   readonly transport = "long-poll-connection";
-  readonly robot: string;
+  readonly id: string;
   readonly address: string;
   readonly #clock: Clock;
   readonly #onRequest: () => void;
@@ -59,7 +61,7 @@ export class LongPollConnection implements ReaderConnection {
   #cancelTimer: () => void = () => undefined;
 
   constructor(parts: LongPollConnectionParts) {
-    this.robot = parts.robot;
+    this.id = parts.id;
     this.address = parts.address;
     this.#clock = parts.clock;
     this.#onRequest = () => parts.onRequest();
@@ -151,7 +153,7 @@ export class LongPollConnection implements ReaderConnection {
     let characters = 0;
     const messages = this.#unacknowledged
       .slice(0, MAX_LONG_POLL_MESSAGES)
-      .filter((text) => (characters += text.length) <= MAX_ANSWER_CHARACTERS);
+      .filter((text, index) => (characters += text.length) <= MAX_ANSWER_CHARACTERS || index === 0);
     const isLast = messages.length === this.#unacknowledged.length;
     return {
       first: this.#first,

@@ -1,79 +1,16 @@
 import { once } from "node:events";
 import { request, type IncomingMessage } from "node:http";
-import {
-  fetchedMessagesSchema,
-  openedConnectionSchema,
-  type Registration,
-} from "@corridor/protocol";
+import type { Registration } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { limits } from "../../platform/limits/limits.ts";
 import { FakeClock } from "../../platform/testing/fake-clock.ts";
 import { completed } from "../../platform/testing/messages.ts";
-import { startTestRelay, type TestRelay } from "../../testing/test-relay.ts";
+import { startTestRelay } from "../../testing/test-relay.ts";
+import { TestConnection } from "../../testing/test-connection.ts";
 import { TestSocket } from "../../testing/test-socket.ts";
 
 const RESUME = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
-
-/** A minimal client of a long-poll connection. It makes one request at a time. */
-class TestConnection {
-  readonly #relay: TestRelay;
-  readonly #robot: Registration;
-  readonly key: string;
-  #sent = 0;
-  #after = 0;
-
-  private constructor(relay: TestRelay, robot: Registration, key: string) {
-    this.#relay = relay;
-    this.#robot = robot;
-    this.key = key;
-  }
-
-  static async open(relay: TestRelay, robot: Registration, hello: object): Promise<TestConnection> {
-    const answer = await relay.ask(robot, "/long-poll", {
-      method: "POST",
-      body: { type: "hello", version: 1, ...hello },
-    });
-    return new TestConnection(relay, robot, openedConnectionSchema.parse(await answer.json()).key);
-  }
-
-  async send(...messages: object[]): Promise<unknown> {
-    const first = this.#sent + 1;
-    this.#sent += messages.length;
-    return this.post({ first, messages });
-  }
-
-  async post(body: unknown): Promise<unknown> {
-    const answer = await this.#ask("POST", "", body);
-    return answer.json();
-  }
-
-  async fetch(wait = 25) {
-    const answer = await this.#ask("GET", `?after=${this.#after}&wait=${wait}`);
-    return fetchedMessagesSchema.parse(await answer.json());
-  }
-
-  /** Returns the next message of this type and discards earlier ones. */
-  async next(type: string): Promise<Record<string, unknown>> {
-    for (;;) {
-      const { first, messages, closed } = await this.fetch();
-      const index = messages.findIndex((message) => message.type === type);
-      this.#after = first + (index < 0 ? messages.length : index + 1) - 1;
-      const found = messages[index];
-      if (found !== undefined) return found;
-      if (closed !== null) throw new Error(`closed with ${closed.code}`);
-    }
-  }
-
-  status(): Promise<number> {
-    return this.#ask("GET", "?wait=0").then(({ status }) => status);
-  }
-
-  #ask(method: string, query: string, body?: unknown): Promise<Response> {
-    const path = `/long-poll/messages${query}`;
-    return this.#relay.ask(this.#robot, path, { method, key: this.key, body });
-  }
-}
 
 async function withRobot(clock?: FakeClock) {
   const relay = await startTestRelay(clock === undefined ? {} : { clock });

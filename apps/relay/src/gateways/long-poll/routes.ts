@@ -1,5 +1,5 @@
 /** Long-poll connections: the messages of the WebSocket over plain HTTPS requests. */
-import { helloSchema, sentMessagesSchema } from "@corridor/protocol";
+import { sentMessagesSchema } from "@corridor/protocol";
 import { Router } from "express";
 import type { RequestGuard } from "../../platform/http/request-guard.ts";
 import type { LongPollConnections } from "./long-poll-connections.ts";
@@ -7,14 +7,20 @@ import { methodNotAllowed } from "../../platform/http/fallbacks.ts";
 import { bodyReader, readBearer, readClient, waitLimitOf } from "../../platform/http/reading.ts";
 import { readFetch } from "../requests/reading.ts";
 
-const readHello = bodyReader(helloSchema, "Invalid hello.");
-const readMessages = bodyReader(sentMessagesSchema, "Invalid messages.");
-
-export function longPollRoutes(connections: LongPollConnections, guard: RequestGuard): Router {
+export function longPollRoutes<H extends { role: string; key: string }>(
+  connections: LongPollConnections<H>,
+  guard: RequestGuard,
+): Router {
   const router = Router();
+  const { name, helloSchema, maxMessageBytes } = connections.endpoint;
+  const readHello = bodyReader(helloSchema, "Invalid hello.");
+  const readMessages = bodyReader(sentMessagesSchema, "Invalid messages.", {
+    limit: maxMessageBytes,
+  });
+  const path: `/${string}/:id/long-poll` = `/${name}/:id/long-poll`;
 
   router
-    .route("/robots/:id/long-poll")
+    .route(path)
     .post(async (request, response) => {
       const hello = await readHello(request, response);
       const from = guard.addressOf(request);
@@ -28,7 +34,7 @@ export function longPollRoutes(connections: LongPollConnections, guard: RequestG
     .all(methodNotAllowed("POST, DELETE"));
 
   router
-    .route("/robots/:id/long-poll/messages")
+    .route(`${path}/messages` as const)
     .post(async (request, response) => {
       // Before the body is read, so that no stranger can make the relay read one.
       const connection = connections.find(request.params.id, readBearer(request));

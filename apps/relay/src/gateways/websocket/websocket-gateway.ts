@@ -1,20 +1,12 @@
 /**
- * WebSockets of pages and scripts: admission, authentication and liveness.
+ * WebSockets of one endpoint, robots or classes: admission, authentication and liveness.
  *
  * A client must first send one message of at most 1 KiB with a key, within 5 seconds. After that, a
- * conversation handles the messages of the page or script.
+ * conversation handles its messages.
  */
 import type { IncomingMessage } from "node:http";
 import type { Duplex } from "node:stream";
-import {
-  closeReasons,
-  decodeFrame,
-  describeProblem,
-  helloSchema,
-  MAX_FRAME_BYTES,
-  MAX_HELLO_BYTES,
-  robotIdSchema,
-} from "@corridor/protocol";
+import { closeReasons, decodeFrame, describeProblem, MAX_HELLO_BYTES } from "@corridor/protocol";
 import type { Logger } from "pino";
 import { WebSocketServer, type WebSocket } from "ws";
 import { clientName } from "../../platform/http/client-name.ts";
@@ -23,16 +15,11 @@ import { markOf } from "../../platform/keys.ts";
 import type { RequestGuard } from "../../platform/http/request-guard.ts";
 import { asRefusal, Refusal } from "../../platform/errors/problems.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import { verbOfRole } from "../../robots/access/caller.ts";
-import type { RobotRegistry } from "../../robots/registry.ts";
 import { StaggeredInterval } from "../../platform/time/staggered-interval.ts";
 import { closeWith, handleMessage, type Conversation } from "../conversations/conversation.ts";
-import {
-  closeOnError,
-  startConversation,
-  introductionOf,
-  type GatewayMetrics,
-} from "../conversations/start-conversation.ts";
+import { closeOnError } from "../conversations/close-on-error.ts";
+import type { Endpoint } from "../conversations/endpoint.ts";
+import type { GatewayMetrics } from "../conversations/start-conversation.ts";
 import type { ReaderConnection } from "../conversations/reader-connection.ts";
 import { refuseUpgrade } from "../../platform/http/refuse-upgrade.ts";
 import { SocketWithReasons } from "./socket-with-reasons.ts";
@@ -46,12 +33,12 @@ const nothing = (): void => undefined;
  */
 const clientCloseCodes: ReadonlySet<number> = new Set([1000, 1001, 1005]);
 
-const PATH = /^\/api\/v1\/robots\/([^/]{1,64})\/socket$/;
+const PATH = /^\/api\/v1\/(robots|classes)\/([^/]{1,64})\/socket$/;
 
 interface Client {
   socket: WebSocket;
   port: ReaderConnection;
-  /** robot id in the address */
+  /** id in the address */
   id: string;
   /** the script's language, such as "Python" */
   language: string;
@@ -65,36 +52,42 @@ interface Client {
   conversation: Conversation | null;
 }
 
-export interface GatewayOptions {
-  registry: RobotRegistry;
+export interface GatewayOptions<H extends { role: string; key: string }> {
+  endpoint: Endpoint<H>;
   clock: Clock;
   log: Logger;
   guard: RequestGuard;
   metrics: GatewayMetrics;
 }
 
-export class WebSocketGateway {
-  readonly #options: GatewayOptions;
-  readonly #server = new WebSocketServer({
-    noServer: true,
-    maxPayload: MAX_FRAME_BYTES,
-    perMessageDeflate: false,
-    clientTracking: false,
-    WebSocket: SocketWithReasons,
-  });
+export class WebSocketGateway<H extends { role: string; key: string }> {
+  readonly #options: GatewayOptions<H>;
+  readonly #server: WebSocketServer;
   readonly #clients = new Set<Client>();
   /** number of clients by address */
   readonly #countByAddress = new Map<string, number>();
   readonly #heartbeats: StaggeredInterval<Client>;
 
-  constructor(options: GatewayOptions) {
+  constructor(options: GatewayOptions<H>) {
     this.#options = options;
+    this.#server = new WebSocketServer({
+      noServer: true,
+      maxPayload: options.endpoint.maxMessageBytes,
+      perMessageDeflate: false,
+      clientTracking: false,
+      WebSocket: SocketWithReasons,
+    });
     this.#heartbeats = new StaggeredInterval({
       clock: options.clock,
       everyMs: limits.silenceCheckMs,
       members: () => this.#clients,
       visit: (client) => this.#sendHeartbeat(client),
     });
+  }
+
+  /** Whether a request is for a socket of this endpoint. */
+  isFor({ url }: IncomingMessage): boolean {
+    return PATH.exec(pathIn(url))?.[1] === this.#options.endpoint.name;
   }
 
   /** Handles an upgrade request of the HTTP server. An invalid one receives a problem document. */
@@ -124,11 +117,11 @@ export class WebSocketGateway {
     for (const { socket } of this.#clients) socket.terminate();
   }
 
-  /** @returns the robot's id in the address @throws Refusal if no socket may be opened there */
+  /** @returns the id in the address @throws Refusal if no socket may be opened there */
   #admit(request: IncomingMessage): string {
     const { guard } = this.#options;
     guard.checkHost(request);
-    const id = PATH.exec((request.url ?? "").split("?")[0] ?? "")?.[1];
+    const id = PATH.exec(pathIn(request.url))?.[2];
     if (id === undefined) {
       throw new Refusal(
         "not-found",
@@ -158,7 +151,8 @@ export class WebSocketGateway {
       id,
       language: clientName(request.headers["user-agent"]),
       cancelTimer: clock.after(limits.helloMs, () => {
-        if (client.conversation === null) closeWith(socket, closeReasons.notAuthorised);
+        const { reason, detail } = this.#options.endpoint.unauthorised;
+        if (client.conversation === null) closeWith(socket, reason, detail);
       }),
       lastMessageAt: clock.now(),
       lastHeartbeatAt: clock.now(),
@@ -197,7 +191,9 @@ export class WebSocketGateway {
       this.#release(address);
       client.conversation?.closed(clientCloseCodes.has(code));
     });
-    if (countOfAddress > limits.socketsPerAddress) closeWith(socket, closeReasons.tooMany);
+    if (countOfAddress > this.#options.endpoint.connectionsPerAddress) {
+      closeWith(socket, closeReasons.tooMany);
+    }
   }
 
   #release(address: string): void {
@@ -211,29 +207,24 @@ export class WebSocketGateway {
     if (client.conversation !== null) return this.#handle(client, bytes);
     const { socket, port, id, language } = client;
     if (socket.readyState !== socket.OPEN) return;
-    const hello = decodeFrame(helloSchema, bytes.toString(), MAX_HELLO_BYTES);
+    const { endpoint } = this.#options;
+    const hello = decodeFrame(endpoint.helloSchema, bytes.toString(), MAX_HELLO_BYTES);
     if (!hello.ok) {
       const [first] = hello.problems;
       const detail = first && `The first message is not a valid hello. ${describeProblem(first)}`;
       return closeWith(socket, closeReasons.notAuthorised, detail);
     }
-    if (!robotIdSchema.safeParse(id).success) return closeWith(socket, closeReasons.noRobot);
+    const closing = endpoint.checkId(id);
+    if (closing !== null) return closeWith(socket, closing.reason, closing.detail);
     const { role, key } = hello.value;
-    const introduction = introductionOf(hello.value, language);
-    const grant = await this.#options.registry.authorise(id, key, verbOfRole[role], introduction);
+    const admitted = await endpoint.admit(id, hello.value, language);
     if (socket.readyState !== socket.OPEN) return;
     client.key = markOf(key);
     this.#options.log.info(
       { role, client: language, key: client.key },
       "WebSocket client authenticated",
     );
-    client.conversation = startConversation({
-      hello: hello.value,
-      grant,
-      connection: port,
-      metrics: this.#options.metrics,
-      clock: this.#options.clock,
-    });
+    client.conversation = admitted.start(port);
     client.cancelTimer();
     client.cancelTimer = nothing;
   }
@@ -260,4 +251,9 @@ export class WebSocketGateway {
       client.conversation?.heartbeat();
     }
   }
+}
+
+/** The path of a request, without its query. */
+function pathIn(url = ""): string {
+  return url.split("?")[0] ?? "";
 }

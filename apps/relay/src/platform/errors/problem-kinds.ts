@@ -138,6 +138,30 @@ export const problemKinds = {
       "List the commands with `GET /commands`.",
     ],
   },
+  "no-class": {
+    status: 404,
+    title: "Class not found",
+    what: "The relay has no class with this code or id.",
+    why: "The code contains a typing error, the teacher has a new code, or the class has ended. A class ends when the teacher ends it, after 2 hours without use, and 12 hours after its creation.",
+    fix: [
+      "Check each letter. A code has 6 letters, all consonants.",
+      "Ask the teacher for the current code.",
+    ],
+  },
+  "no-student": {
+    status: 404,
+    title: "Student not found",
+    what: "The class has no student with this number.",
+    why: "The teacher removed the student, or the number contains a typing error.",
+    fix: ["List the students with `GET /classes/ID`."],
+  },
+  "no-program": {
+    status: 404,
+    title: "Program not found",
+    what: "The relay has no program of this student.",
+    why: "The student has not changed a program since joining the class.",
+    fix: ["Read it again once the student has changed the program."],
+  },
   "method-not-allowed": {
     status: 405,
     title: "Method not allowed",
@@ -223,11 +247,38 @@ export const problemKinds = {
     why: "At most 16 scripts of a robot can be blocked at a time.",
     fix: ["Unblock a script.", "Create a new key: this disconnects all scripts of the old key."],
   },
+  "class-locked": {
+    status: 409,
+    title: "The class is locked",
+    what: "The student did not join.",
+    why: "The teacher locked the class, or as many students have joined as the teacher expected.",
+    fix: [
+      "Ask the teacher to unlock the class.",
+      "To return to the class on another device, ask the teacher for a return code.",
+    ],
+  },
+  "no-other-name": {
+    status: 409,
+    title: "The name stays",
+    what: "The student keeps the present name.",
+    why: "A student can change the name twice, and two students never have the same name.",
+    fix: ["Ask the teacher to remove you, then join the class again."],
+  },
+  "class-full": {
+    status: 409,
+    title: "The class is full",
+    what: "The student did not join.",
+    why: "A class has at most 200 students, and at most as many as the teacher has entered names.",
+    fix: [
+      "Ask the teacher to remove a student who does not take part.",
+      "To return to the class on another device, ask the teacher for a return code.",
+    ],
+  },
   "too-large": {
     status: 413,
     title: "The body is too large",
     what: "The relay did not read the complete body.",
-    why: "A shared document and a robot's maze have at most 64 KiB. All other bodies have at most 16 KiB.",
+    why: "A shared document, a robot's maze, and a request with a lesson have at most 64 KiB. All other bodies have at most 16 KiB.",
     fix: ["Send a smaller body. Do not send the same request again."],
   },
   "not-json": {

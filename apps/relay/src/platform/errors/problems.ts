@@ -100,6 +100,14 @@ export function noRobot(): Refusal {
   );
 }
 
+/** Response if no class has the id. */
+export function noClass(): Refusal {
+  return new Refusal(
+    "no-class",
+    "The class has ended, or the id contains a typing error. The relay deletes a class when its teacher ends it, after 2 hours without use, and 12 hours after its creation.",
+  );
+}
+
 /** Converts any error to a problem. Unexpected errors become "internal" without details. */
 export function asRefusal(error: unknown): Refusal {
   if (error instanceof Refusal) return error;

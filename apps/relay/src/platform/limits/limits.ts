@@ -51,6 +51,42 @@ export const limits = {
   heldChecks: 100,
   /** sockets per address; a whole school may share one address */
   socketsPerAddress: 400,
+  /** classes per address, which a school may share */
+  classRate: { perSecond: 0.1, burst: 20 },
+  /** right codes of classes per address; wrong ones are limited by `codeChecks` */
+  joinRate: { perSecond: 5, burst: 200 },
+  classIdleMs: 2 * 60 * 60 * 1000,
+  classLifeMs: 12 * 60 * 60 * 1000,
+  /** a code by which another device becomes a student */
+  returnCodeMs: 10 * 60 * 1000,
+  /** connections of students, dashboards and screens per address, which a school may share */
+  classConnectionsPerAddress: 2_000,
+  /** connections of dashboards and big screens of one class together */
+  teacherConnections: 4,
+  /** messages of one student; a tile at most 5 times a second, while a teacher watches */
+  studentRates: {
+    tile: { perSecond: 5, burst: 10 },
+    progress: { perSecond: 0.5, burst: 10 },
+    program: { perSecond: 0.5, burst: 10 },
+    help: { perSecond: 1, burst: 5 },
+    name: { perSecond: 1, burst: 5 },
+  },
+  /** messages of one dashboard */
+  teacherRates: {
+    watch: { perSecond: 5, burst: 20 },
+    hint: { perSecond: 5, burst: 20 },
+    display: { perSecond: 2, burst: 4 },
+  },
+  /** interval of tiles to a dashboard, also while it watches a student; and of displays */
+  tilesIntervalMs: 500,
+  watchedTilesIntervalMs: 200,
+  displayIntervalMs: 500,
+  /** unacknowledged batches of tiles to a dashboard, and displays to a big screen */
+  classCredit: 2,
+  /** minimum interval between two messages of a class to other relays, with tiles or connections */
+  classRelayIntervalMs: 250,
+  /** a class without use for this long is not held in memory */
+  classQuietMs: 10 * 60 * 1000,
   /** interval of snapshots to one reader; on a long-poll connection each one costs a request */
   snapshotIntervalMs: 50,
   longPollSnapshotIntervalMs: 100,
@@ -63,8 +99,8 @@ export const limits = {
   /** unsent bytes above which a reader is disconnected, because it does not read */
   stuckReaderBytes: 1024 * 1024,
   /**
-   * interval at which a relay announces a robot that it holds to the page's relay; without an
-   * announcement for `relaySilenceMs` it no longer counts
+   * interval at which a relay announces a robot that it holds to the page's relay, and a class to
+   * all; without an announcement for `relaySilenceMs` it no longer counts
    */
   relayHereMs: 2_000,
   relaySilenceMs: 6_000,

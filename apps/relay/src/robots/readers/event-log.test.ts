@@ -2,7 +2,8 @@ import { EVENT_RETENTION_MS, MAX_STORED_EVENTS, type CommandRecord } from "@corr
 import fc from "fast-check";
 import { expect, it } from "vitest";
 import type { Clock } from "../../platform/time/clock.ts";
-import { EventLog } from "./event-log.ts";
+import { EventLog } from "../../platform/events/event-log.ts";
+import { recordPacking } from "./packed-record.ts";
 
 /** Every field has a different value, and most differ for each seq. */
 const record = (seq: number): CommandRecord => ({
@@ -30,7 +31,7 @@ it("returns each event within the limits of age and count by its number, and rep
     fc.property(fc.array(step, { maxLength: 20 }), (steps) => {
       let now = 0;
       const clock: Clock = { now: () => now, after: () => () => undefined };
-      const log = new EventLog(clock);
+      const log = new EventLog(clock, recordPacking);
       let n = 0;
       let stored: { n: number; at: number }[] = [];
       for (const each of steps) {
@@ -67,7 +68,7 @@ it("returns each event within the limits of age and count by its number, and rep
 it("returns no event under another event's number, even if it changes during a read", () => {
   const clock: Clock = { now: () => 0, after: () => () => undefined };
   for (const happens of ["add", "lose"] as const) {
-    const log = new EventLog(clock);
+    const log = new EventLog(clock, recordPacking);
     for (let n = 1; n <= MAX_STORED_EVENTS; n++) log.add(record(n));
     const sent: number[] = [];
     for (const event of log.after(0) ?? []) {

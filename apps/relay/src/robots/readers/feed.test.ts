@@ -4,9 +4,10 @@ import { describe, expect, it } from "vitest";
 import { CoalescedTimers } from "../../platform/time/coalesced-timers.ts";
 import { FakeClock, settled } from "../../platform/testing/fake-clock.ts";
 import { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
-import { EventLog } from "./event-log.ts";
+import { EventLog } from "../../platform/events/event-log.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { ReaderFeed } from "./feed.ts";
+import { recordPacking } from "./packed-record.ts";
 
 function recordOf(seq: number): CommandRecord {
   return {
@@ -29,7 +30,7 @@ const STATE_BYTES = 300;
 function robotWithReaders() {
   const clock = new FakeClock();
   const timers = new CoalescedTimers(clock);
-  const events = new EventLog(clock);
+  const events = new EventLog(clock, recordPacking);
   let newest: CarriedSnapshot | null = null;
   const feeds: ReaderFeed[] = [];
   /** @param received called after each state, as a connection may break during a write */

@@ -6,7 +6,7 @@
  * the reader has not yet taken: two snapshots and some states. Other states wait in the event log.
  * A reader that sleeps for longer than the log lasts receives a gap.
  */
-import { hasEnded, type EventGap, type StateEvent } from "@corridor/protocol";
+import { hasEnded, type CommandRecord, type EventGap, type StateEvent } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
 import {
   dueAfter,
@@ -15,7 +15,7 @@ import {
 } from "../../platform/time/coalesced-timers.ts";
 import type { AwayReason, ReaderTransport } from "./subscribers.ts";
 import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
-import type { EventLog } from "./event-log.ts";
+import type { EventLog } from "../../platform/events/event-log.ts";
 import { limits } from "../../platform/limits/limits.ts";
 
 /** Progress of a reader, in bytes of its connection. */
@@ -56,7 +56,7 @@ export type OverReason = AwayReason | "tooSlow";
 
 /** The data that readers read. */
 export interface ReaderSource {
-  readonly events: EventLog;
+  readonly events: EventLog<CommandRecord>;
   newest(): CarriedSnapshot | null;
   /** Reports the commands that have not ended, between two changes. @throws if the store fails */
   readOpen(notify: (open: EventGap["open"]) => void): Promise<void>;

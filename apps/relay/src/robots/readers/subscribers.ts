@@ -7,7 +7,7 @@ import type { Clock } from "../../platform/time/clock.ts";
 import type { WaitLimit } from "../../platform/time/wait-limit.ts";
 import { Refusal, retryAfter } from "../../platform/errors/problems.ts";
 import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
-import type { EventLog } from "./event-log.ts";
+import type { EventLog } from "../../platform/events/event-log.ts";
 import { StoreUnavailableError } from "../../platform/errors/store-unavailable.ts";
 import { keyRevoked } from "../access/key-ring.ts";
 import { limits } from "../../platform/limits/limits.ts";
@@ -48,7 +48,7 @@ export interface CallerWait extends WaitLimit {
 
 export class Subscribers {
   readonly #clock: Clock;
-  readonly #events: EventLog;
+  readonly #events: EventLog<CommandRecord>;
   readonly #entries = new Set<{
     listener: Listener;
     key: Caller | null;
@@ -56,7 +56,7 @@ export class Subscribers {
   }>();
 
   /** @param events numbers the states, and stores them for readers that reconnect */
-  constructor(clock: Clock, events: EventLog) {
+  constructor(clock: Clock, events: EventLog<CommandRecord>) {
     this.#clock = clock;
     this.#events = events;
   }

@@ -117,6 +117,7 @@ export const sections: readonly Section[] = [
       { path: "/docs/run-format", label: "Runs", file: "docs/run-format.md" },
       { path: "/docs/challenge-format", label: "Challenges", file: "docs/challenge-format.md" },
       { path: "/docs/short-links", label: "Short links", file: `${PAGES}/short-links.md` },
+      { path: "/docs/classes", label: "Classes", file: `${PAGES}/classes.md` },
     ],
   },
 ];

@@ -9,7 +9,7 @@ import { healthCalls, healthSchemas } from "../../ops/health-openapi.ts";
 import { describeByExpectation } from "../../platform/openapi/describe-by-expectation.ts";
 import { withOpenResponses } from "./open-responses.ts";
 import { withReadingAids } from "./reading-aids.ts";
-import { describeCondition, schemas } from "../../gateways/openapi-schemas.ts";
+import { describeCondition, describeVersions, schemas } from "../../gateways/openapi-schemas.ts";
 
 const DESCRIPTION = `Each robot has an address, \`https://HOST/r/ID#KEY\`. A script needs only this address:
 send the part after # in the header \`Authorization: Bearer KEY\`. The robot's page registers the robot.
@@ -65,6 +65,22 @@ export function describeApi(): oas31.OpenAPIObject {
             description:
               "The key from the response to a pairing request. It becomes a driver key when the owner accepts.",
           },
+          teacherKey: {
+            type: "http",
+            scheme: "bearer",
+            description:
+              "The key of a class's teacher, from the response that created the class. It permits everything in the class.",
+          },
+          screenKey: {
+            type: "http",
+            scheme: "bearer",
+            description: "The key of a class's big screen. It permits reading the lesson.",
+          },
+          studentKey: {
+            type: "http",
+            scheme: "bearer",
+            description: "The key of one student of a class, from the response to a join request.",
+          },
           watchKey: {
             type: "http",
             scheme: "bearer",
@@ -77,6 +93,7 @@ export function describeApi(): oas31.OpenAPIObject {
       override: (context) => {
         describeByExpectation(context);
         describeCondition(context);
+        describeVersions(context);
       },
       // Only for request schemas, whose output has no description.
       allowEmptySchema: { pipe: { output: true }, transform: { output: true } },

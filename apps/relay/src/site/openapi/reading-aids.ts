@@ -40,6 +40,11 @@ export const groups: readonly Group[] = [
     paths: ["/api/v1/mazes"],
   },
   {
+    name: "Classes",
+    description: "A teacher's live lesson, which students join with a code.",
+    paths: ["/api/v1/classes", "/api/v1/joins"],
+  },
+  {
     name: "Service",
     description: "For operators of the service.",
     paths: ["/healthz", "/readyz"],

@@ -1,6 +1,6 @@
 /**
- * Names of the Redis keys of one robot. The braces are a hash tag, which keeps them on one node of
- * a cluster.
+ * Names of the Redis keys of robots and classes. The braces are a hash tag, which keeps them on one
+ * node of a cluster.
  */
 
 export function robotKeyOf(id: string): string {
@@ -52,4 +52,18 @@ export function madeAt(hash: string): string {
 /** Field with the time at which a key was last used. */
 export function usedAt(hash: string): string {
   return `used:${hash}`;
+}
+
+/** Classes by last use, and by creation. */
+export const CLASS_USES = "corridor:class-uses";
+export const CLASS_BIRTHS = "corridor:class-births";
+
+/** A class, with its students, programs and codes. */
+export function classKeyOf(id: string): string {
+  return `corridor:class:{${id}}`;
+}
+
+/** The channel of a class. */
+export function classChannelOf(id: string): string {
+  return `${classKeyOf(id)}:channel`;
 }

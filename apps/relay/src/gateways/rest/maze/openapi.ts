@@ -1,9 +1,9 @@
 /** Operations on a robot's maze. */
 import { mazeSchema } from "@corridor/maze";
 import type { ZodOpenApiPathsObject } from "zod-openapi";
+import { ifNoneMatchHeader } from "../../../platform/http/entity-tags.ts";
 import { answer, entityTag, parameters, refusals } from "../../../platform/openapi/parts.ts";
 import { anyKey, asScript, keyed, ofScript, owner, robot } from "../../requests/openapi-parts.ts";
-import { ifNoneMatchHeader } from "./routes.ts";
 
 export const mazeCalls: ZodOpenApiPathsObject = {
   "/api/v1/robots/{id}/maze": {

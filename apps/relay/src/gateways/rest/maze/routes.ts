@@ -2,17 +2,12 @@
 import { mazeSchema } from "@corridor/maze";
 import { MAX_DOCUMENT_BYTES } from "@corridor/protocol";
 import { Router } from "express";
-import { z } from "zod";
 import { Refusal } from "../../../platform/errors/problems.ts";
 import type { RobotRegistry } from "../../../robots/registry.ts";
+import { entityTag, matchesTag } from "../../../platform/http/entity-tags.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
 import { authoriseScript } from "../../requests/authorise-script.ts";
 import { bodyReader, readBearer } from "../../../platform/http/reading.ts";
-
-/** Header of a conditional request. */
-export const ifNoneMatchHeader = z.object({
-  "If-None-Match": z.string().optional().describe("the `ETag` of the cached maze"),
-});
 
 const readMaze = bodyReader(mazeSchema, "Invalid maze.", { limit: MAX_DOCUMENT_BYTES });
 
@@ -31,7 +26,7 @@ export function mazeRoutes(registry: RobotRegistry): Router {
       }
       const tag = entityTag(stored.version);
       response.set("ETag", tag);
-      if (matches(request.get("If-None-Match"), tag)) return void response.status(304).end();
+      if (matchesTag(request.get("If-None-Match"), tag)) return void response.status(304).end();
       response.type("json").send(stored.text);
     })
     .put(async (request, response) => {
@@ -41,13 +36,4 @@ export function mazeRoutes(registry: RobotRegistry): Router {
     })
     .all(methodNotAllowed("GET, PUT"));
   return router;
-}
-
-function entityTag(version: string): string {
-  return `"${version}"`;
-}
-
-/** A proxy that compresses a response marks its tag as weak. */
-function matches(header: string | undefined, tag: string): boolean {
-  return (header ?? "").split(",").some((each) => each.trim().replace(/^W\//, "") === tag);
 }

@@ -41,6 +41,9 @@ const DAMAGED_TEXT = `
   SELECT 1 FROM (
     SELECT entry AS text FROM journal UNION ALL SELECT entry FROM commands
     UNION ALL SELECT text FROM mazes UNION ALL SELECT text FROM documents
+    UNION ALL SELECT row FROM classes UNION ALL SELECT lesson FROM classes
+    UNION ALL SELECT row FROM students UNION ALL SELECT coalesce(program, '{}') FROM students
+    UNION ALL SELECT text FROM progress
   ) WHERE NOT json_valid(text) LIMIT 1`;
 /** Finds invalid JSON in the command and the pose, which are texts inside an entry. */
 const DAMAGED_INSIDE = `

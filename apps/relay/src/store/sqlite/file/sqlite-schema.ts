@@ -235,6 +235,41 @@ ALTER TABLE commands ADD COLUMN overtakes TEXT AS (entry ->> 17);
 ALTER TABLE commands ADD COLUMN is_open INTEGER NOT NULL AS (entry ->> 18);
 `;
 
+// Classes. Rows and records are JSON, which the store does not interpret.
+const CLASSES = `
+CREATE TABLE classes (
+  id TEXT PRIMARY KEY,
+  version INTEGER NOT NULL,
+  row TEXT NOT NULL,
+  lesson TEXT NOT NULL,
+  created_at INTEGER NOT NULL,
+  last_used_at INTEGER NOT NULL
+) STRICT, WITHOUT ROWID;
+CREATE INDEX classes_by_use ON classes (last_used_at);
+CREATE TABLE class_codes (
+  hash TEXT PRIMARY KEY,
+  class TEXT NOT NULL REFERENCES classes (id) ON DELETE CASCADE,
+  student INTEGER,
+  ends_at INTEGER
+) STRICT, WITHOUT ROWID;
+CREATE INDEX class_codes_by_class ON class_codes (class);
+CREATE TABLE students (
+  class TEXT NOT NULL REFERENCES classes (id) ON DELETE CASCADE,
+  student INTEGER NOT NULL,
+  row TEXT NOT NULL,
+  program TEXT,
+  PRIMARY KEY (class, student)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE progress (
+  class TEXT NOT NULL,
+  student INTEGER NOT NULL,
+  seq INTEGER NOT NULL,
+  text TEXT NOT NULL,
+  PRIMARY KEY (class, student, seq),
+  FOREIGN KEY (class, student) REFERENCES students (class, student) ON DELETE CASCADE
+) STRICT, WITHOUT ROWID;
+`;
+
 /** The migration for each version. The first one creates version 1 from an empty file. */
 const STEPS: readonly string[] = [
   SESSIONS,
@@ -253,6 +288,7 @@ const STEPS: readonly string[] = [
   SHORT_CODES,
   BLOCKED_SCRIPTS,
   RULES_IN_ENTRIES,
+  CLASSES,
 ];
 
 /**

@@ -1,21 +1,31 @@
 /**
- * Newest states of a robot's commands, numbered, for readers that reconnect. The log is held in
- * memory. After a restart the numbers start again in another stream, so readers of the old stream
- * receive a gap.
+ * Newest numbered events of a robot or a class, for readers that reconnect. The log is held in
+ * memory. Readers of another stream receive a gap.
  */
-import {
-  EVENT_RETENTION_MS,
-  MAX_STORED_EVENTS,
-  sinceOf,
-  type CommandRecord,
-  type StateEvent,
-} from "@corridor/protocol";
-import type { Clock } from "../../platform/time/clock.ts";
-import { mintStream } from "../../platform/keys.ts";
+import { EVENT_RETENTION_MS, MAX_STORED_EVENTS, sinceOf } from "@corridor/protocol";
+import type { Clock } from "../time/clock.ts";
+import { mintStream } from "../keys.ts";
 import { PackedTexts } from "./packed-texts.ts";
 
-export class EventLog {
-  readonly stream = mintStream();
+/** The text of an event in the log. */
+export interface Packing<T> {
+  pack(record: T): string;
+  unpack(text: string): T;
+}
+
+export interface NumberedEvent<T> {
+  n: number;
+  record: T;
+}
+
+/** Where the numbers of a log start: in a new stream at 0, or where an earlier log ended. */
+export interface LogStart {
+  stream: string;
+  n: number;
+}
+
+export class EventLog<T> {
+  readonly stream: string;
   readonly #clock: Clock;
   /**
    * Records from oldest to newest, without gaps, and their times. The records are packed, because
@@ -24,10 +34,14 @@ export class EventLog {
    */
   readonly #stored = new PackedTexts();
   #times: number[] = [];
-  #n = 0;
+  readonly #packing: Packing<T>;
+  #n: number;
 
-  constructor(clock: Clock) {
+  constructor(clock: Clock, packing: Packing<T>, start: LogStart = { stream: mintStream(), n: 0 }) {
     this.#clock = clock;
+    this.#packing = packing;
+    this.stream = start.stream;
+    this.#n = start.n;
   }
 
   /** Number of the newest event; 0 before the first. */
@@ -40,9 +54,9 @@ export class EventLog {
     return sinceOf(this.stream, this.#n);
   }
 
-  add(record: CommandRecord): StateEvent {
+  add(record: T): NumberedEvent<T> {
     this.#n += 1;
-    this.#stored.push(packed(record));
+    this.#stored.push(this.#packing.pack(record));
     this.#times.push(this.#clock.now());
     if (this.#stored.length > MAX_STORED_EVENTS) {
       this.#stored.shift(1);
@@ -51,9 +65,14 @@ export class EventLog {
     return { n: this.#n, record };
   }
 
-  /** States may have been missed, so all readers of earlier positions must receive a gap. */
+  /** Events may have been missed, so all readers of earlier positions must receive a gap. */
   lose(): void {
-    this.#n += 1;
+    this.skipTo(this.#n + 1);
+  }
+
+  /** The events up to this number are not known. */
+  skipTo(n: number): void {
+    this.#n = n;
     this.#remove(this.#stored.length);
   }
 
@@ -75,7 +94,7 @@ export class EventLog {
    * Current events after `n`, in order; null if some of them are no longer stored. The iterator
    * reads each event when it reaches it, and skips those that are deleted by then.
    */
-  after(n: number): Iterable<StateEvent> | null {
+  after(n: number): Iterable<NumberedEvent<T>> | null {
     return this.hasAfter(n) ? this.#from(n + 1, this.#n) : null;
   }
 
@@ -85,10 +104,10 @@ export class EventLog {
     return since.slice(0, dash) === this.stream ? Number(since.slice(dash + 1)) : null;
   }
 
-  *#from(first: number, last: number): Iterable<StateEvent> {
+  *#from(first: number, last: number): Iterable<NumberedEvent<T>> {
     for (let n = first; n <= last; n++) {
       const at = n - this.#n + this.#stored.length - 1;
-      if (at >= 0) yield { n, record: unpacked(this.#stored.at(at)) };
+      if (at >= 0) yield { n, record: this.#packing.unpack(this.#stored.at(at)) };
     }
   }
 
@@ -96,30 +115,4 @@ export class EventLog {
     this.#stored.shift(count);
     this.#times.splice(0, count);
   }
-}
-
-/** A record without its field names, which would be half of the text. */
-type Packed = [
-  seq: CommandRecord["seq"],
-  key: CommandRecord["key"],
-  command: CommandRecord["command"],
-  state: CommandRecord["state"],
-  reason: CommandRecord["reason"],
-  acceptedAt: CommandRecord["acceptedAt"],
-  pose: CommandRecord["pose"],
-  distance: CommandRecord["distance"],
-  duplicate: CommandRecord["duplicate"],
-];
-
-function packed(record: CommandRecord): string {
-  const { seq, key, command, state, reason, acceptedAt, pose, distance, duplicate } = record;
-  const all: Packed = [seq, key, command, state, reason, acceptedAt, pose, distance, duplicate];
-  return JSON.stringify(all);
-}
-
-function unpacked(text: string): CommandRecord {
-  const all = JSON.parse(text) as Packed;
-  const [seq, key, command, state, reason, acceptedAt, pose, distance, duplicate] = all;
-  const { action } = command;
-  return { seq, key, action, command, state, reason, acceptedAt, pose, distance, duplicate };
 }

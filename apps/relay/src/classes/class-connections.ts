@@ -1,0 +1,386 @@
+/**
+ * The connections of a class at this relay: students, dashboards and big screens, and how they
+ * reach those of other relays. Tiles and what big screens show are held in memory only.
+ */
+import {
+  PROTOCOL_VERSION,
+  type RelayToScreen,
+  type RelayToStudent,
+  type RelayToTeacher,
+  type StudentTile,
+  type Tile,
+} from "@corridor/protocol";
+import type { ClassMessage, ClassPresence } from "../bus/class-message.ts";
+import type { ClassRecord } from "../bus/class-record.ts";
+import { Refusal, retryAfter } from "../platform/errors/problems.ts";
+import { limits } from "../platform/limits/limits.ts";
+import { MessageRates } from "../platform/limits/message-rates.ts";
+import type { Clock } from "../platform/time/clock.ts";
+import { BigScreens, type DisplayContent, type ScreenMember } from "./big-screens.ts";
+import { ClassEvents } from "./class-events.ts";
+import { nameOf, settingsOf, type ClassState } from "./class-state.ts";
+import { CreditedFeed } from "./credited-feed.ts";
+import type { MemberLink } from "./member-link.ts";
+import { OtherRelays } from "./other-relays.ts";
+import { requireCaller, type StudentCaller } from "./student-steps.ts";
+import { requireStudent } from "./teacher-steps.ts";
+
+type StudentLink = MemberLink<RelayToStudent>;
+type StudentRates = MessageRates<keyof typeof limits.studentRates>;
+
+interface ConnectedStudent {
+  /** hash of the key */
+  key: string;
+  connectedAt: number;
+  link: StudentLink;
+  /** whether a dashboard watches, as the student's page last received it */
+  watched: boolean;
+}
+
+interface Dashboard {
+  link: MemberLink<RelayToTeacher>;
+  tiles: CreditedFeed<ReadonlySet<number>>;
+  watched: number | null;
+}
+
+export interface StudentMember {
+  readonly rates: StudentRates;
+  tile(tile: Tile): void;
+  leave(): void;
+}
+
+export interface TeacherMember {
+  /** Receives the tiles of a student more often. @throws Refusal no-student */
+  watch(student: number | null): void;
+  seen(seq: number): void;
+  leave(): void;
+}
+
+export interface ClassConnectionsParts {
+  clock: Clock;
+  /** @returns the newest state */
+  readonly state: () => ClassState;
+  /** Sends a message to the other relays of the class. */
+  readonly notify: (message: ClassMessage) => void;
+}
+
+export class ClassConnections {
+  readonly #clock: Clock;
+  readonly #state: () => ClassState;
+  readonly #notify: (message: ClassMessage) => void;
+  readonly #events: ClassEvents;
+  readonly #others: OtherRelays;
+  readonly #students = new Map<number, ConnectedStudent>();
+  readonly #dashboards = new Set<Dashboard>();
+  readonly #screens: BigScreens;
+  readonly #tiles = new Map<number, Tile>();
+  /** of all students who have connected, so that a new connection is no new allowance */
+  readonly #rates = new Map<number, StudentRates>();
+
+  constructor({ clock, state, notify }: ClassConnectionsParts) {
+    this.#clock = clock;
+    this.#state = state;
+    this.#notify = notify;
+    this.#events = new ClassEvents(clock, state);
+    this.#screens = new BigScreens(clock);
+    this.#others = new OtherRelays({
+      clock,
+      notify,
+      presence: () => this.#presence(),
+      changed: (students) => this.#othersChanged(students),
+    });
+  }
+
+  get isEmpty(): boolean {
+    return this.#students.size === 0 && this.#dashboards.size === 0 && this.#screens.size === 0;
+  }
+
+  // --- students ---
+
+  /**
+   * Connects a student. An earlier connection of the student ends.
+   * @throws Refusal not-authorised if the key is not valid any more
+   */
+  joinStudent(caller: StudentCaller, link: StudentLink): StudentMember {
+    const { student: number, key } = caller;
+    const row = requireCaller(this.#state(), caller);
+    this.#students.get(number)?.link.close("replaced");
+    const watched = this.#isWatched(number);
+    this.#students.set(number, { key, link, watched, connectedAt: this.#clock.now() });
+    const rates = this.#rates.get(number) ?? new MessageRates(limits.studentRates, this.#clock);
+    this.#rates.set(number, rates);
+    const { row: classRow } = this.#state();
+    const settings = settingsOf(classRow, this.#clock.now());
+    link.send({
+      type: "welcome",
+      version: PROTOCOL_VERSION,
+      student: number,
+      name: nameOf(classRow, row),
+      renamesLeft: row.renamesLeft,
+      progress: row.progress,
+      helpWanted: row.helpSince !== null,
+      watched,
+      pauseEndsInMs: settings.pauseEndsInMs,
+      paceTo: settings.paceTo,
+      lesson: settings.lesson,
+    });
+    this.#showTile(number);
+    this.#others.announce();
+    return {
+      rates,
+      tile: (tile) => {
+        this.#tiles.set(number, tile);
+        this.#showTile(number);
+        this.#others.tile(number, tile);
+      },
+      leave: () => {
+        if (this.#students.get(number)?.link !== link) return;
+        this.#students.delete(number);
+        this.#showTile(number);
+        this.#others.announce();
+      },
+    };
+  }
+
+  // --- teachers ---
+
+  /**
+   * Connects a dashboard.
+   * @param since the last event that it received on an earlier connection
+   * @throws Refusal too-many-readers
+   */
+  joinTeacher(link: MemberLink<RelayToTeacher>, since: string | null): TeacherMember {
+    this.#limitConnections();
+    const dashboard: Dashboard = {
+      link,
+      watched: null,
+      tiles: new CreditedFeed({
+        clock: this.#clock,
+        intervalMs: () =>
+          dashboard.watched === null ? limits.tilesIntervalMs : limits.watchedTilesIntervalMs,
+        merge: (waiting, newer) => new Set([...waiting, ...newer]),
+        send: (seq, students) => {
+          const tiles = [...students].filter((each) => this.#state().students.has(each));
+          link.send({ type: "tiles", seq, tiles: tiles.map((each) => this.#tileOf(each)) });
+        },
+      }),
+    };
+    for (const message of this.#events.first(since)) link.send(message);
+    this.#dashboards.add(dashboard);
+    const { students } = this.#state();
+    if (students.size > 0) dashboard.tiles.offer(new Set(students.keys()));
+    this.#others.announce(true);
+    return {
+      watch: (student) => this.#watch(dashboard, student),
+      seen: (seq) => dashboard.tiles.seen(seq),
+      leave: () => {
+        this.#watch(dashboard, null);
+        this.#dashboards.delete(dashboard);
+        dashboard.tiles.close();
+        this.#others.announce();
+      },
+    };
+  }
+
+  /** Shows a hint to a student. @throws Refusal no-student */
+  hint(student: number, task: number, hint: number): void {
+    requireStudent(this.#state(), student);
+    const found = this.#students.get(student);
+    if (found === undefined) this.#notify({ kind: "hint", student, task, hint });
+    else found.link.send({ type: "hint", task, hint });
+  }
+
+  /** Replaces what the big screens show. */
+  display(content: DisplayContent): void {
+    this.#screens.show(content);
+    if (!this.#others.isEmpty) this.#notify({ kind: "display", content, isNew: true });
+  }
+
+  // --- big screens ---
+
+  /** @throws Refusal too-many-readers */
+  joinScreen(link: MemberLink<RelayToScreen>): ScreenMember {
+    this.#limitConnections();
+    const screen = this.#screens.join(link, this.#state().row);
+    this.#others.announce();
+    return {
+      seen: (seq) => screen.seen(seq),
+      leave: () => {
+        screen.leave();
+        this.#others.announce();
+      },
+    };
+  }
+
+  // --- changes of the class ---
+
+  /**
+   * Notifies all members of what has changed, here or at another relay.
+   * @param records the events of the change; null: some may be missing
+   */
+  changed(before: ClassState, records: readonly ClassRecord[] | null): void {
+    for (const message of this.#events.follow(records)) {
+      for (const { link } of this.#dashboards) link.send(message);
+    }
+    this.#deleteRemoved(before);
+    for (const [number, { key, link }] of this.#students) {
+      const row = this.#state().students.get(number);
+      if (row === undefined) link.close("removed");
+      else if (row.key !== key) link.close("replaced");
+      else this.#notifyStudent(link, number, before);
+    }
+    this.#screens.changed(before.row, this.#state().row);
+  }
+
+  /** Ends all connections, because the class has ended. */
+  ended(): void {
+    for (const { link } of [...this.#students.values(), ...this.#dashboards]) link.close("over");
+    this.#screens.ended();
+  }
+
+  deleteOldEvents(): void {
+    this.#events.deleteOld();
+  }
+
+  // --- other relays ---
+
+  /** Handles a message of another relay. */
+  received(message: ClassMessage, from: string): void {
+    switch (message.kind) {
+      case "here":
+        this.#closeReplaced(message.presence);
+        this.#others.received(message.presence, from);
+        if (message.asks) this.#answer();
+        return;
+      case "tiles":
+        for (const { student, tile } of message.tiles) {
+          if (!this.#state().students.has(student)) continue;
+          this.#tiles.set(student, tile);
+          this.#showTile(student);
+        }
+        return;
+      case "hint": {
+        const { student, task, hint } = message;
+        return this.#students.get(student)?.link.send({ type: "hint", task, hint });
+      }
+      case "display":
+        if (message.isNew || this.#screens.content === null) this.#screens.show(message.content);
+    }
+  }
+
+  /** Messages of other relays may have been missed, or this relay has just joined them. */
+  missed(): void {
+    this.#others.announce(true);
+  }
+
+  /** Reports to other relays that this one does not serve the class any more. */
+  leave(): void {
+    this.#others.leave();
+  }
+
+  /** Students who have connected to another relay since they connected to this one. */
+  #closeReplaced({ students }: ClassPresence): void {
+    for (const { student, connectedAt } of students) {
+      const here = this.#students.get(student);
+      if (here !== undefined && here.connectedAt < connectedAt) here.link.close("replaced");
+    }
+  }
+
+  /** Sends what another relay that has just joined needs. */
+  #answer(): void {
+    this.#others.announce();
+    for (const student of this.#students.keys()) {
+      const tile = this.#tiles.get(student);
+      if (tile !== undefined) this.#others.tile(student, tile);
+    }
+    const { content } = this.#screens;
+    if (content !== null) this.#notify({ kind: "display", content, isNew: false });
+  }
+
+  #othersChanged(students: ReadonlySet<number>): void {
+    for (const student of students) this.#showTile(student);
+    this.#updateWatched();
+  }
+
+  #presence(): ClassPresence {
+    const watched = [...this.#dashboards].map((dashboard) => dashboard.watched);
+    return {
+      students: [...this.#students].map(([student, { connectedAt }]) => ({ student, connectedAt })),
+      watched: watched.filter((student) => student !== null),
+      dashboards: this.#dashboards.size,
+      screens: this.#screens.size,
+    };
+  }
+
+  #notifyStudent(link: StudentLink, number: number, before: ClassState): void {
+    const { row, students } = this.#state();
+    const [student, earlier] = [students.get(number), before.students.get(number)];
+    const settings = settingsOf(row, this.#clock.now());
+    if (student !== undefined && student.name !== earlier?.name) {
+      const { renamesLeft } = student;
+      link.send({ type: "name", name: nameOf(row, student), renamesLeft });
+    }
+    if (row.lessonVersion !== before.row.lessonVersion) {
+      link.send({ type: "lesson", version: row.lessonVersion });
+    }
+    if (row.pause?.endsAt !== before.row.pause?.endsAt) {
+      link.send({ type: "pause", endsInMs: settings.pauseEndsInMs });
+    }
+    if (row.paceTo !== before.row.paceTo) link.send({ type: "pace", to: row.paceTo });
+  }
+
+  #deleteRemoved(before: ClassState): void {
+    for (const number of before.students.keys()) {
+      if (this.#state().students.has(number)) continue;
+      this.#tiles.delete(number);
+      this.#rates.delete(number);
+    }
+  }
+
+  #watch(dashboard: Dashboard, student: number | null): void {
+    if (student !== null) requireStudent(this.#state(), student);
+    if (student === dashboard.watched) return;
+    dashboard.watched = student;
+    dashboard.tiles.intervalChanged();
+    this.#updateWatched();
+    this.#others.announce();
+  }
+
+  /** Notifies students whom a dashboard at any relay starts or stops to watch. */
+  #updateWatched(): void {
+    for (const [number, student] of this.#students) {
+      const watched = this.#isWatched(number);
+      if (watched === student.watched) continue;
+      student.watched = watched;
+      student.link.send({ type: "watched", watched });
+    }
+  }
+
+  #isWatched(student: number): boolean {
+    const isWatchedHere = [...this.#dashboards].some(({ watched }) => watched === student);
+    return isWatchedHere || this.#others.isWatched(student);
+  }
+
+  /** The tile or the connection of a student has changed. */
+  #showTile(student: number): void {
+    if (!this.#state().students.has(student)) return;
+    for (const { tiles } of this.#dashboards) tiles.offer(new Set([student]));
+  }
+
+  #tileOf(student: number): StudentTile {
+    const tile = this.#tiles.get(student) ?? null;
+    const connected = this.#students.has(student) || this.#others.isConnected(student);
+    return { student, connected, tile };
+  }
+
+  #limitConnections(): void {
+    const here = this.#dashboards.size + this.#screens.size;
+    const elsewhere = this.#others.dashboards + this.#others.screens;
+    if (here + elsewhere < limits.teacherConnections) return;
+    throw new Refusal(
+      "too-many-readers",
+      `At most ${limits.teacherConnections} dashboards and big screens of a class connect. Close one, then try again.`,
+      { headers: retryAfter(5_000) },
+    );
+  }
+}
