@@ -1,3 +1,14 @@
+// First, because it configures zod before any schema is created.
+export {
+  MAX_PROBLEMS,
+  describeProblem,
+  parseJson,
+  problem,
+  readJson,
+  readValue,
+  type FieldProblem,
+  type ReadResult,
+} from "./document-reader.ts";
 export { closeReasonOf, closeReasons, type CloseReason } from "./close-codes.ts";
 export {
   classCodeSchema,
@@ -81,16 +92,6 @@ export {
   SILENT_ROBOT_REASON,
 } from "./expired-reason.ts";
 export { BLOCKED_REASON, PAUSED_REASON, REVOKED_REASON } from "./owner-reasons.ts";
-export {
-  MAX_PROBLEMS,
-  describeProblem,
-  parseJson,
-  problem,
-  readJson,
-  readValue,
-  type FieldProblem,
-  type ReadResult,
-} from "./document-reader.ts";
 export {
   eventGapSchema,
   eventPageSchema,
