@@ -165,6 +165,66 @@ test("warns of a maze that nobody can solve, and of a lesson that was not solved
   await expect(dialog.getByRole("textbox")).toHaveValue(/\/#\S+$/);
 });
 
+test("shares a lesson as a short link, a picture, a file and with other apps", async ({
+  openWindow,
+}) => {
+  const { page } = await openWindow(phone);
+  // Headless browsers have no share sheet.
+  await page.addInitScript(() => {
+    Reflect.set(navigator, "share", (data: ShareData) => {
+      document.documentElement.dataset["shared"] = data.url;
+      return Promise.resolve();
+    });
+  });
+  const intro = Array.from({ length: 190 }, (_, at) => (at ** 3 % 997).toString(36)).join("");
+  const long = encodeLink({ lesson: { ...sampleLesson, intro } });
+  await page.goto(`/teach#${long.ok ? long.text : ""}`);
+  await expect(page).toHaveURL(/#lesson=/);
+  await page.goto("/teach");
+  const share = page.getByRole("button", { name: "Share", exact: true });
+  await share.click();
+  const dialog = page.getByRole("dialog", { name: "Share lesson" });
+  await dialog.getByRole("button", { name: "Share anyway" }).click();
+  const field = dialog.getByRole("textbox", { name: "Link" });
+  await expect(field).toHaveValue(/\/#\S+$/);
+  const classroom = dialog.getByRole("link", { name: "Google Classroom" });
+  // A long link never enters a query string.
+  await expect(dialog).toContainText(
+    "The link is too long for a QR code and for Google Classroom.",
+  );
+  await expect(classroom).toHaveCount(0);
+
+  await dialog.getByRole("button", { name: "Short link", exact: true }).click();
+  await expect(field).toHaveValue(/\/m\/[A-Z]{4,6}$/);
+  const link = await field.inputValue();
+  await expect(classroom).toHaveAttribute(
+    "href",
+    `https://classroom.google.com/share?url=${encodeURIComponent(link)}`,
+  );
+  await dialog.getByRole("button", { name: "Share with an app" }).click();
+  await expect(page.locator("html")).toHaveAttribute("data-shared", link);
+  for (const [button, file] of [
+    ["Save picture", "two-tasks.svg"],
+    ["Save as a file", "two-tasks.lesson.json"],
+  ] as const) {
+    const download = page.waitForEvent("download");
+    await dialog.getByRole("button", { name: button }).click();
+    expect((await download).suggestedFilename()).toBe(file);
+  }
+  await expect(dialog.getByRole("figure", { name: "QR code of the link" })).toBeVisible();
+  await expectNoAxeViolations(page, "share");
+  // Behind the dialog, the whole row of a saved lesson is a link, not only its name.
+  const small = await smallTouchTargets(page);
+  expect(small.filter((target) => !target.startsWith("Two tasks:"))).toEqual([]);
+  await page.setViewportSize({ width: 320, height: 640 });
+  expect(await horizontalOverflow(page)).toEqual([]);
+
+  await page.context().setOffline(true);
+  await expect(dialog).toContainText("You are offline.");
+  await page.keyboard.press("Escape");
+  await expect(share).toBeFocused();
+});
+
 test("keeps both versions if two tabs change a lesson", async ({ page, context }) => {
   const editor = new LessonEditor(page);
   await page.goto(lessonAddress);

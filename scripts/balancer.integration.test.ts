@@ -25,7 +25,7 @@ async function withRelays(count: number) {
   const balancer = await startBalancer([...relays.keys()], 0, "127.0.0.1");
   onTestFinished(() => balancer.close());
   const send = async (path: string, body?: string): Promise<{ port: number; body: string }> => {
-    const url = `http://127.0.0.1:${balancer.port}/api/v1/robots/${path}`;
+    const url = `http://127.0.0.1:${balancer.port}/api/v1/${path}`;
     const init = body === undefined ? {} : { method: "POST", body };
     return (await (await fetch(url, init)).json()) as { port: number; body: string };
   };
@@ -41,26 +41,33 @@ it("sends all requests of a robot's long-poll connection to one relay", async ()
   const { send, portsOf } = await withRelays(3);
   const ports = new Set<number>();
   for (let n = 0; n < 6; n++) {
-    ports.add((await send("robot-1/long-poll/messages?after=0&wait=1")).port);
-    ports.add((await send("robot-1/long-poll", '{"type":"hello"}')).port);
-    await send("robot-1/commands");
+    ports.add((await send("robots/1/long-poll/messages?after=0&wait=1")).port);
+    ports.add((await send("robots/1/long-poll", '{"type":"hello"}')).port);
+    await send("robots/1/commands");
   }
   expect(ports.size).toBe(1);
-  const others = Array.from({ length: 30 }, (_none, n) => `robot-${n}/long-poll`);
+  const others = Array.from({ length: 30 }, (_none, n) => `robots/${n}/long-poll`);
   expect((await portsOf(others)).size).toBe(3);
+});
+
+it("sends all requests of the long-poll connections of a class to one relay", async () => {
+  const { portsOf } = await withRelays(3);
+  const paths = ["", "/messages?after=0", ""].map((path) => `classes/1/long-poll${path}`);
+  expect((await portsOf(paths)).size).toBe(1);
+  expect((await portsOf(Array.from({ length: 3 }, () => "classes/1/lesson"))).size).toBe(3);
 });
 
 it("distributes other requests round-robin, with their bodies", async () => {
   const { send, portsOf } = await withRelays(2);
-  expect((await portsOf(["a/commands", "a/commands"])).size).toBe(2);
-  expect(await send("a/commands", '{"action":"stop"}')).toMatchObject({
+  expect((await portsOf(["robots/a/commands", "robots/a/commands"])).size).toBe(2);
+  expect(await send("robots/a/commands", '{"action":"stop"}')).toMatchObject({
     body: '{"action":"stop"}',
   });
 });
 
 it("skips a closed relay and leaves the long-poll connections of the others in place", async () => {
   const { relays, send } = await withRelays(3);
-  const paths = Array.from({ length: 20 }, (_none, n) => `robot-${n}/long-poll`);
+  const paths = Array.from({ length: 20 }, (_none, n) => `robots/${n}/long-poll`);
   const before = await Promise.all(paths.map(async (path) => (await send(path)).port));
   const closedPort = before[0] ?? 0;
   relays.get(closedPort)?.close();
@@ -75,7 +82,7 @@ it("disconnects a client when the relay disconnects before it answers", async ()
   const { relays, send } = await withRelays(1);
   const [relay] = relays.values();
   relay?.removeAllListeners("request").on("request", (request) => void request.socket.destroy());
-  await expect(send("a/long-poll/messages?after=0&wait=25")).rejects.toThrow(/fetch failed/);
+  await expect(send("robots/a/long-poll/messages?after=0&wait=25")).rejects.toThrow(/fetch failed/);
 });
 
 it("ends a request at the relay when the client disconnects", async () => {

@@ -1,7 +1,8 @@
 /**
  * A minimal load balancer for trying out several relays on one machine. It distributes requests
- * round-robin. Requests of a robot's long-poll connection always reach the same relay, because that
- * relay holds the connection's state. In production, use nginx, HAProxy or a cloud load balancer.
+ * round-robin. Requests of the long-poll connections of a robot or a class always reach the same
+ * relay, because that relay holds the connection's state. In production, use nginx, HAProxy or a
+ * cloud load balancer.
  */
 import { createHash } from "node:crypto";
 import { createServer } from "node:http";
@@ -9,7 +10,7 @@ import { connect, type AddressInfo, type Socket } from "node:net";
 import { createProxyServer } from "http-proxy-3";
 
 const CONNECT_MS = 1_000;
-const LONG_POLL_PATH = /^\/api\/v1\/robots\/([^/?]+)\/long-poll(?:[/?]|$)/;
+const LONG_POLL_PATH = /^\/api\/v1\/(?:robots|classes)\/([^/?]+)\/long-poll(?:[/?]|$)/;
 
 export interface Balancer {
   port: number;
@@ -29,8 +30,8 @@ export async function startBalancer(targets: number[], port = 0, host?: string):
   const open = new Set<Socket>();
   let nextIndex = 0;
   const orderFor = (url = ""): number[] => {
-    const robot = LONG_POLL_PATH.exec(url)?.[1];
-    if (robot !== undefined) return rankedForRobot(robot, balancer.targets);
+    const id = LONG_POLL_PATH.exec(url)?.[1];
+    if (id !== undefined) return rankedFor(id, balancer.targets);
     const first = nextIndex++ % Math.max(1, balancer.targets.length);
     return [...balancer.targets.slice(first), ...balancer.targets.slice(0, first)];
   };
@@ -66,12 +67,12 @@ export async function startBalancer(targets: number[], port = 0, host?: string):
 }
 
 /**
- * The order in which relays are tried for a robot (rendezvous hashing). It is stable while the
- * relays are the same. When a relay leaves, only the robots of that relay move.
+ * The order in which relays are tried for a robot or a class (rendezvous hashing). It is stable
+ * while the relays are the same. When a relay leaves, only the robots and classes of that relay
+ * move.
  */
-function rankedForRobot(robot: string, ports: number[]): number[] {
-  const rank = (port: number): string =>
-    createHash("sha1").update(`${robot} ${port}`).digest("hex");
+function rankedFor(id: string, ports: number[]): number[] {
+  const rank = (port: number): string => createHash("sha1").update(`${id} ${port}`).digest("hex");
   return ports.toSorted((a, b) => (rank(a) < rank(b) ? -1 : 1));
 }
 

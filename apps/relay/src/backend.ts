@@ -102,7 +102,7 @@ async function redisBackend(url: string, machine: Clock, log: Logger): Promise<B
       pairings: new RedisPairingStore(redis, deletedBytes),
       classes: new RedisClassStore(redis, deletedBytes),
       bus,
-      classBus: new RedisClassBus({ subscriber, log }),
+      classBus: new RedisClassBus({ redis, subscriber, relay, log }),
       close: async () => {
         clock.close();
         await bus.close();

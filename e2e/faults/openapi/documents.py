@@ -53,7 +53,7 @@ def apply_name_rules(request):
 
 
 def apply_challenge_rules(challenge):
-    """Makes the goal reachable in its mazes, within its time and with its lines."""
+    """Makes the goal reachable in its mazes, within its time and with its lines, and sides odd."""
     goal, checks, program = challenge["goal"], challenge["checks"], challenge["program"]
     for maze in challenge["mazes"]:
         apply_maze_rules(maze)
@@ -65,5 +65,8 @@ def apply_challenge_rules(challenge):
         goal["seconds"] = min(goal["seconds"], checks["seconds"])
     if program is not None:
         challenge["allowed"]["lines"] = max(challenge["allowed"]["lines"], len(program["rules"]))
-    if challenge.get("unseen"):
-        challenge["unseen"]["pass"] = min(challenge["unseen"]["pass"], challenge["unseen"]["count"])
+    unseen = challenge.get("unseen")
+    if unseen:
+        unseen["pass"] = min(unseen["pass"], unseen["count"])
+        for side in ("columns", "rows"):
+            unseen[side] = int(unseen[side]) | 1

@@ -1,7 +1,7 @@
-"""Hooks for schemathesis: existing robots, valid keys and short waits.
+"""Hooks for schemathesis: existing robots and classes, valid keys and short waits.
 
 schemathesis generates valid and invalid bodies, queries, headers and paths. Where a path is valid,
-most calls go to an existing robot: nearly all others would end with "no such robot".
+most calls go to an existing robot or class: nearly all others would end with "no such robot".
 """
 
 import itertools
@@ -30,9 +30,31 @@ MAZE = {
     "start": {"column": 1, "row": 1, "heading": "east"},
     "goals": [{"column": 3, "row": 1}],
 }
+LESSON = {
+    "format": "corridor/challenge",
+    "version": 1,
+    "name": "Drive there",
+    "words": {"task": "Drive to the goal.", "short": "Drive", "hints": []},
+    "mazes": [MAZE],
+    "program": None,
+    "goal": {"kind": "reach"},
+    "allowed": {
+        "drivers": ["program"],
+        "lines": 5,
+        "conditions": None,
+        "actions": None,
+        "edits": ["action"],
+        "maze": False,
+    },
+    "checks": {"bumps": 0, "seconds": 20},
+    "par": None,
+}
 CODE = r"[ -]*(?:[BCDFGHJKLMNPQRSTVWXZbcdfghjklmnpqrstvwxz][ -]*){8}"
+CLASS_CODE = CODE.replace("{8}", "{6}")
 MAX_TYPED = 32
 LINK = r"[BCDFGHJKLMNPQRSTVWXZbcdfghjklmnpqrstvwxz]{4,6}|[A-Za-z0-9_-]{12}"
+# By role, the field of a class with the key.
+ROLES = {"teach": "teacherKey", "show": "screenKey", "learn": "studentKey"}
 KEY = r"[A-Za-z0-9_-]{8,64}"
 SCRIPT_CLOCK = r"[A-Za-z0-9_-]{8,32} \d{1,15}"
 MAX_BODY = 16 * 1024
@@ -80,6 +102,27 @@ def pairing_code():
     return call(f"/api/v1/robots/{robot['id']}/pairing", key=robot["ownerKey"], method="POST")["code"]
 
 
+def fresh_class():
+    """A class with one student."""
+    created = call("/api/v1/classes", {"lesson": LESSON})
+    student = call("/api/v1/joins", {"code": created["code"]})
+    return created | {"studentKey": student["key"], "student": student["student"]}
+
+
+def class_connection(created):
+    hello = {"type": "hello", "version": 1, "role": "learn", "key": created["studentKey"]}
+    return call(f"/api/v1/classes/{created['id']}/long-poll", hello)["key"]
+
+
+def store_program(created):
+    key = class_connection(created)
+    message = {"type": "program", "seq": 1, "task": 1, "link": "c1.AAAA"}
+    path = f"/api/v1/classes/{created['id']}/long-poll/messages"
+    call(path, {"first": 1, "messages": [message]}, key)
+    # The response to it means that the program is stored.
+    call(f"{path}?after=1&wait=5", key=key)
+
+
 def is_valid(text, pattern):
     return isinstance(text, str) and re.fullmatch(pattern, text) is not None
 
@@ -100,6 +143,11 @@ class Keys:
         path = case.path_parameters
         if "/mazes/{id}" in case.operation.path:
             self.document(case, operation)
+        elif "/classes/{id}" in case.operation.path:
+            self.school_class(case, operation, schemes)
+        elif operation == "joinClass" and isinstance(case.body, dict) and CHANCE.random() > MISSES:
+            if is_valid(case.body.get("code"), CLASS_CODE) and len(case.body["code"]) <= MAX_TYPED:
+                case.body["code"] = fresh_class()["code"]
         elif is_valid(path.get("id"), r"[A-Za-z0-9_-]{22}") and CHANCE.random() > MISSES:
             self.robot(case, operation, schemes)
         elif operation == "requestPairing" and isinstance(case.body, dict) and CHANCE.random() > MISSES:
@@ -127,6 +175,27 @@ class Keys:
         case.path_parameters["id"] = stored["id"]
         if operation == "deleteDocument":
             case.headers["Authorization"] = f"Bearer {stored['deleteKey']}"
+
+    def school_class(self, case, operation, schemes):
+        """Each call has its own class, because many calls end it, or remove its student."""
+        path = case.path_parameters
+        if not is_valid(path.get("id"), r"[A-Za-z0-9_-]{22}") or CHANCE.random() < MISSES:
+            return
+        created = fresh_class()
+        path["id"] = created["id"]
+        if is_valid(str(path.get("student")), r"\d{1,15}"):
+            path["student"] = created["student"]
+            # Schemathesis expects that everything in a class that it has created exists.
+            if operation == "readStudentProgram":
+                store_program(created)
+        if operation == "openClassConnection" and isinstance(case.body, dict):
+            if is_valid(case.body.get("key"), KEY):
+                case.body["key"] = created[ROLES.get(str(case.body.get("role")), "teacherKey")]
+        if "connectionKey" in schemes:
+            case.headers["Authorization"] = f"Bearer {class_connection(created)}"
+        elif schemes:
+            name = CHANCE.choice(sorted(schemes))
+            case.headers["Authorization"] = f"Bearer {created[name]}"
 
     def robot(self, case, operation, schemes):
         robot = CHANCE.choice(STOPPED if operation == "stopRobot" else MOVING)

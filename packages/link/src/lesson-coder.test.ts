@@ -205,6 +205,7 @@ describe("a lesson that is too big for a link", () => {
     expect(link).toMatchObject({ ok: false, code: "too-big", longest });
     const [problem] = link.ok ? [] : link.problems;
     expect(problem?.found).toMatch(/^\d{4,6} characters$/);
+    expect(link).toMatchObject({ length: Number.parseInt(problem?.found ?? "", 10) });
     expect(problem?.expected).toContain(`at most ${MAX_LINK_LENGTH} characters: ${remedy}`);
   });
 
@@ -219,6 +220,7 @@ describe("a lesson that is too big for a link", () => {
     expect(encodeLink({ lesson: lessonWith(tasks(4)) })).toMatchObject({
       ok: false,
       code: "too-big",
+      length: null,
       problems: [{ found: "more than a link can contain" }],
     });
   });

@@ -40,6 +40,8 @@ export type EncodeResult =
       ok: false;
       code: EncodeRefusal;
       problems: FieldProblem[];
+      /** the length that the link would have; null if the documents exceed the bounds of a link */
+      length: number | null;
       /** the part of a lesson that takes the most characters; null for other content */
       longest: LessonPart | null;
     };
@@ -70,18 +72,19 @@ const MAX_MISSING = 56;
 export function encodeLink(content: LinkContent): EncodeResult {
   if (Object.values(content).every((each) => each === undefined)) {
     const expected = "a maze, a program or both, a run, a lesson or a completion code";
-    return { ...refuse("empty", "nothing", expected), longest: null };
+    return { ...refuse("empty", "nothing", expected), length: null, longest: null };
   }
   const encoder = new Encoder();
   const { isBounded, parts } = writeBody(encoder, content);
   const digits = encoder.finish();
-  const length = digits.length % LENGTH_CYCLE;
-  const text = VERSION + textOf([length, ...checkOf(VERSION, [length, ...digits]), ...digits]);
+  const cycle = digits.length % LENGTH_CYCLE;
+  const text = VERSION + textOf([cycle, ...checkOf(VERSION, [cycle, ...digits]), ...digits]);
   if (isBounded && text.length <= MAX_LINK_LENGTH) return { ok: true, text };
   const longest = longestOf(parts);
-  const found = isBounded ? `${text.length} characters` : "more than a link can contain";
+  const length = isBounded ? text.length : null;
+  const found = length === null ? "more than a link can contain" : `${length} characters`;
   const expected = `at most ${MAX_LINK_LENGTH} characters: ${remedyFor(content, longest)}`;
-  return { ...refuse("too-big", found, expected), longest };
+  return { ...refuse("too-big", found, expected), length, longest };
 }
 
 function longestOf([first, ...others]: readonly MeasuredPart[]): LessonPart | null {

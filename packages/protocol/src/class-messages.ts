@@ -160,7 +160,10 @@ export const relayToTeacherSchema = z.discriminatedUnion("type", [
     n: countSchema.nullable(),
     settings: classSettingsSchema,
   }),
-  /** students whose tile or connection changed since the last batch, at most two batches a second */
+  /**
+   * students whose tile or connection changed since the last batch, at most two batches a second,
+   * or five while the dashboard watches a student
+   */
   z.strictObject({ type: z.literal("tiles"), seq: countSchema, tiles: z.array(studentTile) }),
   /** a student joined or changed; `progress` is a new record */
   z.strictObject({

@@ -34,7 +34,9 @@ export const tileSchema = z.strictObject({
   seq: countSchema,
   /** number of the open task, from 1 */
   task: taskNumberSchema,
-  /** the displayed maze of the task: given maze 1 is `g1`, unseen maze 31 is `u31`; null: another */
+  /**
+   * the displayed maze of the task: given maze 1 is `g1`, unseen maze 31 is `u31`; null: another
+   */
   maze: z
     .string({ error: mazeError })
     .regex(/^[gu][1-9]\d{0,3}$/, { error: mazeError })

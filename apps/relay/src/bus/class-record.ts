@@ -1,4 +1,6 @@
-/** Events for dashboards, without their numbers, as relays exchange them and hold them in memory. */
+/**
+ * Events for dashboards, without their numbers, as relays exchange them and hold them in memory.
+ */
 import { progressRecordSchema, studentNumberSchema, studentViewSchema } from "@corridor/protocol";
 import { z } from "zod";
 

@@ -8,14 +8,14 @@ import type { Clock } from "../platform/time/clock.ts";
 import { mintClassCode } from "../platform/keys.ts";
 import { noClass } from "../platform/errors/problems.ts";
 import type { ClassChanges, ClassStore } from "../store/class-store.ts";
-import type { ClassNews } from "../bus/class-bus.ts";
+import type { ClassCommit } from "../bus/class-bus.ts";
 import type { ClassRecord } from "../bus/class-record.ts";
 import { applied, stateOf, type ClassState } from "./class-state.ts";
-import { mergedChanges, type Step, type StepContext } from "./step.ts";
+import { mergedChanges, unchanged, type Step, type StepContext } from "./step.ts";
 
 export interface CommitListener {
   /** Publishes a commit of this relay, unless the store has done so. */
-  committed(news: ClassNews): void;
+  committed(commit: ClassCommit): void;
   /**
    * The state is newer than `before`, by a commit of this relay or of another.
    * @param events null: some may be missing
@@ -45,7 +45,7 @@ export class ClassCommits {
   #state: ClassState;
   #waiting: Waiting[] = [];
   /** commits of other relays that arrived during a commit of this one */
-  #news: ClassNews[] = [];
+  #received: ClassCommit[] = [];
   #mustReload = false;
   #isBusy = false;
 
@@ -84,8 +84,8 @@ export class ClassCommits {
   }
 
   /** Handles a commit of another relay. */
-  received(news: ClassNews): void {
-    this.#news.push(news);
+  received(commit: ClassCommit): void {
+    this.#received.push(commit);
     this.#start();
   }
 
@@ -93,6 +93,12 @@ export class ClassCommits {
   missed(): void {
     this.#mustReload = true;
     this.#start();
+  }
+
+  /** Reads the class again. @returns its newest state */
+  async reloaded(): Promise<ClassState> {
+    this.missed();
+    return this.run((state) => unchanged(state));
   }
 
   #start(): void {
@@ -103,10 +109,10 @@ export class ClassCommits {
     this.#isBusy = true;
     // Callers of one turn share a commit.
     await Promise.resolve();
-    while (this.#waiting.length > 0 || this.#news.length > 0 || this.#mustReload) {
+    while (this.#waiting.length > 0 || this.#received.length > 0 || this.#mustReload) {
       const steps = this.#waiting.splice(0);
       try {
-        if (this.#applyNews() || this.#mustReload) await this.#reload();
+        if (this.#applyCommits() || this.#mustReload) await this.#reload();
         if (steps.length > 0) await this.#commit(steps);
       } catch (error) {
         // The store does not respond, and the commit may have taken effect.
@@ -123,15 +129,15 @@ export class ClassCommits {
       const before = this.#state;
       const { changes, events, answers } = this.#decide(steps);
       if (changes !== null) {
-        const news = newsOf(before, changes, events);
+        const commit = commitOf(before, changes, events);
         const { version } = before.row;
-        const text = JSON.stringify(news);
+        const text = JSON.stringify(commit);
         const result = await this.#store.commit(this.#id, version, changes, text);
         if (result === "no-class") return this.#end(steps);
         if (result === "conflict" && !(await this.#reload())) return this.#end(steps);
         if (result !== "committed") continue;
         this.#state = applied(before, changes);
-        this.#listener.committed(news);
+        this.#listener.committed(commit);
         this.#listener.changed(before, events);
       }
       for (const answer of answers) answer();
@@ -168,8 +174,8 @@ export class ClassCommits {
   }
 
   /** Applies commits of other relays in order. @returns whether some are missing */
-  #applyNews(): boolean {
-    for (const { version, changes, events } of this.#news.splice(0)) {
+  #applyCommits(): boolean {
+    for (const { version, changes, events } of this.#received.splice(0)) {
       const before = this.#state;
       if (changes.row.version <= before.row.version) continue;
       if (version !== before.row.version) return true;
@@ -181,8 +187,8 @@ export class ClassCommits {
 
   /** @returns false if the class does not exist any more */
   async #reload(): Promise<boolean> {
-    const loaded = await this.#store.load(this.#id);
     this.#mustReload = false;
+    const loaded = await this.#store.load(this.#id);
     if (loaded === null) {
       this.#listener.ended();
       return false;
@@ -199,11 +205,11 @@ export class ClassCommits {
   }
 }
 
-function newsOf(
+function commitOf(
   { row }: ClassState,
   { row: next, students, removed }: ClassChanges,
   events: readonly ClassRecord[],
-): ClassNews {
+): ClassCommit {
   return {
     kind: "changes",
     version: row.version,

@@ -1,6 +1,6 @@
 /**
- * The connections of a class at this relay: students, dashboards and big screens. Tiles and what
- * big screens show are held in memory only.
+ * The connections of a class at this relay: students, dashboards and big screens, and how they
+ * reach those of other relays. Tiles and what big screens show are held in memory only.
  */
 import {
   PROTOCOL_VERSION,
@@ -8,34 +8,39 @@ import {
   type RelayToStudent,
   type RelayToTeacher,
   type StudentTile,
-  type TeacherToRelay,
   type Tile,
 } from "@corridor/protocol";
+import type { ClassMessage, ClassPresence } from "../bus/class-message.ts";
 import type { ClassRecord } from "../bus/class-record.ts";
 import { Refusal, retryAfter } from "../platform/errors/problems.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { MessageRates } from "../platform/limits/message-rates.ts";
 import type { Clock } from "../platform/time/clock.ts";
+import { BigScreens, type DisplayContent, type ScreenMember } from "./big-screens.ts";
 import { ClassEvents } from "./class-events.ts";
 import { nameOf, settingsOf, type ClassState } from "./class-state.ts";
 import { CreditedFeed } from "./credited-feed.ts";
 import type { MemberLink } from "./member-link.ts";
+import { OtherRelays } from "./other-relays.ts";
 import { requireCaller, type StudentCaller } from "./student-steps.ts";
 import { requireStudent } from "./teacher-steps.ts";
 
 type StudentLink = MemberLink<RelayToStudent>;
 type StudentRates = MessageRates<keyof typeof limits.studentRates>;
-type Content = Extract<TeacherToRelay, { type: "display" }>["content"];
+
+interface ConnectedStudent {
+  /** hash of the key */
+  key: string;
+  connectedAt: number;
+  link: StudentLink;
+  /** whether a dashboard watches, as the student's page last received it */
+  watched: boolean;
+}
 
 interface Dashboard {
   link: MemberLink<RelayToTeacher>;
   tiles: CreditedFeed<ReadonlySet<number>>;
   watched: number | null;
-}
-
-interface Screen {
-  link: MemberLink<RelayToScreen>;
-  displays: CreditedFeed<Content>;
 }
 
 export interface StudentMember {
@@ -51,28 +56,39 @@ export interface TeacherMember {
   leave(): void;
 }
 
-export interface ScreenMember {
-  seen(seq: number): void;
-  leave(): void;
+export interface ClassConnectionsParts {
+  clock: Clock;
+  /** @returns the newest state */
+  readonly state: () => ClassState;
+  /** Sends a message to the other relays of the class. */
+  readonly notify: (message: ClassMessage) => void;
 }
 
 export class ClassConnections {
   readonly #clock: Clock;
   readonly #state: () => ClassState;
+  readonly #notify: (message: ClassMessage) => void;
   readonly #events: ClassEvents;
-  readonly #students = new Map<number, { key: string; link: StudentLink }>();
+  readonly #others: OtherRelays;
+  readonly #students = new Map<number, ConnectedStudent>();
   readonly #dashboards = new Set<Dashboard>();
-  readonly #screens = new Set<Screen>();
+  readonly #screens: BigScreens;
   readonly #tiles = new Map<number, Tile>();
   /** of all students who have connected, so that a new connection is no new allowance */
   readonly #rates = new Map<number, StudentRates>();
-  #display: Content | null = null;
 
-  /** @param state the newest state */
-  constructor(clock: Clock, state: () => ClassState) {
+  constructor({ clock, state, notify }: ClassConnectionsParts) {
     this.#clock = clock;
     this.#state = state;
+    this.#notify = notify;
     this.#events = new ClassEvents(clock, state);
+    this.#screens = new BigScreens(clock);
+    this.#others = new OtherRelays({
+      clock,
+      notify,
+      presence: () => this.#presence(),
+      changed: (students) => this.#othersChanged(students),
+    });
   }
 
   get isEmpty(): boolean {
@@ -89,7 +105,8 @@ export class ClassConnections {
     const { student: number, key } = caller;
     const row = requireCaller(this.#state(), caller);
     this.#students.get(number)?.link.close("replaced");
-    this.#students.set(number, { key, link });
+    const watched = this.#isWatched(number);
+    this.#students.set(number, { key, link, watched, connectedAt: this.#clock.now() });
     const rates = this.#rates.get(number) ?? new MessageRates(limits.studentRates, this.#clock);
     this.#rates.set(number, rates);
     const { row: classRow } = this.#state();
@@ -102,22 +119,25 @@ export class ClassConnections {
       renamesLeft: row.renamesLeft,
       progress: row.progress,
       helpWanted: row.helpSince !== null,
-      watched: this.#isWatched(number),
+      watched,
       pauseEndsInMs: settings.pauseEndsInMs,
       paceTo: settings.paceTo,
       lesson: settings.lesson,
     });
     this.#showTile(number);
+    this.#others.announce();
     return {
       rates,
       tile: (tile) => {
         this.#tiles.set(number, tile);
         this.#showTile(number);
+        this.#others.tile(number, tile);
       },
       leave: () => {
         if (this.#students.get(number)?.link !== link) return;
         this.#students.delete(number);
-        if (this.#state().students.has(number)) this.#showTile(number);
+        this.#showTile(number);
+        this.#others.announce();
       },
     };
   }
@@ -149,6 +169,7 @@ export class ClassConnections {
     this.#dashboards.add(dashboard);
     const { students } = this.#state();
     if (students.size > 0) dashboard.tiles.offer(new Set(students.keys()));
+    this.#others.announce(true);
     return {
       watch: (student) => this.#watch(dashboard, student),
       seen: (seq) => dashboard.tiles.seen(seq),
@@ -156,6 +177,7 @@ export class ClassConnections {
         this.#watch(dashboard, null);
         this.#dashboards.delete(dashboard);
         dashboard.tiles.close();
+        this.#others.announce();
       },
     };
   }
@@ -163,13 +185,15 @@ export class ClassConnections {
   /** Shows a hint to a student. @throws Refusal no-student */
   hint(student: number, task: number, hint: number): void {
     requireStudent(this.#state(), student);
-    this.#students.get(student)?.link.send({ type: "hint", task, hint });
+    const found = this.#students.get(student);
+    if (found === undefined) this.#notify({ kind: "hint", student, task, hint });
+    else found.link.send({ type: "hint", task, hint });
   }
 
   /** Replaces what the big screens show. */
-  display(content: Content): void {
-    this.#display = content;
-    for (const { displays } of this.#screens) displays.offer(content);
+  display(content: DisplayContent): void {
+    this.#screens.show(content);
+    if (!this.#others.isEmpty) this.#notify({ kind: "display", content, isNew: true });
   }
 
   // --- big screens ---
@@ -177,24 +201,13 @@ export class ClassConnections {
   /** @throws Refusal too-many-readers */
   joinScreen(link: MemberLink<RelayToScreen>): ScreenMember {
     this.#limitConnections();
-    const screen: Screen = {
-      link,
-      displays: new CreditedFeed({
-        clock: this.#clock,
-        intervalMs: () => limits.displayIntervalMs,
-        merge: (_waiting, newer) => newer,
-        send: (seq, content) => link.send({ type: "display", seq, content }),
-      }),
-    };
-    const { code, lessonVersion: lesson } = this.#state().row;
-    link.send({ type: "welcome", version: PROTOCOL_VERSION, code, lesson });
-    this.#screens.add(screen);
-    if (this.#display !== null) screen.displays.offer(this.#display);
+    const screen = this.#screens.join(link, this.#state().row);
+    this.#others.announce();
     return {
-      seen: (seq) => screen.displays.seen(seq),
+      seen: (seq) => screen.seen(seq),
       leave: () => {
-        this.#screens.delete(screen);
-        screen.displays.close();
+        screen.leave();
+        this.#others.announce();
       },
     };
   }
@@ -202,41 +215,104 @@ export class ClassConnections {
   // --- changes of the class ---
 
   /**
-   * Tells all members what has changed, here or at another relay.
+   * Notifies all members of what has changed, here or at another relay.
    * @param records the events of the change; null: some may be missing
    */
   changed(before: ClassState, records: readonly ClassRecord[] | null): void {
     for (const message of this.#events.follow(records)) {
       for (const { link } of this.#dashboards) link.send(message);
     }
-    this.#forgetRemoved(before);
+    this.#deleteRemoved(before);
     for (const [number, { key, link }] of this.#students) {
       const row = this.#state().students.get(number);
       if (row === undefined) link.close("removed");
       else if (row.key !== key) link.close("replaced");
-      else this.#tellStudent(link, number, before);
+      else this.#notifyStudent(link, number, before);
     }
-    const { row } = this.#state();
-    for (const { link } of this.#screens) {
-      if (row.code !== before.row.code) link.send({ type: "code", code: row.code });
-      if (row.lessonVersion !== before.row.lessonVersion) {
-        link.send({ type: "lesson", version: row.lessonVersion });
-      }
-    }
+    this.#screens.changed(before.row, this.#state().row);
   }
 
   /** Ends all connections, because the class has ended. */
   ended(): void {
-    for (const { link } of [...this.#students.values(), ...this.#dashboards, ...this.#screens]) {
-      link.close("over");
-    }
+    for (const { link } of [...this.#students.values(), ...this.#dashboards]) link.close("over");
+    this.#screens.ended();
   }
 
   deleteOldEvents(): void {
     this.#events.deleteOld();
   }
 
-  #tellStudent(link: StudentLink, number: number, before: ClassState): void {
+  // --- other relays ---
+
+  /** Handles a message of another relay. */
+  received(message: ClassMessage, from: string): void {
+    switch (message.kind) {
+      case "here":
+        this.#closeReplaced(message.presence);
+        this.#others.received(message.presence, from);
+        if (message.asks) this.#answer();
+        return;
+      case "tiles":
+        for (const { student, tile } of message.tiles) {
+          if (!this.#state().students.has(student)) continue;
+          this.#tiles.set(student, tile);
+          this.#showTile(student);
+        }
+        return;
+      case "hint": {
+        const { student, task, hint } = message;
+        return this.#students.get(student)?.link.send({ type: "hint", task, hint });
+      }
+      case "display":
+        if (message.isNew || this.#screens.content === null) this.#screens.show(message.content);
+    }
+  }
+
+  /** Messages of other relays may have been missed, or this relay has just joined them. */
+  missed(): void {
+    this.#others.announce(true);
+  }
+
+  /** Reports to other relays that this one does not serve the class any more. */
+  leave(): void {
+    this.#others.leave();
+  }
+
+  /** Students who have connected to another relay since they connected to this one. */
+  #closeReplaced({ students }: ClassPresence): void {
+    for (const { student, connectedAt } of students) {
+      const here = this.#students.get(student);
+      if (here !== undefined && here.connectedAt < connectedAt) here.link.close("replaced");
+    }
+  }
+
+  /** Sends what another relay that has just joined needs. */
+  #answer(): void {
+    this.#others.announce();
+    for (const student of this.#students.keys()) {
+      const tile = this.#tiles.get(student);
+      if (tile !== undefined) this.#others.tile(student, tile);
+    }
+    const { content } = this.#screens;
+    if (content !== null) this.#notify({ kind: "display", content, isNew: false });
+  }
+
+  #othersChanged(students: ReadonlySet<number>): void {
+    for (const student of students) this.#showTile(student);
+    this.#updateWatched();
+  }
+
+  #presence(): ClassPresence {
+    const watched = [...this.#dashboards].map((dashboard) => dashboard.watched);
+    return {
+      students: [...this.#students].map(([student, { connectedAt }]) => ({ student, connectedAt })),
+      watched: watched.filter((student) => student !== null),
+      dashboards: this.#dashboards.size,
+      screens: this.#screens.size,
+    };
+  }
+
+  #notifyStudent(link: StudentLink, number: number, before: ClassState): void {
     const { row, students } = this.#state();
     const [student, earlier] = [students.get(number), before.students.get(number)];
     const settings = settingsOf(row, this.#clock.now());
@@ -253,7 +329,7 @@ export class ClassConnections {
     if (row.paceTo !== before.row.paceTo) link.send({ type: "pace", to: row.paceTo });
   }
 
-  #forgetRemoved(before: ClassState): void {
+  #deleteRemoved(before: ClassState): void {
     for (const number of before.students.keys()) {
       if (this.#state().students.has(number)) continue;
       this.#tiles.delete(number);
@@ -263,35 +339,44 @@ export class ClassConnections {
 
   #watch(dashboard: Dashboard, student: number | null): void {
     if (student !== null) requireStudent(this.#state(), student);
-    const earlier = dashboard.watched;
-    if (student === earlier) return;
-    const affected = [earlier, student].filter((each) => each !== null);
-    const before = affected.map((each) => this.#isWatched(each));
+    if (student === dashboard.watched) return;
     dashboard.watched = student;
     dashboard.tiles.intervalChanged();
-    for (const [index, each] of affected.entries()) {
-      const watched = this.#isWatched(each);
-      if (watched === before[index]) continue;
-      this.#students.get(each)?.link.send({ type: "watched", watched });
+    this.#updateWatched();
+    this.#others.announce();
+  }
+
+  /** Notifies students whom a dashboard at any relay starts or stops to watch. */
+  #updateWatched(): void {
+    for (const [number, student] of this.#students) {
+      const watched = this.#isWatched(number);
+      if (watched === student.watched) continue;
+      student.watched = watched;
+      student.link.send({ type: "watched", watched });
     }
   }
 
   #isWatched(student: number): boolean {
-    return [...this.#dashboards].some(({ watched }) => watched === student);
+    const isWatchedHere = [...this.#dashboards].some(({ watched }) => watched === student);
+    return isWatchedHere || this.#others.isWatched(student);
   }
 
   /** The tile or the connection of a student has changed. */
   #showTile(student: number): void {
+    if (!this.#state().students.has(student)) return;
     for (const { tiles } of this.#dashboards) tiles.offer(new Set([student]));
   }
 
   #tileOf(student: number): StudentTile {
     const tile = this.#tiles.get(student) ?? null;
-    return { student, connected: this.#students.has(student), tile };
+    const connected = this.#students.has(student) || this.#others.isConnected(student);
+    return { student, connected, tile };
   }
 
   #limitConnections(): void {
-    if (this.#dashboards.size + this.#screens.size < limits.teacherConnections) return;
+    const here = this.#dashboards.size + this.#screens.size;
+    const elsewhere = this.#others.dashboards + this.#others.screens;
+    if (here + elsewhere < limits.teacherConnections) return;
     throw new Refusal(
       "too-many-readers",
       `At most ${limits.teacherConnections} dashboards and big screens of a class connect. Close one, then try again.`,

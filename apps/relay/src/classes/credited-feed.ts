@@ -8,9 +8,9 @@ import { limits } from "../platform/limits/limits.ts";
 export interface CreditedFeedParts<T> {
   clock: Clock;
   /** @returns the ms from the message that is sent now to the next one */
-  intervalMs(): number;
-  merge(waiting: T, newer: T): T;
-  send(seq: number, content: T): void;
+  readonly intervalMs: () => number;
+  readonly merge: (waiting: T, newer: T) => T;
+  readonly send: (seq: number, content: T) => void;
 }
 
 export class CreditedFeed<T> {

@@ -9,8 +9,9 @@ import {
 import { Refusal } from "../platform/errors/problems.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { Clock } from "../platform/time/clock.ts";
-import type { ClassBus, ClassChannel } from "../bus/class-bus.ts";
+import type { ClassBus, ClassChannel, ClassCommit } from "../bus/class-bus.ts";
 import type { ClassStore, LoadedClass } from "../store/class-store.ts";
+import { memberOf, type Member } from "./access.ts";
 import { ClassConnections } from "./class-connections.ts";
 import { ClassCommits } from "./class-commits.ts";
 import { settingsOf, stateOf, viewOf, type ClassState } from "./class-state.ts";
@@ -42,13 +43,17 @@ export class LiveClass {
     this.#notedAt = loaded.row.createdAt;
     const { store, clock } = parts;
     const listener = {
-      committed: (news: Parameters<ClassChannel["committed"]>[0]) => this.#channel?.committed(news),
+      committed: (commit: ClassCommit) => this.#channel?.committed(commit),
       changed: (...change: Parameters<ClassConnections["changed"]>) =>
         this.connections.changed(...change),
       ended: () => parts.ended(),
     };
     this.#commits = new ClassCommits(id, stateOf(loaded), { store, clock, listener });
-    this.connections = new ClassConnections(clock, () => this.#commits.state);
+    this.connections = new ClassConnections({
+      clock,
+      state: () => this.#commits.state,
+      notify: (message) => this.#channel?.notify(message),
+    });
   }
 
   /** @returns null if there is no such class */
@@ -57,12 +62,13 @@ export class LiveClass {
     if (loaded === null) return null;
     const opened = new LiveClass(id, loaded, parts);
     opened.#channel = await parts.bus.join(id, {
-      news: (news) => opened.#commits.received(news),
+      committed: (commit) => opened.#commits.received(commit),
       over: () => parts.ended(),
-      missed: () => opened.#commits.missed(),
+      received: (message, from) => opened.connections.received(message, from),
+      missed: () => opened.#missed(),
     });
     // Another relay may have changed the class before this one joined the channel.
-    opened.#commits.missed();
+    opened.#missed();
     return opened;
   }
 
@@ -73,6 +79,11 @@ export class LiveClass {
   /** Runs a step. Its changes are stored when the promise resolves. */
   async run<T>(step: Step<T>): Promise<T> {
     return this.#commits.run(step);
+  }
+
+  /** The member with a key, who may have joined at another relay a moment ago; null: nobody. */
+  async memberOf(key: string): Promise<Member | null> {
+    return memberOf(this.state, key) ?? memberOf(await this.#commits.reloaded(), key);
   }
 
   /** ms until the class is deleted at the latest */
@@ -151,7 +162,14 @@ export class LiveClass {
   }
 
   leave(): void {
+    this.connections.leave();
     this.#channel?.leave();
     this.#channel = null;
+  }
+
+  /** Messages of other relays may have been missed. */
+  #missed(): void {
+    this.#commits.missed();
+    this.connections.missed();
   }
 }

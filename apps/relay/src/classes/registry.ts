@@ -12,7 +12,7 @@ import { limits } from "../platform/limits/limits.ts";
 import { TokenBucket } from "../platform/limits/token-bucket.ts";
 import type { Clock } from "../platform/time/clock.ts";
 import type { ClassRow, ClassStore } from "../store/class-store.ts";
-import { checkClassRight, memberOf, wrongClassKey, type ClassVerb, type Member } from "./access.ts";
+import { checkClassRight, wrongClassKey, type ClassVerb, type Member } from "./access.ts";
 import { LiveClass } from "./live-class.ts";
 import { joinStep, returnStep, wrongCode } from "./student-steps.ts";
 
@@ -128,7 +128,7 @@ export class ClassRegistry {
     const found = await this.#find(id);
     if (this.#isClosing) throw restarting();
     if (found === null) throw noClass();
-    const member = memberOf(found.state, key);
+    const member = await found.memberOf(key);
     if (member === null) throw wrongClassKey(key);
     checkClassRight(member.kind, verb);
     found.used();

@@ -13,6 +13,7 @@ import { programSchema } from "@corridor/program";
 import {
   attemptFailureSchema,
   classCodeSchema,
+  classHelloSchema,
   classSettingsSchema,
   classViewSchema,
   commandRecordSchema,
@@ -137,6 +138,7 @@ export const schemas: Record<string, z.ZodType> = {
   UnseenMazes: task.shape.unseen.unwrap(),
   SurveyQuestion: lessonSchema.shape.survey.element,
   Project: projectSchema,
+  ClassHello: classHelloSchema,
   ClassRequest: classRequestSchema,
   CreatedClass: createdClassSchema,
   JoinRequest: joinRequestSchema,
@@ -162,6 +164,11 @@ export const describeCondition: ZodOpenApiOverride = ({ zodSchema, jsonSchema })
   if (zodSchema !== condition) return;
   const opts = { override: describeByExpectation };
   Object.assign(jsonSchema, createSchema(condition.def.out, { opts }).schema);
+};
+
+/** A discriminator of OpenAPI is a string, and the version of a lesson is a number. */
+export const describeVersions: ZodOpenApiOverride = ({ zodSchema, jsonSchema }) => {
+  if (zodSchema === challengeOrLessonSchema) delete jsonSchema["discriminator"];
 };
 
 /**

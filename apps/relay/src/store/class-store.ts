@@ -106,13 +106,13 @@ export interface ClassStore {
   load(id: string): Promise<LoadedClass | null>;
   /**
    * Stores the changes if the stored class still has this version.
-   * @param news messages for other relays, which a store that publishes sends with the commit
+   * @param message for other relays, which a store that publishes sends with the commit
    */
   commit(
     id: string,
     version: number,
     changes: ClassChanges,
-    news: string,
+    message: string,
   ): Promise<ClassCommitResult>;
   /** @param hash of the code */
   findCode(hash: string, now: number): Promise<FoundCode | null>;

@@ -4,12 +4,13 @@ import {
   joinedClassSchema,
   type CreatedClass,
   type JoinedClass,
+  type Tile,
 } from "@corridor/protocol";
 import { lesson } from "../platform/testing/sample-documents.ts";
 import type { AskOptions } from "./test-relay.ts";
 import { TestSocket } from "./test-socket.ts";
 
-export const tile = {
+export const tile: Tile = {
   seq: 1,
   task: 1,
   maze: "g1",

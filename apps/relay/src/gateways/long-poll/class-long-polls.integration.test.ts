@@ -36,7 +36,7 @@ it("carries a student, a dashboard and a big screen", async () => {
   expect(await screen.next("display")).toMatchObject({ content });
 });
 
-it("tells why it closed: the student was removed, replaced, or the class has ended", async () => {
+it("reports why it closed: the student was removed, replaced, or the class has ended", async () => {
   const { room, key, connect } = await classWithStudent();
   const first = await connect("learn", key);
   const second = await connect("learn", key);

@@ -195,7 +195,7 @@ describe("a dashboard's socket", () => {
     expect(await socket.next("tiles")).toMatchObject({ tiles: [{ connected: false }] });
   });
 
-  it("watches a student, who is told so until the dashboard closes", async () => {
+  it("watches a student, who is notified of its start and end", async () => {
     const { room, ada, bo } = await classWith(2);
     const [watched, other] = [await room.student(ada), await room.student(bo)];
     const { socket } = await room.teacher();

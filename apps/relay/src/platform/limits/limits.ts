@@ -59,7 +59,7 @@ export const limits = {
   classLifeMs: 12 * 60 * 60 * 1000,
   /** a code by which another device becomes a student */
   returnCodeMs: 10 * 60 * 1000,
-  /** connections of students per address, which a school may share; and of dashboards and screens */
+  /** connections of students, dashboards and screens per address, which a school may share */
   classConnectionsPerAddress: 2_000,
   /** connections of dashboards and big screens of one class together */
   teacherConnections: 4,
@@ -83,6 +83,8 @@ export const limits = {
   displayIntervalMs: 500,
   /** unacknowledged batches of tiles to a dashboard, and displays to a big screen */
   classCredit: 2,
+  /** minimum interval between two messages of a class to other relays, with tiles or connections */
+  classRelayIntervalMs: 250,
   /** a class without use for this long is not held in memory */
   classQuietMs: 10 * 60 * 1000,
   /** interval of snapshots to one reader; on a long-poll connection each one costs a request */
@@ -97,8 +99,8 @@ export const limits = {
   /** unsent bytes above which a reader is disconnected, because it does not read */
   stuckReaderBytes: 1024 * 1024,
   /**
-   * interval at which a relay announces a robot that it holds to the page's relay; without an
-   * announcement for `relaySilenceMs` it no longer counts
+   * interval at which a relay announces a robot that it holds to the page's relay, and a class to
+   * all; without an announcement for `relaySilenceMs` it no longer counts
    */
   relayHereMs: 2_000,
   relaySilenceMs: 6_000,

@@ -8,12 +8,19 @@ import { describeMessages, messageName } from "./document.ts";
 
 interface Described {
   servers: Record<string, { host: string; protocol: string; description: string }>;
-  channels: {
-    robot: { description: string; servers: unknown[]; messages: Record<string, unknown> };
-  };
+  channels: Record<
+    "robot" | "class",
+    { description: string; servers: unknown[]; messages: Record<string, unknown> }
+  >;
   operations: Record<
     string,
-    { action: string; summary: string; description: string; messages: { $ref: string }[] }
+    {
+      action: string;
+      summary: string;
+      description: string;
+      channel: { $ref: string };
+      messages: { $ref: string }[];
+    }
   >;
   components: {
     messages: Record<
@@ -27,27 +34,42 @@ interface Described {
 const document = describeMessages() as unknown as Described;
 const text = JSON.stringify(document);
 
-/** Names in the document of the message in a fixture file. */
-function nameOf(fixture: string): string[] {
-  if (fixture === "hello") return [messageName("script", "hello"), messageName("page", "hello")];
-  const sides = {
+/** The sides that send or receive a message, by the start of the name of its fixture. */
+const fixtureSides = {
+  fixtures: {
     "relay-to-driver-": "toScript",
     "relay-to-page-": "toPage",
     "driver-": "script",
     "page-": "page",
-  };
-  const [prefix, side] = Object.entries(sides).find(([start]) => fixture.startsWith(start)) ?? [
-    "",
-    "",
-  ];
-  return [messageName(side, fixture.slice(prefix.length))];
-}
+  },
+  "class-fixtures": {
+    "relay-to-student-": "toStudent",
+    "relay-to-teacher-": "toDashboard",
+    "relay-to-screen-": "toBigScreen",
+    "student-": "student",
+    "teacher-": "dashboard",
+    "screen-": "bigScreen",
+  },
+};
 
-const FIXTURES = join(import.meta.dirname, "../../../../../packages/protocol/src/fixtures");
-const fixtures = readdirSync(FIXTURES).map((file) => ({
-  name: file.replace(".json", ""),
-  message: JSON.parse(readFileSync(join(FIXTURES, file), "utf8")) as Record<string, unknown>,
-}));
+/** Each golden message, with its names in the document. */
+const fixtures = Object.entries(fixtureSides).flatMap(([folder, sides]) => {
+  const path = join(import.meta.dirname, "../../../../../packages/protocol/src", folder);
+  return readdirSync(path).map((file) => {
+    const fixture = file.replace(".json", "");
+    const senders = Object.values(sides).filter((side) => !side.startsWith("to"));
+    const [prefix, side] = Object.entries(sides).find(([start]) => fixture.startsWith(start)) ?? [
+      "",
+      "",
+    ];
+    const names =
+      fixture === "hello"
+        ? senders.map((sender) => messageName(sender, "hello"))
+        : [messageName(side, fixture.slice(prefix.length))];
+    const message = JSON.parse(readFileSync(join(path, file), "utf8")) as Record<string, unknown>;
+    return { name: `${folder}/${fixture}`, names, message };
+  });
+});
 
 function validatorOf(name: string) {
   const ajv = new Ajv({ strict: false, validateFormats: false });
@@ -85,14 +107,14 @@ describe("/asyncapi.json", () => {
   });
 
   it("contains every message exactly once, and no other", () => {
-    const names = fixtures.flatMap(({ name }) => nameOf(name)).toSorted();
+    const names = fixtures.flatMap(({ names }) => names).toSorted();
     expect(Object.keys(document.components.messages).toSorted()).toEqual(names);
     const referenced = Object.values(document.operations).flatMap(({ messages }) => messages);
     expect(referenced.map(({ $ref }) => $ref.replace(/^.*\//, "")).toSorted()).toEqual(names);
   });
 
-  it.each(fixtures)("describes $name as it is on the wire", ({ name, message }) => {
-    for (const described of nameOf(name)) {
+  it.each(fixtures)("describes $name as it is on the wire", ({ names, message }) => {
+    for (const described of names) {
       const validate = validatorOf(described);
       expect(validate(message) ? [] : validate.errors).toEqual([]);
       expect(validate({ ...message, extra: 1 })).toBe(false);
@@ -113,24 +135,28 @@ describe("/asyncapi.json", () => {
     },
   );
 
-  it("lists a server for each scheme of a robot's address", () => {
+  it("lists a server for each scheme of an address", () => {
     const { servers, channels } = document;
     expect(Object.values(servers).map(({ protocol }) => protocol)).toEqual(["wss", "ws"]);
     for (const { description } of Object.values(servers)) expect(description).not.toBe("");
-    expect(channels.robot.servers).toHaveLength(2);
+    for (const { servers: used } of Object.values(channels)) expect(used).toHaveLength(2);
   });
 
   it("describes the order of messages of each side, and mentions existing messages only", () => {
     const types = new Set(Object.values(document.components.messages).map(({ name }) => name));
-    const fields = new Set(["key", "n"]);
-    for (const { summary, description } of Object.values(document.operations)) {
+    const others = new Set(["key", "n", "learn", "teach", "show"]);
+    for (const { summary, description, channel } of Object.values(document.operations)) {
       expect(summary).toMatch(/\.$/);
       const named = [...description.matchAll(/`(\w+)`/g)].map(([, word]) => word ?? "");
       expect(named[0]).toBe("hello");
-      expect(named.indexOf("welcome")).toBeGreaterThan(0);
-      expect(named.indexOf("welcome")).toBeLessThan(named.indexOf("command"));
-      expect(named.filter((word) => !types.has(word) && !fields.has(word))).toEqual([]);
-      expect(document.channels.robot.description).toContain(description);
+      expect(named.find((word) => ["welcome", "command", "tile", "tiles"].includes(word))).toBe(
+        "welcome",
+      );
+      expect(named.filter((word) => !types.has(word) && !others.has(word))).toEqual([]);
+      const name = channel.$ref.replace("#/channels/", "");
+      expect(document.channels[name === "robot" ? name : "class"].description).toContain(
+        description,
+      );
     }
   });
 });

@@ -1,52 +1,83 @@
 /**
- * The AsyncAPI 3.0 description of the robot's WebSocket, generated from the schemas that validate
- * the messages. The schemas describe the fields. This module adds the direction of each message.
+ * The AsyncAPI 3.0 description of the WebSockets of robots and classes, generated from the schemas
+ * that validate the messages. The schemas describe the fields. This module adds the direction of
+ * each message.
  */
 import {
+  classHelloSchema,
+  classSettingsSchema,
   commandRecordSchema,
   driverToRelaySchema,
   helloSchema,
   pageToRelaySchema,
   problemSchema,
+  progressSchema,
   PROTOCOL_VERSION,
   relayToDriverSchema,
   relayToPageSchema,
+  relayToScreenSchema,
+  relayToStudentSchema,
+  relayToTeacherSchema,
   resumeSchema,
+  screenToRelaySchema,
   snapshotSchema,
+  studentToRelaySchema,
+  teacherToRelaySchema,
+  tileSchema,
 } from "@corridor/protocol";
 import { z } from "zod";
+import { classMessageExamples, type ClassMessageKinds } from "./class-examples.ts";
+import { classTexts } from "./class-texts.ts";
 import { messageExamples, type MessageKinds } from "./examples.ts";
-import { CHANNEL, DESCRIPTION, MESSAGE_TEXTS, OPERATIONS } from "./texts.ts";
+import { DESCRIPTION, robotTexts } from "./texts.ts";
 
 type Message = z.ZodType & { shape: { type: z.ZodLiteral<string> } };
+type Sides<K> = Record<keyof K, { action: "send" | "receive"; messages: readonly Message[] }>;
 
-/** Messages by sender. The name of a message is its side, then its type. */
-const sides = {
-  script: {
-    action: "receive",
-    messages: [helloSchema, ...driverToRelaySchema.options],
+/** Messages of a robot by sender. The name of a message is its side, then its type. */
+const robotSides: Sides<MessageKinds> = {
+  script: { action: "receive", messages: [helloSchema, ...driverToRelaySchema.options] },
+  page: { action: "receive", messages: [helloSchema, resumeSchema, ...pageToRelaySchema.options] },
+  toScript: { action: "send", messages: relayToDriverSchema.options },
+  toPage: { action: "send", messages: relayToPageSchema.options },
+};
+
+/** Messages of a class by sender. */
+const classSides: Sides<ClassMessageKinds> = {
+  student: { action: "receive", messages: [classHelloSchema, ...studentToRelaySchema.options] },
+  dashboard: { action: "receive", messages: [classHelloSchema, ...teacherToRelaySchema.options] },
+  bigScreen: { action: "receive", messages: [classHelloSchema, ...screenToRelaySchema.options] },
+  toStudent: { action: "send", messages: relayToStudentSchema.options },
+  toDashboard: { action: "send", messages: relayToTeacherSchema.options },
+  toBigScreen: { action: "send", messages: relayToScreenSchema.options },
+};
+
+const channels = [
+  {
+    channel: "robot",
+    address: "/api/v1/robots/{id}/socket",
+    id: "the 22 characters of the robot's id",
+    sides: robotSides,
+    texts: robotTexts,
+    examples: messageExamples,
   },
-  page: {
-    action: "receive",
-    messages: [helloSchema, resumeSchema, ...pageToRelaySchema.options],
+  {
+    channel: "class",
+    address: "/api/v1/classes/{id}/socket",
+    id: "the 22 characters of the class's id",
+    sides: classSides,
+    texts: classTexts,
+    examples: classMessageExamples,
   },
-  toScript: {
-    action: "send",
-    messages: relayToDriverSchema.options,
-  },
-  toPage: {
-    action: "send",
-    messages: relayToPageSchema.options,
-  },
-} as const satisfies Record<
-  keyof MessageKinds,
-  { action: "send" | "receive"; messages: readonly Message[] }
->;
+];
 
 const shared = {
+  ClassSettings: classSettingsSchema,
   CommandRecord: commandRecordSchema,
   Problem: problemSchema,
+  Progress: progressSchema,
   Snapshot: snapshotSchema,
+  Tile: tileSchema,
 };
 
 /** The document does not contain the address of the service that serves it. */
@@ -75,15 +106,34 @@ export function messageName(side: string, type: string): string {
   return side + type.charAt(0).toUpperCase() + type.slice(1);
 }
 
-/** Builds the document as plain data. */
-export function describeMessages(): Record<string, unknown> {
-  const named = Object.entries(sides).flatMap(([side, { messages }]) =>
-    messages.map((schema: Message) => {
+interface Described {
+  channel: string;
+  side: string;
+  type: string;
+  name: string;
+  schema: z.ZodType;
+  description: string | undefined;
+  example: object | undefined;
+}
+
+/** All messages of a channel, with description and example. */
+function messagesOf({ channel, sides, texts, examples }: (typeof channels)[number]): Described[] {
+  const described = new Map<string, Record<string, string>>(Object.entries(texts.messages));
+  const shown = new Map<string, Record<string, object>>(Object.entries(examples));
+  return Object.entries(sides).flatMap(([side, { messages }]) =>
+    messages.map((schema) => {
       const type = String(schema.shape.type.value);
-      return { side, type, name: messageName(side, type), schema };
+      const name = messageName(side, type);
+      const description = described.get(side)?.[type];
+      return { channel, side, type, name, schema, description, example: shown.get(side)?.[type] };
     }),
   );
-  const payloads = schemasOf(named);
+}
+
+/** Builds the document as plain data. */
+export function describeMessages(): Record<string, unknown> {
+  const messages = channels.flatMap(messagesOf);
+  const payloads = schemasOf(messages);
   const reference = (place: string, name: string) => ({ $ref: `#/${place}/${name}` });
   return {
     asyncapi: "3.0.0",
@@ -95,47 +145,48 @@ export function describeMessages(): Record<string, unknown> {
     },
     defaultContentType: "application/json",
     servers,
-    channels: {
-      robot: {
-        address: "/api/v1/robots/{id}/socket",
-        ...CHANNEL,
-        servers: Object.keys(servers).map((name) => ({ $ref: `#/servers/${name}` })),
-        parameters: { id: { description: "the 22 characters of the robot's id" } },
-        messages: Object.fromEntries(
-          named.map(({ name }) => [name, reference("components/messages", name)]),
-        ),
-      },
-    },
-    operations: Object.fromEntries(
-      Object.entries(sides).map(([side, { action }]) => [
-        side,
+    channels: Object.fromEntries(
+      channels.map(({ channel, address, id, texts }) => [
+        channel,
         {
-          action,
-          ...OPERATIONS[side as keyof MessageKinds],
-          channel: { $ref: "#/channels/robot" },
-          messages: named
-            .filter((message) => message.side === side)
-            .map(({ name }) => reference("channels/robot/messages", name)),
+          address,
+          ...texts.channel,
+          servers: Object.keys(servers).map((name) => reference("servers", name)),
+          parameters: { id: { description: id } },
+          messages: Object.fromEntries(
+            messages
+              .filter((message) => message.channel === channel)
+              .map(({ name }) => [name, reference("components/messages", name)]),
+          ),
         },
       ]),
     ),
+    operations: Object.fromEntries(
+      channels.flatMap(({ channel, sides, texts }) => {
+        const operations = new Map<string, object>(Object.entries(texts.operations));
+        return Object.entries(sides).map(([side, { action }]) => [
+          side,
+          {
+            action,
+            ...operations.get(side),
+            channel: reference("channels", channel),
+            messages: messages
+              .filter((message) => message.side === side)
+              .map(({ name }) => reference(`channels/${channel}/messages`, name)),
+          },
+        ]);
+      }),
+    ),
     components: {
       messages: Object.fromEntries(
-        named.map(({ side, name, type }) => [
+        messages.map(({ name, type, description, example }) => [
           name,
-          { name: type, ...descriptionOf(side, type), payload: payloads[name] },
+          { name: type, description, examples: [{ payload: example }], payload: payloads[name] },
         ]),
       ),
       schemas: Object.fromEntries(Object.keys(shared).map((name) => [name, payloads[name]])),
     },
   };
-}
-
-/** Description and example of a message. */
-function descriptionOf(side: string, type: string): object {
-  const text = (MESSAGE_TEXTS as Record<string, Record<string, string>>)[side]?.[type];
-  const example = (messageExamples as Record<string, Record<string, object>>)[side]?.[type];
-  return { description: text, examples: [{ payload: example }] };
 }
 
 /** Converts all messages and shared parts to JSON Schema. Messages reference the shared parts. */

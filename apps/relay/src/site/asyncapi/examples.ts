@@ -1,6 +1,6 @@
 /**
- * One example of each message as it is on the wire. Together they form one sequence: a script moves
- * a robot by one metre.
+ * One example of each message of a robot as it is on the wire. Together they form one sequence: a
+ * script moves a robot by one metre.
  */
 import {
   expiredReason,
@@ -14,7 +14,8 @@ import {
 } from "@corridor/protocol";
 import { recordExample, snapshotExample } from "../openapi/reading-aids.ts";
 
-type OfEachKind<M extends { type: string }> = { [T in M["type"]]: Extract<M, { type: T }> };
+/** One message of each type. */
+export type OfEachKind<M extends { type: string }> = { [T in M["type"]]: Extract<M, { type: T }> };
 
 export interface MessageKinds {
   script: Hello | DriverToRelay;

@@ -68,6 +68,11 @@ describe("the description of the API", () => {
     for (const alternative of alternatives) expect(alternative).toHaveProperty("$ref");
   });
 
+  it("discriminates alternatives only by strings, as OpenAPI requires", () => {
+    expect(at("#/components/schemas/SharedDocument")).toHaveProperty("discriminator");
+    expect(at("#/components/schemas/ChallengeOrLesson")).not.toHaveProperty("discriminator");
+  });
+
   it("allows further fields in responses, and none in commands", () => {
     for (const name of ["Snapshot", "Pose", "CommandRecord", "EventPage", "Problem"]) {
       expect(at(`#/components/schemas/${name}`)).not.toHaveProperty("additionalProperties");

@@ -92,7 +92,7 @@ function steps.commit()
     end
   end
   for _, code in ipairs(given.newCodes) do insertCode(id, code) end
-  redis.call('PUBLISH', channel(id), given.news)
+  redis.call('PUBLISH', channel(id), given.message)
   return '"committed"'
 end
 

@@ -65,7 +65,7 @@ export class RedisClassStore implements ClassStore {
     id: string,
     version: number,
     changes: ClassChanges,
-    news: string,
+    message: string,
   ): Promise<ClassCommitResult> {
     const { row, students, removed, progress, programs, lesson, newCodes, oldCodes } = changes;
     const result = await this.#step("commit", {
@@ -80,7 +80,7 @@ export class RedisClassStore implements ClassStore {
       ...(lesson !== null && { lesson }),
       newCodes: newCodes.map(withoutNulls),
       oldCodes,
-      news,
+      message,
     });
     const answer = commitAnswer.parse(result);
     if (answer === "committed" && removed.length > 0) await this.#deletedBytes.sweep();

@@ -1,6 +1,6 @@
 /**
- * Names of the Redis keys of robots and classes. The braces are a hash tag, which keeps them on one node of
- * a cluster.
+ * Names of the Redis keys of robots and classes. The braces are a hash tag, which keeps them on one
+ * node of a cluster.
  */
 
 export function robotKeyOf(id: string): string {

@@ -6,7 +6,7 @@ import { lessonMark, type Attempt, type LessonDocument } from "@corridor/challen
 import { attemptOf, encodeLink } from "@corridor/link";
 import type { RunDocument } from "@corridor/recording";
 import type { DriverName } from "@corridor/protocol";
-import { QrCode as QrIcon, Send } from "lucide";
+import { QrCode as QrIcon } from "lucide";
 import { useEffect, useMemo, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -17,6 +17,7 @@ import { CopyButton } from "../../ui/CopyButton.tsx";
 import { Icon } from "../../ui/Icon.tsx";
 import { QrCode } from "../../ui/QrCode.tsx";
 import { qrPath } from "../../ui/qr-path.ts";
+import { ShareSheetButton } from "../../ui/ShareSheetButton.tsx";
 import styles from "./completion-code.module.css";
 
 interface CompletionCodeProps {
@@ -65,16 +66,7 @@ export function CompletionCode({ lesson, task, driver }: CompletionCodeProps) {
         >
           {t("missions:code.qr")}
         </Button>
-        {"share" in navigator && (
-          <Button
-            size="small"
-            icon={<Icon of={Send} />}
-            // The student may close the share sheet.
-            onClick={() => void navigator.share({ text: code }).catch(() => undefined)}
-          >
-            {t("missions:code.send")}
-          </Button>
-        )}
+        <ShareSheetButton size="small" data={{ text: code }} label={t("missions:code.send")} />
       </div>
       {qr !== null && <QrCode code={qr} />}
       <p className={styles["note"]}>

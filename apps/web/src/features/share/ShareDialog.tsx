@@ -14,13 +14,13 @@ import { useServices } from "../../model/use-services.ts";
 import { sharedSearch } from "../../model/preferences/language.ts";
 import { missionHash } from "../../model/address/mission-address.ts";
 import { holdLink } from "./held-link.ts";
-import { LinkField } from "./LinkField.tsx";
-import { QrCard } from "./QrCard.tsx";
+import { LinkField } from "../../ui/LinkField.tsx";
+import { QrCard } from "../../ui/QrCard.tsx";
 import { RunChoice } from "./RunChoice.tsx";
 import styles from "./share.module.css";
 import { TeachLink } from "./TeachLink.tsx";
-import { ShortLinkChoice } from "./ShortLinkChoice.tsx";
-import { useShortLink } from "./use-short-link.ts";
+import { ShortLinkChoice } from "../../ui/ShortLinkChoice.tsx";
+import { useShortLink } from "../../model/use-short-link.ts";
 import { useSavedRun } from "./use-saved-run.ts";
 
 export interface ShareDialogProps {
@@ -117,7 +117,17 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
       <div className={styles["main"]}>
         <div className={styles["link"]}>
           <LinkField link={isTooLong ? null : shown} tooBig={withRun ? tooLong : tooBig} />
-          <ShortLinkChoice short={short} isMore={isMore} />
+          {short.isOffered === true && (
+            <ShortLinkChoice
+              isMade={made !== null}
+              isBusy={short.isBusy}
+              outcome={short.outcome}
+              // A short link does not carry a run, or a program with a challenge.
+              refusal={isMore ? t("share.shortLink.alone") : null}
+              onMake={short.make}
+              onDelete={short.remove}
+            />
+          )}
         </div>
         <fieldset className={styles["choices"]}>
           <legend className={styles["label"]}>{t("share.contents")}</legend>

@@ -12,7 +12,7 @@ import { ProblemNote } from "../../ui/ProblemNote.tsx";
 import { lessonName } from "./lessons/lesson-name.ts";
 import { SavedLessons, type SavedLesson } from "./lessons/saved-lessons.ts";
 import { solutionOf } from "./lessons/solution.ts";
-import { ShareLessonDialog } from "./share/ShareLessonDialog.tsx";
+import { ShareLessonDialog } from "./share/lazy-share-lesson-dialog.ts";
 import { handInsHash, lessonHash } from "./frame/teach-view.ts";
 import styles from "./saved-lesson-list.module.css";
 
@@ -22,6 +22,7 @@ export function SavedLessonList({ device }: { device: KeyValueStorage }) {
   const [list, setList] = useState(() => lessons.list());
   const [deleted, setDeleted] = useState<SavedLesson | null>(null);
   const [shared, setShared] = useState<SavedLesson | null>(null);
+  const [isSharing, setSharing] = useState(false);
   const [isBlocked, setBlocked] = useState(false);
   useEffect(() => {
     // Another tab saved or deleted a lesson.
@@ -68,7 +69,10 @@ export function SavedLessonList({ device }: { device: KeyValueStorage }) {
             key={saved.id}
             saved={saved}
             canDuplicate={!lessons.isFull}
-            onShare={() => setShared(saved)}
+            onShare={() => {
+              setShared(saved);
+              setSharing(true);
+            }}
             onDuplicate={() =>
               write({ ...saved, id: newTextId(), revision: newTextId(), savedAt: Date.now() })
             }
@@ -83,10 +87,11 @@ export function SavedLessonList({ device }: { device: KeyValueStorage }) {
       </ul>
       {shared !== null && (
         <ShareLessonDialog
+          isOpen={isSharing}
           lesson={shared.lesson}
           isSolved={isSolved(shared)}
           onSolve={() => (location.hash = lessonHash(shared.id))}
-          onClose={() => setShared(null)}
+          onClose={() => setSharing(false)}
         />
       )}
     </section>

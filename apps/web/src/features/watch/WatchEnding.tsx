@@ -1,15 +1,12 @@
 /** Why there is nothing to watch, and what to do next. */
 import { useTranslation } from "react-i18next";
-import { classNames } from "../../ui/class-names.ts";
 import { Button } from "../../ui/Button.tsx";
-import buttons from "../../ui/button.module.css";
+import { ButtonLink } from "../../ui/ButtonLink.tsx";
 import type { Ending } from "./watch-store.ts";
 import styles from "./watch.module.css";
 
 export function WatchEnding({ ending }: { ending: Ending }) {
   const { t } = useTranslation(["words", "watch"], { useSuspense: false });
-  const link = (kind: "primary" | "outline"): string =>
-    classNames(buttons["button"], buttons[kind], buttons["large"]);
   return (
     <main className={styles["ended"]}>
       <div className={styles["ending"]} role="alert">
@@ -21,14 +18,14 @@ export function WatchEnding({ ending }: { ending: Ending }) {
               {t("watch:reload")}
             </Button>
           ) : (
-            <a className={link("primary")} href="/">
+            <ButtonLink kind="primary" size="large" href="/">
               {t("watch:open")}
-            </a>
+            </ButtonLink>
           )}
           {ending === "script" && (
-            <a className={link("outline")} href="/docs">
+            <ButtonLink size="large" href="/docs">
               {t("watch:learn")}
-            </a>
+            </ButtonLink>
           )}
         </div>
       </div>

@@ -8,7 +8,7 @@ import { useMediaQuery } from "../../../ui/use-media-query.ts";
 import type { LessonAutosave } from "./lesson-autosave.ts";
 import { lessonName } from "../lessons/lesson-name.ts";
 import { solutionOf } from "../lessons/solution.ts";
-import { ShareLessonDialog } from "../share/ShareLessonDialog.tsx";
+import { ShareLessonDialog } from "../share/lazy-share-lesson-dialog.ts";
 import { TeachFrame } from "../frame/TeachFrame.tsx";
 import type { TeachSlots, WorkbenchParts } from "../frame/teach-slots.ts";
 import { EditorBar, EditorBarEnd } from "./EditorBar.tsx";
@@ -95,14 +95,13 @@ export function LessonEditor({ draft, autosave, tools, slots, main }: LessonEdit
           )
         }
       </EditorWorkbench>
-      {isSharing && (
-        <ShareLessonDialog
-          lesson={lesson}
-          isSolved={lesson.tasks.every((task) => solutionOf(solutions, task) !== null)}
-          onSolve={solve}
-          onClose={() => setSharing(false)}
-        />
-      )}
+      <ShareLessonDialog
+        isOpen={isSharing}
+        lesson={lesson}
+        isSolved={lesson.tasks.every((task) => solutionOf(solutions, task) !== null)}
+        onSolve={solve}
+        onClose={() => setSharing(false)}
+      />
     </TeachFrame>
   );
 }

@@ -12,7 +12,7 @@ import {
   shortLinkSchema,
   type ShortLink,
 } from "@corridor/protocol";
-import type { KeyValueStorage } from "../../model/storage/key-value-storage.ts";
+import type { KeyValueStorage } from "../storage/key-value-storage.ts";
 
 const STORAGE_KEY = "corridor.shortLinks";
 const MAX_STORED_TEXT = 100_000;

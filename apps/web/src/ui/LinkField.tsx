@@ -1,9 +1,9 @@
 /** The link in a field that selects itself, and the button that copies it. */
 import { useId, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
-import { FieldError } from "../../ui/FieldError.tsx";
-import { CopyButton } from "../../ui/CopyButton.tsx";
-import styles from "./share.module.css";
+import { FieldError } from "./FieldError.tsx";
+import { CopyButton } from "./CopyButton.tsx";
+import styles from "./link-field.module.css";
 
 interface LinkFieldProps {
   /** null if the content is too large for a link */
@@ -21,11 +21,11 @@ export function LinkField({ link, tooBig }: LinkFieldProps) {
     return <FieldError id={id}>{tooBig}</FieldError>;
   }
   return (
-    <div className={styles["link"]}>
+    <div className={styles["stack"]}>
       <label className={styles["label"]} htmlFor={id}>
         {t("share.link")}
       </label>
-      <div className={styles["linkRow"]}>
+      <div className={styles["row"]}>
         <input
           id={id}
           ref={field}

@@ -1,6 +1,6 @@
 import { mazePresets } from "@corridor/maze";
 import { describe, expect, it } from "vitest";
-import { MemoryStorage } from "../../model/storage/testing/memory-storage.ts";
+import { MemoryStorage } from "../storage/testing/memory-storage.ts";
 import { ShortLinkService, type Ask } from "./short-link-service.ts";
 
 const maze = mazePresets[0]?.maze;

@@ -1,13 +1,13 @@
-/** The link as a QR code that can be saved as a picture. */
+/** A link as a QR code that can be saved as a picture. */
 import { Download } from "lucide";
 import { useRef } from "react";
 import { useTranslation } from "react-i18next";
-import { Icon } from "../../ui/Icon.tsx";
-import { Button } from "../../ui/Button.tsx";
-import { QrCode } from "../../ui/QrCode.tsx";
-import { qrPath } from "../../ui/qr-path.ts";
+import { Icon } from "./Icon.tsx";
+import { Button } from "./Button.tsx";
+import { QrCode } from "./QrCode.tsx";
+import { qrPath } from "./qr-path.ts";
 import { savePicture } from "./save-picture.ts";
-import styles from "./share.module.css";
+import styles from "./qr-card.module.css";
 
 export function QrCard({ link, name }: { link: string; name: string }) {
   const { t } = useTranslation();

@@ -1,12 +1,13 @@
 /** The short link of the shared content: whether one is possible, and how to make and delete it. */
 import type { ShortLink } from "@corridor/protocol";
 import { useEffect, useState } from "react";
-import { storageOrNone } from "../../model/storage/key-value-storage.ts";
-import { ShortLinkService, type ShortLinkDocument } from "./short-link-service.ts";
+import { useOnline } from "../ui/use-online.ts";
+import { storageOrNone } from "./storage/key-value-storage.ts";
+import { ShortLinkService, type ShortLinkDocument } from "./address/short-link-service.ts";
 
 export interface ShortLinkState {
-  /** whether a service responds that makes short links */
-  isOffered: boolean;
+  /** whether a service responds that makes short links; null until that is known */
+  isOffered: boolean | null;
   /** the link of the exact document that is shared now; null if there is none */
   link: ShortLink | null;
   isBusy: boolean;
@@ -25,11 +26,13 @@ export function useShortLink(document: ShortLinkDocument): ShortLinkState {
         storageOrNone(() => localStorage),
       ),
   );
-  const [isOffered, setOffered] = useState(false);
+  const isOnline = useOnline();
+  const [isOffered, setOffered] = useState<boolean | null>(null);
   const [made, setMade] = useState<ReadonlyMap<ShortLinkDocument, ShortLink>>(new Map());
   const [isBusy, setBusy] = useState(false);
   const [outcome, setOutcome] = useState<ShortLinkState["outcome"]>(null);
   useEffect(() => {
+    if (!isOnline) return;
     let isOver = false;
     void service.answers().then((does) => {
       if (!isOver) setOffered(does);
@@ -37,7 +40,7 @@ export function useShortLink(document: ShortLinkDocument): ShortLinkState {
     return () => {
       isOver = true;
     };
-  }, [service]);
+  }, [service, isOnline]);
   const link = made.get(document) ?? null;
 
   async function make(): Promise<void> {
@@ -59,7 +62,7 @@ export function useShortLink(document: ShortLinkDocument): ShortLinkState {
   }
 
   return {
-    isOffered,
+    isOffered: isOnline ? isOffered : false,
     link,
     isBusy,
     outcome,

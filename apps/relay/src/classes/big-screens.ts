@@ -1,0 +1,82 @@
+/** The big screens of a class at this relay, and the newest content for them. */
+import { PROTOCOL_VERSION, type RelayToScreen, type TeacherToRelay } from "@corridor/protocol";
+import { limits } from "../platform/limits/limits.ts";
+import type { Clock } from "../platform/time/clock.ts";
+import type { ClassRow } from "../store/class-store.ts";
+import { CreditedFeed } from "./credited-feed.ts";
+import type { MemberLink } from "./member-link.ts";
+
+export type DisplayContent = Extract<TeacherToRelay, { type: "display" }>["content"];
+
+interface Screen {
+  link: MemberLink<RelayToScreen>;
+  displays: CreditedFeed<DisplayContent>;
+}
+
+export interface ScreenMember {
+  seen(seq: number): void;
+  leave(): void;
+}
+
+export class BigScreens {
+  readonly #clock: Clock;
+  readonly #screens = new Set<Screen>();
+  #content: DisplayContent | null = null;
+
+  constructor(clock: Clock) {
+    this.#clock = clock;
+  }
+
+  get size(): number {
+    return this.#screens.size;
+  }
+
+  /** null: none yet */
+  get content(): DisplayContent | null {
+    return this.#content;
+  }
+
+  /** Connects a big screen. @param row of the class */
+  join(link: MemberLink<RelayToScreen>, { code, lessonVersion: lesson }: ClassRow): ScreenMember {
+    const screen: Screen = {
+      link,
+      displays: new CreditedFeed({
+        clock: this.#clock,
+        intervalMs: () => limits.displayIntervalMs,
+        merge: (_waiting, newer) => newer,
+        send: (seq, content) => link.send({ type: "display", seq, content }),
+      }),
+    };
+    link.send({ type: "welcome", version: PROTOCOL_VERSION, code, lesson });
+    this.#screens.add(screen);
+    if (this.#content !== null) screen.displays.offer(this.#content);
+    return {
+      seen: (seq) => screen.displays.seen(seq),
+      leave: () => {
+        this.#screens.delete(screen);
+        screen.displays.close();
+      },
+    };
+  }
+
+  /** Replaces what the big screens show. */
+  show(content: DisplayContent): void {
+    this.#content = content;
+    for (const { displays } of this.#screens) displays.offer(content);
+  }
+
+  /** Sends what has changed in the class. */
+  changed(before: ClassRow, row: ClassRow): void {
+    for (const { link } of this.#screens) {
+      if (row.code !== before.code) link.send({ type: "code", code: row.code });
+      if (row.lessonVersion !== before.lessonVersion) {
+        link.send({ type: "lesson", version: row.lessonVersion });
+      }
+    }
+  }
+
+  /** Ends all connections, because the class has ended. */
+  ended(): void {
+    for (const { link } of this.#screens) link.close("over");
+  }
+}
