@@ -22,6 +22,7 @@ import { startTheme } from "./model/preferences/theme.ts";
 import { ProjectReader } from "./model/projects/project-reader.ts";
 import { ProjectStorage } from "./model/projects/project-storage.ts";
 import { storageOrNone } from "./model/storage/key-value-storage.ts";
+import { CLASS_KEY } from "./model/classes/class-store.ts";
 import { RACE_KEY } from "./model/run/race-store.ts";
 import { createScreenStore, showMessage } from "./model/screen/screen-store.ts";
 import { englishWords } from "./text/english-words.ts";
@@ -129,6 +130,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   window.addEventListener("hashchange", () => void followOrReport(false));
 
   screen.setState({ isOpening: isAsked() });
+  if (tab.getItem(CLASS_KEY) !== null) void openClass(services, words);
   const page = (
     <I18nextProvider i18n={words}>
       <ServicesProvider value={services}>
@@ -167,6 +169,16 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
 async function resume(services: Services, words: i18n): Promise<void> {
   const extras = await import("./shell/boot/resume-extras.ts").catch(() => null);
   await extras?.resumeExtras(services, words, tab);
+}
+
+/** The class that this tab has joined. Without its file, the page works as outside of a class. */
+async function openClass(services: Services, words: i18n): Promise<void> {
+  try {
+    const part = await import("./features/class/open-class.ts");
+    await part.openClass(services, words, tab);
+  } catch {
+    showMessage(screen, { tone: "bad", text: words.t("offline.partFailed") });
+  }
 }
 
 /** The pages without a robot: of viewers, teachers and joining students; null for the student's. */

@@ -24,7 +24,7 @@ export interface Namespaces {
   check: typeof check;
   /** why a run failed */
   diagnosis: typeof diagnosis;
-  /** the page on which a student joins a class */
+  /** a student in a class: the page to join, and the class menu */
   join: typeof join;
   /** the lessons */
   missions: typeof missions;

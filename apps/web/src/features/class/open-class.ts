@@ -1,0 +1,23 @@
+/** Connects the page to the class that its tab has joined. Loads only if there is one. */
+import type { i18n } from "i18next";
+import { storedMembership } from "../../model/classes/membership.ts";
+import { StudentClass } from "../../model/classes/student-class.ts";
+import type { Services } from "../../model/services.ts";
+import type { KeyValueStorage } from "../../model/storage/key-value-storage.ts";
+
+/** @param tab sessionStorage */
+export async function openClass(
+  { simulator, classes, screen }: Services,
+  words: Pick<i18n, "t" | "loadNamespaces">,
+  tab: KeyValueStorage,
+): Promise<void> {
+  const joined = storedMembership(tab);
+  if (joined === null) return;
+  await words.loadNamespaces("join");
+  const later = (call: () => void, ms: number) => {
+    const timer = setTimeout(call, ms);
+    return () => clearTimeout(timer);
+  };
+  const studentClass = new StudentClass({ simulator, classes, screen, tab, words, later }, joined);
+  window.addEventListener("online", () => studentClass.reconnect());
+}

@@ -1,0 +1,169 @@
+import type { JoinedClass } from "@corridor/protocol";
+import { describe, expect, it } from "vitest";
+import type { ClassSession, ClassStudent } from "../../simulator/protocol/class-messages.ts";
+import type { FromWorker, ToWorker } from "../../simulator/protocol/worker-messages.ts";
+import { en } from "../../text/en/index.ts";
+import join from "../../text/en/join.json";
+import { createI18n } from "../../text/i18n.ts";
+import { createScreenStore } from "../screen/screen-store.ts";
+import { VolatileStorage } from "../storage/volatile-storage.ts";
+import { createClassStore } from "./class-store.ts";
+import { storedMembership, storeMembership } from "./membership.ts";
+import { StudentClass } from "./student-class.ts";
+
+const joined: JoinedClass = {
+  class: "A".repeat(22),
+  student: 1,
+  name: { word: 7, text: null },
+  key: `stu_${"B".repeat(22)}`,
+};
+const open = { type: "class", request: { kind: "open", id: joined.class, key: joined.key } };
+const student: ClassStudent = {
+  name: joined.name,
+  renamesLeft: 2,
+  rename: "possible",
+  helpWanted: false,
+  watched: false,
+};
+
+/** The page of a student, and the worker's end of it. */
+function openPage() {
+  const sent: ToWorker[] = [];
+  const listeners = new Set<(message: FromWorker) => void>();
+  const timers = new Set<() => void>();
+  const classes = createClassStore();
+  const screen = createScreenStore();
+  const tab = new VolatileStorage();
+  storeMembership(tab, joined);
+  const words = createI18n(en);
+  words.addResourceBundle("en", "join", join);
+  const simulator = {
+    send: (message: ToWorker) => void sent.push(message),
+    listen: (listener: (message: FromWorker) => void) => {
+      listeners.add(listener);
+      return () => listeners.delete(listener);
+    },
+  };
+  const later = (call: () => void) => {
+    timers.add(call);
+    return () => void timers.delete(call);
+  };
+  const page = new StudentClass({ simulator, classes, screen, tab, words, later }, joined);
+  return {
+    page,
+    sent,
+    classes,
+    tab,
+    screen,
+    texts: () => screen.getState().messages.map(({ text }) => text),
+    receive: (status: ClassSession["status"], change: Partial<ClassStudent> = {}): void => {
+      const session = { status, student: { ...student, ...change } };
+      for (const listener of listeners) listener({ type: "class", session });
+    },
+    wait: (): void => {
+      for (const call of timers) call();
+      timers.clear();
+    },
+  };
+}
+
+describe("the class of a student", () => {
+  it("connects at once, and is on the screen", () => {
+    const { page, sent, classes } = openPage();
+    expect(sent).toEqual([open]);
+    expect(classes.getState().joined).toBe(page);
+    expect(page.session.getState().status).toEqual({ kind: "connecting" });
+  });
+
+  it("shows a new name, also after a reload", () => {
+    const { page, tab, receive } = openPage();
+    const name = { word: 8, text: null };
+    receive({ kind: "connected" }, { name });
+    expect(page.name).toEqual(name);
+    expect(storedMembership(tab)).toEqual({ ...joined, name });
+  });
+
+  it("sends requests for help and for another name", () => {
+    const { page, sent } = openPage();
+    page.askForHelp(true);
+    page.requestName();
+    expect(sent.slice(1)).toEqual([
+      { type: "class", request: { kind: "help", wanted: true } },
+      { type: "class", request: { kind: "name" } },
+    ]);
+  });
+});
+
+describe("a connection that is lost", () => {
+  it("is reported after some seconds, until it is back", () => {
+    const { texts, receive, wait } = openPage();
+    receive({ kind: "connected" });
+    receive({ kind: "lost" });
+    receive({ kind: "connecting" });
+    receive({ kind: "lost" });
+    expect(texts()).toEqual([]);
+    wait();
+    expect(texts()).toEqual([join.inClass.lost]);
+    receive({ kind: "connecting" });
+    expect(texts()).toEqual([join.inClass.lost]);
+    receive({ kind: "connected" });
+    expect(texts()).toEqual([]);
+  });
+
+  it("is not reported if it comes back soon", () => {
+    const { texts, receive, wait } = openPage();
+    receive({ kind: "lost" });
+    receive({ kind: "connected" });
+    wait();
+    expect(texts()).toEqual([]);
+  });
+
+  it("reconnects when the device is online again, and does not disturb another tab", () => {
+    const { page, sent, receive } = openPage();
+    receive({ kind: "lost" });
+    page.reconnect();
+    expect(sent).toEqual([open, open]);
+    receive({ kind: "over", reason: "replaced" });
+    page.reconnect();
+    expect(sent).toHaveLength(2);
+  });
+});
+
+describe("the end of a class", () => {
+  it.each(["removed", "over"] as const)(
+    "after %s stays on the screen, without the menu",
+    (reason) => {
+      const { classes, tab, texts, receive, wait } = openPage();
+      receive({ kind: "connected" });
+      receive({ kind: "lost" });
+      receive({ kind: "over", reason });
+      wait();
+      expect(texts()).toEqual([join.inClass[reason]]);
+      expect(classes.getState().joined).toBeNull();
+      expect(storedMembership(tab)).toBeNull();
+    },
+  );
+
+  it("in another tab can be taken back", () => {
+    const { page, classes, tab, screen, sent, texts, receive } = openPage();
+    receive({ kind: "connected" });
+    receive({ kind: "over", reason: "replaced" });
+    expect(texts()).toEqual([join.inClass.replaced]);
+    expect(classes.getState().joined).toBe(page);
+    expect(storedMembership(tab)).toEqual(joined);
+    screen.getState().messages[0]?.action?.run();
+    expect(sent).toEqual([open, open]);
+    expect(texts()).toEqual([]);
+  });
+
+  it("by leaving discards the key, and ignores what arrives later", () => {
+    const { page, classes, tab, sent, texts, receive } = openPage();
+    receive({ kind: "connected" });
+    page.leave();
+    receive({ kind: "over", reason: "over" });
+    expect(sent.at(-1)).toEqual({ type: "class", request: { kind: "close" } });
+    expect(classes.getState().joined).toBeNull();
+    expect(storedMembership(tab)).toBeNull();
+    expect(texts()).toEqual([]);
+  });
+});

@@ -1,0 +1,148 @@
+/**
+ * The class that this tab has joined, as the student sees it: connection, name, request for help.
+ * A message reports a lost connection and the end of the class. The student's own work stays as it is.
+ */
+import type { JoinedClass } from "@corridor/protocol";
+import type { i18n } from "i18next";
+import { createStore } from "zustand/vanilla";
+import type {
+  ClassEnding,
+  ClassRequest,
+  ClassSession,
+} from "../../simulator/protocol/class-messages.ts";
+import type { SimulatorClient } from "../../simulator/simulator-client.ts";
+import { dismiss, showMessage, type Message, type ScreenStore } from "../screen/screen-store.ts";
+import type { KeyValueStorage } from "../storage/key-value-storage.ts";
+import type { ClassStore } from "./class-store.ts";
+import { removeMembership, storeMembership } from "./membership.ts";
+
+/** A connection that is lost for less than this is not worth a message, in ms. */
+const LOST_MS = 3_000;
+
+export interface StudentClassPorts {
+  simulator: Pick<SimulatorClient, "send" | "listen">;
+  classes: ClassStore;
+  screen: ScreenStore;
+  /** sessionStorage */
+  tab: KeyValueStorage;
+  words: Pick<i18n, "t">;
+  /** @returns a function that cancels the call */
+  later: (call: () => void, ms: number) => () => void;
+}
+
+const connecting: ClassSession = { status: { kind: "connecting" }, student: null };
+
+export class StudentClass {
+  /** as the worker last sent it */
+  readonly session = createStore<ClassSession>()(() => connecting);
+  readonly #ports: StudentClassPorts;
+  #joined: JoinedClass;
+  readonly #unsubscribe: () => void;
+  #cancelLost: (() => void) | null = null;
+  /** id of the message about the connection; null: none */
+  #message: number | null = null;
+
+  /** Connects at once. */
+  constructor(ports: StudentClassPorts, joined: JoinedClass) {
+    this.#ports = ports;
+    this.#joined = joined;
+    this.#unsubscribe = ports.simulator.listen((message) => {
+      if (message.type === "class") this.#receive(message.session);
+    });
+    ports.classes.setState({ joined: this });
+    this.#connect();
+  }
+
+  /** The newest name of the student, also before the first connection. */
+  get name(): JoinedClass["name"] {
+    return this.#joined.name;
+  }
+
+  /** The device is online again: reconnects at once. */
+  reconnect(): void {
+    if (this.session.getState().status.kind === "lost") this.#connect();
+  }
+
+  /** Takes the class back from another tab or device. */
+  continueHere(): void {
+    this.#endMessage();
+    this.#connect();
+  }
+
+  askForHelp(wanted: boolean): void {
+    this.#request({ kind: "help", wanted });
+  }
+
+  requestName(): void {
+    this.#request({ kind: "name" });
+  }
+
+  /** Disconnects for good: this tab discards the key of the student. */
+  leave(): void {
+    this.#request({ kind: "close" });
+    this.#end();
+  }
+
+  #connect(): void {
+    this.#request({ kind: "open", id: this.#joined.class, key: this.#joined.key });
+  }
+
+  #request(request: ClassRequest): void {
+    this.#ports.simulator.send({ type: "class", request });
+  }
+
+  #receive(session: ClassSession): void {
+    const { status, student } = session;
+    if (student !== null && !isSameName(student.name, this.name)) {
+      this.#joined = { ...this.#joined, name: student.name };
+      storeMembership(this.#ports.tab, this.#joined);
+    }
+    this.session.setState(session);
+    if (status.kind === "over") this.#over(status.reason);
+    else if (status.kind === "connected") this.#endMessage();
+    else if (status.kind === "lost") this.#lost();
+  }
+
+  #lost(): void {
+    if (this.#message !== null) return;
+    this.#cancelLost ??= this.#ports.later(
+      () => this.#show({ tone: "info", text: this.#ports.words.t("join:inClass.lost") }),
+      LOST_MS,
+    );
+  }
+
+  #over(reason: ClassEnding): void {
+    const { t } = this.#ports.words;
+    const text = t(`join:inClass.${reason}`);
+    if (reason !== "replaced") {
+      this.#end();
+      showMessage(this.#ports.screen, { tone: "info", text, stays: true });
+      return;
+    }
+    const action = { label: t("join:inClass.continueHere"), run: () => this.continueHere() };
+    this.#show({ tone: "info", text, action });
+  }
+
+  #end(): void {
+    this.#endMessage();
+    this.#unsubscribe();
+    removeMembership(this.#ports.tab);
+    this.#ports.classes.setState({ joined: null });
+  }
+
+  #show(message: Omit<Message, "id">): void {
+    this.#endMessage();
+    this.#message = showMessage(this.#ports.screen, { ...message, stays: true });
+  }
+
+  #endMessage(): void {
+    this.#cancelLost?.();
+    this.#cancelLost = null;
+    if (this.#message !== null) dismiss(this.#ports.screen, this.#message);
+    this.#message = null;
+  }
+}
+
+function isSameName(one: JoinedClass["name"], other: JoinedClass["name"]): boolean {
+  return one.word === other.word && one.text === other.text;
+}
