@@ -1,5 +1,11 @@
 /** A teacher's script: starts a class at the relay, and directs it as a dashboard does. */
-import { createdClassSchema, type CreatedClass } from "@corridor/protocol";
+import {
+  classViewSchema,
+  createdClassSchema,
+  PROTOCOL_VERSION,
+  type ClassView,
+  type CreatedClass,
+} from "@corridor/protocol";
 import { sampleLesson } from "../../apps/web/src/model/lessons/testing/sample-lesson.ts";
 
 export class ClassTeacher {
@@ -24,13 +30,37 @@ export class ClassTeacher {
     return this.created.code;
   }
 
+  /** The class with its students. */
+  async read(): Promise<ClassView> {
+    return classViewSchema.parse(await (await this.#request("GET", "")).json());
+  }
+
   /** A request with the teacher's key. @param path below the class */
   async direct(method: "DELETE" | "PUT", path = ""): Promise<void> {
+    await this.#request(method, path);
+  }
+
+  /** Watches a student, as a dashboard does. @returns a function that ends it */
+  async watch(student: number): Promise<() => void> {
+    const { id, teacherKey: key } = this.created;
+    const address = `${this.#relay.replace("http", "ws")}/api/v1/classes/${id}/socket`;
+    const socket = new WebSocket(address);
+    await new Promise((resolve, reject) => {
+      socket.addEventListener("open", resolve);
+      socket.addEventListener("error", reject);
+    });
+    socket.send(JSON.stringify({ type: "hello", version: PROTOCOL_VERSION, role: "teach", key }));
+    socket.send(JSON.stringify({ type: "watch", student }));
+    return () => socket.close();
+  }
+
+  async #request(method: string, path: string): Promise<Response> {
     const { id, teacherKey } = this.created;
     const answer = await fetch(`${this.#relay}/api/v1/classes/${id}${path}`, {
       method,
       headers: { Authorization: `Bearer ${teacherKey}` },
     });
     if (!answer.ok) throw new Error(`${method} ${path}: ${answer.status} ${await answer.text()}`);
+    return answer;
   }
 }

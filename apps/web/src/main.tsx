@@ -22,7 +22,7 @@ import { startTheme } from "./model/preferences/theme.ts";
 import { ProjectReader } from "./model/projects/project-reader.ts";
 import { ProjectStorage } from "./model/projects/project-storage.ts";
 import { storageOrNone } from "./model/storage/key-value-storage.ts";
-import { CLASS_KEY } from "./model/classes/class-store.ts";
+import { CLASS_KEY } from "./model/classes/class-key.ts";
 import { RACE_KEY } from "./model/run/race-store.ts";
 import { createScreenStore, showMessage } from "./model/screen/screen-store.ts";
 import { englishWords } from "./text/english-words.ts";

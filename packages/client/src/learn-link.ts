@@ -21,9 +21,9 @@ export interface LearnLinkOptions {
   /** a student's key */
   key: string;
   /** Called for the welcome of each connection before `onStatus`. */
-  onMessage(message: ClassMessage): void;
+  onMessage: (message: ClassMessage) => void;
   /** The close code of `over` says why the student is no longer in the class on this page. */
-  onStatus(status: ConnectionStatus): void;
+  onStatus: (status: ConnectionStatus) => void;
   /** default: the platform of browsers, workers and Node */
   platform?: Omit<Platform, "uniqueText">;
 }

@@ -18,6 +18,8 @@ export async function openClass(
     const timer = setTimeout(call, ms);
     return () => clearTimeout(timer);
   };
-  const studentClass = new StudentClass({ simulator, classes, screen, tab, words, later }, joined);
+  const onEnd = () => classes.setState({ joined: null });
+  const studentClass = new StudentClass({ simulator, screen, tab, words, onEnd, later }, joined);
+  classes.setState({ joined: studentClass });
   window.addEventListener("online", () => studentClass.reconnect());
 }

@@ -2,9 +2,6 @@
 import { createStore } from "zustand/vanilla";
 import type { StudentClass } from "./student-class.ts";
 
-/** Entry of the tab's storage: see membership.ts. */
-export const CLASS_KEY = "corridor.class";
-
 export function createClassStore() {
   return createStore<{ joined: StudentClass | null }>()(() => ({ joined: null }));
 }

@@ -4,7 +4,7 @@
  */
 import { joinedClassSchema, readJson, type JoinedClass } from "@corridor/protocol";
 import type { KeyValueStorage } from "../storage/key-value-storage.ts";
-import { CLASS_KEY } from "./class-store.ts";
+import { CLASS_KEY } from "./class-key.ts";
 
 const MAX_STORED_TEXT = 1_024;
 

@@ -7,7 +7,6 @@ import join from "../../text/en/join.json";
 import { createI18n } from "../../text/i18n.ts";
 import { createScreenStore } from "../screen/screen-store.ts";
 import { VolatileStorage } from "../storage/volatile-storage.ts";
-import { createClassStore } from "./class-store.ts";
 import { storedMembership, storeMembership } from "./membership.ts";
 import { StudentClass } from "./student-class.ts";
 
@@ -31,7 +30,8 @@ function openPage() {
   const sent: ToWorker[] = [];
   const listeners = new Set<(message: FromWorker) => void>();
   const timers = new Set<() => void>();
-  const classes = createClassStore();
+  let isInClass = true;
+  const onEnd = () => (isInClass = false);
   const screen = createScreenStore();
   const tab = new VolatileStorage();
   storeMembership(tab, joined);
@@ -48,11 +48,11 @@ function openPage() {
     timers.add(call);
     return () => void timers.delete(call);
   };
-  const page = new StudentClass({ simulator, classes, screen, tab, words, later }, joined);
+  const page = new StudentClass({ simulator, screen, tab, words, onEnd, later }, joined);
   return {
     page,
     sent,
-    classes,
+    isInClass: () => isInClass,
     tab,
     screen,
     texts: () => screen.getState().messages.map(({ text }) => text),
@@ -68,10 +68,9 @@ function openPage() {
 }
 
 describe("the class of a student", () => {
-  it("connects at once, and is on the screen", () => {
-    const { page, sent, classes } = openPage();
+  it("connects at once", () => {
+    const { page, sent } = openPage();
     expect(sent).toEqual([open]);
-    expect(classes.getState().joined).toBe(page);
     expect(page.session.getState().status).toEqual({ kind: "connecting" });
   });
 
@@ -133,23 +132,23 @@ describe("the end of a class", () => {
   it.each(["removed", "over"] as const)(
     "after %s stays on the screen, without the menu",
     (reason) => {
-      const { classes, tab, texts, receive, wait } = openPage();
+      const { isInClass, tab, texts, receive, wait } = openPage();
       receive({ kind: "connected" });
       receive({ kind: "lost" });
       receive({ kind: "over", reason });
       wait();
       expect(texts()).toEqual([join.inClass[reason]]);
-      expect(classes.getState().joined).toBeNull();
+      expect(isInClass()).toBe(false);
       expect(storedMembership(tab)).toBeNull();
     },
   );
 
   it("in another tab can be taken back", () => {
-    const { page, classes, tab, screen, sent, texts, receive } = openPage();
+    const { isInClass, tab, screen, sent, texts, receive } = openPage();
     receive({ kind: "connected" });
     receive({ kind: "over", reason: "replaced" });
     expect(texts()).toEqual([join.inClass.replaced]);
-    expect(classes.getState().joined).toBe(page);
+    expect(isInClass()).toBe(true);
     expect(storedMembership(tab)).toEqual(joined);
     screen.getState().messages[0]?.action?.run();
     expect(sent).toEqual([open, open]);
@@ -157,12 +156,12 @@ describe("the end of a class", () => {
   });
 
   it("by leaving discards the key, and ignores what arrives later", () => {
-    const { page, classes, tab, sent, texts, receive } = openPage();
+    const { page, isInClass, tab, sent, texts, receive } = openPage();
     receive({ kind: "connected" });
     page.leave();
     receive({ kind: "over", reason: "over" });
     expect(sent.at(-1)).toEqual({ type: "class", request: { kind: "close" } });
-    expect(classes.getState().joined).toBeNull();
+    expect(isInClass()).toBe(false);
     expect(storedMembership(tab)).toBeNull();
     expect(texts()).toEqual([]);
   });

@@ -13,7 +13,6 @@ import type {
 import type { SimulatorClient } from "../../simulator/simulator-client.ts";
 import { dismiss, showMessage, type Message, type ScreenStore } from "../screen/screen-store.ts";
 import type { KeyValueStorage } from "../storage/key-value-storage.ts";
-import type { ClassStore } from "./class-store.ts";
 import { removeMembership, storeMembership } from "./membership.ts";
 
 /** A connection that is lost for less than this is not worth a message, in ms. */
@@ -21,11 +20,12 @@ const LOST_MS = 3_000;
 
 export interface StudentClassPorts {
   simulator: Pick<SimulatorClient, "send" | "listen">;
-  classes: ClassStore;
   screen: ScreenStore;
   /** sessionStorage */
   tab: KeyValueStorage;
   words: Pick<i18n, "t">;
+  /** The student has left, was removed, or the class has ended. */
+  onEnd: () => void;
   /** @returns a function that cancels the call */
   later: (call: () => void, ms: number) => () => void;
 }
@@ -49,7 +49,6 @@ export class StudentClass {
     this.#unsubscribe = ports.simulator.listen((message) => {
       if (message.type === "class") this.#receive(message.session);
     });
-    ports.classes.setState({ joined: this });
     this.#connect();
   }
 
@@ -127,7 +126,7 @@ export class StudentClass {
     this.#endMessage();
     this.#unsubscribe();
     removeMembership(this.#ports.tab);
-    this.#ports.classes.setState({ joined: null });
+    this.#ports.onEnd();
   }
 
   #show(message: Omit<Message, "id">): void {

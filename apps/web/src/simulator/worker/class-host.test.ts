@@ -138,7 +138,7 @@ describe("a request for help", () => {
     expect(sent()).toEqual([{ type: "help", wanted: true }]);
   });
 
-  it("is sent at most once a second, with the newest wish", () => {
+  it("is sent at most once a second, and the newest one always", () => {
     const { host, sent, passSecond } = inClass();
     for (const wanted of [true, false, true, false]) host.handle({ kind: "help", wanted });
     expect(sent()).toEqual([{ type: "help", wanted: true }]);

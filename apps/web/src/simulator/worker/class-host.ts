@@ -112,7 +112,7 @@ export class ClassHost {
     }
   }
 
-  /** Sends the newest wish, and never faster than the relay accepts: it confirms none. */
+  /** Sends the newest request, and never faster than the relay accepts: it confirms none. */
   #sendHelp(): void {
     const wanted = this.#student?.helpWanted ?? false;
     if (this.#cancelHelp !== null || wanted === this.#sentHelp) return;
