@@ -181,6 +181,16 @@ test("the page reconnects after the network was lost", async ({ browser, relay }
   await network.close();
 });
 
+test("a long name fits every width of the bar", async ({ page, relay }) => {
+  const teacher = await ClassTeacher.start(relay, ["A name of 24 characters."]);
+  await enter(page, teacher.code);
+  for (const width of [1440, 1200, 1024, 900, 768, 600]) {
+    await page.setViewportSize({ width, height: 800 });
+    await expect(classButton(page)).toBeVisible();
+    expect(await horizontalOverflow(page), `${width} px`).toEqual([]);
+  }
+});
+
 test("the class menu fits phones, also in a right-to-left language", async ({
   openWindow,
   relay,

@@ -16,7 +16,7 @@ import styles from "./class-menu.module.css";
 export function ClassMenu({ joined }: { joined: StudentClass }) {
   const { t } = useTranslation("join", { useSuspense: false });
   const { t: tShared } = useTranslation();
-  const isNarrow = useMediaQuery("(max-width: 56.24em)");
+  const isNarrow = useMediaQuery("(max-width: 74.99em)");
   const menu = usePopover();
   const { status, student } = useStore(joined.session);
   const name = studentNameText(student?.name ?? joined.name);
