@@ -154,6 +154,45 @@ test("a student leaves only after an answer, and keeps the work", async ({ page,
   await expect(classButton(page)).toBeHidden();
 });
 
+test("a pause stops the robot and its keys until the teacher ends it, also after a reload", async ({
+  page,
+  relay,
+}) => {
+  const teacher = await ClassTeacher.start(relay, NAMES);
+  const corridor = await enter(page, teacher.code);
+  const band = page.getByText("Eyes to the front. Your teacher paused the class.");
+  const runButton = page.locator("button[data-does]");
+  await corridor.run.click();
+  await expect(runButton).toHaveAttribute("data-does", "pause");
+  await teacher.direct("PUT", "/pause", { seconds: 1_800 });
+  await expect(band).toBeVisible();
+  await expect(page.getByText(/^(30:00|29:\d\d) left\.$/)).toBeVisible();
+  await expect(runButton).not.toHaveAttribute("data-does", "pause");
+  await page.keyboard.press("Space");
+  expect(await runButton.evaluate((button) => button.closest("[inert]") !== null)).toBe(true);
+  await expectNoAxeViolations(page, "paused");
+  await page.reload();
+  await expect(band).toBeVisible();
+  await expect(runButton).not.toHaveAttribute("data-does", "pause");
+  await openMenu(page);
+  await teacher.direct("DELETE", "/pause");
+  await expect(band).toBeHidden();
+  await expect(corridor.messages).toContainText("You can continue.");
+  await corridor.run.click();
+  await expect(corridor.pause).toBeVisible();
+});
+
+test("a pause ends by the clock", async ({ page, relay }) => {
+  const teacher = await ClassTeacher.start(relay, NAMES);
+  const corridor = await enter(page, teacher.code);
+  await teacher.direct("PUT", "/pause", { seconds: 10 });
+  const band = page.getByText("Eyes to the front.");
+  await expect(band).toBeVisible();
+  await expect(band).toBeHidden({ timeout: 15_000 });
+  await corridor.run.click();
+  await expect(corridor.pause).toBeVisible();
+});
+
 test("the page reconnects after the network was lost", async ({ browser, relay }) => {
   test.setTimeout(90_000);
   const teacher = await ClassTeacher.start(relay, NAMES);

@@ -36,8 +36,8 @@ export class ClassTeacher {
   }
 
   /** A request with the teacher's key. @param path below the class */
-  async direct(method: "DELETE" | "PUT", path = ""): Promise<void> {
-    await this.#request(method, path);
+  async direct(method: "DELETE" | "PUT", path = "", body?: object): Promise<void> {
+    await this.#request(method, path, body);
   }
 
   /** Watches a student, as a dashboard does. @returns a function that ends it */
@@ -54,11 +54,15 @@ export class ClassTeacher {
     return () => socket.close();
   }
 
-  async #request(method: string, path: string): Promise<Response> {
+  async #request(method: string, path: string, body?: object): Promise<Response> {
     const { id, teacherKey } = this.created;
     const answer = await fetch(`${this.#relay}/api/v1/classes/${id}${path}`, {
       method,
-      headers: { Authorization: `Bearer ${teacherKey}` },
+      headers: {
+        Authorization: `Bearer ${teacherKey}`,
+        ...(body !== undefined && { "Content-Type": "application/json" }),
+      },
+      ...(body !== undefined && { body: JSON.stringify(body) }),
     });
     if (!answer.ok) throw new Error(`${method} ${path}: ${answer.status} ${await answer.text()}`);
     return answer;

@@ -16,7 +16,7 @@ import { SpokenRun } from "../features/speech/SpokenRun.tsx";
 import { Button } from "../ui/Button.tsx";
 import { Dialog } from "../ui/Dialog.tsx";
 import { Deferred } from "../ui/Deferred.tsx";
-import { lazyDialog } from "../ui/lazy-part.tsx";
+import { deferredPart, lazyDialog } from "../ui/lazy-part.tsx";
 import { useMediaQuery } from "../ui/use-media-query.ts";
 import styles from "./app.module.css";
 import { LoadingPage } from "./LoadingPage.tsx";
@@ -30,6 +30,9 @@ import { SidePanel } from "./SidePanel.tsx";
 import { TopBar } from "./TopBar.tsx";
 import { useKeyboard } from "./use-keyboard.ts";
 
+const PauseBand = deferredPart(
+  async () => (await import("../features/class/PauseBand.tsx")).PauseBand,
+);
 const OtherMazesDialog = lazyDialog(
   async () => (await import("../features/other-mazes/OtherMazesDialog.tsx")).OtherMazesDialog,
 );
@@ -52,7 +55,8 @@ function Page() {
   const { t } = useTranslation();
   const isPhone = useMediaQuery("(max-width: 37.49em)");
   const [opened, setOpened] = useState<"keys" | "remote" | null>(null);
-  const { camera, run, challenge } = useServices();
+  const { camera, run, challenge, classes } = useServices();
+  const { joined, isPaused } = useStore(classes);
   const isPathOpen = useStore(challenge, (state) => state.isPathOpen);
   const isDriving = useStore(camera, (state) => state.isDriving);
   const isNow = useStore(run, ({ view }) => view === "now");
@@ -67,36 +71,39 @@ function Page() {
         onRemote={() => setOpened("remote")}
         onLessons={() => challenge.setState({ isPathOpen: true })}
       />
-      <main className={styles["stage"]}>
-        <Deferred>
-          <StageArea />
-        </Deferred>
-        <FaultNotice />
-        <Deferred>
-          <Messages>
-            <PairingPlace />
-          </Messages>
-        </Deferred>
-      </main>
-      {isPhone ? (
-        <>
-          {/* The Drive tab needs the room, but an earlier tick always needs a way back to the
+      {joined !== null && isPaused && <PauseBand isWanted joined={joined} />}
+      <div className={styles["work"]} inert={isPaused}>
+        <main className={styles["stage"]}>
+          <Deferred>
+            <StageArea />
+          </Deferred>
+          <FaultNotice />
+          <Deferred>
+            <Messages>
+              <PairingPlace />
+            </Messages>
+          </Deferred>
+        </main>
+        {isPhone ? (
+          <>
+            {/* The Drive tab needs the room, but an earlier tick always needs a way back to the
               newest. */}
-          {(!isDriving || !isNow) && (
+            {(!isDriving || !isNow) && (
+              <div className={styles["footer"]}>
+                <RunControls />
+              </div>
+            )}
+            <PhoneSheet hold={hold} />
+          </>
+        ) : (
+          <>
+            <SidePanel hold={hold} />
             <div className={styles["footer"]}>
               <RunControls />
             </div>
-          )}
-          <PhoneSheet hold={hold} />
-        </>
-      ) : (
-        <>
-          <SidePanel hold={hold} />
-          <div className={styles["footer"]}>
-            <RunControls />
-          </div>
-        </>
-      )}
+          </>
+        )}
+      </div>
       <Deferred>
         <SpokenRun />
         <LessonsDialog

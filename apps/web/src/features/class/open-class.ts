@@ -18,8 +18,12 @@ export async function openClass(
     const timer = setTimeout(call, ms);
     return () => clearTimeout(timer);
   };
+  const onPause = (isPaused: boolean) => classes.setState({ isPaused });
   const onEnd = () => classes.setState({ joined: null });
-  const studentClass = new StudentClass({ simulator, screen, tab, words, onEnd, later }, joined);
+  const studentClass = new StudentClass(
+    { simulator, screen, tab, words, now: Date.now, onPause, onEnd, later },
+    joined,
+  );
   classes.setState({ joined: studentClass });
   window.addEventListener("online", () => studentClass.reconnect());
 }

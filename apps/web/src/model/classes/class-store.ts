@@ -2,7 +2,14 @@
 import { createStore } from "zustand/vanilla";
 import type { StudentClass } from "./student-class.ts";
 
+interface ClassState {
+  /** null: none */
+  joined: StudentClass | null;
+  /** whether the teacher has paused the class: the robot stands still, and nobody edits */
+  isPaused: boolean;
+}
+
 export function createClassStore() {
-  return createStore<{ joined: StudentClass | null }>()(() => ({ joined: null }));
+  return createStore<ClassState>()(() => ({ joined: null, isPaused: false }));
 }
 export type ClassStore = ReturnType<typeof createClassStore>;

@@ -1,7 +1,7 @@
 import type { JoinedClass } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { VolatileStorage } from "../storage/volatile-storage.ts";
-import { storedMembership, storeMembership } from "./membership.ts";
+import { removeMembership, storedMembership, storeMembership } from "./membership.ts";
 
 const joined: JoinedClass = {
   class: "A".repeat(22),
@@ -16,6 +16,13 @@ describe("the class of a tab", () => {
     expect(storedMembership(tab)).toBeNull();
     storeMembership(tab, joined);
     expect(storedMembership(tab)).toEqual(joined);
+  });
+
+  it("is none after the student has left", () => {
+    const tab = new VolatileStorage();
+    storeMembership(tab, joined);
+    removeMembership(tab);
+    expect(storedMembership(tab)).toBeNull();
   });
 
   it("is none if another version stored it", () => {

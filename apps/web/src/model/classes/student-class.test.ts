@@ -10,6 +10,7 @@ import { VolatileStorage } from "../storage/volatile-storage.ts";
 import { storedMembership, storeMembership } from "./membership.ts";
 import { StudentClass } from "./student-class.ts";
 
+const NOW = Date.UTC(2026, 0, 1);
 const joined: JoinedClass = {
   class: "A".repeat(22),
   student: 1,
@@ -23,6 +24,7 @@ const student: ClassStudent = {
   rename: "possible",
   helpWanted: false,
   watched: false,
+  pauseEndsAt: null,
 };
 
 /** The page of a student, and the worker's end of it. */
@@ -32,6 +34,9 @@ function openPage() {
   const timers = new Set<() => void>();
   let isInClass = true;
   const onEnd = () => (isInClass = false);
+  const paused: boolean[] = [];
+  const onPause = (isPaused: boolean) => void paused.push(isPaused);
+  const now = () => NOW;
   const screen = createScreenStore();
   const tab = new VolatileStorage();
   storeMembership(tab, joined);
@@ -48,11 +53,15 @@ function openPage() {
     timers.add(call);
     return () => void timers.delete(call);
   };
-  const page = new StudentClass({ simulator, screen, tab, words, onEnd, later }, joined);
+  const page = new StudentClass(
+    { simulator, screen, tab, words, now, onPause, onEnd, later },
+    joined,
+  );
   return {
     page,
     sent,
     isInClass: () => isInClass,
+    paused,
     tab,
     screen,
     texts: () => screen.getState().messages.map(({ text }) => text),
@@ -125,6 +134,50 @@ describe("a connection that is lost", () => {
     receive({ kind: "over", reason: "replaced" });
     page.reconnect();
     expect(sent).toHaveLength(2);
+  });
+});
+
+describe("a pause of the class", () => {
+  const pauseEndsAt = NOW + 60_000;
+
+  it("stops the robot once, until the clock ends it", () => {
+    const { paused, sent, texts, receive, wait } = openPage();
+    receive({ kind: "connected" }, { pauseEndsAt });
+    receive({ kind: "connected" }, { pauseEndsAt, helpWanted: true });
+    expect(paused).toEqual([true]);
+    expect(sent.slice(1)).toEqual([{ type: "pause" }]);
+    receive({ kind: "lost" }, { pauseEndsAt });
+    wait();
+    expect(paused).toEqual([true, false]);
+    expect(texts()).toContain(join.inClass.pauseOver);
+  });
+
+  it("ends when the teacher ends it", () => {
+    const { paused, texts, receive } = openPage();
+    receive({ kind: "connected" }, { pauseEndsAt });
+    receive({ kind: "connected" });
+    expect(paused).toEqual([true, false]);
+    expect(texts()).toEqual([join.inClass.pauseOver]);
+  });
+
+  it("is ignored if it has ended already", () => {
+    const { paused, texts, receive } = openPage();
+    receive({ kind: "connected" }, { pauseEndsAt: NOW });
+    expect(paused).toEqual([]);
+    expect(texts()).toEqual([]);
+  });
+
+  it("ends with the class, and when the student leaves", () => {
+    const { paused, texts, receive } = openPage();
+    receive({ kind: "connected" }, { pauseEndsAt });
+    receive({ kind: "over", reason: "over" }, { pauseEndsAt });
+    expect(paused.at(-1)).toBe(false);
+    expect(texts()).toEqual([join.inClass.over]);
+    const left = openPage();
+    left.receive({ kind: "connected" }, { pauseEndsAt });
+    left.page.leave();
+    expect(left.paused.at(-1)).toBe(false);
+    expect(left.texts()).toEqual([]);
   });
 });
 

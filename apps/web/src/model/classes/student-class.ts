@@ -24,6 +24,9 @@ export interface StudentClassPorts {
   /** sessionStorage */
   tab: KeyValueStorage;
   words: Pick<i18n, "t">;
+  /** milliseconds since 1970 */
+  now: () => number;
+  onPause: (isPaused: boolean) => void;
   /** The student has left, was removed, or the class has ended. */
   onEnd: () => void;
   /** @returns a function that cancels the call */
@@ -41,6 +44,8 @@ export class StudentClass {
   #cancelLost: (() => void) | null = null;
   /** id of the message about the connection; null: none */
   #message: number | null = null;
+  #pauseEndsAt: number | null = null;
+  #cancelPause: () => void = () => undefined;
 
   /** Connects at once. */
   constructor(ports: StudentClassPorts, joined: JoinedClass) {
@@ -97,9 +102,29 @@ export class StudentClass {
       storeMembership(this.#ports.tab, this.#joined);
     }
     this.session.setState(session);
+    this.#followPause(status.kind === "over" ? null : (student?.pauseEndsAt ?? null));
     if (status.kind === "over") this.#over(status.reason);
     else if (status.kind === "connected") this.#endMessage();
     else if (status.kind === "lost") this.#lost();
+  }
+
+  /** The clock ends the pause, also without a connection. */
+  #followPause(endsAt: number | null): void {
+    if (endsAt === this.#pauseEndsAt) return;
+    const wasPaused = this.#pauseEndsAt !== null;
+    this.#cancelPause();
+    const { simulator, screen, words, now, later, onPause } = this.#ports;
+    const leftMs = endsAt === null ? 0 : endsAt - now();
+    this.#pauseEndsAt = leftMs > 0 ? endsAt : null;
+    if (leftMs > 0) {
+      simulator.send({ type: "pause" });
+      this.#cancelPause = later(() => this.#followPause(null), leftMs);
+      return onPause(true);
+    }
+    if (!wasPaused) return;
+    onPause(false);
+    if (this.session.getState().status.kind === "over") return;
+    showMessage(screen, { tone: "info", text: words.t("join:inClass.pauseOver") });
   }
 
   #lost(): void {
@@ -124,8 +149,10 @@ export class StudentClass {
 
   #end(): void {
     this.#endMessage();
+    this.#cancelPause();
     this.#unsubscribe();
     removeMembership(this.#ports.tab);
+    this.#ports.onPause(false);
     this.#ports.onEnd();
   }
 

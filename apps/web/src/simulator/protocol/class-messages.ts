@@ -26,6 +26,8 @@ export interface ClassStudent {
   helpWanted: boolean;
   /** whether a teacher watches */
   watched: boolean;
+  /** end of the pause, in milliseconds since 1970; null: the class is not paused */
+  pauseEndsAt: number | null;
 }
 
 export interface ClassSession {

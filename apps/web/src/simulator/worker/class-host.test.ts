@@ -3,6 +3,7 @@ import { describe, expect, it } from "vitest";
 import type { ClassSession } from "../protocol/class-messages.ts";
 import { ClassHost } from "./class-host.ts";
 
+const NOW = Date.UTC(2026, 0, 1);
 const open = { kind: "open", id: "A".repeat(22), key: `stu_${"B".repeat(22)}` } as const;
 const name = { word: 17, text: null };
 const welcome = {
@@ -31,6 +32,7 @@ function newHost() {
   };
   const host = new ClassHost({
     origin: "http://localhost",
+    now: () => NOW,
     onSession: (session) => sessions.push(session),
     after,
     platform: {
@@ -85,8 +87,17 @@ describe("a student's connection in the worker", () => {
     host.handle(open);
     expect(session()).toEqual({ status: { kind: "connecting" }, student: null });
     accept();
-    const student = { name, renamesLeft: 2, rename: "possible", helpWanted: false, watched: false };
-    expect(session()).toEqual({ status: { kind: "connected" }, student });
+    expect(session()).toEqual({
+      status: { kind: "connected" },
+      student: {
+        name,
+        renamesLeft: 2,
+        rename: "possible",
+        helpWanted: false,
+        watched: false,
+        pauseEndsAt: null,
+      },
+    });
   });
 
   it("reports that the teacher watches, and stops", () => {
@@ -95,6 +106,19 @@ describe("a student's connection in the worker", () => {
     expect(session()?.student?.watched).toBe(true);
     receive({ type: "watched", watched: false });
     expect(session()?.student?.watched).toBe(false);
+  });
+
+  it("reports a pause with its end, also one that began before it connected", () => {
+    const { host, sockets, receive, session, close } = inClass();
+    receive({ type: "pause", endsInMs: 60_000 });
+    expect(session()?.student?.pauseEndsAt).toBe(NOW + 60_000);
+    receive({ type: "pause", endsInMs: null });
+    expect(session()?.student?.pauseEndsAt).toBeNull();
+    close(1006);
+    host.handle(open);
+    sockets.at(-1)?.events.opened();
+    receive({ ...welcome, pauseEndsInMs: 30_000 });
+    expect(session()?.student?.pauseEndsAt).toBe(NOW + 30_000);
   });
 
   it("keeps the student through a lost connection, and reconnects at once if asked to", () => {

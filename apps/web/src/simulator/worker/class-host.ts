@@ -1,5 +1,10 @@
 /** The student's connection to a class. Loads when the page of a student connects. */
-import { LearnLink, type ClassMessage, type LearnLinkOptions } from "@corridor/client/learn";
+import {
+  LearnLink,
+  type ClassMessage,
+  type ConnectionStatus,
+  type LearnLinkOptions,
+} from "@corridor/client/learn";
 import { closeReasons } from "@corridor/protocol";
 import type {
   ClassEnding,
@@ -13,11 +18,11 @@ import type {
 const HELP_INTERVAL_MS = 1_000;
 const NO_OTHER_NAME = "/problems/no-other-name";
 
-type LinkStatus = Parameters<LearnLinkOptions["onStatus"]>[0];
-
 export interface ClassHostPorts {
   /** origin of the page and its relay */
   origin: string;
+  /** milliseconds since 1970 */
+  now(): number;
   onSession(session: ClassSession): void;
   /** Calls once after `ms`. @returns a function that cancels the call */
   after(ms: number, call: () => void): () => void;
@@ -87,9 +92,17 @@ export class ClassHost {
     switch (message.type) {
       case "welcome": {
         const { name, renamesLeft, helpWanted, watched } = message;
+        const pauseEndsAt = this.#pauseEnd(message.pauseEndsInMs);
         this.#sentHelp = helpWanted;
         // `connected` follows and posts it.
-        this.#student = { name, renamesLeft, helpWanted, watched, rename: "possible" };
+        this.#student = {
+          name,
+          renamesLeft,
+          helpWanted,
+          watched,
+          pauseEndsAt,
+          rename: "possible",
+        };
         return;
       }
       case "name": {
@@ -103,8 +116,9 @@ export class ClassHost {
         const isRefused = message.problem.type === NO_OTHER_NAME;
         return this.#change({ rename: isRefused ? "refused" : "possible" });
       }
-      case "lesson":
       case "pause":
+        return this.#change({ pauseEndsAt: this.#pauseEnd(message.endsInMs) });
+      case "lesson":
       case "pace":
       case "hint":
       case "stored":
@@ -125,10 +139,14 @@ export class ClassHost {
     });
   }
 
-  #linkChanged(status: LinkStatus): void {
+  #linkChanged(status: ConnectionStatus): void {
     if (status.kind !== "over") return this.#setStatus({ kind: status.kind });
     this.#link = null;
     return this.#setStatus({ kind: "over", reason: endingOf(status.reason.code) });
+  }
+
+  #pauseEnd(endsInMs: number | null): number | null {
+    return endsInMs === null ? null : this.#ports.now() + endsInMs;
   }
 
   #change(change: Partial<ClassStudent>): void {

@@ -86,6 +86,7 @@ const studentClass = new Lazy(async () => {
   const { ClassHost } = await import("./class-host.ts");
   return new ClassHost({
     origin: worker.location.origin,
+    now: () => Date.now(),
     onSession: postClass,
     after: (ms, call) => {
       const timer = setTimeout(() => guarded(call), ms);
