@@ -16,7 +16,7 @@ import { SpokenRun } from "../features/speech/SpokenRun.tsx";
 import { Button } from "../ui/Button.tsx";
 import { Dialog } from "../ui/Dialog.tsx";
 import { Deferred } from "../ui/Deferred.tsx";
-import { deferredPart, lazyDialog } from "../ui/lazy-part.tsx";
+import { lazyDialog } from "../ui/lazy-part.tsx";
 import { useMediaQuery } from "../ui/use-media-query.ts";
 import styles from "./app.module.css";
 import { LoadingPage } from "./LoadingPage.tsx";
@@ -30,9 +30,6 @@ import { SidePanel } from "./SidePanel.tsx";
 import { TopBar } from "./TopBar.tsx";
 import { useKeyboard } from "./use-keyboard.ts";
 
-const PauseBand = deferredPart(
-  async () => (await import("../features/class/PauseBand.tsx")).PauseBand,
-);
 const OtherMazesDialog = lazyDialog(
   async () => (await import("../features/other-mazes/OtherMazesDialog.tsx")).OtherMazesDialog,
 );
@@ -56,7 +53,7 @@ function Page() {
   const isPhone = useMediaQuery("(max-width: 37.49em)");
   const [opened, setOpened] = useState<"keys" | "remote" | null>(null);
   const { camera, run, challenge, classes } = useServices();
-  const { joined, isPaused } = useStore(classes);
+  const { shown: inClass, isPaused } = useStore(classes);
   const isPathOpen = useStore(challenge, (state) => state.isPathOpen);
   const isDriving = useStore(camera, (state) => state.isDriving);
   const isNow = useStore(run, ({ view }) => view === "now");
@@ -71,7 +68,7 @@ function Page() {
         onRemote={() => setOpened("remote")}
         onLessons={() => challenge.setState({ isPathOpen: true })}
       />
-      {joined !== null && isPaused && <PauseBand isWanted joined={joined} />}
+      {inClass !== null && isPaused && <inClass.Band joined={inClass.joined} />}
       <div className={styles["work"]} inert={isPaused}>
         <main className={styles["stage"]}>
           <Deferred>

@@ -8,7 +8,7 @@ import { ShareButton } from "../features/share/ShareButton.tsx";
 import { MazeMenu } from "../features/projects/MazeMenu.tsx";
 import { Icon } from "../ui/Icon.tsx";
 import { IconButton } from "../ui/Button.tsx";
-import { deferredPart, lazyPart } from "../ui/lazy-part.tsx";
+import { lazyPart } from "../ui/lazy-part.tsx";
 import { Deferred } from "../ui/Deferred.tsx";
 import { Popover, usePopover } from "../ui/Popover.tsx";
 import { useMediaQuery } from "../ui/use-media-query.ts";
@@ -20,15 +20,12 @@ import { algorithms, FileItems } from "./lazy-menus.tsx";
 import { useTool } from "../model/use-rights.ts";
 import { useServices } from "../model/use-services.ts";
 
-const ClassMenu = deferredPart(
-  async () => (await import("../features/class/ClassMenu.tsx")).ClassMenu,
-);
 const MoreMenu = lazyPart(async () => (await import("./MoreMenu.tsx")).MoreMenu);
 
 export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
   const { t } = useTranslation();
   const { screen, classes } = useServices();
-  const joined = useStore(classes, (state) => state.joined);
+  const inClass = useStore(classes, ({ shown }) => shown);
   // The maze's name needs the room first.
   const isNarrow = useMediaQuery("(max-width: 56.24em)");
   const hasPresets = useTool("presets");
@@ -42,7 +39,7 @@ export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
           {!isPhone && hasPresets && <PresetsButton algorithms={algorithms} />}
           {!isPhone && <LessonsButton />}
           {hasShare && <ShareButton />}
-          {joined !== null && <ClassMenu isWanted joined={joined} />}
+          {inClass !== null && <inClass.Menu joined={inClass.joined} />}
           {isNarrow ? (
             <More isPhone={isPhone} onKeys={onKeys} onRemote={onRemote} onLessons={onLessons} />
           ) : (

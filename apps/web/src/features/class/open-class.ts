@@ -4,6 +4,8 @@ import { storedMembership } from "../../model/classes/membership.ts";
 import { StudentClass } from "../../model/classes/student-class.ts";
 import type { Services } from "../../model/services.ts";
 import type { KeyValueStorage } from "../../model/storage/key-value-storage.ts";
+import { ClassMenu } from "./ClassMenu.tsx";
+import { PauseBand } from "./PauseBand.tsx";
 
 /** @param tab sessionStorage */
 export async function openClass(
@@ -19,11 +21,11 @@ export async function openClass(
     return () => clearTimeout(timer);
   };
   const onPause = (isPaused: boolean) => classes.setState({ isPaused });
-  const onEnd = () => classes.setState({ joined: null });
+  const onEnd = () => classes.setState({ shown: null });
   const studentClass = new StudentClass(
     { simulator, screen, tab, words, now: Date.now, onPause, onEnd, later },
     joined,
   );
-  classes.setState({ joined: studentClass });
+  classes.setState({ shown: { joined: studentClass, Menu: ClassMenu, Band: PauseBand } });
   window.addEventListener("online", () => studentClass.reconnect());
 }
