@@ -34,7 +34,7 @@ export const problemKinds = {
     fix: [
       "Send the part of the address after `#` as the key: `Authorization: Bearer drv_...`.",
       "On a command line, quote the address. Without quotes, the shell drops the key.",
-      "Copy the address again from **Remote** on the robot's page. **New key** revokes the key of the old address.",
+      "Under **Remote** on the robot's page, choose **Copy address with key**. **New key** revokes the key of the old address.",
     ],
   },
   forbidden: {

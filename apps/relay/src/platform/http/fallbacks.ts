@@ -18,7 +18,7 @@ export function methodNotAllowed(allowed: string): RequestHandler {
 export const notFound: RequestHandler = () => {
   throw new Refusal(
     "not-found",
-    "Check the path for typing errors. API paths start with /api/v1/robots.",
+    "Check the path for typing errors. /openapi.json lists all API paths, such as /api/v1/robots/ID/commands.",
   );
 };
 
