@@ -1,6 +1,6 @@
 /** Students join a class on `/join`, with the letters that the teacher shows. */
 import type { Locator, Page } from "playwright/test";
-import { studentWords } from "../apps/web/src/model/classes/student-names.ts";
+import names from "../apps/web/src/text/en/names.json" with { type: "json" };
 import { expect, test } from "./fixtures.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 import { ClassTeacher } from "./support/class-teacher.ts";
@@ -37,7 +37,7 @@ test("a student joins with small letters, and stays in the class after a reload"
   const title = page.getByRole("heading", { name: /^You are / });
   await expect(title).toBeFocused();
   const name = (await title.textContent())?.replace("You are ", "") ?? "";
-  expect(studentWords).toContain(name);
+  expect(Object.values(names.words)).toContain(name);
   await page.reload();
   await expect(page.getByRole("heading", { name: `You are ${name}` })).toBeVisible();
   await page.getByText("What my teacher sees").click();

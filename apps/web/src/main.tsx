@@ -130,7 +130,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   window.addEventListener("hashchange", () => void followOrReport(false));
 
   screen.setState({ isOpening: isAsked() });
-  if (tab.getItem(CLASS_KEY) !== null) void openClass(services, words);
+  const inClass = tab.getItem(CLASS_KEY) === null ? null : openClass(services, words);
   const page = (
     <I18nextProvider i18n={words}>
       <ServicesProvider value={services}>
@@ -144,8 +144,10 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   await replaceStaticPage(container, () => startTransition(() => root.render(page)));
 
   // The page appears before the content of its address: a link may take long or never load.
-  void followOrReport(true).finally(() => {
+  void followOrReport(true).finally(async () => {
     screen.setState({ isOpening: false });
+    // A pause of the class must be known before a script's robot drives again.
+    await inClass;
     void services.restorer.resume().then(() => {
       services.connection.resume();
       void services.lessons.handOver();

@@ -53,7 +53,7 @@ function Page() {
   const isPhone = useMediaQuery("(max-width: 37.49em)");
   const [opened, setOpened] = useState<"keys" | "remote" | null>(null);
   const { camera, run, challenge, classes } = useServices();
-  const { shown: inClass, isPaused } = useStore(classes);
+  const { shown: inClass, pauseEndsAt } = useStore(classes);
   const isPathOpen = useStore(challenge, (state) => state.isPathOpen);
   const isDriving = useStore(camera, (state) => state.isDriving);
   const isNow = useStore(run, ({ view }) => view === "now");
@@ -68,8 +68,8 @@ function Page() {
         onRemote={() => setOpened("remote")}
         onLessons={() => challenge.setState({ isPathOpen: true })}
       />
-      {inClass !== null && isPaused && <inClass.Band joined={inClass.joined} />}
-      <div className={styles["work"]} inert={isPaused}>
+      {inClass !== null && pauseEndsAt !== null && <inClass.Band endsAt={pauseEndsAt} />}
+      <div className={styles["work"]} inert={pauseEndsAt !== null}>
         <main className={styles["stage"]}>
           <Deferred>
             <StageArea />

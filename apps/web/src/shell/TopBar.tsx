@@ -25,7 +25,9 @@ const MoreMenu = lazyPart(async () => (await import("./MoreMenu.tsx")).MoreMenu)
 export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
   const { t } = useTranslation();
   const { screen, classes } = useServices();
-  const inClass = useStore(classes, ({ shown }) => shown);
+  const { shown: inClass, pauseEndsAt } = useStore(classes);
+  // During a pause, only the class menu works.
+  const work = { className: styles["work"], inert: pauseEndsAt !== null };
   // The maze's name needs the room first.
   const isNarrow = useMediaQuery("(max-width: 56.24em)");
   const hasPresets = useTool("presets");
@@ -34,22 +36,28 @@ export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
     <header className={styles["bar"]}>
       <Brand />
       <Deferred>
-        <MazeMenu files={<FileItems />} />
+        <div {...work}>
+          <MazeMenu files={<FileItems />} />
+        </div>
         <div className={styles["end"]}>
-          {!isPhone && hasPresets && <PresetsButton algorithms={algorithms} />}
-          {!isPhone && <LessonsButton />}
-          {hasShare && <ShareButton />}
+          <div {...work}>
+            {!isPhone && hasPresets && <PresetsButton algorithms={algorithms} />}
+            {!isPhone && <LessonsButton />}
+            {hasShare && <ShareButton />}
+          </div>
           {inClass !== null && <inClass.Menu joined={inClass.joined} />}
-          {isNarrow ? (
-            <More isPhone={isPhone} onKeys={onKeys} onRemote={onRemote} onLessons={onLessons} />
-          ) : (
-            <div className={styles["last"]}>
-              <IconButton label={t("shell.keys.title")} size="medium" onClick={onKeys}>
-                <Icon of={Keyboard} />
-              </IconButton>
-              <PageTools screen={screen} />
-            </div>
-          )}
+          <div {...work}>
+            {isNarrow ? (
+              <More isPhone={isPhone} onKeys={onKeys} onRemote={onRemote} onLessons={onLessons} />
+            ) : (
+              <div className={styles["last"]}>
+                <IconButton label={t("shell.keys.title")} size="medium" onClick={onKeys}>
+                  <Icon of={Keyboard} />
+                </IconButton>
+                <PageTools screen={screen} />
+              </div>
+            )}
+          </div>
         </div>
       </Deferred>
     </header>

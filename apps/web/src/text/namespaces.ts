@@ -9,6 +9,7 @@ import type lessonEditor from "./en/lesson-editor.json";
 import type diagnosis from "./en/diagnosis.json";
 import type join from "./en/join.json";
 import type missions from "./en/missions.json";
+import type names from "./en/names.json";
 import type otherMazes from "./en/other-mazes.json";
 import type runDetails from "./en/run-details.json";
 import type race from "./en/race.json";
@@ -28,6 +29,8 @@ export interface Namespaces {
   join: typeof join;
   /** the lessons */
   missions: typeof missions;
+  /** the words that students get as names in a class */
+  names: typeof names;
   /** "Try it in other mazes" */
   otherMazes: typeof otherMazes;
   /** texts that the controls of a run need only in use: taking over, zoom, commands */

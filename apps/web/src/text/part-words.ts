@@ -128,6 +128,16 @@ export const partLoaders: Record<
     pt: async () => (await import("./pt/join.json")).default,
     "zh-Hans": async () => (await import("./zh-Hans/join.json")).default,
   },
+  names: {
+    en: async () => (await import("./en/names.json")).default,
+    ar: async () => (await import("./ar/names.json")).default,
+    de: async () => (await import("./de/names.json")).default,
+    es: async () => (await import("./es/names.json")).default,
+    fr: async () => (await import("./fr/names.json")).default,
+    ja: async () => (await import("./ja/names.json")).default,
+    pt: async () => (await import("./pt/names.json")).default,
+    "zh-Hans": async () => (await import("./zh-Hans/names.json")).default,
+  },
   watch: {
     en: async () => (await import("./en/watch.json")).default,
     ar: async () => (await import("./ar/watch.json")).default,

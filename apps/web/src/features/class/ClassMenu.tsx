@@ -16,10 +16,11 @@ import styles from "./class-menu.module.css";
 export function ClassMenu({ joined }: { joined: StudentClass }) {
   const { t } = useTranslation("join", { useSuspense: false });
   const { t: tShared } = useTranslation();
+  const { t: tNames } = useTranslation("names", { useSuspense: false });
   const isNarrow = useMediaQuery("(max-width: 74.99em)");
   const menu = usePopover();
   const { status, student } = useStore(joined.session);
-  const name = studentNameText(student?.name ?? joined.name);
+  const name = studentNameText(tNames, student?.name ?? joined.name);
   const isWatched = status.kind === "connected" && student?.watched === true;
   const text = t("inClass.button", { name });
   const watched = isWatched ? t("inClass.watched") : null;

@@ -17,8 +17,9 @@ interface ClassProps {
 
 export function ClassMenuContent({ joined }: ClassProps) {
   const { t } = useTranslation("join", { useSuspense: false });
+  const { t: tNames } = useTranslation("names", { useSuspense: false });
   const { status, student } = useStore(joined.session);
-  const name = studentNameText(student?.name ?? joined.name);
+  const name = studentNameText(tNames, student?.name ?? joined.name);
   return (
     <div className={styles["content"]}>
       <output className={styles["you"]}>{t("inClass.youAre", { name })}</output>

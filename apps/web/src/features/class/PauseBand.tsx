@@ -2,17 +2,15 @@
 import { Pause } from "lucide";
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
-import { useStore } from "zustand";
-import type { StudentClass } from "../../model/classes/student-class.ts";
 import { useAnnouncement } from "../../model/use-announcement.ts";
 import { joinSentences } from "../../text/joined.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import styles from "./pause-band.module.css";
 
-export function PauseBand({ joined }: { joined: StudentClass }) {
+/** @param endsAt in milliseconds since 1970 */
+export function PauseBand({ endsAt }: { endsAt: number }) {
   const { t } = useTranslation("join", { useSuspense: false });
   const { t: tShared } = useTranslation();
-  const endsAt = useStore(joined.session, ({ student }) => student?.pauseEndsAt ?? 0);
   const left = useSecondsLeft(endsAt);
   const paused = t("inClass.paused");
   const saved = t("inClass.pausedSaved");

@@ -15,12 +15,15 @@ export async function openClass(
 ): Promise<void> {
   const joined = storedMembership(tab);
   if (joined === null) return;
-  await words.loadNamespaces("join");
+  await words.loadNamespaces(["join", "names"]);
   const later = (call: () => void, ms: number) => {
     const timer = setTimeout(call, ms);
     return () => clearTimeout(timer);
   };
-  const onPause = (isPaused: boolean) => classes.setState({ isPaused });
+  const onPause = (pauseEndsAt: number | null) => {
+    classes.setState({ pauseEndsAt });
+    if (pauseEndsAt !== null) closeEverything();
+  };
   const onEnd = () => classes.setState({ shown: null });
   const studentClass = new StudentClass(
     { simulator, screen, tab, words, now: Date.now, onPause, onEnd, later },
@@ -28,4 +31,10 @@ export async function openClass(
   );
   classes.setState({ shown: { joined: studentClass, Menu: ClassMenu, Band: PauseBand } });
   window.addEventListener("online", () => studentClass.reconnect());
+}
+
+/** Closes dialogs and menus, which would cover the pause or be left open without use. */
+function closeEverything(): void {
+  for (const menu of document.querySelectorAll<HTMLElement>(":popover-open")) menu.hidePopover();
+  for (const dialog of document.querySelectorAll<HTMLDialogElement>("dialog[open]")) dialog.close();
 }

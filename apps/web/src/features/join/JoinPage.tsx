@@ -54,7 +54,7 @@ export function JoinPage({ tab, tools }: JoinPageProps) {
           {joined === null ? (
             <JoinForm key={code} code={code} onJoin={enter} />
           ) : (
-            <JoinedClassCard joined={joined} />
+            <JoinedClassCard joined={joined} onRename={enter} />
           )}
         </main>
       </div>

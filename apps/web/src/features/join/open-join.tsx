@@ -9,7 +9,7 @@ import { JoinPage } from "./JoinPage.tsx";
 
 export async function openPage({ root, words, language, tools }: PageParts): Promise<void> {
   const tab = storageOrNone(() => sessionStorage);
-  await words.loadNamespaces("join");
+  await words.loadNamespaces(["join", "names"]);
   root.render(
     <I18nextProvider i18n={words}>
       <LanguageProvider value={language}>

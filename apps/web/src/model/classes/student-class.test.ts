@@ -28,17 +28,16 @@ const student: ClassStudent = {
 };
 
 /** The page of a student, and the worker's end of it. */
-function openPage() {
+function openPage(tab = new VolatileStorage()) {
   const sent: ToWorker[] = [];
   const listeners = new Set<(message: FromWorker) => void>();
   const timers = new Set<() => void>();
   let isInClass = true;
   const onEnd = () => (isInClass = false);
-  const paused: boolean[] = [];
-  const onPause = (isPaused: boolean) => void paused.push(isPaused);
+  const pauses: (number | null)[] = [];
+  const onPause = (endsAt: number | null) => void pauses.push(endsAt);
   const now = () => NOW;
   const screen = createScreenStore();
-  const tab = new VolatileStorage();
   storeMembership(tab, joined);
   const words = createI18n(en);
   words.addResourceBundle("en", "join", join);
@@ -61,10 +60,15 @@ function openPage() {
     page,
     sent,
     isInClass: () => isInClass,
-    paused,
+    pauses,
     tab,
     screen,
     texts: () => screen.getState().messages.map(({ text }) => text),
+    /** reports a page that connects, of which the class has not answered yet */
+    reconnect: (): void => {
+      const session: ClassSession = { status: { kind: "connecting" }, student: null };
+      for (const listener of listeners) listener({ type: "class", session });
+    },
     receive: (status: ClassSession["status"], change: Partial<ClassStudent> = {}): void => {
       const session = { status, student: { ...student, ...change } };
       for (const listener of listeners) listener({ type: "class", session });
@@ -141,42 +145,54 @@ describe("a pause of the class", () => {
   const pauseEndsAt = NOW + 60_000;
 
   it("stops the robot once, until the clock ends it", () => {
-    const { paused, sent, texts, receive, wait } = openPage();
+    const { pauses, sent, texts, receive, wait } = openPage();
     receive({ kind: "connected" }, { pauseEndsAt });
     receive({ kind: "connected" }, { pauseEndsAt, helpWanted: true });
-    expect(paused).toEqual([true]);
-    expect(sent.slice(1)).toEqual([{ type: "pause" }]);
+    expect(pauses).toEqual([pauseEndsAt]);
+    expect(sent.slice(1)).toEqual([{ type: "class-pause", isPaused: true }]);
     receive({ kind: "lost" }, { pauseEndsAt });
     wait();
-    expect(paused).toEqual([true, false]);
+    expect(pauses).toEqual([pauseEndsAt, null]);
+    expect(sent.at(-1)).toEqual({ type: "class-pause", isPaused: false });
     expect(texts()).toContain(join.inClass.pauseOver);
   });
 
   it("ends when the teacher ends it", () => {
-    const { paused, texts, receive } = openPage();
+    const { pauses, texts, receive } = openPage();
     receive({ kind: "connected" }, { pauseEndsAt });
     receive({ kind: "connected" });
-    expect(paused).toEqual([true, false]);
+    expect(pauses).toEqual([pauseEndsAt, null]);
     expect(texts()).toEqual([join.inClass.pauseOver]);
   });
 
+  it("continues at once after a reload, before the class answers", () => {
+    const { tab, receive } = openPage();
+    receive({ kind: "connected" }, { pauseEndsAt });
+    const { pauses, sent, reconnect, texts } = openPage(tab);
+    expect(pauses).toEqual([pauseEndsAt]);
+    expect(sent).toEqual([{ type: "class-pause", isPaused: true }, open]);
+    reconnect();
+    expect(pauses).toEqual([pauseEndsAt]);
+    expect(texts()).toEqual([]);
+  });
+
   it("is ignored if it has ended already", () => {
-    const { paused, texts, receive } = openPage();
+    const { pauses, texts, receive } = openPage();
     receive({ kind: "connected" }, { pauseEndsAt: NOW });
-    expect(paused).toEqual([]);
+    expect(pauses).toEqual([]);
     expect(texts()).toEqual([]);
   });
 
   it("ends with the class, and when the student leaves", () => {
-    const { paused, texts, receive } = openPage();
+    const { pauses, texts, receive } = openPage();
     receive({ kind: "connected" }, { pauseEndsAt });
     receive({ kind: "over", reason: "over" }, { pauseEndsAt });
-    expect(paused.at(-1)).toBe(false);
+    expect(pauses.at(-1)).toBeNull();
     expect(texts()).toEqual([join.inClass.over]);
     const left = openPage();
     left.receive({ kind: "connected" }, { pauseEndsAt });
     left.page.leave();
-    expect(left.paused.at(-1)).toBe(false);
+    expect(left.pauses.at(-1)).toBeNull();
     expect(left.texts()).toEqual([]);
   });
 });

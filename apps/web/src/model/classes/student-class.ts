@@ -13,7 +13,12 @@ import type {
 import type { SimulatorClient } from "../../simulator/simulator-client.ts";
 import { dismiss, showMessage, type Message, type ScreenStore } from "../screen/screen-store.ts";
 import type { KeyValueStorage } from "../storage/key-value-storage.ts";
-import { removeMembership, storeMembership } from "./membership.ts";
+import {
+  removeMembership,
+  storedPauseEnd,
+  storeMembership,
+  storePauseEnd,
+} from "./membership.ts";
 
 /** A connection that is lost for less than this is not worth a message, in ms. */
 const LOST_MS = 3_000;
@@ -26,7 +31,8 @@ export interface StudentClassPorts {
   words: Pick<i18n, "t">;
   /** milliseconds since 1970 */
   now: () => number;
-  onPause: (isPaused: boolean) => void;
+  /** @param endsAt end of the pause, in milliseconds since 1970; null: it is over */
+  onPause: (endsAt: number | null) => void;
   /** The student has left, was removed, or the class has ended. */
   onEnd: () => void;
   /** @returns a function that cancels the call */
@@ -54,6 +60,7 @@ export class StudentClass {
     this.#unsubscribe = ports.simulator.listen((message) => {
       if (message.type === "class") this.#receive(message.session);
     });
+    this.#followPause(storedPauseEnd(ports.tab));
     this.#connect();
   }
 
@@ -102,7 +109,8 @@ export class StudentClass {
       storeMembership(this.#ports.tab, this.#joined);
     }
     this.session.setState(session);
-    this.#followPause(status.kind === "over" ? null : (student?.pauseEndsAt ?? null));
+    if (status.kind === "over") this.#followPause(null);
+    else if (student !== null) this.#followPause(student.pauseEndsAt);
     if (status.kind === "over") this.#over(status.reason);
     else if (status.kind === "connected") this.#endMessage();
     else if (status.kind === "lost") this.#lost();
@@ -113,18 +121,24 @@ export class StudentClass {
     if (endsAt === this.#pauseEndsAt) return;
     const wasPaused = this.#pauseEndsAt !== null;
     this.#cancelPause();
-    const { simulator, screen, words, now, later, onPause } = this.#ports;
+    const { screen, words, now, later } = this.#ports;
     const leftMs = endsAt === null ? 0 : endsAt - now();
     this.#pauseEndsAt = leftMs > 0 ? endsAt : null;
     if (leftMs > 0) {
-      simulator.send({ type: "pause" });
       this.#cancelPause = later(() => this.#followPause(null), leftMs);
-      return onPause(true);
+      return this.#setPause();
     }
     if (!wasPaused) return;
-    onPause(false);
+    this.#setPause();
     if (this.session.getState().status.kind === "over") return;
     showMessage(screen, { tone: "info", text: words.t("join:inClass.pauseOver") });
+  }
+
+  #setPause(): void {
+    const { simulator, tab, onPause } = this.#ports;
+    simulator.send({ type: "class-pause", isPaused: this.#pauseEndsAt !== null });
+    storePauseEnd(tab, this.#pauseEndsAt);
+    onPause(this.#pauseEndsAt);
   }
 
   #lost(): void {
@@ -151,8 +165,11 @@ export class StudentClass {
     this.#endMessage();
     this.#cancelPause();
     this.#unsubscribe();
+    if (this.#pauseEndsAt !== null) {
+      this.#pauseEndsAt = null;
+      this.#setPause();
+    }
     removeMembership(this.#ports.tab);
-    this.#ports.onPause(false);
     this.#ports.onEnd();
   }
 

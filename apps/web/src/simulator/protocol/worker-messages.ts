@@ -131,6 +131,8 @@ export type ToWorker =
   | { type: "remote-close" }
   | { type: "remote-clear" }
   | { type: "class"; request: ClassRequest }
+  /** the teacher pauses the class, or ends the pause: nothing moves the robot meanwhile */
+  | { type: "class-pause"; isPaused: boolean }
   /** runs a program, or commands at given ticks, without the robot and answers with the digest */
   | {
       type: "digest";

@@ -5,9 +5,8 @@ import {
   type ConnectionStatus,
   type LearnLinkOptions,
 } from "@corridor/client/learn";
-import { closeReasons } from "@corridor/protocol";
+import { endingOf } from "../protocol/class-ending.ts";
 import type {
-  ClassEnding,
   ClassRequest,
   ClassSession,
   ClassStatus,
@@ -159,10 +158,4 @@ export class ClassHost {
     this.#status = status;
     this.#ports.onSession({ status, student: this.#student });
   }
-}
-
-/** @param code a close code without retry */
-function endingOf(code: number): ClassEnding {
-  if (code === closeReasons.replaced.code) return "replaced";
-  return code === closeReasons.over.code ? "over" : "removed";
 }

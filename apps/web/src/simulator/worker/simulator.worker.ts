@@ -238,6 +238,8 @@ function control(run: RunLoop, message: RunMessage): void {
       return race.use((ghosts) => ghosts.remove(message.id));
     case "cancel-load":
       return recorded.cancel(message.id);
+    case "class-pause":
+      return run.suspend(message.isPaused);
     case "remote-open":
       return withHost((host) => host.open(message.session, message.fresh));
     case "remote-close":

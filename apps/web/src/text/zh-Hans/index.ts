@@ -14,6 +14,7 @@ export const files = import.meta.glob<Words>(
     "!./daily.json",
     "!./sound.json",
     "!./join.json",
+    "!./names.json",
     "!./lesson-editor.json",
     "!./teach.json",
     "!./watch.json",
