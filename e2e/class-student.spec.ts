@@ -41,6 +41,11 @@ function item(page: Page, name: string | RegExp): Locator {
   return menuOf(page).getByRole("button", { name });
 }
 
+/** The band of a pause. The live region has a longer text. */
+function bandOf(page: Page): Locator {
+  return page.getByText("Eyes to the front. Your teacher paused the class.", { exact: true });
+}
+
 /** A copy of the tab, as "Duplicate tab" makes it: with the same session storage. */
 async function duplicate(context: BrowserContext, page: Page): Promise<Page> {
   const stored = await page.evaluate(() => sessionStorage.getItem("corridor.class"));
@@ -160,7 +165,7 @@ test("a pause stops the robot and its keys until the teacher ends it, also after
 }) => {
   const teacher = await ClassTeacher.start(relay, NAMES);
   const corridor = await enter(page, teacher.code);
-  const band = page.getByText("Eyes to the front. Your teacher paused the class.");
+  const band = bandOf(page);
   const runButton = page.locator("button[data-does]");
   await corridor.run.click();
   await expect(runButton).toHaveAttribute("data-does", "pause");
@@ -186,7 +191,7 @@ test("a pause ends by the clock", async ({ page, relay }) => {
   const teacher = await ClassTeacher.start(relay, NAMES);
   const corridor = await enter(page, teacher.code);
   await teacher.direct("PUT", "/pause", { seconds: 10 });
-  const band = page.getByText("Eyes to the front.");
+  const band = bandOf(page);
   await expect(band).toBeVisible();
   await expect(band).toBeHidden({ timeout: 15_000 });
   await corridor.run.click();

@@ -4,9 +4,7 @@ import { startTransition } from "react";
 import { createRoot } from "react-dom/client";
 import { I18nextProvider } from "react-i18next";
 import { App } from "./shell/App.tsx";
-import { PageTools } from "./shell/PageTools.tsx";
 import { flushWhenHidden, type PageLife } from "./model/projects/autosave.ts";
-import type { OpenPage } from "./model/page-parts.ts";
 import { browserLanguage } from "./shell/boot/browser-language.ts";
 import type { LanguageChoice } from "./model/preferences/language.ts";
 import { LanguageProvider } from "./model/language-context.ts";
@@ -36,6 +34,8 @@ declare global {
   }
 }
 
+/** The paths of pages without a robot. */
+const OTHER_PAGE = /^\/(r\/|join|teach)/;
 /** A little more than a sixtieth of a second: the next frame has begun then. */
 const FRAME_MS = 17;
 
@@ -62,13 +62,11 @@ async function start(): Promise<void> {
     systemContrast: matchMedia("(prefers-contrast: more)"),
     apply: (shown) => Object.assign(document.documentElement.dataset, shown),
   });
-  const other = otherPage(location.pathname);
-  if (other !== null) {
-    return other.then(
-      ({ openPage }) =>
-        openPage({ root, words, language, screen, device, tools: <PageTools screen={screen} /> }),
-      () => window.corridorFailed(),
-    );
+  const path = location.pathname;
+  if (OTHER_PAGE.test(path)) {
+    return import("./shell/other-pages.tsx")
+      .then(({ openOtherPage }) => openOtherPage(path, { root, words, language, screen, device }))
+      .catch(() => window.corridorFailed());
   }
   // Load what this visit needs before the first paint. Most first visits need nothing.
   try {
@@ -119,18 +117,18 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   const isAsked = () => location.hash.length > 1 || location.pathname.startsWith("/m/");
   const follow = async (isLoad: boolean): Promise<void> => {
     if (!isAsked()) return;
-    const { followPageAddress } = await import("./shell/follow-page-address.ts");
-    await followPageAddress(services, words, isLoad);
-  };
-  const followOrReport = (isLoad: boolean) =>
-    follow(isLoad).catch(() => {
+    try {
+      const { followPageAddress } = await import("./shell/follow-page-address.ts");
+      await followPageAddress(services, words, isLoad);
+    } catch {
       showMessage(screen, { tone: "bad", text: words.t("offline.linkFailed") });
-    });
+    }
+  };
   window.addEventListener("online", () => services.connection.reconnect());
-  window.addEventListener("hashchange", () => void followOrReport(false));
+  window.addEventListener("hashchange", () => void follow(false));
 
   screen.setState({ isOpening: isAsked() });
-  const inClass = tab.getItem(CLASS_KEY) === null ? null : openClass(services, words);
+  const inClass = tab.getItem(CLASS_KEY) === null || resume("resumeClass", services, words);
   const page = (
     <I18nextProvider i18n={words}>
       <ServicesProvider value={services}>
@@ -144,7 +142,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   await replaceStaticPage(container, () => startTransition(() => root.render(page)));
 
   // The page appears before the content of its address: a link may take long or never load.
-  void followOrReport(true).finally(async () => {
+  void follow(true).finally(async () => {
     screen.setState({ isOpening: false });
     // A pause of the class must be known before a script's robot drives again.
     await inClass;
@@ -152,7 +150,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
       services.connection.resume();
       void services.lessons.handOver();
       if ((device.getItem("corridor.sound") ?? tab.getItem(RACE_KEY)) !== null)
-        void resume(services, words);
+        void resume("resumeExtras", services, words);
     });
   });
 
@@ -167,27 +165,14 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   }
 }
 
-/** Sounds and a race that were on when the page was left. Files that do not come leave the page without them. */
-async function resume(services: Services, words: i18n): Promise<void> {
+/** The class, or sounds and a race, that were on when the page was left. Files that do not come leave the page without them. */
+async function resume(
+  what: "resumeClass" | "resumeExtras",
+  services: Services,
+  words: i18n,
+): Promise<void> {
   const extras = await import("./shell/boot/resume-extras.ts").catch(() => null);
-  await extras?.resumeExtras(services, words, tab);
-}
-
-/** The class that this tab has joined. Without its file, the page works as outside of a class. */
-async function openClass(services: Services, words: i18n): Promise<void> {
-  try {
-    const part = await import("./features/class/open-class.ts");
-    await part.openClass(services, words, tab);
-  } catch {
-    showMessage(screen, { tone: "bad", text: words.t("offline.partFailed") });
-  }
-}
-
-/** The pages without a robot: of viewers, teachers and joining students; null for the student's. */
-function otherPage(path: string): Promise<{ openPage: OpenPage }> | null {
-  if (path.startsWith("/r/")) return import("./features/watch/open-watch.tsx");
-  if (path.startsWith("/join")) return import("./features/join/open-join.tsx");
-  return path.startsWith("/teach") ? import("./shell/open-teach.tsx") : null;
+  await extras?.[what](services, words, tab);
 }
 
 function requireContainer(): HTMLElement {

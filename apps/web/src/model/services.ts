@@ -1,7 +1,7 @@
 /** The stores and services of the page. `shell/create-services.ts` creates and connects them. */
 import type { SimulatorClient } from "../simulator/simulator-client.ts";
 import type { AdviceStore } from "./advice/advice-store.ts";
-import type { SolvedStore } from "./presets/solved-presets.ts";
+import type { SolvedStore } from "./presets/solved-storage.ts";
 import type { Speech } from "./speech/speech.ts";
 import type { LessonsEntry } from "./lessons/lessons-entry.ts";
 import type { CameraStore } from "./screen/camera-store.ts";

@@ -53,7 +53,7 @@ function Page() {
   const isPhone = useMediaQuery("(max-width: 37.49em)");
   const [opened, setOpened] = useState<"keys" | "remote" | null>(null);
   const { camera, run, challenge, classes } = useServices();
-  const { shown: inClass, pauseEndsAt } = useStore(classes);
+  const pause = useStore(classes, (state) => state.pause);
   const isPathOpen = useStore(challenge, (state) => state.isPathOpen);
   const isDriving = useStore(camera, (state) => state.isDriving);
   const isNow = useStore(run, ({ view }) => view === "now");
@@ -68,8 +68,8 @@ function Page() {
         onRemote={() => setOpened("remote")}
         onLessons={() => challenge.setState({ isPathOpen: true })}
       />
-      {inClass !== null && pauseEndsAt !== null && <inClass.Band endsAt={pauseEndsAt} />}
-      <div className={styles["work"]} inert={pauseEndsAt !== null}>
+      {pause}
+      <div className={styles["work"]} inert={pause !== null}>
         <main className={styles["stage"]}>
           <Deferred>
             <StageArea />

@@ -25,9 +25,9 @@ const MoreMenu = lazyPart(async () => (await import("./MoreMenu.tsx")).MoreMenu)
 export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
   const { t } = useTranslation();
   const { screen, classes } = useServices();
-  const { shown: inClass, pauseEndsAt } = useStore(classes);
+  const { menu, pause } = useStore(classes);
   // During a pause, only the class menu works.
-  const work = { className: styles["work"], inert: pauseEndsAt !== null };
+  const work = { className: styles["work"], inert: pause !== null };
   // The maze's name needs the room first.
   const isNarrow = useMediaQuery("(max-width: 56.24em)");
   const hasPresets = useTool("presets");
@@ -45,7 +45,7 @@ export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
             {!isPhone && <LessonsButton />}
             {hasShare && <ShareButton />}
           </div>
-          {inClass !== null && <inClass.Menu joined={inClass.joined} />}
+          {menu}
           <div {...work}>
             {isNarrow ? (
               <More isPhone={isPhone} onKeys={onKeys} onRemote={onRemote} onLessons={onLessons} />

@@ -17,12 +17,13 @@ export function PauseBand({ endsAt }: { endsAt: number }) {
   // Without the time: it would be announced every second.
   useAnnouncement(joinSentences(tShared, [paused, saved]), "class paused");
   return (
-    <p className={styles["band"]}>
+    // The page below is inert, so this is its main content.
+    <main className={styles["band"]}>
       <Icon of={Pause} size={18} />
       <span>{paused}</span>
       <span className={styles["left"]}>{t("inClass.pausedLeft", { time: clockText(left) })}</span>
       <span>{saved}</span>
-    </p>
+    </main>
   );
 }
 

@@ -1,32 +1,23 @@
-/** The class that this tab has joined, if any, and its parts of the screen, which load with it. */
-import type { ComponentType } from "react";
+/** What the class of this tab shows on the student's page. Its code loads with it. */
+import type { ReactNode } from "react";
 import { createStore } from "zustand/vanilla";
-import type { StudentClass } from "./student-class.ts";
-
-interface ClassOnScreen {
-  joined: StudentClass;
-  /** in the bar */
-  Menu: ComponentType<{ joined: StudentClass }>;
-  /** below the bar, during a pause */
-  Band: ComponentType<{ endsAt: number }>;
-}
 
 interface ClassState {
-  /** null: this tab has joined no class */
-  shown: ClassOnScreen | null;
+  /** the class menu in the bar; null: this tab has joined no class */
+  menu: ReactNode;
   /**
-   * end of the pause, in milliseconds since 1970: until then the robot stands still, and nobody
-   * edits; null: the teacher has not paused the class
+   * the band of a pause. While there is one, the robot stands still and nobody edits; null: the
+   * class is not paused
    */
-  pauseEndsAt: number | null;
+  pause: ReactNode;
 }
 
 export function createClassStore() {
-  return createStore<ClassState>()(() => ({ shown: null, pauseEndsAt: null }));
+  return createStore<ClassState>()(() => ({ menu: null, pause: null }));
 }
 export type ClassStore = ReturnType<typeof createClassStore>;
 
 /** Whether the teacher has paused the class of this tab. */
 export function isPaused(classes: Pick<ClassStore, "getState">): boolean {
-  return classes.getState().pauseEndsAt !== null;
+  return classes.getState().pause !== null;
 }

@@ -26,7 +26,7 @@ function open(device = new MemoryStorage()) {
     const event = { kind, driver, tick: 1, bumps: 0, line: null } as Partial<RunEvent> as RunEvent;
     run.setState({ event });
     // The presets are a separate chunk.
-    await import("./preset-of.ts");
+    await import("./note-goal.ts");
     await new Promise((resolve) => setTimeout(resolve, 0));
   };
   return { device, workspace, solved, report, ids: () => solved.getState().ids };

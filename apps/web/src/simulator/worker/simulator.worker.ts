@@ -34,10 +34,13 @@ const unreachable: RemoteView = {
   isPaused: false,
 };
 
+/** The same for the class. */
+const unreachableClass: ClassSession = { status: { kind: "lost" }, student: null };
+
 /** A message for the run, after the documents. */
 type RunMessage = Exclude<
   ToWorker,
-  { type: "load" | "digest" | "load-run" | "restore-run" | "run-key-noted" | "class" }
+  { type: "load" | "digest" | "load-run" | "restore-run" | "run-key-noted" }
 >;
 
 const worker = self as unknown as DedicatedWorkerGlobalScope;
@@ -82,18 +85,11 @@ const relay = new Lazy(async () => {
   });
 }, guarded);
 
-const studentClass = new Lazy(async () => {
-  const { ClassHost } = await import("./class-host.ts");
-  return new ClassHost({
-    origin: worker.location.origin,
-    now: () => Date.now(),
-    onSession: postClass,
-    after: (ms, call) => {
-      const timer = setTimeout(() => guarded(call), ms);
-      return () => clearTimeout(timer);
-    },
-  });
-}, guarded);
+const studentClass = new Lazy(
+  async () =>
+    (await import("./class-part.ts")).openClassPart(worker.location.origin, post, guarded),
+  guarded,
+);
 
 const world = new StoredWorld({
   run: loadedRun,
@@ -180,17 +176,7 @@ function handle(message: ToWorker): void {
       reportFault,
     );
   }
-  if (message.type === "class") {
-    return studentClass.use(
-      (host) => host.handle(message.request),
-      () => postClass({ status: { kind: "lost" }, student: null }),
-    );
-  }
   if (loop !== null) control(loop, message);
-}
-
-function postClass(session: ClassSession): void {
-  post({ type: "class", session });
 }
 
 function control(run: RunLoop, message: RunMessage): void {
@@ -238,6 +224,11 @@ function control(run: RunLoop, message: RunMessage): void {
       return race.use((ghosts) => ghosts.remove(message.id));
     case "cancel-load":
       return recorded.cancel(message.id);
+    case "class":
+      return studentClass.use(
+        (host) => host.handle(message.request),
+        () => post({ type: "class", session: unreachableClass }),
+      );
     case "class-pause":
       return run.suspend(message.isPaused);
     case "remote-open":

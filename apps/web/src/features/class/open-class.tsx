@@ -20,16 +20,16 @@ export async function openClass(
     const timer = setTimeout(call, ms);
     return () => clearTimeout(timer);
   };
-  const onPause = (pauseEndsAt: number | null) => {
-    classes.setState({ pauseEndsAt });
-    if (pauseEndsAt !== null) closeEverything();
+  const onPause = (endsAt: number | null) => {
+    classes.setState({ pause: endsAt === null ? null : <PauseBand endsAt={endsAt} /> });
+    if (endsAt !== null) closeEverything();
   };
-  const onEnd = () => classes.setState({ shown: null });
+  const onEnd = () => classes.setState({ menu: null });
   const studentClass = new StudentClass(
     { simulator, screen, tab, words, now: Date.now, onPause, onEnd, later },
     joined,
   );
-  classes.setState({ shown: { joined: studentClass, Menu: ClassMenu, Band: PauseBand } });
+  classes.setState({ menu: <ClassMenu joined={studentClass} /> });
   window.addEventListener("online", () => studentClass.reconnect());
 }
 
