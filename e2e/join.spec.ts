@@ -140,3 +140,41 @@ test("fits a phone and 320 px, also in a right-to-left language", async ({
   }
   ignoreFailedRequests(pageErrors);
 });
+
+test("a student takes another name before the start, at most twice", async ({ page, relay }) => {
+  const teacher = await ClassTeacher.start(relay, ["One", "Two", "Three", "Four"]);
+  await page.goto(`/join#${teacher.code}`);
+  await page.getByRole("button", { name: "Join" }).click();
+  const title = page.getByRole("heading", { name: /^You are / });
+  const other = page.getByRole("button", { name: /^Another name/ });
+  let name = await title.textContent();
+  for (const left of [1, 0]) {
+    await other.click();
+    await expect(other).toHaveText(`Another name (${left} left)`);
+    await expect(title).not.toHaveText(name ?? "");
+    name = await title.textContent();
+  }
+  await expect(other).toHaveAttribute("aria-disabled", "true");
+  await page.reload();
+  await expect(title).toHaveText(name ?? "");
+  await other.click();
+  await expect(other).toHaveText("Another name (0 left)");
+  await expect(title).toHaveText(name ?? "");
+  expect((await teacher.read()).students.map(({ name: { text } }) => `You are ${text}`)).toEqual([
+    name,
+  ]);
+});
+
+test("a student whose class has ended reads it when asking for another name", async ({
+  page,
+  relay,
+}) => {
+  const teacher = await ClassTeacher.start(relay);
+  await page.goto(`/join#${teacher.code}`);
+  await page.getByRole("button", { name: "Join" }).click();
+  const other = page.getByRole("button", { name: "Another name" });
+  await expect(other).toBeVisible();
+  await teacher.direct("DELETE");
+  await other.click();
+  await expect(page.getByRole("alert")).toHaveText(/The lesson is over|You are no longer/);
+});

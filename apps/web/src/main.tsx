@@ -142,7 +142,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   await replaceStaticPage(container, () => startTransition(() => root.render(page)));
 
   // The page appears before the content of its address: a link may take long or never load.
-  void follow(true).finally(async () => {
+  void follow(true).then(async () => {
     screen.setState({ isOpening: false });
     // A pause of the class must be known before a script's robot drives again.
     await inClass;

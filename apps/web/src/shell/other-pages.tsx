@@ -6,10 +6,7 @@ import { PageTools } from "./PageTools.tsx";
  * @param path one that `OTHER_PAGE` of the entry names
  * @throws if a file of the page does not load
  */
-export async function openOtherPage(
-  path: string,
-  parts: Omit<PageParts, "tools">,
-): Promise<void> {
+export async function openOtherPage(path: string, parts: Omit<PageParts, "tools">): Promise<void> {
   const { openPage } = await load(path);
   await openPage({ ...parts, tools: <PageTools screen={parts.screen} /> });
 }

@@ -32,16 +32,15 @@ export function JoinedClassCard({ joined, onRename }: JoinedClassCardProps) {
   return (
     <section className={styles["card"]}>
       <h1 ref={title} className={styles["title"]} tabIndex={-1} aria-live="polite" aria-atomic>
-        {t("youAre")}{" "}
-        <bdi className={styles["name"]}>{studentNameText(tNames, joined.name)}</bdi>
+        {t("youAre")} <bdi className={styles["name"]}>{studentNameText(tNames, joined.name)}</bdi>
       </h1>
       <p className={styles["text"]}>{t("noAccount")}</p>
       <p className={styles["text"]}>{t("ownMazes")}</p>
-      <div className={styles["actions"]}>
-        <OtherName joined={joined} onRename={onRename} />
+      <div className={styles["ways"]}>
         <a className={classNames(buttons["button"], buttons["primary"], buttons["large"])} href="/">
           {t("start")}
         </a>
+        <OtherName joined={joined} onRename={onRename} />
       </div>
       <details className={styles["more"]}>
         <summary>{t("teacherSees")}</summary>
@@ -79,16 +78,17 @@ function OtherName({ joined, onRename }: JoinedClassCardProps) {
   };
   return (
     <>
-      {answer?.ok === false && (
-        <div className={styles["refusal"]}>
-          <FieldError>{t(problemKeys[answer.reason])}</FieldError>
-        </div>
-      )}
-      <Button size="large" aria-disabled={isAsking || isUsedUp} onClick={() => void ask()}>
+      <Button
+        kind="quiet"
+        size="large"
+        aria-disabled={isAsking || isUsedUp}
+        onClick={() => void ask()}
+      >
         {answer?.ok === true
           ? t("inClass.otherName", { left: answer.renamesLeft })
           : t("otherName")}
       </Button>
+      {answer?.ok === false && <FieldError>{t(problemKeys[answer.reason])}</FieldError>}
     </>
   );
 }

@@ -13,12 +13,7 @@ import type {
 import type { SimulatorClient } from "../../simulator/simulator-client.ts";
 import { dismiss, showMessage, type Message, type ScreenStore } from "../screen/screen-store.ts";
 import type { KeyValueStorage } from "../storage/key-value-storage.ts";
-import {
-  removeMembership,
-  storedPauseEnd,
-  storeMembership,
-  storePauseEnd,
-} from "./membership.ts";
+import { removeMembership, storedPauseEnd, storeMembership, storePauseEnd } from "./membership.ts";
 
 /** A connection that is lost for less than this is not worth a message, in ms. */
 const LOST_MS = 3_000;
