@@ -12,7 +12,6 @@ import { guardLeaving } from "./shell/boot/guard-leaving.ts";
 import { storeSwitches } from "./model/preferences/stored-switches.ts";
 import { createServices } from "./shell/create-services.ts";
 import { ServicesProvider } from "./model/use-services.ts";
-import type { Services } from "./model/services.ts";
 import { whenIdle } from "./shell/boot/page-idle.ts";
 import { earlyMessages, onSimulatorFailure, startSimulator } from "./shell/boot/simulator-start.ts";
 import { replaceStaticPage } from "./shell/boot/replace-static-page.ts";
@@ -128,7 +127,15 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   window.addEventListener("hashchange", () => void follow(false));
 
   screen.setState({ isOpening: isAsked() });
-  const inClass = tab.getItem(CLASS_KEY) === null || resume("resumeClass", services, words);
+  const hasExtras =
+    tab.getItem(CLASS_KEY) ?? device.getItem("corridor.sound") ?? tab.getItem(RACE_KEY);
+  // Files that do not come leave the page without them.
+  const extras =
+    hasExtras === null
+      ? null
+      : import("./shell/boot/open-extras.ts")
+          .then(({ openExtras }) => openExtras(services, words, tab))
+          .catch(() => null);
   const page = (
     <I18nextProvider i18n={words}>
       <ServicesProvider value={services}>
@@ -145,12 +152,11 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   void follow(true).then(async () => {
     screen.setState({ isOpening: false });
     // A pause of the class must be known before a script's robot drives again.
-    await inClass;
+    const resumeExtras = await extras;
     void services.restorer.resume().then(() => {
       services.connection.resume();
       void services.lessons.handOver();
-      if ((device.getItem("corridor.sound") ?? tab.getItem(RACE_KEY)) !== null)
-        void resume("resumeExtras", services, words);
+      void resumeExtras?.();
     });
   });
 
@@ -163,16 +169,6 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   } catch {
     // Private windows and full storages refuse a service worker: the page needs a network, as before.
   }
-}
-
-/** The class, or sounds and a race, that were on when the page was left. Files that do not come leave the page without them. */
-async function resume(
-  what: "resumeClass" | "resumeExtras",
-  services: Services,
-  words: i18n,
-): Promise<void> {
-  const extras = await import("./shell/boot/resume-extras.ts").catch(() => null);
-  await extras?.[what](services, words, tab);
 }
 
 function requireContainer(): HTMLElement {

@@ -93,56 +93,33 @@ export function createServices(browser: Browser): Services {
   const events = createEventThrottle({ show, now, later });
   const timeline = new TimelineStore();
   simulator.listen((message) => {
-    switch (message.type) {
-      case "frame": {
-        const { snapshot, hasEnded, progress, view, nowTick, waited, nowDriver } = message.frame;
-        runTrace.add(message.frame);
-        const displayed = { snapshot, hasEnded, progress, view, nowTick, waited, nowDriver };
-        run.setState({ ...displayed, isCut: false });
-        simulator.send({ type: "stage-numbers", snapshot });
-        const delta = message.timeline;
-        if (delta !== null) deferredRun.with(() => timeline.add(delta));
-        return;
-      }
-      case "truncated":
-        events.truncate(message.after);
-        truncateCards(cards, message.after);
-        truncateRun(run, message.after);
-        return;
-      case "event":
-        events.push(message.event);
-        explain(cards, message.event, workspace.getState().program);
-        return;
-      case "diagnosed":
-        // In a challenge, its own card shows the diagnosis.
-        if (challenge.getState().lesson !== null) return;
-        void import("../features/cards/show-diagnosis.ts").then(
-          ({ showDiagnosis }) =>
-            showDiagnosis({ screen, workspace, run, timeline, words }, message.diagnosis),
-          () => undefined,
-        );
-        return;
-      case "remote":
-        remote.setState(message.remote);
-        return;
-      case "past-maze":
-        run.setState({ pastMaze: message.maze });
-        return;
-      case "fault":
-        run.setState({ fault: message.reason });
-        return;
-      case "class":
-      case "digest":
-      case "judgement":
-      case "picture":
-      case "stage-scroll-to":
-      case "run-key":
-      case "run-saved":
-      case "run-loading":
-      case "ghost-added":
-      case "run-loaded":
-        return;
-    }
+    const { type } = message;
+    if (type === "frame") {
+      const { snapshot, hasEnded, progress, view, nowTick, waited, nowDriver } = message.frame;
+      runTrace.add(message.frame);
+      const displayed = { snapshot, hasEnded, progress, view, nowTick, waited, nowDriver };
+      run.setState({ ...displayed, isCut: false });
+      simulator.send({ type: "stage-numbers", snapshot });
+      const delta = message.timeline;
+      if (delta !== null) deferredRun.with(() => timeline.add(delta));
+    } else if (type === "truncated") {
+      events.truncate(message.after);
+      truncateCards(cards, message.after);
+      truncateRun(run, message.after);
+    } else if (type === "event") {
+      events.push(message.event);
+      explain(cards, message.event, workspace.getState().program);
+    } else if (type === "diagnosed") {
+      // In a challenge, its own card shows the diagnosis.
+      if (challenge.getState().lesson !== null) return;
+      void import("../features/cards/show-diagnosis.ts").then(
+        ({ showDiagnosis }) =>
+          showDiagnosis({ screen, workspace, run, timeline, words }, message.diagnosis),
+        () => undefined,
+      );
+    } else if (type === "remote") remote.setState(message.remote);
+    else if (type === "past-maze") run.setState({ pastMaze: message.maze });
+    else if (type === "fault") run.setState({ fault: message.reason });
   });
 
   simulator.send({ type: "load", maze, program });
