@@ -1,5 +1,6 @@
 /** Teachers make, try, solve and save lessons on `/teach`. */
 import { encodeLink } from "@corridor/link";
+import { shortLinkSchema } from "@corridor/protocol";
 import type { Page } from "playwright/test";
 import { sampleLesson } from "../apps/web/src/features/teach/testing/sample-lesson.ts";
 import { expect, test } from "./fixtures.ts";
@@ -98,6 +99,15 @@ test("begins with the 2013 study, or with a maze that a student shares", async (
   await student.share.click();
   await page.getByRole("link", { name: "Teaching? Make a lesson of this" }).click();
   await expect(editor.name).toHaveText("Long way round");
+  await expect(editor.tasks).toHaveText([/Task 1/]);
+
+  const stored = await page.request.post("/api/v1/mazes", {
+    data: sampleLesson.tasks[0]?.mazes[0],
+  });
+  const { address } = shortLinkSchema.parse(await stored.json());
+  await page.goto("/teach#make");
+  await editor.field("Link or short link of a lesson or a maze").fill(address);
+  await page.keyboard.press("Enter");
   await expect(editor.tasks).toHaveText([/Task 1/]);
 });
 

@@ -170,7 +170,7 @@ async function checkAndWait(): Promise<{ first: number; all: number }> {
   let first = Number.NaN;
   await new Promise<void>((resolve) => {
     const observer = new MutationObserver(() => {
-      const text = document.querySelector("main")?.textContent ?? "";
+      const text = document.querySelector('section[aria-label="Mission"]')?.textContent ?? "";
       const isOver = text.includes("Passes in");
       const hasResult = isOver || (document.querySelector("progress")?.value ?? 0) > 0;
       if (hasResult && Number.isNaN(first)) first = performance.now() - start;
@@ -217,6 +217,7 @@ async function checkAndStop(): Promise<number> {
   await wait(() => (document.querySelector("progress")?.value ?? 0) > 1);
   const start = performance.now();
   press("Stop");
-  await wait(() => document.querySelector("main")?.textContent.includes("Stopped after") === true);
+  const panel = document.querySelector('section[aria-label="Mission"]');
+  await wait(() => panel?.textContent.includes("Stopped after") === true);
   return performance.now() - start;
 }

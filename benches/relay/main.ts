@@ -6,6 +6,7 @@
  */
 import { availableParallelism, cpus } from "node:os";
 import { formatGoal, isMet, type Goal } from "../core/goals.ts";
+import { classes } from "./classes/classes.ts";
 import { commands } from "./commands.ts";
 import { crowd } from "./crowd.ts";
 import { idle } from "./idle.ts";
@@ -19,7 +20,7 @@ if (process.platform !== "linux") {
   process.exit(2);
 }
 
-const sections: readonly Section[] = [snapshots, commands, redis, crowd, idle, twoRelays];
+const sections: readonly Section[] = [snapshots, commands, redis, crowd, idle, twoRelays, classes];
 const filters = process.argv.slice(2).map((filter) => filter.toLowerCase());
 const selected = sections.filter(
   ({ title }) =>

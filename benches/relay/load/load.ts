@@ -2,6 +2,7 @@
 import { fork, type ChildProcess } from "node:child_process";
 import { once } from "node:events";
 import { join } from "node:path";
+import { ask } from "./ask.ts";
 import type { LoadReply, FloodJob, Job, OpenJob, PacedJob, LoadResult } from "./jobs.ts";
 
 export class Load {
@@ -47,18 +48,6 @@ export class Load {
   }
 
   async #request(job: Job): Promise<LoadReply> {
-    const waiting = new AbortController();
-    const ended = once(this.#child, "exit", { signal: waiting.signal }).then(() => {
-      throw new Error("the load process ended; see its error above");
-    });
-    const replied = once(this.#child, "message", { signal: waiting.signal });
-    this.#child.send(job);
-    try {
-      const [reply] = (await Promise.race([replied, ended])) as [LoadReply];
-      return reply;
-    } finally {
-      waiting.abort();
-      ended.catch(() => undefined);
-    }
+    return (await ask(this.#child, job)) as LoadReply;
   }
 }

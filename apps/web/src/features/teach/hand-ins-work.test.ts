@@ -3,7 +3,7 @@ import { MemoryStorage } from "../../model/storage/testing/memory-storage.ts";
 import type { TextFile } from "../../ui/incoming-files.ts";
 import type { HandInCheck } from "./check-hand-ins.ts";
 import { HandInsWork } from "./hand-ins-work.ts";
-import { readLessonAddress, type OpenedLesson } from "./lessons/read-lesson.ts";
+import { lessonOfShared, readShared, type OpenedLesson } from "./lessons/read-lesson.ts";
 import { TeachStorage } from "./teach-storage.ts";
 import { linkOf, programOf, sampleLesson } from "./testing/sample-lesson.ts";
 
@@ -19,9 +19,11 @@ function setUp(device = new MemoryStorage()) {
   const work = new HandInsWork({
     storage: new TeachStorage(device),
     check: { start, clear: () => undefined },
-    readAddress: (text): Promise<OpenedLesson> =>
-      readLessonAddress(text, "corridor.example", () =>
-        Promise.resolve({ ok: false, sentence: "share.shortLink.gone" }),
+    readAddress: async (text): Promise<OpenedLesson> =>
+      lessonOfShared(
+        await readShared(text, "corridor.example", () =>
+          Promise.resolve({ ok: false, sentence: "share.shortLink.gone" }),
+        ),
       ),
   });
   return { device, work, start, state: () => work.store.getState() };

@@ -1,6 +1,6 @@
 /** The lessons with which a teacher begins. */
 import { lessonOf, type LessonDocument, type LessonTask } from "@corridor/challenge";
-import { readLink } from "@corridor/link";
+import type { LinkContent } from "@corridor/link";
 import type { MazeDocument } from "@corridor/maze";
 import type { i18n } from "i18next";
 import { missionDocument } from "../../../model/lessons/mission-document.ts";
@@ -60,18 +60,21 @@ export function newLesson(task: LessonTask, name: string): LessonDocument {
 }
 
 /**
- * A lesson of the maze that a link contains. Students begin with the program that is shared with the
- * maze. They do not begin with that of a run, which may be the solution.
- * @param text link without a lesson
+ * A lesson of a shared maze. Students begin with the program that is shared with the maze. They do not
+ * begin with that of a run, which may be the solution.
  * @returns null without a maze
  */
-export function lessonOfMazeLink(text: string, taskName: string): LessonDocument | null {
-  const read = readLink(text.trim());
-  const { run, maze = run?.maze, program = null } = read.ok ? read.value : {};
+export function lessonOfMaze(
+  { run, maze = run?.maze, program }: Pick<LinkContent, "maze" | "program" | "run">,
+  taskName: string,
+): LessonDocument | null {
   if (maze === undefined) return null;
   const task = newTask(maze, taskName);
   const lines = Math.max(task.allowed.lines, program?.rules.length ?? 0);
-  return newLesson({ ...task, program, allowed: { ...task.allowed, lines } }, maze.name);
+  return newLesson(
+    { ...task, program: program ?? null, allowed: { ...task.allowed, lines } },
+    maze.name,
+  );
 }
 
 /**

@@ -1,6 +1,6 @@
 /** Reads the lesson that a teacher opens: a link, a short link, or the text of its document. */
 import { readLesson, type LessonDocument } from "@corridor/challenge";
-import { readLessonLink, type AddressRefusal } from "@corridor/link";
+import { readLink, type AddressRefusal, type LinkContent } from "@corridor/link";
 import type { FieldProblem } from "@corridor/protocol";
 import type { ShortLinkResult } from "../../../model/address/short-link.ts";
 import type { TextFile } from "../../../ui/incoming-files.ts";
@@ -49,35 +49,44 @@ export async function readLessonFile(file: TextFile): Promise<OpenedLesson> {
   }
 }
 
+/** What a pasted text contains. */
+export type SharedContent = { ok: true; content: LinkContent } | ({ ok: false } & LessonProblem);
+
 /**
- * Reads a pasted text: a link, a short link of this service, or a document.
+ * Reads a pasted text: a link, a short link of this service, or the document of a lesson.
  * @param host host of this page
  * @param readShortLink requests the document of a short link from the service
  */
-export async function readLessonAddress(
+export async function readShared(
   text: string,
   host: string,
   readShortLink: (id: string) => Promise<ShortLinkResult>,
-): Promise<OpenedLesson> {
+): Promise<SharedContent> {
   const address = text.trim();
-  if (address.startsWith("{")) return readLessonText(address);
+  if (address.startsWith("{")) {
+    const read = readLessonText(address);
+    return read.ok ? { ok: true, content: { lesson: read.lesson } } : read;
+  }
   const [, where, id] = /^(?:https?:\/\/)?([^/]+)\/m\/([^/#?]+)\/?$/.exec(address) ?? [];
   if (id === undefined || where !== host) {
-    const read = readLessonLink(address);
-    return read.ok ? { ok: true, lesson: read.value } : read;
+    const read = readLink(address);
+    return read.ok ? { ok: true, content: read.value } : read;
   }
   try {
-    return lessonOfShortLink(await readShortLink(id));
+    return contentOfShortLink(await readShortLink(id));
   } catch {
     return refuse("offline");
   }
 }
 
-function lessonOfShortLink(read: ShortLinkResult): OpenedLesson {
-  if (read.ok) {
-    const { lesson } = read.value;
-    return lesson === undefined ? refuse("no-lesson") : { ok: true, lesson };
-  }
+export function lessonOfShared(read: SharedContent): OpenedLesson {
+  if (!read.ok) return read;
+  const { lesson } = read.content;
+  return lesson === undefined ? refuse("no-lesson") : { ok: true, lesson };
+}
+
+function contentOfShortLink(read: ShortLinkResult): SharedContent {
+  if (read.ok) return { ok: true, content: read.value };
   switch (read.sentence) {
     case "share.shortLink.gone":
       return refuse("gone");
@@ -88,6 +97,6 @@ function lessonOfShortLink(read: ShortLinkResult): OpenedLesson {
   }
 }
 
-function refuse(code: LessonProblem["code"]): OpenedLesson {
+function refuse(code: LessonProblem["code"]): { ok: false } & LessonProblem {
   return { ok: false, code, problems: [] };
 }

@@ -17,14 +17,19 @@ import { ProblemNote } from "../../../ui/ProblemNote.tsx";
 import { TextField } from "../../../ui/TextField.tsx";
 import { LessonProblemNote } from "../lessons/LessonProblemNote.tsx";
 import { MAX_SAVED_LESSONS, SavedLessons } from "../lessons/saved-lessons.ts";
-import { readLessonFile, type LessonProblem, type OpenedLesson } from "../lessons/read-lesson.ts";
-import { readTypedLesson } from "../lessons/read-typed-lesson.ts";
+import {
+  lessonOfShared,
+  readLessonFile,
+  type LessonProblem,
+  type OpenedLesson,
+} from "../lessons/read-lesson.ts";
+import { readTyped } from "../lessons/read-typed-lesson.ts";
 import { lessonHash } from "../frame/teach-view.ts";
 import { beginLesson, beginShared, openMaze, type Begun } from "./begin-lesson.ts";
 import styles from "./make-lesson.module.css";
 import {
   emptyMaze,
-  lessonOfMazeLink,
+  lessonOfMaze,
   missionLesson,
   newLesson,
   newTask,
@@ -72,10 +77,9 @@ export function MakeLesson({ device, link }: MakeLessonProps) {
   }
 
   async function readBeginning(text: string): Promise<OpenedLesson> {
-    const opened = await readTypedLesson(text);
-    if (opened.ok || opened.code !== "no-lesson") return opened;
-    const lesson = lessonOfMazeLink(text, task);
-    return lesson === null ? opened : { ok: true, lesson };
+    const shared = await readTyped(text);
+    const lesson = shared.ok ? lessonOfMaze(shared.content, task) : null;
+    return lesson === null ? lessonOfShared(shared) : { ok: true, lesson };
   }
 
   const readLink = useEffectEvent((text: string) => readBeginning(text));
@@ -181,7 +185,7 @@ function LinkForm({ isOpening, isInvalid, onOpen }: LinkFormProps) {
     >
       <div className={styles["field"]}>
         <TextField
-          label={t("lesson.link")}
+          label={t("make.link")}
           value={text}
           onChange={setText}
           dir="ltr"

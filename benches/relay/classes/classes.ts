@@ -1,0 +1,98 @@
+/**
+ * Measures 25 classes of 40 students with one dashboard each: tiles, pauses, and 200 students who
+ * join from one address at once. The cost of a tile is compared with that of a snapshot at the same
+ * number of messages per second.
+ */
+import { fork } from "node:child_process";
+import { once } from "node:events";
+import { join } from "node:path";
+import type { Goal } from "../../core/goals.ts";
+import { median, quantile } from "../../core/measure.ts";
+import { ask } from "../load/ask.ts";
+import { Load } from "../load/load.ts";
+import { startPeer } from "../peers/start-peer.ts";
+import { costPerItem } from "../rounds.ts";
+import { printRow, type Section } from "../section.ts";
+import type { ClassesJob, ClassesResult } from "./jobs.ts";
+
+const CLASSES = { classes: 25, students: 40, tilesPerSecond: 2, seconds: 10, joins: 200 };
+/** As many snapshots per second as tiles. */
+const SNAPSHOTS = { snapshotsPerSecond: 20, commandsPerSecond: 0, seconds: 10 };
+const ROBOTS = (CLASSES.classes * CLASSES.students * CLASSES.tilesPerSecond) / 20;
+const ROUNDS = 3;
+
+export const classes: Section = {
+  title: "Classes",
+  measure: async (): Promise<readonly Goal[]> => {
+    const rounds: { result: ClassesResult; snapshot: number }[] = [];
+    for (let round = 0; round < ROUNDS; round++) rounds.push(await measureRound());
+    const results = rounds.map(({ result }) => result);
+    const tile = median(results.map(costOfTile));
+    const snapshot = median(rounds.map((round) => round.snapshot));
+    const ages = results.flatMap(({ tileAges }) => tileAges);
+    const pauses = results.flatMap((result) => result.pauses);
+    const joins = results.flatMap((result) => result.joins);
+    printRow("us of cpu", ["a tile", "a snapshot"]);
+    printRow("", [tile, snapshot]);
+    printRow("ms", ["p50", "p99"]);
+    for (const [name, times] of [
+      ["age of a tile", ages],
+      ["pause at all 40", pauses],
+      ["200 joins at once", joins],
+    ] as const) {
+      printRow(name, [quantile(times, 0.5), quantile(times, 0.99)]);
+    }
+    const ratios = rounds.map((round) => costOfTile(round.result) / round.snapshot);
+    return [
+      {
+        label: "processor time of a tile, relative to a snapshot",
+        measured: median(ratios),
+        bound: { atMost: 1.3 },
+        unit: "times",
+      },
+      milliseconds("age of a tile at the dashboard, p99", ages, 1_000),
+      milliseconds("from a pause to all 40 students, p99", pauses, 300),
+      milliseconds("200 students join from one address at once, p99", joins, 2_000),
+    ];
+  },
+};
+
+/** Measures classes and robots at a new relay. */
+async function measureRound(): Promise<{ result: ClassesResult; snapshot: number }> {
+  const running = await startPeer("corridor", false);
+  const [pid] = running?.pids ?? [];
+  if (running === null || pid === undefined) throw new Error("the relay has not started");
+  const { pages: port, readers } = running;
+  const load = Load.start();
+  try {
+    const fleet = await load.open({
+      peer: "corridor",
+      pages: port,
+      readers,
+      robots: ROBOTS,
+      scripts: 0,
+    });
+    const paced = await load.paced({ fleet, pids: running.pids, ...SNAPSHOTS });
+    await load.close(fleet);
+    return { result: await runClasses({ port, pid, ...CLASSES }), snapshot: costPerItem(paced) };
+  } finally {
+    await load.stop();
+    await running.stop();
+  }
+}
+
+async function runClasses(job: ClassesJob): Promise<ClassesResult> {
+  const file = join(import.meta.dirname, "load-process.ts");
+  const child = fork(file, { serialization: "advanced" });
+  const ended = once(child, "exit");
+  const result = (await ask(child, job)) as ClassesResult;
+  child.disconnect();
+  await ended;
+  return result;
+}
+
+const costOfTile = ({ processorMs, tiles }: ClassesResult): number => (processorMs * 1000) / tiles;
+
+function milliseconds(label: string, times: readonly number[], atMost: number): Goal {
+  return { label, measured: quantile(times, 0.99), bound: { atMost }, unit: "ms" };
+}

@@ -1,0 +1,30 @@
+/** Requests to the process of students and dashboards, and its replies. Times are in milliseconds. */
+
+export interface ClassesJob {
+  /** of the relay */
+  port: string;
+  pid: number;
+  /** classes with one dashboard each */
+  classes: number;
+  /** students of each class */
+  students: number;
+  /** tiles of each student per second */
+  tilesPerSecond: number;
+  seconds: number;
+  /** students who join one more class from one address at once */
+  joins: number;
+}
+
+export interface ClassesResult {
+  seconds: number;
+  /** number of tiles that students sent */
+  tiles: number;
+  /** processor time of the relay meanwhile */
+  processorMs: number;
+  /** from sending a tile until the dashboard receives it */
+  tileAges: number[];
+  /** from the request to pause a class until all of its students have received it */
+  pauses: number[];
+  /** from the code until the student is connected */
+  joins: number[];
+}

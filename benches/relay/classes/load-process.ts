@@ -1,0 +1,110 @@
+/** Students and dashboards, in a process separate from the measured relay. Runs one job. */
+import { delay } from "../load/load-recorder.ts";
+import { processorMs } from "../process-metrics.ts";
+import type { ClassesJob, ClassesResult } from "./jobs.ts";
+import { LiveClass } from "./live-class.ts";
+
+const WARM_UP_MS = 2_000;
+/** Interval of the pauses, one class after the other. */
+const PAUSE_INTERVAL_MS = 200;
+
+process.on("message", (job: ClassesJob) => {
+  run(job).then(
+    (result) => process.send?.(result),
+    (error: unknown) => {
+      console.error(error);
+      process.exit(1);
+    },
+  );
+});
+process.on("disconnect", () => process.exit(0));
+
+async function run(job: ClassesJob): Promise<ClassesResult> {
+  const joins = await measureJoins(job);
+  return { ...(await measureLessons(job)), joins };
+}
+
+async function measureJoins({ port, joins }: ClassesJob): Promise<number[]> {
+  const crowd = await LiveClass.create({ port, client: "10.2.1.1" });
+  const startedAt = performance.now();
+  const times = await Promise.all(
+    Array.from({ length: joins }, async () => {
+      await crowd.join();
+      return performance.now() - startedAt;
+    }),
+  );
+  crowd.close();
+  return times;
+}
+
+/** Every student sends tiles. Each class in turn is paused and continued meanwhile. */
+async function measureLessons(job: ClassesJob): Promise<Omit<ClassesResult, "joins">> {
+  const { port, pid, classes, students, tilesPerSecond, seconds } = job;
+  const everyone = classes * students;
+  const sentAt = Array.from({ length: everyone }, () => new Map<number, number>());
+  const tileAges: number[] = [];
+  /** called when a student of the class receives the start of a pause */
+  const observers: (() => void)[] = [];
+  let isMeasured = false;
+  const lessons: LiveClass[] = [];
+  for (let n = 0; n < classes; n++) {
+    const lesson = await LiveClass.create({ port, client: `10.2.0.${n + 1}` });
+    await lesson.fill(students, {
+      onPause: (_student, isPaused) => {
+        if (isPaused) observers[n]?.();
+      },
+      onTile: (student, seq) => {
+        const sent = sentAt[n * students + student]?.get(seq);
+        if (isMeasured && sent !== undefined) tileAges.push(performance.now() - sent);
+      },
+    });
+    lessons.push(lesson);
+  }
+  const startedAt = performance.now();
+  let tiles = 0;
+  const timer = setInterval(() => {
+    const due = ((performance.now() - startedAt) / 1000) * tilesPerSecond * everyone;
+    for (; tiles < due; tiles++) {
+      const at = tiles % everyone;
+      const seq = Math.floor(tiles / everyone) + 1;
+      sentAt[at]?.set(seq, performance.now());
+      lessons[Math.floor(at / students)]?.sendTile(at % students, seq);
+    }
+  }, 1);
+  await delay(WARM_UP_MS);
+  isMeasured = true;
+  const before = { tiles, processor: processorMs(pid), at: performance.now() };
+  await delay(seconds * 1000);
+  const result = {
+    seconds: (performance.now() - before.at) / 1000,
+    tiles: tiles - before.tiles,
+    processorMs: processorMs(pid) - before.processor,
+  };
+  isMeasured = false;
+  const pauses: number[] = [];
+  for (const [n, lesson] of lessons.entries()) {
+    pauses.push(await pause(lesson, students, (observer) => (observers[n] = observer)));
+    await delay(PAUSE_INTERVAL_MS);
+  }
+  clearInterval(timer);
+  for (const lesson of lessons) lesson.close();
+  return { ...result, tileAges, pauses };
+}
+
+/** @returns milliseconds until all students have received the pause */
+async function pause(
+  lesson: LiveClass,
+  students: number,
+  observe: (onStudent: () => void) => void,
+): Promise<number> {
+  const all = Promise.withResolvers<void>();
+  let left = students;
+  observe(() => {
+    if (--left === 0) all.resolve();
+  });
+  const startedAt = performance.now();
+  await Promise.all([lesson.setPaused(true), all.promise]);
+  const elapsed = performance.now() - startedAt;
+  await lesson.setPaused(false);
+  return elapsed;
+}
