@@ -1,6 +1,8 @@
 import { mazePresets } from "@corridor/maze";
 import { emptyProgram, programPresets } from "@corridor/program";
+import type { ReactNode } from "react";
 import { describe, expect, it, vi } from "vitest";
+import { createClassStore } from "../../model/classes/class-store.ts";
 import { CurrentProject } from "../../model/projects/current-project.ts";
 import { ProjectService } from "../../model/projects/project-service.ts";
 import { ProjectStorage } from "../../model/projects/project-storage.ts";
@@ -31,7 +33,7 @@ function file(name: string, content: unknown): TextFile {
 }
 
 /** A page with one project that opens files. */
-function open(...files: TextFile[]) {
+function openDuring(pause: ReactNode, ...files: TextFile[]) {
   let count = 0;
   const newId = () => `id-${(count += 1)}`;
   const device = new MemoryStorage();
@@ -43,9 +45,11 @@ function open(...files: TextFile[]) {
   );
   const workspace = createWorkspaceStore(before.maze, before.program);
   const screen = createScreenStore();
+  const classes = createClassStore();
+  classes.setState({ pause });
   const ports = { workspace, screen, simulator: { send: () => undefined }, words };
   const projects = new ProjectService({ ...ports, store, current, later: () => undefined });
-  const services = { screen, workspace, projects, simulator: ports.simulator };
+  const services = { screen, workspace, projects, classes, simulator: ports.simulator };
   const reports = openFiles(services as unknown as Parameters<typeof openFiles>[0], words, files);
   const shown = () => {
     const { maze, program } = workspace.getState();
@@ -54,9 +58,19 @@ function open(...files: TextFile[]) {
   return { reports, shown, screen, projects };
 }
 
+function open(...files: TextFile[]) {
+  return openDuring(null, ...files);
+}
+
 const words = createI18n(en);
 
 describe("opening files", () => {
+  it("opens nothing while the teacher has paused the class", async () => {
+    const { reports, shown } = openDuring("paused", file("a.json", mazeOne));
+    expect(await reports).toEqual([]);
+    expect(shown()).toEqual(before);
+  });
+
   it.each([
     // The previous program is a preset, so no program of a student is lost.
     {
