@@ -112,8 +112,9 @@ test("TypeScript checks a script with the installed package", async () => {
     "drive.mts",
     `${script}
 import { HostLink } from "@corridor/client/host";
+import { LearnLink } from "@corridor/client/learn";
 import { WatchLink } from "@corridor/client/watch";
-export const links = [HostLink, WatchLink];
+export const links = [HostLink, LearnLink, WatchLink];
 // @ts-expect-error: a move needs a distance in cm
 await robot?.move("far");
 `,

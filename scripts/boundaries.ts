@@ -91,6 +91,7 @@ const allowed: Record<string, readonly string[]> = {
     "@corridor/challenge/document",
     "@corridor/client",
     "@corridor/client/host",
+    "@corridor/client/learn",
     "@corridor/client/watch",
     "@corridor/coach",
     "@corridor/geometry",

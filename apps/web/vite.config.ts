@@ -11,7 +11,7 @@ import { precompress } from "./build/precompress.ts";
 import { publish } from "./build/publish.ts";
 
 /** Paths of the page that work offline. The relay serves all others. */
-const PAGE = /^\/(?:teach\/?)?(\?.*)?$/;
+const PAGE = /^\/(?:(?:teach|join)\/?)?(\?.*)?$/;
 
 const thirdParty = licenses();
 

@@ -22,6 +22,7 @@ ${readFileSync(join(ROOT, "node_modules/zod/LICENSE"), "utf8")}*/`;
 export default defineConfig([
   entry("index", [packageFiles(FOLDER)]),
   entry("host"),
+  entry("learn"),
   entry("watch"),
   {
     input: join(FOLDER, "src/index.ts"),

@@ -22,6 +22,7 @@ import { startTheme } from "./model/preferences/theme.ts";
 import { ProjectReader } from "./model/projects/project-reader.ts";
 import { ProjectStorage } from "./model/projects/project-storage.ts";
 import { storageOrNone } from "./model/storage/key-value-storage.ts";
+import { CLASS_KEY } from "./model/classes/class-key.ts";
 import { RACE_KEY } from "./model/run/race-store.ts";
 import { createScreenStore, showMessage } from "./model/screen/screen-store.ts";
 import { englishWords } from "./text/english-words.ts";
@@ -129,6 +130,7 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   window.addEventListener("hashchange", () => void followOrReport(false));
 
   screen.setState({ isOpening: isAsked() });
+  const inClass = tab.getItem(CLASS_KEY) === null ? null : openClass(services, words);
   const page = (
     <I18nextProvider i18n={words}>
       <ServicesProvider value={services}>
@@ -142,8 +144,10 @@ async function open(words: i18n, language: LanguageChoice): Promise<void> {
   await replaceStaticPage(container, () => startTransition(() => root.render(page)));
 
   // The page appears before the content of its address: a link may take long or never load.
-  void followOrReport(true).finally(() => {
+  void followOrReport(true).finally(async () => {
     screen.setState({ isOpening: false });
+    // A pause of the class must be known before a script's robot drives again.
+    await inClass;
     void services.restorer.resume().then(() => {
       services.connection.resume();
       void services.lessons.handOver();
@@ -169,9 +173,20 @@ async function resume(services: Services, words: i18n): Promise<void> {
   await extras?.resumeExtras(services, words, tab);
 }
 
-/** The pages of viewers and teachers, which have no robot of their own; null for the student's page. */
+/** The class that this tab has joined. Without its file, the page works as outside of a class. */
+async function openClass(services: Services, words: i18n): Promise<void> {
+  try {
+    const part = await import("./features/class/open-class.ts");
+    await part.openClass(services, words, tab);
+  } catch {
+    showMessage(screen, { tone: "bad", text: words.t("offline.partFailed") });
+  }
+}
+
+/** The pages without a robot: of viewers, teachers and joining students; null for the student's. */
 function otherPage(path: string): Promise<{ openPage: OpenPage }> | null {
   if (path.startsWith("/r/")) return import("./features/watch/open-watch.tsx");
+  if (path.startsWith("/join")) return import("./features/join/open-join.tsx");
   return path.startsWith("/teach") ? import("./shell/open-teach.tsx") : null;
 }
 

@@ -21,7 +21,7 @@ import { AppliedCommands } from "./applied-commands.ts";
 import { Connection, type ConnectionStatus } from "./connection.ts";
 import { Outbox } from "./outbox.ts";
 import { globalPlatform, type Platform } from "./platform.ts";
-import { connectionUrls } from "./robot-address.ts";
+import { connectionUrls } from "./connection-urls.ts";
 import { TransitClock } from "./transit-clock.ts";
 
 /** Snapshots are dropped while more bytes are buffered. */
@@ -143,7 +143,7 @@ export class HostLink {
       .toString(36)
       .padStart(10, "0");
     this.#connection = new Connection({
-      urls: connectionUrls(origin, credentials.id),
+      urls: connectionUrls(origin, "robots", credentials.id),
       platform,
       firstMessages: () => this.#firstMessages(),
       decode: (text) => decodeFrame(relayToPageSchema, text),

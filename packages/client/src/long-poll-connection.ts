@@ -72,7 +72,7 @@ export class LongPollConnection implements SocketPort {
 
   /**
    * Opens a connection. Calls no callback before the constructor has returned.
-   * @param url `https://HOST/api/v1/robots/ID/long-poll`
+   * @param url of a robot or a class, such as `https://HOST/api/v1/robots/ID/long-poll`
    */
   constructor(url: string, platform: LongPollPlatform, events: SocketEvents) {
     this.#url = url;
@@ -312,6 +312,7 @@ function codeOf(status: number, body: string): number {
   if (status === 403 && body.includes("/problems/")) return closeReasons.forbidden.code;
   // Any other 404 comes from a proxy, or from a service without long polling.
   if (status === 404 && body.includes("/problems/no-robot")) return closeReasons.noRobot.code;
+  if (status === 404 && body.includes("/problems/no-class")) return closeReasons.over.code;
   if (status === 429) return closeReasons.tooMany.code;
   return status === 503 ? closeReasons.restart.code : LOST;
 }

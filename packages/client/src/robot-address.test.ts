@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { connectionUrls, parseRobotAddress } from "./robot-address.ts";
+import { parseRobotAddress } from "./robot-address.ts";
 import { ADDRESS } from "./testing/messages.ts";
 
 describe("parseRobotAddress", () => {
@@ -10,13 +10,6 @@ describe("parseRobotAddress", () => {
       id: "AAAAAAAAAAAAAAAAAAAAAA",
       key: "drv_BBBBBBBBBBBBBBBBBBBBBB",
     });
-    expect(connectionUrls(address.origin, address.id)).toEqual({
-      websocket: "ws://localhost:8080/api/v1/robots/AAAAAAAAAAAAAAAAAAAAAA/socket",
-      "long-poll": "http://localhost:8080/api/v1/robots/AAAAAAAAAAAAAAAAAAAAAA/long-poll",
-    });
-    expect(connectionUrls("https://http.example", "x").websocket).toMatch(
-      /^wss:\/\/http\.example\//,
-    );
   });
 
   it.each([

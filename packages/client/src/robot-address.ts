@@ -1,6 +1,5 @@
 /** The address of a robot, `https://HOST/r/ID#KEY`: everything that a script needs. */
 import { ClientError } from "./client-error.ts";
-import type { Transport } from "./transport-choice.ts";
 
 export interface RobotAddress {
   /** such as https://robots.example.org */
@@ -24,12 +23,6 @@ export function parseRobotAddress(text: string): RobotAddress {
     throw new ClientError("bad-address", "This is not a robot's address", hintFor(address));
   }
   return { origin, id, key };
-}
-
-/** The URLs of the robot's connections. They do not contain the key. */
-export function connectionUrls(origin: string, id: string): Record<Transport, string> {
-  const robot = `${origin}/api/v1/robots/${id}`;
-  return { websocket: `${robot.replace(/^http/, "ws")}/socket`, "long-poll": `${robot}/long-poll` };
 }
 
 function hintFor(address: string): string {

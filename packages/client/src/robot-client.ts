@@ -22,7 +22,8 @@ import { EventInbox, type RobotEvent } from "./event-inbox.ts";
 import { SilentRobotNotice, UnreachableNotice } from "./notices.ts";
 import { pairRobot } from "./pairing.ts";
 import { globalPlatform, type Platform } from "./platform.ts";
-import { parseRobotAddress, connectionUrls, type RobotAddress } from "./robot-address.ts";
+import { connectionUrls } from "./connection-urls.ts";
+import { parseRobotAddress, type RobotAddress } from "./robot-address.ts";
 import { readMaze, type RobotMaze } from "./robot-maze.ts";
 import { DelayedAcknowledgements } from "./delayed-acknowledgements.ts";
 import { SnapshotInbox } from "./snapshot-inbox.ts";
@@ -119,7 +120,7 @@ export class RobotClient {
     this.#silence = new SilentRobotNotice(clock, warn);
     this.#unreachable = new UnreachableNotice(clock, warn, origin);
     this.#connection = new Connection({
-      urls: connectionUrls(origin, id),
+      urls: connectionUrls(origin, "robots", id),
       platform: this.#platform,
       firstMessages: () => [this.#hello()],
       decode: (text) => decodeFrame(relayToDriverSchema, text),

@@ -9,7 +9,7 @@ import {
 } from "@corridor/protocol";
 import { Connection } from "./connection.ts";
 import { globalPlatform, type Platform } from "./platform.ts";
-import { connectionUrls } from "./robot-address.ts";
+import { connectionUrls } from "./connection-urls.ts";
 import { DelayedAcknowledgements } from "./delayed-acknowledgements.ts";
 
 /** Delay before a failed request for the maze is repeated. */
@@ -56,7 +56,7 @@ export class WatchLink {
     this.#options = options;
     this.#platform = platform;
     this.#connection = new Connection({
-      urls: connectionUrls(origin, id),
+      urls: connectionUrls(origin, "robots", id),
       platform,
       firstMessages: () => [
         encodeFrame({ type: "hello", version: PROTOCOL_VERSION, role: "watch", key }),

@@ -1,7 +1,8 @@
 /** How many snapshots a reader receives from the real relay, and how many it acknowledges. */
 import { describe, expect, it, onTestFinished } from "vitest";
+import { connectionUrls } from "../../../packages/client/src/connection-urls.ts";
 import { registerRobot } from "../../../packages/client/src/register-robot.ts";
-import { connectionUrls, parseRobotAddress } from "../../../packages/client/src/robot-address.ts";
+import { parseRobotAddress } from "../../../packages/client/src/robot-address.ts";
 import { RobotClient } from "../../../packages/client/src/robot-client.ts";
 import { GridRobot } from "../../support/client/grid-robot.ts";
 import { slowNetwork, type SlowNetwork } from "../../support/client/slow-network.ts";
@@ -36,7 +37,7 @@ async function readAsClient(address: string, network: SlowNetwork): Promise<void
 /** Acknowledges each snapshot, as simple scripts do. */
 function readAcknowledgingEach(address: string, network: SlowNetwork): void {
   const { origin, id, key } = parseRobotAddress(address);
-  const socket = network.platform.connect(connectionUrls(origin, id).websocket, {
+  const socket = network.platform.connect(connectionUrls(origin, "robots", id).websocket, {
     opened: () => socket.send(JSON.stringify({ type: "hello", version: 1, role: "drive", key })),
     received: (text) => {
       const message = JSON.parse(text) as { type: string; snapshot: { seq: number } };

@@ -7,6 +7,7 @@ import type { LessonsEntry } from "./lessons/lessons-entry.ts";
 import type { CameraStore } from "./screen/camera-store.ts";
 import type { CardDock, CardStore } from "./run/card-store.ts";
 import type { ChallengeStore } from "./challenge/challenge-store.ts";
+import type { ClassStore } from "./classes/class-store.ts";
 import type { RaceStore } from "./run/race-store.ts";
 import type { RemoteStore } from "./remote/remote-store.ts";
 import type { RunStore } from "./run/run-store.ts";
@@ -43,6 +44,8 @@ export interface Services {
   connection: RemoteConnection;
   /** the open challenge, if any */
   challenge: ChallengeStore;
+  /** the class that this tab has joined, if any */
+  classes: ClassStore;
   lessons: LessonsEntry;
   /** camera of the stage */
   camera: CameraStore;

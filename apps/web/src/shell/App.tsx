@@ -52,7 +52,8 @@ function Page() {
   const { t } = useTranslation();
   const isPhone = useMediaQuery("(max-width: 37.49em)");
   const [opened, setOpened] = useState<"keys" | "remote" | null>(null);
-  const { camera, run, challenge } = useServices();
+  const { camera, run, challenge, classes } = useServices();
+  const { shown: inClass, pauseEndsAt } = useStore(classes);
   const isPathOpen = useStore(challenge, (state) => state.isPathOpen);
   const isDriving = useStore(camera, (state) => state.isDriving);
   const isNow = useStore(run, ({ view }) => view === "now");
@@ -67,36 +68,39 @@ function Page() {
         onRemote={() => setOpened("remote")}
         onLessons={() => challenge.setState({ isPathOpen: true })}
       />
-      <main className={styles["stage"]}>
-        <Deferred>
-          <StageArea />
-        </Deferred>
-        <FaultNotice />
-        <Deferred>
-          <Messages>
-            <PairingPlace />
-          </Messages>
-        </Deferred>
-      </main>
-      {isPhone ? (
-        <>
-          {/* The Drive tab needs the room, but an earlier tick always needs a way back to the
+      {inClass !== null && pauseEndsAt !== null && <inClass.Band endsAt={pauseEndsAt} />}
+      <div className={styles["work"]} inert={pauseEndsAt !== null}>
+        <main className={styles["stage"]}>
+          <Deferred>
+            <StageArea />
+          </Deferred>
+          <FaultNotice />
+          <Deferred>
+            <Messages>
+              <PairingPlace />
+            </Messages>
+          </Deferred>
+        </main>
+        {isPhone ? (
+          <>
+            {/* The Drive tab needs the room, but an earlier tick always needs a way back to the
               newest. */}
-          {(!isDriving || !isNow) && (
+            {(!isDriving || !isNow) && (
+              <div className={styles["footer"]}>
+                <RunControls />
+              </div>
+            )}
+            <PhoneSheet hold={hold} />
+          </>
+        ) : (
+          <>
+            <SidePanel hold={hold} />
             <div className={styles["footer"]}>
               <RunControls />
             </div>
-          )}
-          <PhoneSheet hold={hold} />
-        </>
-      ) : (
-        <>
-          <SidePanel hold={hold} />
-          <div className={styles["footer"]}>
-            <RunControls />
-          </div>
-        </>
-      )}
+          </>
+        )}
+      </div>
       <Deferred>
         <SpokenRun />
         <LessonsDialog

@@ -1,6 +1,7 @@
 /** The bar at the top: logo, maze, and actions. */
 import { Ellipsis, Keyboard } from "lucide";
 import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
 import { LessonsButton } from "../features/lessons/LessonsButton.tsx";
 import { PresetsButton } from "../features/presets/PresetsButton.tsx";
 import { ShareButton } from "../features/share/ShareButton.tsx";
@@ -23,7 +24,10 @@ const MoreMenu = lazyPart(async () => (await import("./MoreMenu.tsx")).MoreMenu)
 
 export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
   const { t } = useTranslation();
-  const { screen } = useServices();
+  const { screen, classes } = useServices();
+  const { shown: inClass, pauseEndsAt } = useStore(classes);
+  // During a pause, only the class menu works.
+  const work = { className: styles["work"], inert: pauseEndsAt !== null };
   // The maze's name needs the room first.
   const isNarrow = useMediaQuery("(max-width: 56.24em)");
   const hasPresets = useTool("presets");
@@ -32,21 +36,28 @@ export function TopBar({ isPhone, onKeys, onRemote, onLessons }: TopBarProps) {
     <header className={styles["bar"]}>
       <Brand />
       <Deferred>
-        <MazeMenu files={<FileItems />} />
+        <div {...work}>
+          <MazeMenu files={<FileItems />} />
+        </div>
         <div className={styles["end"]}>
-          {!isPhone && hasPresets && <PresetsButton algorithms={algorithms} />}
-          {!isPhone && <LessonsButton />}
-          {hasShare && <ShareButton />}
-          {isNarrow ? (
-            <More isPhone={isPhone} onKeys={onKeys} onRemote={onRemote} onLessons={onLessons} />
-          ) : (
-            <div className={styles["last"]}>
-              <IconButton label={t("shell.keys.title")} size="medium" onClick={onKeys}>
-                <Icon of={Keyboard} />
-              </IconButton>
-              <PageTools screen={screen} />
-            </div>
-          )}
+          <div {...work}>
+            {!isPhone && hasPresets && <PresetsButton algorithms={algorithms} />}
+            {!isPhone && <LessonsButton />}
+            {hasShare && <ShareButton />}
+          </div>
+          {inClass !== null && <inClass.Menu joined={inClass.joined} />}
+          <div {...work}>
+            {isNarrow ? (
+              <More isPhone={isPhone} onKeys={onKeys} onRemote={onRemote} onLessons={onLessons} />
+            ) : (
+              <div className={styles["last"]}>
+                <IconButton label={t("shell.keys.title")} size="medium" onClick={onKeys}>
+                  <Icon of={Keyboard} />
+                </IconButton>
+                <PageTools screen={screen} />
+              </div>
+            )}
+          </div>
         </div>
       </Deferred>
     </header>

@@ -19,6 +19,7 @@ import {
   truncateCards,
 } from "../model/run/card-store.ts";
 import { createChallengeStore } from "../model/challenge/challenge-store.ts";
+import { createClassStore } from "../model/classes/class-store.ts";
 import { createEventThrottle } from "../model/run/event-throttle.ts";
 import { DeferredRun } from "../model/run/deferred-run.ts";
 import { createRaceStore } from "../model/run/race-store.ts";
@@ -130,6 +131,7 @@ export function createServices(browser: Browser): Services {
       case "fault":
         run.setState({ fault: message.reason });
         return;
+      case "class":
       case "digest":
       case "judgement":
       case "picture":
@@ -209,6 +211,7 @@ export function createServices(browser: Browser): Services {
     solved,
     connection,
     challenge,
+    classes: createClassStore(),
     lessons,
     speech,
   };

@@ -61,7 +61,7 @@ function listen(
     (event) => {
       if (event.key === "Tab") isFocusedByPointer = false;
       if (event.defaultPrevented || event.isComposing) return;
-      const isCovered = document.querySelector("dialog:modal, :popover-open") !== null;
+      const isCovered = document.querySelector("dialog:modal, :popover-open, [inert]") !== null;
       const shortcut = shortcutOf(
         {
           key: event.key,
@@ -73,7 +73,8 @@ function listen(
         placeOf(event.target, isFocusedByPointer),
         screen.getState().singleKeys,
       );
-      // A dialog on top of the page receives all keys; Escape closes it.
+      // A dialog on top of the page receives all keys; Escape closes it. In a paused class, no key
+      // drives.
       if (shortcut === null || isCovered) return;
       if (shortcut.kind === "drive") {
         const { rights } = challenge.getState();

@@ -7,7 +7,9 @@ import type { en } from "./en/index.ts";
 import type check from "./en/check.json";
 import type lessonEditor from "./en/lesson-editor.json";
 import type diagnosis from "./en/diagnosis.json";
+import type join from "./en/join.json";
 import type missions from "./en/missions.json";
+import type names from "./en/names.json";
 import type otherMazes from "./en/other-mazes.json";
 import type runDetails from "./en/run-details.json";
 import type race from "./en/race.json";
@@ -23,8 +25,12 @@ export interface Namespaces {
   check: typeof check;
   /** why a run failed */
   diagnosis: typeof diagnosis;
+  /** a student in a class: the page to join, and the class menu */
+  join: typeof join;
   /** the lessons */
   missions: typeof missions;
+  /** the words that students get as names in a class */
+  names: typeof names;
   /** "Try it in other mazes" */
   otherMazes: typeof otherMazes;
   /** texts that the controls of a run need only in use: taking over, zoom, commands */

@@ -3,7 +3,7 @@ import { TriangleAlert } from "lucide";
 import { Icon } from "./Icon.tsx";
 import styles from "./field.module.css";
 
-export function FieldError({ id, children }: { id: string; children: string }) {
+export function FieldError({ id, children }: { id?: string; children: string }) {
   return (
     <p id={id} className={styles["error"]} role="alert">
       <Icon of={TriangleAlert} size={16} />

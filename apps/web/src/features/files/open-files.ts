@@ -10,6 +10,7 @@ import type { i18n } from "i18next";
 import type { Services } from "../../model/services.ts";
 import { dismiss, showMessage } from "../../model/screen/screen-store.ts";
 import { joinList } from "../../text/joined.ts";
+import { isPaused } from "../../model/classes/class-store.ts";
 import { programForMaze } from "../../model/workspace/own-program.ts";
 import { openRun } from "../../model/projects/open-run.ts";
 import type { TextFile } from "../../ui/incoming-files.ts";
@@ -31,7 +32,10 @@ const MAX_BYTES = 9_000_000;
 /** More files than this are not read at all. */
 const MAX_FILES = 10;
 
-type Opener = Pick<Services, "projects" | "workspace" | "simulator" | "screen" | "lessons">;
+type Opener = Pick<
+  Services,
+  "projects" | "workspace" | "simulator" | "screen" | "lessons" | "classes"
+>;
 
 /** @returns an empty list if the files were opened; otherwise the problems, by file */
 export async function openFiles(
@@ -39,6 +43,7 @@ export async function openFiles(
   words: Pick<i18n, "t" | "language">,
   files: readonly TextFile[],
 ): Promise<readonly FileReport[]> {
+  if (isPaused(services.classes)) return [];
   if (files.length > MAX_FILES) {
     const found = words.t("files.files", { count: files.length });
     return [tooMuch(files.slice(0, MAX_FILES), found, words)];

@@ -87,7 +87,10 @@ function MissionPath({ service, onClose }: { service: LessonsService; onClose: (
         >
           {t("path.reset")}
         </Button>
-        <a className={styles["teachers"]} href="/teach">
+        <a className={styles["otherPage"]} href="/join">
+          {t("path.join")}
+        </a>
+        <a className={styles["otherPage"]} href="/teach">
           {t("path.teachers")}
         </a>
       </div>

@@ -20,6 +20,7 @@ import type { ProgramDocument } from "@corridor/program";
 import type { RunDocument, TimelineDelta, WrittenRun } from "@corridor/recording";
 import type { BumpCause } from "@corridor/simulation";
 import type { CancelReason } from "./cancel-reason.ts";
+import type { ClassRequest, ClassSession } from "./class-messages.ts";
 import type { Frame } from "../../stage/drawing/frame.ts";
 import type { StageFromWorker, StageToWorker } from "../../stage/stage-messages.ts";
 
@@ -129,6 +130,9 @@ export type ToWorker =
   | { type: "remote-open"; session: RemoteSession | null; fresh: boolean }
   | { type: "remote-close" }
   | { type: "remote-clear" }
+  | { type: "class"; request: ClassRequest }
+  /** the teacher pauses the class, or ends the pause: nothing moves the robot meanwhile */
+  | { type: "class-pause"; isPaused: boolean }
   /** runs a program, or commands at given ticks, without the robot and answers with the digest */
   | {
       type: "digest";
@@ -268,5 +272,7 @@ export type FromWorker =
   | { type: "run-loaded"; id: number; loaded: LoadedRun }
   | { type: "ghost-added"; id: number; added: AddedGhost }
   | { type: "remote"; remote: RemoteView }
+  /** the student's class, on each change */
+  | { type: "class"; session: ClassSession }
   | { type: "digest"; digest: string }
   | { type: "fault"; reason: string };

@@ -19,6 +19,25 @@ const anyAction = fc.oneof(
   fc.record({ seek: fc.integer({ min: 0, max: 600 }) }),
 );
 
+type Action = typeof anyAction extends fc.Arbitrary<infer T> ? T : never;
+
+/** Presses a button, or lets time pass. @returns milliseconds that pass */
+function press(loop: RunLoop, action: Action): number {
+  if (action === "run") loop.run();
+  else if (action === "step") loop.step();
+  else if (action === "play") loop.play();
+  else if (action === "now") loop.now();
+  else if (action === "forward") loop.hold("forward");
+  else if (action === "back") loop.seekStep(-1);
+  else if (action === "on") loop.seekStep(1);
+  else if (action === "remote") loop.setDriver("remote");
+  else if (action === "reset") loop.reset();
+  else if ("speed" in action) loop.setSpeed(action.speed);
+  else if ("seek" in action) loop.seek(action.seek);
+  else return action.wait;
+  return 0;
+}
+
 it("Pause pauses at any speed, whatever was pressed just before it", () => {
   let ran = 0;
   fc.assert(
@@ -29,21 +48,9 @@ it("Pause pauses at any speed, whatever was pressed just before it", () => {
       loop.setSpeed(8);
       loop.run();
       for (const action of actions) {
-        if (action === "run") loop.run();
-        else if (action === "step") loop.step();
-        else if (action === "play") loop.play();
-        else if (action === "now") loop.now();
-        else if (action === "forward") loop.hold("forward");
-        else if (action === "back") loop.seekStep(-1);
-        else if (action === "on") loop.seekStep(1);
-        else if (action === "remote") loop.setDriver("remote");
-        else if (action === "reset") loop.reset();
-        else if ("speed" in action) loop.setSpeed(action.speed);
-        else if ("seek" in action) loop.seek(action.seek);
-        else {
-          time += action.wait;
-          loop.advance();
-        }
+        const waited = press(loop, action);
+        time += waited;
+        if (waited > 0) loop.advance();
       }
       if (loop.isRunning) ran++;
       loop.pause();
@@ -78,4 +85,27 @@ it("a script reads `paused` while nobody drives, and `running` while Remote wait
   const { tick } = loop.snapshot();
   expect(pass()).toMatchObject({ driver: "remote", state: "running", motion: "stop" });
   expect(loop.snapshot().tick).toBeGreaterThan(tick);
+});
+
+it("nothing moves the robot while the class is paused", () => {
+  fc.assert(
+    fc.property(fc.array(anyAction, { minLength: 1, maxLength: 12 }), (actions) => {
+      let time = 0;
+      const loop = new RunLoop(firstMaze, firstProgram, () => time);
+      loop.updates.useDiagnostics(diagnostics);
+      loop.run();
+      time += 500;
+      loop.advance();
+      loop.suspend(true);
+      for (const action of actions) {
+        time += press(loop, action) + 100;
+        loop.advance();
+        expect(loop.isRunning).toBe(false);
+      }
+      loop.suspend(false);
+      loop.run();
+      expect(loop.isRunning).toBe(true);
+    }),
+    { numRuns: 60 },
+  );
 });

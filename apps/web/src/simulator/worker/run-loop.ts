@@ -32,6 +32,7 @@ export class RunLoop {
   #resumesNow = false;
   /** pause after the next tick, or at the next change of decision */
   #stepping: StepLength | null = null;
+  #isSuspended = false;
 
   /** @param now monotonic milliseconds */
   constructor(maze: MazeDocument, program: ProgramDocument, now: () => number) {
@@ -107,6 +108,12 @@ export class RunLoop {
     this.#stepping = null;
     this.#resumesNow = false;
     this.updates.changed();
+  }
+
+  /** Pauses; until it ends, nothing starts the clock: no button, script or playback. */
+  suspend(isSuspended: boolean): void {
+    this.#isSuspended = isSuspended;
+    if (isSuspended) this.pause();
   }
 
   /**
@@ -202,7 +209,7 @@ export class RunLoop {
 
   /** Plays the recording from the displayed tick up to the newest. */
   play(): void {
-    if (!this.#screen.isPast) return;
+    if (!this.#screen.isPast || this.#isSuspended) return;
     this.#screen.play();
     this.#startClock();
   }
@@ -291,6 +298,7 @@ export class RunLoop {
   }
 
   #start(): void {
+    if (this.#isSuspended) return;
     if (!this.#live.isRunning) this.#startClock();
     this.#live.isRunning = true;
   }

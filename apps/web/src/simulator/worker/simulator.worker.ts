@@ -4,6 +4,7 @@
  * `run-loop.ts`, and in parts that load on first use.
  */
 import { loadRaceGhosts } from "../../stage/layers/lazy-race-ghosts.ts";
+import type { ClassSession } from "../protocol/class-messages.ts";
 import { earlyProject, type FirstProject } from "../protocol/first-project.ts";
 import type { FromWorker, RemoteView, ToWorker } from "../protocol/worker-messages.ts";
 import { afterMessages } from "./after-messages.ts";
@@ -36,7 +37,7 @@ const unreachable: RemoteView = {
 /** A message for the run, after the documents. */
 type RunMessage = Exclude<
   ToWorker,
-  { type: "load" | "digest" | "load-run" | "restore-run" | "run-key-noted" }
+  { type: "load" | "digest" | "load-run" | "restore-run" | "run-key-noted" | "class" }
 >;
 
 const worker = self as unknown as DedicatedWorkerGlobalScope;
@@ -78,6 +79,19 @@ const relay = new Lazy(async () => {
     onView: (remote) => post({ type: "remote", remote }),
     save: () => world.save(),
     restored: () => world.restored,
+  });
+}, guarded);
+
+const studentClass = new Lazy(async () => {
+  const { ClassHost } = await import("./class-host.ts");
+  return new ClassHost({
+    origin: worker.location.origin,
+    now: () => Date.now(),
+    onSession: postClass,
+    after: (ms, call) => {
+      const timer = setTimeout(() => guarded(call), ms);
+      return () => clearTimeout(timer);
+    },
   });
 }, guarded);
 
@@ -166,7 +180,17 @@ function handle(message: ToWorker): void {
       reportFault,
     );
   }
+  if (message.type === "class") {
+    return studentClass.use(
+      (host) => host.handle(message.request),
+      () => postClass({ status: { kind: "lost" }, student: null }),
+    );
+  }
   if (loop !== null) control(loop, message);
+}
+
+function postClass(session: ClassSession): void {
+  post({ type: "class", session });
 }
 
 function control(run: RunLoop, message: RunMessage): void {
@@ -214,6 +238,8 @@ function control(run: RunLoop, message: RunMessage): void {
       return race.use((ghosts) => ghosts.remove(message.id));
     case "cancel-load":
       return recorded.cancel(message.id);
+    case "class-pause":
+      return run.suspend(message.isPaused);
     case "remote-open":
       return withHost((host) => host.open(message.session, message.fresh));
     case "remote-close":

@@ -13,6 +13,8 @@ export const files = import.meta.glob<Words>(
     "!./report.json",
     "!./daily.json",
     "!./sound.json",
+    "!./join.json",
+    "!./names.json",
     "!./lesson-editor.json",
     "!./teach.json",
     "!./watch.json",

@@ -1,0 +1,48 @@
+/** The class in the bar: the student's name, which opens the menu, and an eye while the teacher watches. */
+import { ChevronDown, Eye, School } from "lucide";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import type { StudentClass } from "../../model/classes/student-class.ts";
+import { studentNameText } from "../../model/classes/student-name.ts";
+import { useAnnouncement } from "../../model/use-announcement.ts";
+import { asSentence, joinSentences } from "../../text/joined.ts";
+import { Button } from "../../ui/Button.tsx";
+import { Icon } from "../../ui/Icon.tsx";
+import { Popover, usePopover } from "../../ui/Popover.tsx";
+import { useMediaQuery } from "../../ui/use-media-query.ts";
+import { ClassMenuContent } from "./ClassMenuContent.tsx";
+import styles from "./class-menu.module.css";
+
+export function ClassMenu({ joined }: { joined: StudentClass }) {
+  const { t } = useTranslation("join", { useSuspense: false });
+  const { t: tShared } = useTranslation();
+  const { t: tNames } = useTranslation("names", { useSuspense: false });
+  const isNarrow = useMediaQuery("(max-width: 74.99em)");
+  const menu = usePopover();
+  const { status, student } = useStore(joined.session);
+  const name = studentNameText(tNames, student?.name ?? joined.name);
+  const isWatched = status.kind === "connected" && student?.watched === true;
+  const text = t("inClass.button", { name });
+  const watched = isWatched ? t("inClass.watched") : null;
+  useAnnouncement(watched, "class watched");
+  return (
+    <>
+      <Button
+        kind="quiet"
+        className={styles["trigger"]}
+        icon={<Icon of={isWatched ? Eye : School} />}
+        aria-label={
+          watched === null ? text : joinSentences(tShared, [asSentence(tShared, text), watched])
+        }
+        title={watched ?? undefined}
+        {...menu.trigger}
+      >
+        <span className={styles["name"]}>{isNarrow ? name : text}</span>
+        <Icon of={ChevronDown} />
+      </Button>
+      <Popover {...menu.panel} label={t("inClass.menu")} align="end" className={styles["panel"]}>
+        <ClassMenuContent joined={joined} />
+      </Popover>
+    </>
+  );
+}

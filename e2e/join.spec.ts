@@ -1,0 +1,142 @@
+/** Students join a class on `/join`, with the letters that the teacher shows. */
+import type { Locator, Page } from "playwright/test";
+import names from "../apps/web/src/text/en/names.json" with { type: "json" };
+import { expect, test } from "./fixtures.ts";
+import { expectNoAxeViolations } from "./support/axe.ts";
+import { ClassTeacher } from "./support/class-teacher.ts";
+import { horizontalOverflow, smallTouchTargets } from "./support/layout.ts";
+import type { PageErrors } from "./support/page-errors.ts";
+import { phone } from "./support/phone.ts";
+
+/** Letters of no class: codes are random, and the chance of this one is 1 in 64 million. */
+const NO_CLASS = "ZZZ ZZZ";
+
+function lettersOf(page: Page): Locator {
+  return page.getByRole("textbox", { name: "Letters on the board" });
+}
+
+async function join(page: Page, letters: string): Promise<void> {
+  await lettersOf(page).fill(letters);
+  await page.keyboard.press("Enter");
+}
+
+/** The browser reports each refused or failed request as an error. */
+function ignoreFailedRequests({ messages }: PageErrors): void {
+  const others = messages.filter((each) => !each.startsWith("console: Failed to load resource"));
+  messages.splice(0, messages.length, ...others);
+}
+
+test("a student joins with small letters, and stays in the class after a reload", async ({
+  page,
+  relay,
+}) => {
+  const { code } = await ClassTeacher.start(relay);
+  await page.goto("/join");
+  await expect(lettersOf(page)).toBeFocused();
+  await join(page, `${code.slice(0, 3)} - ${code.slice(3)}`.toLowerCase());
+  const title = page.getByRole("heading", { name: /^You are / });
+  await expect(title).toBeFocused();
+  const name = (await title.textContent())?.replace("You are ", "") ?? "";
+  expect(Object.values(names.words)).toContain(name);
+  await page.reload();
+  await expect(page.getByRole("heading", { name: `You are ${name}` })).toBeVisible();
+  await page.getByText("What my teacher sees").click();
+  await expect(page.getByText("Deleted when the lesson ends.")).toBeVisible();
+  await expectNoAxeViolations(page, "joined");
+  await page.getByRole("link", { name: "Start" }).click();
+  await expect(page.getByRole("button", { name: "Run" })).toBeVisible();
+});
+
+test("the code of an address is in the field, and is gone once the student has joined", async ({
+  page,
+  relay,
+}) => {
+  const { code } = await ClassTeacher.start(relay, ["Team 4"]);
+  await page.goto(`/join#${code}`);
+  await expect(lettersOf(page)).toHaveValue(`${code.slice(0, 3)} ${code.slice(3)}`);
+  await page.getByRole("button", { name: "Join" }).click();
+  await expect(page.getByRole("heading", { name: "You are Team 4" })).toBeVisible();
+  expect(new URL(page.url()).hash).toBe("");
+});
+
+test("each refusal says what to do, and the letters stay in the field", async ({
+  page,
+  pageErrors,
+  relay,
+}) => {
+  const teacher = await ClassTeacher.start(relay, ["Only one"]);
+  await page.goto("/join");
+  const alert = page.getByRole("alert");
+  await join(page, NO_CLASS);
+  await expect(alert).toHaveText("No class has these letters now. Look at the board again.");
+  await expect(lettersOf(page)).toHaveValue(NO_CLASS);
+  await expect(lettersOf(page)).toBeFocused();
+  await expectNoAxeViolations(page, "wrong letters");
+  await join(page, "BCDF GHJK");
+  await expect(alert).toHaveText("These are the letters of a robot. Type them into a script.");
+  await teacher.direct("PUT", "/lock");
+  await join(page, teacher.code);
+  await expect(alert).toHaveText("This class is locked. Ask your teacher to unlock it.");
+  await teacher.direct("DELETE", "/lock");
+  await join(page, teacher.code);
+  await expect(page.getByRole("heading", { name: "You are Only one" })).toBeVisible();
+  await page.goto(`/join#${teacher.code}`);
+  await page.getByRole("button", { name: "Join" }).click();
+  await expect(alert).toHaveText("This class is full. Ask your teacher.");
+  await teacher.direct("DELETE");
+  await join(page, teacher.code);
+  await expect(alert).toHaveText("No class has these letters now. Look at the board again.");
+  ignoreFailedRequests(pageErrors);
+});
+
+test("a page that is older than the relay offers to reload", async ({ page, relay }) => {
+  const { code } = await ClassTeacher.start(relay);
+  await page.route("**/api/v1/joins", (route) =>
+    route.fulfill({ status: 201, json: { class: "of a later version" } }),
+  );
+  await page.goto(`/join#${code}`);
+  await page.getByRole("button", { name: "Join" }).click();
+  await expect(page.getByRole("alert")).toContainText("This page is older than the class.");
+  await page.unroute("**/api/v1/joins");
+  await page.getByRole("button", { name: "Reload" }).click();
+  await page.getByRole("button", { name: "Join" }).click();
+  await expect(page.getByRole("heading", { name: /^You are / })).toBeVisible();
+});
+
+test("a student without a network reads what still works", async ({
+  page,
+  context,
+  pageErrors,
+}) => {
+  await page.goto("/join");
+  await expect(lettersOf(page)).toBeVisible();
+  await context.setOffline(true);
+  await join(page, NO_CLASS);
+  await expect(page.getByRole("alert")).toContainText("You are offline.");
+  ignoreFailedRequests(pageErrors);
+});
+
+test("fits a phone and 320 px, also in a right-to-left language", async ({
+  openWindow,
+  pageErrors,
+  relay,
+}) => {
+  const { code } = await ClassTeacher.start(relay);
+  for (const locale of ["en", "ar"]) {
+    const { page } = await openWindow({ ...phone, locale });
+    await page.goto("/join#ZZZZZZ");
+    await page.getByRole("textbox").press("Enter");
+    await expect(page.getByRole("alert")).toBeVisible();
+    expect(await smallTouchTargets(page)).toEqual([]);
+    for (const width of [390, 320]) {
+      await page.setViewportSize({ width, height: 568 });
+      expect(await horizontalOverflow(page), `${locale}, ${width} px`).toEqual([]);
+    }
+    await page.getByRole("textbox").fill(code);
+    await page.getByRole("textbox").press("Enter");
+    await expect(page.locator("details")).toBeVisible();
+    expect(await smallTouchTargets(page)).toEqual([]);
+    expect(await horizontalOverflow(page), locale).toEqual([]);
+  }
+  ignoreFailedRequests(pageErrors);
+});
