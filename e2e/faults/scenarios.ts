@@ -1,5 +1,6 @@
 /** Every scenario of `npm run test:faults`, in the order of execution. */
 import type { Scenario } from "./scenario.ts";
+import { classInALesson } from "./scenarios/class-in-a-lesson.ts";
 import { cleanNetwork } from "./scenarios/clean-network.ts";
 import { cuts } from "./scenarios/cuts.ts";
 import { filters } from "./scenarios/filters.ts";
@@ -28,6 +29,7 @@ export const scenarios: readonly Scenario[] = [
   savedEndings,
   staleMotion,
   twoRelays,
+  classInALesson,
   hiddenPage,
   slowReaders,
   wrongCodes,

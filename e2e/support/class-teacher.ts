@@ -32,7 +32,12 @@ export class ClassTeacher {
 
   /** The class with its students. */
   async read(): Promise<ClassView> {
-    return classViewSchema.parse(await (await this.#request("GET", "")).json());
+    return classViewSchema.parse(await this.get(""));
+  }
+
+  /** Reads a part of the class. @param path below the class */
+  async get(path: string): Promise<unknown> {
+    return (await this.#request("GET", path)).json();
   }
 
   /** A request with the teacher's key. @param path below the class */
