@@ -81,6 +81,8 @@ test("the npm package contains the built files, README and license, and tools ac
     "host.js",
     "index.d.ts",
     "index.js",
+    "learn.d.ts",
+    "learn.js",
     "package.json",
     "watch.d.ts",
     "watch.js",
