@@ -1,13 +1,12 @@
 /** Relays are killed during a lesson: one with its files, and two in turn that share a Redis. */
 import { studentProgramSchema } from "@corridor/protocol";
 import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
-import { startBalancer } from "../../../scripts/balancer.ts";
-import { requireRedis, startRedis } from "../../../scripts/redis-server.ts";
 import { RelayProcess } from "../../../tests/support/relay-process.ts";
 import type { Goal } from "../../../benches/core/goals.ts";
 import { ClassTeacher } from "../../support/class-teacher.ts";
 import { LessonStudent } from "../classes/lesson-student.ts";
 import { machineNow, sleep, waitUntil } from "../clock.ts";
+import { startRelayPair } from "../relay-pair.ts";
 import type { Transports } from "../robots/page-messages.ts";
 import type { Scenario, ScenarioContext } from "../scenario.ts";
 
@@ -25,8 +24,8 @@ interface Service {
   origin: string;
   /** of each student in turn */
   transports: readonly Transports[];
-  /** how long a killed relay is away; 0: students wait until it has restarted */
-  awayMs: number;
+  /** ms until a killed relay is started again; 0: at once, and students reconnect to it */
+  restartMs: number;
   /** Kills a relay. @returns a function that starts it again */
   kill: (n: number) => Promise<() => Promise<void>>;
 }
@@ -49,7 +48,7 @@ async function oneRelay(context: ScenarioContext): Promise<Service> {
     name: "one relay",
     origin: relay.url,
     transports: ["both", "https"],
-    awayMs: 0,
+    restartMs: 0,
     kill: async () => {
       await relay.kill();
       return () => relay.restart();
@@ -58,24 +57,13 @@ async function oneRelay(context: ScenarioContext): Promise<Service> {
 }
 
 async function twoRelays(context: ScenarioContext): Promise<Service> {
-  requireRedis();
-  const redis = await startRedis(context.folder);
-  context.onCleanup(() => redis.stop("SIGKILL"));
-  const environment = { STORE_URL: redis.url };
-  const relays = [
-    await RelayProcess.start({ environment }),
-    await RelayProcess.start({ environment }),
-  ] as const;
-  for (const relay of relays) context.onCleanup(() => relay.stop());
-  const ports = relays.map(({ port }) => port);
-  const balancer = await startBalancer(ports, 0, "127.0.0.1");
-  context.onCleanup(() => balancer.close());
+  const { relays, balancer, origin } = await startRelayPair(context);
   return {
     name: "two relays",
-    origin: `http://127.0.0.1:${balancer.port}`,
+    origin,
     // A long-poll connection is bound to one relay, and this balancer has no session affinity.
     transports: ["websocket"],
-    awayMs: EVERY_MS / 2,
+    restartMs: EVERY_MS / 2,
     kill: async (n) => {
       const [killed, other] = n % 2 === 0 ? relays : [relays[1], relays[0]];
       await killed.kill();
@@ -90,7 +78,7 @@ async function twoRelays(context: ScenarioContext): Promise<Service> {
 
 /** Gives a lesson in which relays are killed, and compares what was confirmed with what is stored. */
 async function teach(service: Service, context: ScenarioContext): Promise<Goal[]> {
-  const { name, origin, transports, awayMs, kill } = service;
+  const { name, origin, transports, restartMs, kill } = service;
   const random = new SeededRandom(context.seed);
   const teacher = await ClassTeacher.start(origin);
   const students: LessonStudent[] = [];
@@ -110,12 +98,12 @@ async function teach(service: Service, context: ScenarioContext): Promise<Goal[]
     const killedAt = machineNow();
     const joining = join();
     const restart = await kill(n);
-    if (awayMs === 0) await restart();
+    if (restartMs === 0) await restart();
     await joining;
     await waitUntil(() => students.every(({ isConnected }) => isConnected), LONG_MS);
     backMs.push(machineNow() - killedAt);
-    await sleep(awayMs - (machineNow() - killedAt));
-    if (awayMs > 0) await restart();
+    await sleep(restartMs - (machineNow() - killedAt));
+    if (restartMs > 0) await restart();
     await sleep(next - machineNow());
   }
   for (const student of students) student.finish();

@@ -1,9 +1,7 @@
 /** Two relays on one Redis behind a balancer. They are killed in turn. */
 import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
-import { startBalancer } from "../../../scripts/balancer.ts";
-import { requireRedis, startRedis } from "../../../scripts/redis-server.ts";
-import { RelayProcess } from "../../../tests/support/relay-process.ts";
 import { machineNow, sleep, waitUntil } from "../clock.ts";
+import { startRelayPair } from "../relay-pair.ts";
 import type { Scenario } from "../scenario.ts";
 import { TestBed } from "../test-bed.ts";
 import { Traffic } from "../traffic.ts";
@@ -22,22 +20,7 @@ export const twoRelays: Scenario = {
     `Two relays share a Redis behind a balancer while ${ROBOTS} robots receive commands over all transports. One of the relays is killed (kill -9) ${killsOf(isLong)} times, and restarts after ${EVERY_MS / 2000} s`,
   run: async (context) => {
     const random = new SeededRandom(context.seed);
-    requireRedis();
-    const redis = await startRedis(context.folder);
-    context.onCleanup(() => redis.stop("SIGKILL"));
-    const environment = { STORE_URL: redis.url };
-    const relays = [
-      await RelayProcess.start({ environment }),
-      await RelayProcess.start({ environment }),
-    ] as const;
-    for (const relay of relays) context.onCleanup(() => relay.stop());
-    const balancer = await startBalancer(
-      relays.map(({ port }) => port),
-      0,
-      "127.0.0.1",
-    );
-    context.onCleanup(() => balancer.close());
-    const origin = `http://127.0.0.1:${balancer.port}`;
+    const { relays, balancer, origin } = await startRelayPair(context);
 
     const testBed = new TestBed(context);
     await testBed.register(origin, ROBOTS);
