@@ -84,6 +84,10 @@ test("the npm package contains the built files, README and license, and tools ac
     "learn.d.ts",
     "learn.js",
     "package.json",
+    "show.d.ts",
+    "show.js",
+    "teach.d.ts",
+    "teach.js",
     "watch.d.ts",
     "watch.js",
   ]);
@@ -115,8 +119,10 @@ test("TypeScript checks a script with the installed package", async () => {
     `${script}
 import { HostLink } from "@corridor/client/host";
 import { LearnLink } from "@corridor/client/learn";
+import { ShowLink } from "@corridor/client/show";
+import { TeachLink } from "@corridor/client/teach";
 import { WatchLink } from "@corridor/client/watch";
-export const links = [HostLink, LearnLink, WatchLink];
+export const links = [HostLink, LearnLink, ShowLink, TeachLink, WatchLink];
 // @ts-expect-error: a move needs a distance in cm
 await robot?.move("far");
 `,

@@ -92,6 +92,8 @@ const allowed: Record<string, readonly string[]> = {
     "@corridor/client",
     "@corridor/client/host",
     "@corridor/client/learn",
+    "@corridor/client/show",
+    "@corridor/client/teach",
     "@corridor/client/watch",
     "@corridor/coach",
     "@corridor/geometry",

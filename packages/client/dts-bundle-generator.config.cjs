@@ -1,7 +1,7 @@
 /** Bundles the types of each entry to one file. They need nothing besides zod. */
 module.exports = {
   compilationOptions: { preferredConfigPath: `${__dirname}/tsconfig.build.json` },
-  entries: ["index", "host", "learn", "watch"].map((entry) => ({
+  entries: ["index", "host", "learn", "show", "teach", "watch"].map((entry) => ({
     filePath: `${__dirname}/src/${entry}.ts`,
     outFile: `${__dirname}/dist/${entry}.d.ts`,
     libraries: { inlinedLibraries: ["@corridor/protocol"], importedLibraries: ["zod"] },

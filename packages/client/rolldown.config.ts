@@ -23,6 +23,8 @@ export default defineConfig([
   entry("index", [packageFiles(FOLDER)]),
   entry("host"),
   entry("learn"),
+  entry("show"),
+  entry("teach"),
   entry("watch"),
   {
     input: join(FOLDER, "src/index.ts"),

@@ -151,6 +151,8 @@ export const classStudentSchema = studentViewSchema.extend({
 /** The class as its teacher reads it. */
 export const classViewSchema = z.strictObject({
   id: classIdSchema,
+  now: z.iso.datetime().describe("by the relay's clock"),
+  activeMs: z.int().min(0).describe("ms since the class was created, without its pauses"),
   endsInSeconds,
   expected: z.int().min(1).max(MAX_STUDENTS).nullable(),
   settings: classSettingsSchema,

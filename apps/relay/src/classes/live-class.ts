@@ -14,7 +14,7 @@ import type { ClassStore, LoadedClass } from "../store/class-store.ts";
 import { memberOf, type Member } from "./access.ts";
 import { ClassConnections } from "./class-connections.ts";
 import { ClassCommits } from "./class-commits.ts";
-import { settingsOf, stateOf, viewOf, type ClassState } from "./class-state.ts";
+import { activeMs, isoTime, settingsOf, stateOf, viewOf, type ClassState } from "./class-state.ts";
 import type { Step } from "./step.ts";
 import { requireStudent } from "./teacher-steps.ts";
 
@@ -96,11 +96,14 @@ export class LiveClass {
     const records = await this.#parts.store.progress(this.id);
     const { row, students } = this.state;
     const progress = Map.groupBy(records, ({ student }) => student);
+    const now = this.#parts.clock.now();
     return {
       id: this.id,
+      now: isoTime(now),
+      activeMs: activeMs(row, now),
       endsInSeconds: Math.ceil(this.leftMs / 1_000),
       expected: row.expected,
-      settings: settingsOf(row, this.#parts.clock.now()),
+      settings: settingsOf(row, now),
       students: [...students.values()].map((student) => ({
         ...viewOf(row, student),
         progress: (progress.get(student.student) ?? []).map(({ text }) =>

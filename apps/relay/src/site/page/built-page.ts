@@ -8,7 +8,7 @@ import { Refusal } from "../../platform/errors/problems.ts";
 import { preferCompressed, setEncodingHeaders } from "./compressed-files.ts";
 
 /** Paths of the page. Every other path is a file or does not exist. */
-export const PAGE_PATHS = ["/", "/r/:id", "/m/:id", "/teach", "/join"];
+export const PAGE_PATHS = ["/", "/r/:id", "/m/:id", "/teach", "/join", "/class/:id"];
 
 /** @param folder the build folder, with index.html */
 export function builtPage(folder: string): Router {

@@ -1,0 +1,32 @@
+import {
+  MAX_DISPLAY_LENGTH,
+  relayToScreenSchema,
+  type RelayToScreen,
+  type ScreenToRelay,
+} from "@corridor/protocol";
+import { ClassLink, type ClassLinkOptions } from "./class-link.ts";
+
+/** The fields around the content. */
+const ENVELOPE = 1_024;
+
+/** A message for the big screen. */
+export type ScreenMessage = Exclude<RelayToScreen, { type: "heartbeat" }>;
+
+/** `key` is the key of a big screen. */
+export type ShowLinkOptions = ClassLinkOptions<ScreenMessage>;
+
+/** The connection of a big screen to a class. It can run in a worker. */
+export class ShowLink extends ClassLink<RelayToScreen, ScreenToRelay> {
+  /** Connects at once. */
+  constructor(options: ShowLinkOptions) {
+    const { onMessage } = options;
+    const acknowledge = (message: ScreenMessage): void => {
+      if (message.type === "display") super.send({ type: "seen", seq: message.seq });
+      onMessage(message);
+    };
+    super(
+      { ...options, onMessage: acknowledge },
+      { role: "show", schema: relayToScreenSchema, maxLength: MAX_DISPLAY_LENGTH + ENVELOPE },
+    );
+  }
+}
