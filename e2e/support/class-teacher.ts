@@ -1,4 +1,5 @@
 /** A teacher's script: starts a class at the relay, and directs it as a dashboard does. */
+import type { LessonDocument } from "@corridor/challenge";
 import {
   classViewSchema,
   createdClassSchema,
@@ -17,11 +18,15 @@ export class ClassTeacher {
     this.created = created;
   }
 
-  static async start(relay: string, names: string[] | null = null): Promise<ClassTeacher> {
+  static async start(
+    relay: string,
+    names: string[] | null = null,
+    lesson: LessonDocument = sampleLesson,
+  ): Promise<ClassTeacher> {
     const answer = await fetch(`${relay}/api/v1/classes`, {
       method: "POST",
       headers: { "Content-Type": "application/json" },
-      body: JSON.stringify({ lesson: sampleLesson, names }),
+      body: JSON.stringify({ lesson, names }),
     });
     return new ClassTeacher(relay, createdClassSchema.parse(await answer.json()));
   }

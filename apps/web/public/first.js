@@ -79,7 +79,7 @@
   // the page.
   const name = isFirst ? JSON.stringify([text.maze, text.program]) : "";
   // The pages of viewers and teachers need no simulator.
-  const isOther = /^\/(r\/|teach)/.test(location.pathname);
+  const isOther = /^\/(r\/|teach|class\/)/.test(location.pathname);
   const worker = isOther ? {} : new Worker(simulator, { type: "module", name });
   const early = { worker, queue: [], failure: null };
   window.corridorSimulator = early;

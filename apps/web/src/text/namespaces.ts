@@ -6,6 +6,7 @@
 import type { en } from "./en/index.ts";
 import type check from "./en/check.json";
 import type lessonEditor from "./en/lesson-editor.json";
+import type dashboard from "./en/dashboard.json";
 import type diagnosis from "./en/diagnosis.json";
 import type join from "./en/join.json";
 import type missions from "./en/missions.json";
@@ -23,6 +24,8 @@ export interface Namespaces {
   words: typeof en;
   /** checks of attempts in all mazes of a task */
   check: typeof check;
+  /** the dashboard and the big screen of a class */
+  dashboard: typeof dashboard;
   /** why a run failed */
   diagnosis: typeof diagnosis;
   /** a student in a class: the page to join, and the class menu */

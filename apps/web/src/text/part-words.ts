@@ -18,6 +18,16 @@ export const partLoaders: Record<
     pt: async () => (await import("./pt/check.json")).default,
     "zh-Hans": async () => (await import("./zh-Hans/check.json")).default,
   },
+  dashboard: {
+    en: async () => (await import("./en/dashboard.json")).default,
+    ar: async () => (await import("./ar/dashboard.json")).default,
+    de: async () => (await import("./de/dashboard.json")).default,
+    es: async () => (await import("./es/dashboard.json")).default,
+    fr: async () => (await import("./fr/dashboard.json")).default,
+    ja: async () => (await import("./ja/dashboard.json")).default,
+    pt: async () => (await import("./pt/dashboard.json")).default,
+    "zh-Hans": async () => (await import("./zh-Hans/dashboard.json")).default,
+  },
   diagnosis: {
     en: async () => (await import("./en/diagnosis.json")).default,
     ar: async () => (await import("./ar/diagnosis.json")).default,

@@ -7,7 +7,7 @@ import { Button } from "../../ui/Button.tsx";
 import { Checkbox } from "../../ui/Checkbox.tsx";
 import { MazePicture } from "../../ui/MazePicture.tsx";
 import type { HandInsWork } from "./hand-ins-work.ts";
-import { lessonName } from "./lessons/lesson-name.ts";
+import { lessonName } from "../../model/lessons/lesson-name.ts";
 import { LessonProblemNote } from "./lessons/LessonProblemNote.tsx";
 import styles from "./open-lesson.module.css";
 

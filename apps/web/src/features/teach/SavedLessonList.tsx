@@ -1,5 +1,5 @@
 /** The lessons that the teacher saved on this device. */
-import { Copy, Ellipsis, ListChecks, Share2, SquarePen, Trash2 } from "lucide";
+import { Copy, Ellipsis, ListChecks, Share2, SquarePen, Trash2, Users } from "lucide";
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import type { KeyValueStorage } from "../../model/storage/key-value-storage.ts";
@@ -9,10 +9,11 @@ import { Icon } from "../../ui/Icon.tsx";
 import { MazePicture } from "../../ui/MazePicture.tsx";
 import { MenuItem, Popover, usePopover } from "../../ui/Popover.tsx";
 import { ProblemNote } from "../../ui/ProblemNote.tsx";
-import { lessonName } from "./lessons/lesson-name.ts";
+import { lessonName } from "../../model/lessons/lesson-name.ts";
 import { SavedLessons, type SavedLesson } from "./lessons/saved-lessons.ts";
 import { solutionOf } from "./lessons/solution.ts";
 import { ShareLessonDialog } from "./share/lazy-share-lesson-dialog.ts";
+import { StartClassDialog } from "./start/lazy-start-class-dialog.ts";
 import { handInsHash, lessonHash } from "./frame/teach-view.ts";
 import styles from "./saved-lesson-list.module.css";
 
@@ -23,6 +24,8 @@ export function SavedLessonList({ device }: { device: KeyValueStorage }) {
   const [deleted, setDeleted] = useState<SavedLesson | null>(null);
   const [shared, setShared] = useState<SavedLesson | null>(null);
   const [isSharing, setSharing] = useState(false);
+  const [started, setStarted] = useState<SavedLesson | null>(null);
+  const [isStarting, setStarting] = useState(false);
   const [isBlocked, setBlocked] = useState(false);
   useEffect(() => {
     // Another tab saved or deleted a lesson.
@@ -69,6 +72,10 @@ export function SavedLessonList({ device }: { device: KeyValueStorage }) {
             key={saved.id}
             saved={saved}
             canDuplicate={!lessons.isFull}
+            onStart={() => {
+              setStarted(saved);
+              setStarting(true);
+            }}
             onShare={() => {
               setShared(saved);
               setSharing(true);
@@ -94,6 +101,14 @@ export function SavedLessonList({ device }: { device: KeyValueStorage }) {
           onClose={() => setSharing(false)}
         />
       )}
+      {started !== null && (
+        <StartClassDialog
+          isOpen={isStarting}
+          lesson={started.lesson}
+          device={device}
+          onClose={() => setStarting(false)}
+        />
+      )}
     </section>
   );
 }
@@ -101,12 +116,14 @@ export function SavedLessonList({ device }: { device: KeyValueStorage }) {
 interface RowProps {
   saved: SavedLesson;
   canDuplicate: boolean;
+  onStart: () => void;
   onShare: () => void;
   onDuplicate: () => void;
   onDelete: () => void;
 }
 
-function SavedLessonRow({ saved, canDuplicate, onShare, onDuplicate, onDelete }: RowProps) {
+function SavedLessonRow(props: RowProps) {
+  const { saved, canDuplicate, onStart, onShare, onDuplicate, onDelete } = props;
   const { t } = useTranslation("teach", { useSuspense: false });
   const menu = usePopover();
   const { id, lesson } = saved;
@@ -136,6 +153,9 @@ function SavedLessonRow({ saved, canDuplicate, onShare, onDuplicate, onDelete }:
         </span>
       </div>
       <div className={styles["actions"]}>
+        <Button size="small" icon={<Icon of={Users} />} onClick={onStart}>
+          {t("class.startShort")}
+        </Button>
         <Button size="small" icon={<Icon of={Share2} />} onClick={onShare}>
           {t("saved.share")}
         </Button>

@@ -12,6 +12,7 @@ export const files = import.meta.glob<Words>(
     "!./race.json",
     "!./report.json",
     "!./daily.json",
+    "!./dashboard.json",
     "!./sound.json",
     "!./join.json",
     "!./names.json",

@@ -1,5 +1,5 @@
 /** The bar of the editor: the lesson and whether it is saved, the history, Try and Share. */
-import { Ellipsis, ListChecks, Play, Redo2, Rows3, Share2, Undo2 } from "lucide";
+import { Ellipsis, ListChecks, Play, Redo2, Rows3, Share2, Undo2, Users } from "lucide";
 import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -7,7 +7,7 @@ import { Button, IconButton } from "../../../ui/Button.tsx";
 import { Icon } from "../../../ui/Icon.tsx";
 import { MenuItem, Popover, usePopover } from "../../../ui/Popover.tsx";
 import type { LessonAutosave } from "./lesson-autosave.ts";
-import { lessonName } from "../lessons/lesson-name.ts";
+import { lessonName } from "../../../model/lessons/lesson-name.ts";
 import { handInsHash } from "../frame/teach-view.ts";
 import { useDraft, useLesson } from "./draft-context.ts";
 import styles from "./editor-bar.module.css";
@@ -38,11 +38,13 @@ interface EditorBarEndProps {
   autosave: LessonAutosave;
   tools: ReactNode;
   onTry: () => void;
+  onStart: () => void;
   onShare: () => void;
 }
 
-export function EditorBarEnd({ isPhone, autosave, tools, onTry, onShare }: EditorBarEndProps) {
-  const { t } = useTranslation("lessonEditor", { useSuspense: false });
+export function EditorBarEnd(props: EditorBarEndProps) {
+  const { isPhone, autosave, tools, onTry, onStart, onShare } = props;
+  const { t } = useTranslation(["lessonEditor", "teach"], { useSuspense: false });
   const draft = useDraft();
   const canUndo = useStore(draft.store, ({ past }) => past.length > 0);
   const canRedo = useStore(draft.store, ({ future }) => future.length > 0);
@@ -63,6 +65,9 @@ export function EditorBarEnd({ isPhone, autosave, tools, onTry, onShare }: Edito
           <Button icon={<Icon of={Play} />} onClick={onTry}>
             {t("try.start")}
           </Button>
+          <Button icon={<Icon of={Users} />} onClick={onStart}>
+            {t("teach:class.start")}
+          </Button>
           <Button kind="primary" icon={<Icon of={Share2} />} onClick={onShare}>
             {t("share.title")}
           </Button>
@@ -76,6 +81,9 @@ export function EditorBarEnd({ isPhone, autosave, tools, onTry, onShare }: Edito
           <>
             <MenuItem icon={<Icon of={Play} />} onSelect={onTry}>
               {t("try.start")}
+            </MenuItem>
+            <MenuItem icon={<Icon of={Users} />} onSelect={onStart}>
+              {t("teach:class.start")}
             </MenuItem>
             <MenuItem icon={<Icon of={Share2} />} onSelect={onShare}>
               {t("share.title")}

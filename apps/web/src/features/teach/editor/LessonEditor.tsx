@@ -4,10 +4,12 @@ import { emptyProgram, type ProgramDocument } from "@corridor/program";
 import { useEffect, useState, type ReactNode, type RefObject } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
+import type { KeyValueStorage } from "../../../model/storage/key-value-storage.ts";
 import { useMediaQuery } from "../../../ui/use-media-query.ts";
 import type { LessonAutosave } from "./lesson-autosave.ts";
-import { lessonName } from "../lessons/lesson-name.ts";
+import { lessonName } from "../../../model/lessons/lesson-name.ts";
 import { solutionOf } from "../lessons/solution.ts";
+import { StartClassDialog } from "../start/lazy-start-class-dialog.ts";
 import { ShareLessonDialog } from "../share/lazy-share-lesson-dialog.ts";
 import { TeachFrame } from "../frame/TeachFrame.tsx";
 import type { TeachSlots, WorkbenchParts } from "../frame/teach-slots.ts";
@@ -32,19 +34,23 @@ interface Trial {
 interface LessonEditorProps {
   draft: LessonDraft;
   autosave: LessonAutosave;
+  /** localStorage */
+  device: KeyValueStorage;
   /** the buttons for theme and language */
   tools: ReactNode;
   slots: TeachSlots;
   main: RefObject<HTMLElement | null>;
 }
 
-export function LessonEditor({ draft, autosave, tools, slots, main }: LessonEditorProps) {
+export function LessonEditor(props: LessonEditorProps) {
+  const { draft, autosave, device, tools, slots, main } = props;
   const { t } = useTranslation(["lessonEditor", "teach"], { useSuspense: false });
   const isPhone = useMediaQuery("(max-width: 37.49em)");
   const lesson = useStore(draft.store, (state) => state.lesson);
   const solutions = useStore(draft.store, (state) => state.solutions);
   const [trial, setTrial] = useState<Trial | null>(null);
   const [isSharing, setSharing] = useState(false);
+  const [isStarting, setStarting] = useState(false);
   const title = t("lessonEditor:pageTitle", {
     name: lessonName(lesson) || t("teach:lesson.unnamed"),
   });
@@ -77,7 +83,11 @@ export function LessonEditor({ draft, autosave, tools, slots, main }: LessonEdit
       />
     );
   }
-  const commands = { onTry: tryLesson, onShare: () => setSharing(true) };
+  const commands = {
+    onTry: tryLesson,
+    onStart: () => setStarting(true),
+    onShare: () => setSharing(true),
+  };
   return (
     <TeachFrame
       title={title}
@@ -101,6 +111,12 @@ export function LessonEditor({ draft, autosave, tools, slots, main }: LessonEdit
         isSolved={lesson.tasks.every((task) => solutionOf(solutions, task) !== null)}
         onSolve={solve}
         onClose={() => setSharing(false)}
+      />
+      <StartClassDialog
+        isOpen={isStarting}
+        lesson={lesson}
+        device={device}
+        onClose={() => setStarting(false)}
       />
     </TeachFrame>
   );

@@ -37,10 +37,13 @@ export function SavedLessonEditor({ id, device, ...frame }: SavedLessonEditorPro
       </TeachFrame>
     );
   }
-  return <OpenLessonEditor lessons={lessons} saved={saved} {...frame} />;
+  return <OpenLessonEditor lessons={lessons} saved={saved} device={device} {...frame} />;
 }
 
-interface OpenLessonEditorProps extends Pick<SavedLessonEditorProps, "tools" | "slots" | "main"> {
+interface OpenLessonEditorProps extends Pick<
+  SavedLessonEditorProps,
+  "device" | "tools" | "slots" | "main"
+> {
   lessons: SavedLessons;
   saved: SavedLesson;
 }

@@ -15,7 +15,7 @@ import { saveDocument } from "../../../ui/save-file.ts";
 import { ShareSheetButton } from "../../../ui/ShareSheetButton.tsx";
 import { ShortLinkChoice } from "../../../ui/ShortLinkChoice.tsx";
 import { useOnline } from "../../../ui/use-online.ts";
-import { lessonName } from "../lessons/lesson-name.ts";
+import { lessonName } from "../../../model/lessons/lesson-name.ts";
 import styles from "./share-lesson-dialog.module.css";
 import { shareSizesOf } from "./share-sizes.ts";
 import { useExcessText } from "./use-excess-text.ts";

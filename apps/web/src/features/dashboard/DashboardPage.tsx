@@ -1,0 +1,122 @@
+/** The dashboard: the whole class on one page. */
+import { useEffect, useMemo, useState, type ReactNode } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import type { ClassCalls, ClassRefusal } from "../../model/classroom/class-calls.ts";
+import type { Dashboard } from "../../model/classroom/dashboard.ts";
+import type { OwnClass } from "../../model/classroom/own-classes.ts";
+import { lessonName } from "../../model/lessons/lesson-name.ts";
+import { Button } from "../../ui/Button.tsx";
+import { ErrorBoundary } from "../../ui/ErrorBoundary.tsx";
+import { ProblemNote } from "../../ui/ProblemNote.tsx";
+import { Announcements } from "./Announcements.tsx";
+import { ClassHead } from "./ClassHead.tsx";
+import { DashboardProvider } from "./dashboard-context.ts";
+import { DashboardBar, DashboardBarEnd } from "./DashboardBar.tsx";
+import { DashboardFrame } from "./DashboardFrame.tsx";
+import { EndDialog } from "./EndDialog.tsx";
+import { StudentCards } from "./StudentCards.tsx";
+import { Summaries } from "./Summaries.tsx";
+import { WatchSheet } from "./WatchSheet.tsx";
+import styles from "./dashboard.module.css";
+
+interface DashboardPageProps {
+  dashboard: Dashboard;
+  calls: ClassCalls;
+  room: OwnClass;
+  /** stores the label of the class on the device */
+  onLabel: (label: string) => void;
+  /** the buttons for theme and language */
+  tools: ReactNode;
+}
+
+export function DashboardPage({ dashboard, calls, room, onLabel, tools }: DashboardPageProps) {
+  const { t, i18n } = useTranslation("dashboard", { useSuspense: false });
+  const [label, setLabel] = useState(room.label);
+  const [hidesNames, setHidesNames] = useState(false);
+  const [isEnding, setEnding] = useState(false);
+  const [watched, setWatched] = useState<number | null>(null);
+  const [refusal, report] = useState<ClassRefusal | null>(null);
+  const status = useStore(dashboard.store, (state) => state.status.kind);
+  const lesson = useStore(dashboard.store, (state) => state.lesson);
+  useEffect(() => {
+    document.title = t("title");
+  }, [t, i18n.language]);
+  const content = useMemo(
+    () => ({ dashboard, calls, hidesNames, report }),
+    [dashboard, calls, hidesNames],
+  );
+  const isOver = status === "over" || status === "refused";
+  return (
+    <ErrorBoundary onError={() => undefined}>
+      <DashboardProvider value={content}>
+        <DashboardFrame
+          bar={
+            <DashboardBar
+              label={label}
+              onLabel={(next) => {
+                setLabel(next);
+                onLabel(next);
+              }}
+            />
+          }
+          end={
+            <DashboardBarEnd
+              isOver={isOver}
+              hidesNames={hidesNames}
+              onHideNames={setHidesNames}
+              onEnd={() => setEnding(true)}
+              room={room}
+              tools={tools}
+            />
+          }
+        >
+          {isOver ? (
+            <output className={styles["ended"]}>
+              <h1>{t(`${status}.title`)}</h1>
+              <p>{t(`${status}.text`)}</p>
+              <p>
+                <a href="/teach">{t("toTeach")}</a>
+              </p>
+            </output>
+          ) : (
+            <div className={styles["content"]}>
+              <LostNote dashboard={dashboard} />
+              {refusal !== null && (
+                <ProblemNote>
+                  <p>{t(`refusals.${refusal}`)}</p>
+                  <Button size="small" onClick={() => report(null)}>
+                    {t("close")}
+                  </Button>
+                </ProblemNote>
+              )}
+              <ClassHead name={lesson === null ? "" : lessonName(lesson) || t("unnamed")} />
+              <Summaries />
+              <StudentCards onWatch={setWatched} watched={watched} />
+              <Announcements />
+            </div>
+          )}
+          {watched !== null && !isOver && (
+            <WatchSheet key={watched} student={watched} onClose={() => setWatched(null)} />
+          )}
+          <EndDialog isOpen={isEnding && !isOver} onClose={() => setEnding(false)} label={label} />
+        </DashboardFrame>
+      </DashboardProvider>
+    </ErrorBoundary>
+  );
+}
+
+function LostNote({ dashboard }: { dashboard: Dashboard }) {
+  const { t } = useTranslation("dashboard", { useSuspense: false });
+  const seconds = useStore(dashboard.store, ({ lostAt, now }) =>
+    lostAt === null ? null : Math.max(0, Math.floor((now - lostAt) / 1_000)),
+  );
+  if (seconds === null) return null;
+  return (
+    <ProblemNote>
+      <p>{t("lost.title")}</p>
+      {/* Announced once, without the time. */}
+      <p aria-hidden="true">{t("lost.age", { seconds })}</p>
+    </ProblemNote>
+  );
+}

@@ -1,0 +1,165 @@
+/** The students, by what they need. */
+import { useEffect, useRef, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { needsHelp, type Standing } from "../../model/classroom/standing.ts";
+import { helpedOfState } from "../../model/classroom/dashboard.ts";
+import { nextHelped, sortKeys } from "../../model/classroom/student-order.ts";
+import { Button } from "../../ui/Button.tsx";
+import { Segmented } from "../../ui/Segmented.tsx";
+import { Select } from "../../ui/Select.tsx";
+import { useMediaQuery } from "../../ui/use-media-query.ts";
+import { useContent, useDashboard } from "./dashboard-context.ts";
+import { StudentCard } from "./StudentCard.tsx";
+import { StandingChip } from "./StandingChip.tsx";
+import styles from "./student-cards.module.css";
+
+const filters = ["all", "help", "working", "solved", "away"] as const;
+type Filter = (typeof filters)[number];
+/** A phone has room for these. */
+const phoneFilters: readonly Filter[] = ["help", "all", "solved"];
+
+function isIn(filter: Filter, standing: Standing): boolean {
+  switch (filter) {
+    case "all":
+      return true;
+    case "help":
+      return needsHelp(standing);
+    case "working":
+      return standing === "working" || standing === "bumped";
+    case "solved":
+      return standing === "solved";
+    case "away":
+      return standing === "disconnected" || standing === "not-here";
+  }
+}
+
+interface StudentCardsProps {
+  /** number of the student whose sheet is open */
+  watched: number | null;
+  onWatch: (student: number) => void;
+}
+
+export function StudentCards({ watched, onWatch }: StudentCardsProps) {
+  const { t } = useTranslation("dashboard", { useSuspense: false });
+  const { dashboard } = useContent();
+  const [filter, setFilter] = useState<Filter>("all");
+  const order = useDashboard((state) => state.order);
+  const sorting = useDashboard((state) => state.sorting);
+  const shown = useDashboard((state) => state.shown);
+  const missing = useDashboard(({ classroom, students }) =>
+    Math.max(0, (classroom?.expected ?? 0) - students.size),
+  );
+  const isPhone = useMediaQuery("(max-width: 37.49em)");
+  const list = useRef<HTMLUListElement>(null);
+  const isEmpty = order.order.length === 0;
+  useNextKey(list);
+  useHold(list, isEmpty);
+  const standingOf = (student: number): Standing => shown.get(student)?.standing ?? "working";
+  const count = (each: Filter): number =>
+    order.order.filter((student) => isIn(each, standingOf(student))).length +
+    (isIn(each, "not-here") ? missing : 0);
+  const students = order.order.filter((student) => isIn(filter, standingOf(student)));
+  if (isEmpty) return null;
+  return (
+    <section className={styles["students"]} aria-label={t("students")}>
+      <div className={styles["tools"]}>
+        <div className={styles["filters"]}>
+          <Segmented
+            label={t("filter.label")}
+            look="strip"
+            value={filter}
+            options={(isPhone ? phoneFilters : filters).map((value) => ({
+              value,
+              label: t(`filter.${value}`, { number: count(value) }),
+            }))}
+            onChange={setFilter}
+          />
+        </div>
+        <label className={styles["sort"]}>
+          <span aria-hidden="true">{t("sort.label")}</span>
+          <Select
+            label={t("sort.label")}
+            value={sorting}
+            options={sortKeys.map((value) => ({ value, label: t(`sort.${value}`) }))}
+            onChange={(value) => dashboard.setSorting(value)}
+          />
+        </label>
+      </div>
+      <output className={styles["waiting"]}>
+        {order.waiting > 0 && (
+          <>
+            {t("sort.waiting", { count: order.waiting })}
+            <Button size="small" onClick={() => dashboard.sortNow()}>
+              {t("sort.now")}
+            </Button>
+          </>
+        )}
+      </output>
+      <ul ref={list} className={styles["cards"]}>
+        {students.map((student) => (
+          <StudentCard
+            key={student}
+            student={student}
+            isWatched={student === watched}
+            onWatch={onWatch}
+          />
+        ))}
+        {missing > 0 && isIn(filter, "not-here") && (
+          <li className={styles["missing"]}>
+            <span>{t("card.missing", { count: missing })}</span>
+            <StandingChip state="not-here" />
+          </li>
+        )}
+      </ul>
+      {students.length === 0 && !(missing > 0 && isIn(filter, "not-here")) && (
+        <p className={styles["none"]}>{t("filter.none")}</p>
+      )}
+    </section>
+  );
+}
+
+/** N moves the focus to the next student who needs help. */
+function useNextKey(list: { readonly current: HTMLElement | null }): void {
+  const { dashboard } = useContent();
+  useEffect(() => {
+    const press = (event: KeyboardEvent): void => {
+      const isTyping =
+        event.target instanceof Element && event.target.matches("input, textarea, select");
+      const hasModifier = event.ctrlKey || event.metaKey || event.altKey;
+      if (event.key.toLowerCase() !== "n" || isTyping || hasModifier) return;
+      const { order } = dashboard.store.getState().order;
+      const current = Number(document.activeElement?.getAttribute("data-student") ?? "0") || null;
+      const next = nextHelped(order, helpedOfState(dashboard.store.getState()), current);
+      list.current?.querySelector<HTMLElement>(`[data-student="${next}"]`)?.focus();
+    };
+    document.addEventListener("keydown", press);
+    return () => document.removeEventListener("keydown", press);
+  }, [dashboard, list]);
+}
+
+/** The cards stay where they are while the pointer or the focus is on one. */
+function useHold(list: { readonly current: HTMLElement | null }, isEmpty: boolean): void {
+  const { dashboard } = useContent();
+  useEffect(() => {
+    const element = list.current;
+    if (element === null) return;
+    const listen = (type: string, by: "pointer" | "focus", isHeld: boolean) => {
+      const follow = (event: Event): void => {
+        // A finger does not rest on a card.
+        if (event instanceof PointerEvent && event.pointerType !== "mouse") return;
+        dashboard.hold(by, isHeld);
+      };
+      element.addEventListener(type, follow);
+      return () => element.removeEventListener(type, follow);
+    };
+    const stops = [
+      listen("pointerenter", "pointer", true),
+      listen("pointerleave", "pointer", false),
+      listen("focusin", "focus", true),
+      listen("focusout", "focus", false),
+    ];
+    return () => {
+      for (const stop of stops) stop();
+    };
+  }, [dashboard, list, isEmpty]);
+}

@@ -1,0 +1,199 @@
+/** What the class has done in a task: solved, times, lines, attempts, and where robots bump. */
+import { mazeOf, type LessonDocument } from "@corridor/challenge";
+import { sizeOf, type MazeDocument } from "@corridor/maze";
+import { useMemo, useState, type ReactNode } from "react";
+import { useTranslation } from "react-i18next";
+import type { Bar, ClassSummary } from "../../model/classroom/class-summary.ts";
+import { summaryOf } from "../../model/classroom/class-summary.ts";
+import type { CountedBump } from "../../simulator/protocol/classroom-messages.ts";
+import { localNumber } from "../../text/numbers.ts";
+import { MazeDrawing } from "../../ui/MazePicture.tsx";
+import { Select } from "../../ui/Select.tsx";
+import { clockText } from "./clock-text.ts";
+import { useDashboard } from "./dashboard-context.ts";
+import styles from "./summaries.module.css";
+
+export function Summaries() {
+  const { t, i18n } = useTranslation("dashboard", { useSuspense: false });
+  const lesson = useDashboard((state) => state.lesson);
+  const students = useDashboard((state) => state.students);
+  const shown = useDashboard((state) => state.shown);
+  const verifications = useDashboard((state) => state.verifications);
+  const expected = useDashboard(({ classroom }) => classroom?.expected ?? null);
+  const pace = useDashboard(({ classroom }) => classroom?.settings.paceTo ?? null);
+  const [chosen, setChosen] = useState<number | null>(null);
+  const tasks = lesson?.tasks.length ?? 1;
+  const task = Math.min(chosen ?? pace ?? 1, tasks);
+  const summary = useMemo(
+    () => summaryOf(task, students, shown, verifications, expected),
+    [task, students, shown, verifications, expected],
+  );
+  if (students.size === 0) return null;
+  const limit = lesson?.tasks[task - 1]?.allowed.lines ?? null;
+  const { medianMs, commonLines, medianAttempts } = summary;
+  const none = t("summary.none");
+  return (
+    <section className={styles["summaries"]} aria-label={t("summary.label")}>
+      <div className={styles["part"]}>
+        <h2 className={styles["name"]}>{t("summary.solved")}</h2>
+        <p className={styles["figure"]}>
+          <strong>{summary.solved}</strong> {t("summary.ofStudents", { count: summary.all })}
+        </p>
+        {tasks > 1 && (
+          <Select
+            label={t("summary.task")}
+            value={String(task)}
+            options={Array.from({ length: tasks }, (_, at) => ({
+              value: String(at + 1),
+              label: t("summary.taskOf", { task: at + 1, tasks }),
+            }))}
+            onChange={(value) => setChosen(Number(value))}
+          />
+        )}
+        <Shares summary={summary} />
+      </div>
+      <Part
+        name={t("summary.time")}
+        figure={medianMs === null ? none : clockText(medianMs)}
+        note={medianMs === null ? "" : t("summary.medianMinutes")}
+        bars={summary.times}
+      />
+      <Part
+        name={t("summary.lines")}
+        figure={commonLines === null ? none : String(commonLines)}
+        note={
+          commonLines === null
+            ? ""
+            : limit === null
+              ? t("summary.common")
+              : t("summary.commonLimit", { limit })
+        }
+        bars={summary.lines}
+        most={limit}
+      />
+      <Part
+        name={t("summary.attempts")}
+        figure={medianAttempts === null ? none : localNumber(String(medianAttempts), i18n.language)}
+        note={medianAttempts === null ? "" : t("summary.median")}
+        bars={summary.attempts}
+      />
+      {lesson !== null && <Bumps lesson={lesson} task={task} />}
+    </section>
+  );
+}
+
+const shares = ["solved", "working", "bumped", "needHelp", "away"] as const;
+
+/** The students by what they do, as a bar with its legend. */
+function Shares({ summary }: { summary: ClassSummary }) {
+  const { t } = useTranslation("dashboard", { useSuspense: false });
+  return (
+    <>
+      <div className={styles["shares"]} aria-hidden="true">
+        {shares.map(
+          (share) =>
+            summary[share] > 0 && (
+              <span key={share} data-share={share} style={{ flexGrow: summary[share] }} />
+            ),
+        )}
+      </div>
+      <dl className={styles["legend"]}>
+        {shares.map((share) => (
+          <div key={share}>
+            <dt data-share={share}>{t(`share.${share}`)}</dt>
+            <dd>{summary[share]}</dd>
+          </div>
+        ))}
+      </dl>
+    </>
+  );
+}
+
+interface PartProps {
+  name: string;
+  figure: string;
+  note: string;
+  bars: readonly Bar[];
+  /** values up to this one are within the limit of the task */
+  most?: number | null;
+}
+
+function Part({ name, figure, note, bars, most = null }: PartProps): ReactNode {
+  const highest = Math.max(1, ...bars.map(({ count }) => count));
+  return (
+    <div className={styles["part"]}>
+      <h2 className={styles["name"]}>{name}</h2>
+      <p className={styles["figure"]}>
+        <strong>{figure}</strong> {note}
+      </p>
+      {bars.length > 0 && (
+        <ol className={styles["bars"]}>
+          {bars.map(({ value, count, isOpen }) => (
+            <li key={value} className={styles["bar"]} data-good={most !== null && value <= most}>
+              <span>{count > 0 && count}</span>
+              <span
+                className={styles["column"]}
+                style={{ blockSize: `${(count / highest) * 100}%` }}
+              />
+              <span className={styles["value"]}>
+                {value}
+                {isOpen && "+"}
+              </span>
+            </li>
+          ))}
+        </ol>
+      )}
+    </div>
+  );
+}
+
+function Bumps({ lesson, task }: { lesson: LessonDocument; task: number }) {
+  const { t } = useTranslation("dashboard", { useSuspense: false });
+  const bumps = useDashboard((state) => state.bumps);
+  const own = bumps.filter((bump) => bump.task === task);
+  const name = mostBumped(own) ?? "g1";
+  const maze = mazeNamed(lesson, task, name);
+  const cells = own.filter((bump) => bump.maze === name);
+  if (maze === null) return null;
+  const { columns, rows } = sizeOf(maze);
+  return (
+    <div className={styles["part"]}>
+      <h2 className={styles["name"]}>{t("summary.bumps")}</h2>
+      <p className={cells.length === 0 ? styles["figure"] : "visually-hidden"}>
+        {cells.length === 0
+          ? t("summary.noBumps")
+          : t("summary.bumpCount", { count: cells.reduce((sum, { count }) => sum + count, 0) })}
+      </p>
+      <svg className={styles["maze"]} viewBox={`0 0 ${columns} ${rows}`} aria-hidden="true">
+        <MazeDrawing maze={maze} />
+        {cells.map(({ column, row, count }) => (
+          <g key={`${column},${row}`} transform={`translate(${column + 0.5} ${row + 0.5})`}>
+            <circle className={styles["bump"]} r={Math.min(0.95, 0.5 + count / 30)} />
+            <text className={styles["bumpCount"]} y="0.22">
+              {count}
+            </text>
+          </g>
+        ))}
+      </svg>
+    </div>
+  );
+}
+
+/** The maze with most bumps; null without bumps. */
+function mostBumped(bumps: readonly CountedBump[]): string | null {
+  const sums = new Map<string, number>();
+  for (const { maze, count } of bumps) sums.set(maze, (sums.get(maze) ?? 0) + count);
+  return [...sums].toSorted((a, b) => b[1] - a[1])[0]?.[0] ?? null;
+}
+
+function mazeNamed(lesson: LessonDocument, task: number, name: string): MazeDocument | null {
+  const found = lesson.tasks[task - 1];
+  if (found === undefined) return null;
+  try {
+    const at = (name.startsWith("u") ? found.mazes.length : 0) + Number(name.slice(1)) - 1;
+    return mazeOf(found, at);
+  } catch {
+    // The claim of a page: the task has no such maze.
+    return found.mazes[0] ?? null;
+  }
+}

@@ -1,0 +1,176 @@
+/** One student: live picture, program, attempts by failure, and how the teacher can help. */
+import { KeyRound, Lightbulb, UserX, X } from "lucide";
+import { useEffect, useRef, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { openTask, openWork } from "../../model/classroom/standing.ts";
+import type { CountedFailure, SeenStudent } from "../../simulator/protocol/classroom-messages.ts";
+import { Button, IconButton } from "../../ui/Button.tsx";
+import { Icon } from "../../ui/Icon.tsx";
+import { clockText, codeText } from "./clock-text.ts";
+import { useContent, useDashboard, useStudentName } from "./dashboard-context.ts";
+import { ProgramText } from "./ProgramText.tsx";
+import { StandingChip } from "./StandingChip.tsx";
+import { StudentPicture } from "./StudentPicture.tsx";
+import { cardNumbers, cardState } from "./use-card.ts";
+import styles from "./watch-sheet.module.css";
+
+interface WatchSheetProps {
+  /** number of the student */
+  student: number;
+  onClose: () => void;
+}
+
+export function WatchSheet({ student: number, onClose }: WatchSheetProps) {
+  const { t } = useTranslation("dashboard", { useSuspense: false });
+  const { dashboard } = useContent();
+  const student = useDashboard(({ students }) => students.get(number));
+  const sheet = useRef<HTMLElement>(null);
+  const isGone = student === undefined;
+  useEffect(() => {
+    dashboard.send({ type: "watch", student: number });
+    sheet.current?.focus();
+    return () => {
+      dashboard.send({ type: "watch", student: null });
+      document.querySelector<HTMLElement>(`[data-student="${number}"]`)?.focus();
+    };
+  }, [dashboard, number]);
+  useEffect(() => {
+    if (isGone) onClose();
+  }, [isGone, onClose]);
+  if (student === undefined) return null;
+  return (
+    // oxlint-disable-next-line jsx-a11y/no-noninteractive-element-interactions -- Escape closes it
+    <aside
+      ref={sheet}
+      className={styles["sheet"]}
+      tabIndex={-1}
+      aria-labelledby="watched-student"
+      onKeyDown={(event) => {
+        if (event.key !== "Escape") return;
+        event.stopPropagation();
+        onClose();
+      }}
+    >
+      <SheetHead student={student} onClose={onClose} />
+      <div className={styles["stage"]}>
+        <StudentPicture student={number} />
+      </div>
+      <ProgramText student={student} />
+      <Attempts student={student} />
+      <Actions student={student} label={t("watch.actions")} />
+    </aside>
+  );
+}
+
+function SheetHead({ student, onClose }: { student: SeenStudent; onClose: () => void }) {
+  const { t } = useTranslation("dashboard", { useSuspense: false });
+  const nameOf = useStudentName();
+  const state = useDashboard((all) => cardState(all, student));
+  const seconds = useDashboard((all) => cardNumbers(all, student).seconds);
+  return (
+    <div className={styles["head"]}>
+      <h2 id="watched-student" className={styles["name"]} dir="auto">
+        {nameOf(student)}
+      </h2>
+      <StandingChip state={state} />
+      <span className={styles["time"]}>{clockText(seconds * 1_000)}</span>
+      <IconButton label={t("close")} size="medium" onClick={onClose}>
+        <Icon of={X} />
+      </IconButton>
+    </div>
+  );
+}
+
+/** How often each failure ended an attempt at the open task. */
+function Attempts({ student }: { student: SeenStudent }) {
+  const { t } = useTranslation("dashboard", { useSuspense: false });
+  const work = openWork(student);
+  const failureText = ({ code, line }: CountedFailure): string => {
+    const what = code === "bump" ? t("failure.bump") : t(`failure.${failureKey(code)}`);
+    if (line === null) return what;
+    return line === "default"
+      ? t("failure.otherwise", { what })
+      : t("failure.line", { what, line: line + 1 });
+  };
+  return (
+    <section className={styles["part"]}>
+      <h3 className={styles["heading"]}>{t("card.attempts", { count: work?.attempts ?? 0 })}</h3>
+      <ul className={styles["failures"]}>
+        {(work?.failures ?? []).map((failure) => (
+          <li key={`${failure.code} ${failure.line}`}>
+            <span>{failureText(failure)}</span>
+            <strong>{failure.count}</strong>
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+const goalFailures: ReadonlySet<string> = new Set([
+  "not-reached",
+  "not-visited",
+  "not-stopped",
+  "too-short",
+]);
+
+function failureKey(code: string): "goal" | "rules" {
+  return goalFailures.has(code) ? "goal" : "rules";
+}
+
+function Actions({ student, label }: { student: SeenStudent; label: string }) {
+  const { t } = useTranslation("dashboard", { useSuspense: false });
+  const { dashboard, calls, report } = useContent();
+  const nameOf = useStudentName();
+  const task = openTask(student);
+  const hints = useDashboard(({ lesson }) => lesson?.tasks[task - 1]?.words.hints.length ?? 0);
+  const [shown, setShown] = useState<ReadonlyMap<number, number>>(new Map());
+  const [code, setCode] = useState<string | null>(null);
+  const [isRemoving, setRemoving] = useState(false);
+  const next = Math.min(hints, Math.max(openWork(student)?.hints ?? 0, shown.get(task) ?? 0) + 1);
+  const showHint = (): void => {
+    dashboard.send({ type: "hint", student: student.student, task, hint: next });
+    setShown(new Map(shown).set(task, next));
+  };
+  const returnCode = async (): Promise<void> => {
+    const found = await calls.returnCode(student.student);
+    if (found === null) report("offline");
+    else setCode(found.code);
+  };
+  return (
+    <section className={styles["part"]} aria-label={label}>
+      <div className={styles["actions"]}>
+        {hints > 0 && (
+          <Button icon={<Icon of={Lightbulb} />} disabled={!student.isConnected} onClick={showHint}>
+            {t("watch.hint", { hint: next })}
+          </Button>
+        )}
+        <Button icon={<Icon of={KeyRound} />} onClick={() => void returnCode()}>
+          {t("watch.return")}
+        </Button>
+        <Button icon={<Icon of={UserX} />} onClick={() => setRemoving(!isRemoving)}>
+          {t("watch.remove")}
+        </Button>
+      </div>
+      <output className={styles["said"]}>
+        {(shown.get(task) ?? 0) > 0 && <p>{t("watch.hintShown", { hint: shown.get(task) })}</p>}
+        {code !== null && (
+          <p>
+            {t("watch.returnText")}{" "}
+            <strong className={styles["letters"]} dir="ltr">
+              {codeText(code)}
+            </strong>
+          </p>
+        )}
+      </output>
+      {isRemoving && (
+        <div className={styles["question"]}>
+          <p>{t("watch.removeText", { name: nameOf(student) })}</p>
+          <Button kind="primary" onClick={() => void calls.remove(student.student).then(report)}>
+            {t("watch.remove")}
+          </Button>
+        </div>
+      )}
+    </section>
+  );
+}

@@ -1,0 +1,40 @@
+/** What the parts of the dashboard share. */
+import { createContext, useContext } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import type { ClassCalls, ClassRefusal } from "../../model/classroom/class-calls.ts";
+import type { Dashboard, DashboardState } from "../../model/classroom/dashboard.ts";
+import { studentNameText } from "../../model/classes/student-name.ts";
+import type { SeenStudent } from "../../simulator/protocol/classroom-messages.ts";
+
+export interface DashboardContent {
+  dashboard: Dashboard;
+  calls: ClassCalls;
+  /** whether students are numbers */
+  hidesNames: boolean;
+  /** Shows why a call had no effect. */
+  report: (refusal: ClassRefusal | null) => void;
+}
+
+const Content = createContext<DashboardContent | null>(null);
+export const DashboardProvider = Content.Provider;
+
+export function useContent(): DashboardContent {
+  const content = useContext(Content);
+  if (content === null) throw new Error("This part is outside of the dashboard.");
+  return content;
+}
+
+/** Renders again when the selected value changes. */
+export function useDashboard<Value>(select: (state: DashboardState) => Value): Value {
+  return useStore(useContent().dashboard.store, select);
+}
+
+/** Names students as the page shows them now. */
+export function useStudentName(): (student: Pick<SeenStudent, "student" | "name">) => string {
+  const { hidesNames } = useContent();
+  const { t } = useTranslation("names", { useSuspense: false });
+  const { t: tDashboard } = useTranslation("dashboard", { useSuspense: false });
+  return ({ student, name }) =>
+    hidesNames ? tDashboard("card.number", { number: student }) : studentNameText(t, name);
+}

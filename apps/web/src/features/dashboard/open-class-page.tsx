@@ -1,0 +1,52 @@
+/** The pages of a running class: the dashboard of its teacher, or a big screen. */
+import "../../ui/base.css";
+import "../../ui/fonts/inter.css";
+import { I18nextProvider } from "react-i18next";
+import { takeClassVisit, type ClassVisit } from "../../model/classroom/class-address.ts";
+import { OwnClasses } from "../../model/classroom/own-classes.ts";
+import { LanguageProvider } from "../../model/language-context.ts";
+import type { PageParts } from "../../model/page-parts.ts";
+import { storageOrNone } from "../../model/storage/key-value-storage.ts";
+import { BrokenAddress } from "./BrokenAddress.tsx";
+
+export async function openPage(parts: PageParts): Promise<void> {
+  const { root, words, language, device, tools } = parts;
+  const now = (): number => Date.now();
+  const classes = new OwnClasses(device, now);
+  const tab = storageOrNone(() => sessionStorage);
+  const read = (): ClassVisit =>
+    takeClassVisit({
+      location,
+      classes,
+      tab,
+      replaceAddress: (address) => history.replaceState(history.state, "", address),
+      now,
+    });
+  // First of all: removes the key from the visible address.
+  const visit = read();
+  // Another link to the same class in the address bar does not reload the page.
+  window.addEventListener("hashchange", () => {
+    if (location.hash.length > 1 && read().kind !== "broken") location.reload();
+  });
+  await words.loadNamespaces(["dashboard", "names"]);
+  const page = await pageOf(visit, parts, classes);
+  root.render(
+    <I18nextProvider i18n={words}>
+      <LanguageProvider value={language}>
+        {page ?? <BrokenAddress tools={tools} />}
+      </LanguageProvider>
+    </I18nextProvider>,
+  );
+}
+
+async function pageOf(visit: ClassVisit, { words, tools }: PageParts, classes: OwnClasses) {
+  switch (visit.kind) {
+    case "teach": {
+      const { openDashboard } = await import("./open-dashboard.tsx");
+      return openDashboard({ room: visit.room, classes, words, tools });
+    }
+    case "show":
+    case "broken":
+      return null;
+  }
+}

@@ -1,0 +1,88 @@
+/** Opens the dashboard: starts its worker, and follows the time. */
+import type { i18n } from "i18next";
+import type { ReactNode } from "react";
+import { ClassCalls } from "../../model/classroom/class-calls.ts";
+import { Dashboard } from "../../model/classroom/dashboard.ts";
+import type { OwnClass, OwnClasses } from "../../model/classroom/own-classes.ts";
+import type { ProgramReader } from "../../model/classroom/program-reader.ts";
+import type { SolutionVerifier } from "../../model/classroom/verifier.ts";
+import { studentNameText } from "../../model/classes/student-name.ts";
+import type { FromClassroom } from "../../simulator/protocol/classroom-messages.ts";
+import { observeTheme, shownProperties } from "../../stage/page/observe-theme.ts";
+import { readPalette } from "../../stage/drawing/palette.ts";
+import { DashboardPage } from "./DashboardPage.tsx";
+
+const SECOND_MS = 1_000;
+
+interface DashboardParts {
+  room: OwnClass;
+  classes: OwnClasses;
+  words: i18n;
+  /** the buttons for theme and language */
+  tools: ReactNode;
+}
+
+export function openDashboard({ room, classes, words, tools }: DashboardParts): ReactNode {
+  const worker = new Worker(
+    new URL("../../simulator/classroom-worker/classroom.worker.ts", import.meta.url),
+    { type: "module" },
+  );
+  const calls = new ClassCalls(room, (url, request) => fetch(url, request));
+  const later = (run: () => void, ms: number): void => void setTimeout(run, ms);
+  let verifier: Promise<SolutionVerifier> | null = null;
+  const startVerifier = async (): Promise<SolutionVerifier> => {
+    const [{ SolutionVerifier: Verifier }, { createWorkerPool }] = await Promise.all([
+      import("../../model/classroom/verifier.ts"),
+      import("../../simulator/worker-pool.ts"),
+    ]);
+    return new Verifier(createWorkerPool(), later, (each) => dashboard.verified(each));
+  };
+  let reader: Promise<ProgramReader> | null = null;
+  const startReader = async (): Promise<ProgramReader> => {
+    const { ProgramReader: Reader } = await import("../../model/classroom/program-reader.ts");
+    return new Reader(calls, later, (programs) => dashboard.store.setState({ programs }));
+  };
+  const dashboard = new Dashboard({
+    send: (message, transfer = []) => worker.postMessage(message, transfer),
+    now: () => Date.now(),
+    nameOf: ({ name }) => studentNameText(words.getFixedT(words.language, "names"), name),
+    compareNames: (a, b) => a.localeCompare(b, words.language),
+    readPrograms: (students) => {
+      reader ??= startReader();
+      reader.then(
+        (each) => each.follow(students),
+        // Its files did not load: the next edit tries again.
+        () => (reader = null),
+      );
+    },
+    verify: (lesson, students) => {
+      verifier ??= startVerifier();
+      verifier.then(
+        (each) => each.follow(lesson, students),
+        // Its files did not load: the next claim tries again.
+        () => (verifier = null),
+      );
+    },
+  });
+  worker.onmessage = ({ data }: MessageEvent<FromClassroom>) => {
+    dashboard.receive(data);
+    // The service has deleted the class: its key is of no use any more.
+    if (data.type === "status" && data.status.kind === "over") classes.remove(room.id);
+  };
+  const recolour = (): void =>
+    dashboard.send({ type: "colours", palette: readPalette(shownProperties()) });
+  recolour();
+  observeTheme(recolour);
+  dashboard.send({ type: "open", room: { id: room.id, key: room.key } });
+  setInterval(() => dashboard.tick(), SECOND_MS);
+  window.addEventListener("online", () => dashboard.send({ type: "again" }));
+  return (
+    <DashboardPage
+      dashboard={dashboard}
+      calls={calls}
+      room={room}
+      onLabel={(label) => classes.store({ ...room, label })}
+      tools={tools}
+    />
+  );
+}

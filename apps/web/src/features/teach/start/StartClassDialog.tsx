@@ -1,0 +1,165 @@
+/** Starts a class with a lesson: the names of the students, and how many will come. */
+import { parseLesson, type LessonDocument } from "@corridor/challenge";
+import { MAX_STUDENTS } from "@corridor/protocol";
+import { useId, useState, type SubmitEvent } from "react";
+import { useTranslation } from "react-i18next";
+import { MAX_CLASS_LABEL, OwnClasses } from "../../../model/classroom/own-classes.ts";
+import { namesOf, startClass, type StartProblem } from "../../../model/classroom/start-class.ts";
+import { lessonName } from "../../../model/lessons/lesson-name.ts";
+import type { KeyValueStorage } from "../../../model/storage/key-value-storage.ts";
+import { Button } from "../../../ui/Button.tsx";
+import { Checkbox } from "../../../ui/Checkbox.tsx";
+import { Dialog } from "../../../ui/Dialog.tsx";
+import { FieldError } from "../../../ui/FieldError.tsx";
+import { readNumber } from "../../../ui/number-text.ts";
+import { Select } from "../../../ui/Select.tsx";
+import { TextArea } from "../../../ui/TextArea.tsx";
+import { TextField } from "../../../ui/TextField.tsx";
+import { SavedLessons } from "../lessons/saved-lessons.ts";
+import { study2013 } from "../lessons/study-2013.ts";
+import styles from "./start-class-dialog.module.css";
+
+const STUDY = "study";
+
+export interface StartClassDialogProps {
+  isOpen: boolean;
+  /** null: the teacher chooses one of the device */
+  lesson: LessonDocument | null;
+  /** localStorage */
+  device: KeyValueStorage;
+  onClose: () => void;
+}
+
+export function StartClassDialog({ isOpen, lesson, device, onClose }: StartClassDialogProps) {
+  const { t } = useTranslation("teach", { useSuspense: false });
+  return (
+    <Dialog
+      isOpen={isOpen}
+      onClose={onClose}
+      title={t("class.title")}
+      subtitle={t("class.subtitle")}
+      width="narrow"
+    >
+      {isOpen && <StartClassForm lesson={lesson} device={device} />}
+    </Dialog>
+  );
+}
+
+type Problem = StartProblem | "names" | "expected" | "lesson";
+
+function StartClassForm({ lesson, device }: Pick<StartClassDialogProps, "lesson" | "device">) {
+  const { t, i18n } = useTranslation("teach", { useSuspense: false });
+  const [saved] = useState(() =>
+    new SavedLessons(device).list().filter((each) => parseLesson(each.lesson).ok),
+  );
+  const [chosen, setChosen] = useState(saved[0]?.id ?? STUDY);
+  const [label, setLabel] = useState("");
+  const [hasNames, setHasNames] = useState(false);
+  const [names, setNames] = useState("");
+  const [expected, setExpected] = useState("");
+  const [problem, setProblem] = useState<Problem | null>(null);
+  const [isStarting, setStarting] = useState(false);
+  const errorId = useId();
+
+  const lessonToStart = async (): Promise<LessonDocument | null> => {
+    if (lesson !== null) return parseLesson(lesson).ok ? lesson : null;
+    if (chosen !== STUDY) return saved.find(({ id }) => id === chosen)?.lesson ?? null;
+    await i18n.loadNamespaces("missions");
+    return study2013(i18n);
+  };
+  const tryStart = async (): Promise<Problem | null> => {
+    const pseudonyms = hasNames ? namesOf(names) : null;
+    if (hasNames && pseudonyms === null) return "names";
+    const count =
+      expected.trim() === ""
+        ? null
+        : readNumber(expected, { min: 1, max: MAX_STUDENTS, whole: true });
+    if (expected.trim() !== "" && count === null) return "expected";
+    const started = await lessonToStart();
+    if (started === null) return "lesson";
+    const request = { lesson: started, names: pseudonyms, expected: count };
+    const result = await startClass(request, (url, each) => fetch(url, each));
+    if (!result.ok) return result.problem;
+    const { id, teacherKey, screenKey } = result.value;
+    new OwnClasses(device, () => Date.now()).store({
+      id,
+      key: teacherKey,
+      screenKey,
+      label: label.trim(),
+      startedAt: Date.now(),
+    });
+    location.assign(`/class/${id}#${teacherKey}`);
+    return null;
+  };
+  const start = async (event: SubmitEvent): Promise<void> => {
+    event.preventDefault();
+    // A double click must not start two classes.
+    if (isStarting) return;
+    setStarting(true);
+    setProblem(null);
+    const found = await tryStart().catch((): Problem => "offline");
+    setProblem(found);
+    if (found !== null) setStarting(false);
+  };
+  return (
+    <form className={styles["form"]} noValidate onSubmit={(event) => void start(event)}>
+      {lesson === null && (
+        <label className={styles["stack"]}>
+          <span className={styles["label"]}>{t("class.lesson")}</span>
+          <Select
+            label={t("class.lesson")}
+            value={chosen}
+            options={[
+              ...saved.map((each) => ({
+                value: each.id,
+                label: lessonName(each.lesson) || t("lesson.unnamed"),
+              })),
+              { value: STUDY, label: t("study.name") },
+            ]}
+            onChange={setChosen}
+          />
+        </label>
+      )}
+      <TextField
+        label={t("class.label")}
+        value={label}
+        maxLength={MAX_CLASS_LABEL}
+        onChange={setLabel}
+      />
+      <p className={styles["note"]}>{t("class.labelNote")}</p>
+      <TextField
+        label={t("class.expected")}
+        value={expected}
+        inputMode="numeric"
+        maxLength={4}
+        aria-invalid={problem === "expected"}
+        onChange={setExpected}
+      />
+      <p className={styles["note"]}>{t("class.expectedNote")}</p>
+      <Checkbox
+        label={t("class.ownNames")}
+        note={t("class.ownNamesNote")}
+        checked={hasNames}
+        onChange={setHasNames}
+      />
+      {hasNames && (
+        <>
+          <TextArea
+            label={t("class.names")}
+            rows={6}
+            value={names}
+            aria-invalid={problem === "names"}
+            onChange={setNames}
+          />
+          <p className={styles["note"]}>{t("class.namesNote")}</p>
+        </>
+      )}
+      {problem !== null && <FieldError id={errorId}>{t(`class.problem.${problem}`)}</FieldError>}
+      <div>
+        <Button kind="primary" size="large" type="submit" aria-disabled={isStarting}>
+          {t("class.start")}
+        </Button>
+      </div>
+    </form>
+  );
+}

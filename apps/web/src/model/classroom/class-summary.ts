@@ -1,0 +1,114 @@
+/** The numbers above the cards, of one task. Pure. */
+import type { SeenStudent } from "../../simulator/protocol/classroom-messages.ts";
+import type { Standing } from "./standing.ts";
+import type { Verifications } from "./verifier.ts";
+
+export interface Bar {
+  /** upper end of the bar: minutes, lines or attempts */
+  value: number;
+  count: number;
+  /** whether the last bar also has all larger values */
+  isOpen: boolean;
+}
+
+export interface ClassSummary {
+  /** students with a verified solution */
+  solved: number;
+  /** expected students, or those who have joined if they are more */
+  all: number;
+  /** joined students by what they do now, without those who have solved the task */
+  working: number;
+  bumped: number;
+  needHelp: number;
+  away: number;
+  /** ms; null: nobody has solved the task */
+  medianMs: number | null;
+  times: Bar[];
+  /** null: no solution with a program */
+  commonLines: number | null;
+  lines: Bar[];
+  /** null: no attempts */
+  medianAttempts: number | null;
+  attempts: Bar[];
+}
+
+const MAX_BARS = 8;
+const MINUTE_MS = 60_000;
+
+export function summaryOf(
+  task: number,
+  students: ReadonlyMap<number, SeenStudent>,
+  shown: ReadonlyMap<number, { standing: Standing }>,
+  verifications: Verifications,
+  expected: number | null,
+): ClassSummary {
+  const solutions = [...students.values()].flatMap(({ student, tasks }) => {
+    const found = verifications.get(student)?.get(task);
+    const work = tasks.find((each) => each.task === task);
+    return found?.kind === "passes" ? [{ claim: found.claim, openedAt: work?.openedAt ?? 0 }] : [];
+  });
+  const others = [...students.values()].filter(
+    ({ student }) => verifications.get(student)?.get(task)?.kind !== "passes",
+  );
+  const count = (...wanted: Standing[]): number =>
+    others.filter(({ student }) => wanted.includes(shown.get(student)?.standing ?? "working"))
+      .length;
+  const times = solutions.map(({ claim, openedAt }) => Math.max(0, claim.activeAt - openedAt));
+  const lines = solutions.flatMap(({ claim }) => claim.lines ?? []);
+  const attempts = [...students.values()].flatMap(({ tasks }) => {
+    const work = tasks.find((each) => each.task === task);
+    return work === undefined || work.attempts === 0 ? [] : [work.attempts];
+  });
+  const all = Math.max(expected ?? 0, students.size);
+  return {
+    solved: solutions.length,
+    all,
+    working: count("working", "solved"),
+    bumped: count("bumped"),
+    needHelp: count("help", "stuck"),
+    away: count("disconnected") + all - students.size,
+    medianMs: median(times),
+    times: barsOf(times.map((ms) => Math.max(1, Math.ceil(ms / MINUTE_MS)))),
+    commonLines: mostCommon(lines),
+    lines: barsOf(lines),
+    medianAttempts: median(attempts),
+    attempts: barsOf(attempts),
+  };
+}
+
+/** null for an empty list */
+export function median(values: readonly number[]): number | null {
+  const sorted = values.toSorted((a, b) => a - b);
+  const middle = Math.floor(sorted.length / 2);
+  const upper = sorted[middle];
+  if (upper === undefined) return null;
+  return sorted.length % 2 === 1 ? upper : ((sorted[middle - 1] ?? upper) + upper) / 2;
+}
+
+/** The smallest of the most common values; null for an empty list. */
+export function mostCommon(values: readonly number[]): number | null {
+  let best: number | null = null;
+  let most = 0;
+  for (const value of new Set(values.toSorted((a, b) => a - b))) {
+    const count = values.filter((each) => each === value).length;
+    if (count > most) {
+      best = value;
+      most = count;
+    }
+  }
+  return best;
+}
+
+/** A bar for each whole number from the smallest to the largest value, at most 8. */
+export function barsOf(values: readonly number[]): Bar[] {
+  if (values.length === 0) return [];
+  const first = Math.min(...values);
+  const last = Math.max(...values);
+  const length = Math.min(MAX_BARS, last - first + 1);
+  return Array.from({ length }, (_, at) => {
+    const value = first + at;
+    const isOpen = at === MAX_BARS - 1 && last > value;
+    const isIn = (each: number): boolean => each === value || (isOpen && each > value);
+    return { value, count: values.filter(isIn).length, isOpen };
+  });
+}

@@ -1,0 +1,105 @@
+import { describe, expect, it } from "vitest";
+import type { ToClassroom } from "../../simulator/protocol/classroom-messages.ts";
+import { sampleLesson } from "../lessons/testing/sample-lesson.ts";
+import { Dashboard } from "./dashboard.ts";
+import { seenStudent } from "./testing/seen-student.ts";
+
+const START = 1_000_000;
+const claim = { code: "x", activeAt: 9_000, lines: 2, attempts: 1 };
+
+function newDashboard() {
+  let now = START;
+  const sent: ToClassroom[] = [];
+  const verified: number[] = [];
+  const dashboard = new Dashboard({
+    send: (message) => sent.push(message),
+    now: () => now,
+    nameOf: ({ student }) => `Team ${student}`,
+    compareNames: (a, b) => (a < b ? -1 : 1),
+    readPrograms: () => undefined,
+    verify: (_lesson, students) => verified.push(students.size),
+  });
+  dashboard.receive({
+    type: "state",
+    state: {
+      settings: { code: "BCDFGH", locked: false, paceTo: null },
+      expected: 3,
+      createdAt: START,
+      time: { at: START, activeMs: 0, pauseEndsAt: null, ahead: 0 },
+    },
+  });
+  const students = (...changed: ReturnType<typeof seenStudent>[]): void =>
+    dashboard.receive({ type: "students", changed, removed: [] });
+  return {
+    dashboard,
+    sent,
+    verified,
+    students,
+    state: () => dashboard.store.getState(),
+    pass: (ms: number): void => {
+      now += ms;
+      dashboard.tick();
+    },
+  };
+}
+
+describe("the dashboard", () => {
+  it("puts a student who asks for help first, after 5 s", () => {
+    const { students, state, pass } = newDashboard();
+    students(seenStudent(1), seenStudent(2));
+    students(seenStudent(2, { helpSince: START }));
+    expect(state().order.order).toEqual([1, 2]);
+    pass(5_000);
+    expect(state().order.order).toEqual([2, 1]);
+    expect(state().shown.get(2)).toMatchObject({ standing: "help", since: 0 });
+  });
+
+  it("moves no card while the pointer or the focus is on one", () => {
+    const { dashboard, students, state, pass } = newDashboard();
+    students(seenStudent(1), seenStudent(2));
+    dashboard.hold("pointer", true);
+    dashboard.hold("focus", true);
+    students(seenStudent(2, { helpSince: START }));
+    dashboard.hold("pointer", false);
+    pass(60_000);
+    expect(state().order).toMatchObject({ order: [1, 2], waiting: 1 });
+    dashboard.sortNow();
+    expect(state().order).toMatchObject({ order: [2, 1], waiting: 0 });
+  });
+
+  it("has claims verified once the lesson is known, and draws solved paths green", () => {
+    const { dashboard, sent, verified, students, state } = newDashboard();
+    const task = {
+      task: 1,
+      openedAt: 0,
+      claims: [claim],
+      attempts: 1,
+      runs: 0,
+      bumps: 0,
+      failedChecks: 0,
+      hints: 0,
+      mistakes: 0,
+      failures: [],
+    };
+    students(seenStudent(1, { tasks: [task] }));
+    expect(verified).toEqual([]);
+    dashboard.receive({ type: "lesson", lesson: sampleLesson, version: "1" });
+    expect(verified).toEqual([1]);
+    const passes = { kind: "passes", claim, attempt: [] } as const;
+    dashboard.verified(new Map([[1, new Map([[1, passes]])]]));
+    expect(state().shown.get(1)?.standing).toBe("solved");
+    expect(sent.at(-1)).toEqual({ type: "verified", student: 1, tasks: [1] });
+  });
+
+  it("knows since when the connection is lost", () => {
+    const { dashboard, state, pass } = newDashboard();
+    dashboard.receive({ type: "status", status: { kind: "connected" } });
+    expect(state().lostAt).toBeNull();
+    dashboard.receive({ type: "status", status: { kind: "lost" } });
+    pass(9_000);
+    dashboard.receive({ type: "status", status: { kind: "connecting" } });
+    expect(state().lostAt).toBe(START);
+    dashboard.receive({ type: "status", status: { kind: "connected" } });
+    expect(state().lostAt).toBeNull();
+  });
+});

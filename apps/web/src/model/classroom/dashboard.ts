@@ -1,0 +1,253 @@
+/**
+ * The class of a teacher as the page shows it: the students from the worker, what they need, the
+ * order of their cards, and which solutions pass.
+ */
+import type { LessonDocument } from "@corridor/challenge";
+import { createStore, type StoreApi } from "zustand/vanilla";
+import { activeMsAt } from "../../simulator/protocol/class-time.ts";
+import type {
+  ClassroomState,
+  ClassroomStatus,
+  CountedBump,
+  FromClassroom,
+  SeenStudent,
+  ToClassroom,
+} from "../../simulator/protocol/classroom-messages.ts";
+import {
+  needsHelp,
+  openTask,
+  openWork,
+  settle,
+  standingOf,
+  type ShownStanding,
+} from "./standing.ts";
+import {
+  followOrder,
+  helpedOf,
+  orderOf,
+  type OrderedStudent,
+  type ShownOrder,
+  type Sorting,
+} from "./student-order.ts";
+import type { Programs } from "./program-reader.ts";
+import type { Verification, Verifications } from "./verifier.ts";
+
+export interface DashboardState {
+  status: ClassroomStatus;
+  /** ms since 1970 at which the connection was lost; null: it is not lost */
+  lostAt: number | null;
+  classroom: ClassroomState | null;
+  lesson: LessonDocument | null;
+  students: ReadonlyMap<number, SeenStudent>;
+  shown: ReadonlyMap<number, ShownStanding>;
+  /** ms since 1970 at which the connection of a student was lost */
+  awaySince: ReadonlyMap<number, number>;
+  verifications: Verifications;
+  bumps: readonly CountedBump[];
+  programs: Programs;
+  order: ShownOrder;
+  sorting: Sorting;
+  /** ms since 1970, once a second */
+  now: number;
+}
+
+export interface DashboardPorts {
+  send: (message: ToClassroom, transfer?: Transferable[]) => void;
+  /** ms since 1970 */
+  now: () => number;
+  /** the name of a student, in the language of the page */
+  nameOf: (student: SeenStudent) => string;
+  compareNames: (a: string, b: string) => number;
+  /** Students have edited their programs. */
+  readPrograms: (students: DashboardState["students"]) => void;
+  /** There are claims to verify. */
+  verify: (lesson: LessonDocument, students: DashboardState["students"]) => void;
+}
+
+const nothing: ReadonlyMap<number, never> = new Map<number, never>();
+
+export class Dashboard {
+  readonly store: StoreApi<DashboardState>;
+  readonly #ports: DashboardPorts;
+  /** why the cards stay where they are */
+  readonly #held = new Set<"pointer" | "focus">();
+
+  constructor(ports: DashboardPorts) {
+    this.#ports = ports;
+    this.store = createStore<DashboardState>()(() => ({
+      status: { kind: "connecting" },
+      lostAt: null,
+      classroom: null,
+      lesson: null,
+      students: nothing,
+      shown: nothing,
+      awaySince: nothing,
+      verifications: nothing,
+      bumps: [],
+      programs: nothing,
+      order: { order: [], changedAt: 0, waiting: 0 },
+      sorting: "help",
+      now: ports.now(),
+    }));
+  }
+
+  send(message: ToClassroom, transfer: Transferable[] = []): void {
+    this.#ports.send(message, transfer);
+  }
+
+  /** Handles a message of the worker. */
+  receive(message: FromClassroom): void {
+    const now = this.#ports.now();
+    switch (message.type) {
+      case "status": {
+        const { status } = message;
+        const isLost = status.kind === "lost" || status.kind === "connecting";
+        const { lostAt, classroom } = this.store.getState();
+        const lost = isLost && classroom !== null ? (lostAt ?? now) : null;
+        return this.store.setState({ status, lostAt: lost });
+      }
+      case "state":
+        return this.store.setState({ classroom: message.state });
+      case "lesson":
+        this.store.setState({ lesson: message.lesson });
+        return this.#verify();
+      case "students": {
+        const students = new Map(this.store.getState().students);
+        for (const student of message.removed) students.delete(student);
+        for (const each of message.changed) students.set(each.student, each);
+        this.store.setState({ students });
+        if (message.changed.some(({ programs }) => programs > 0)) {
+          this.#ports.readPrograms(students);
+        }
+        this.#verify();
+        return this.tick();
+      }
+      case "bumps":
+        return this.store.setState({ bumps: message.bumps });
+    }
+  }
+
+  /** Solutions were run. */
+  verified(verifications: Verifications): void {
+    const before = this.store.getState().verifications;
+    for (const [student, tasks] of verifications) {
+      const passed = passedOf(tasks);
+      const known = passedOf(before.get(student));
+      if (passed.length !== known.length) this.send({ type: "verified", student, tasks: passed });
+    }
+    this.store.setState({ verifications });
+    this.tick();
+  }
+
+  /** The pointer or the focus is on a card: the cards stay where they are. */
+  hold(by: "pointer" | "focus", isHeld: boolean): void {
+    if (isHeld) this.#held.add(by);
+    else this.#held.delete(by);
+  }
+
+  setSorting(sorting: Sorting): void {
+    this.store.setState({ sorting });
+    this.sortNow();
+  }
+
+  /** Puts the cards in order at once, because the teacher asks for it. */
+  sortNow(): void {
+    const wanted = this.#wanted();
+    const changedAt = this.#ports.now();
+    this.store.setState({ order: { order: wanted.order, changedAt, waiting: 0 } });
+  }
+
+  /** Follows the time, once a second and after changes. */
+  tick(): void {
+    const now = this.#ports.now();
+    const { students, classroom, verifications } = this.store.getState();
+    const before = this.store.getState();
+    const active = classroom === null ? 0 : activeMsAt(classroom.time, now);
+    const shown = new Map<number, ShownStanding>();
+    const awaySince = new Map<number, number>();
+    for (const [number, student] of students) {
+      const task = openTask(student);
+      const isSolved = verifications.get(number)?.get(task)?.kind === "passes";
+      const helpAt = active - (now - (student.helpSince ?? 0) - (classroom?.time.ahead ?? 0));
+      const next = standingOf({ student, task, isSolved }, active, helpAt);
+      shown.set(number, settle(before.shown.get(number) ?? null, next, now));
+      if (!student.isConnected) awaySince.set(number, before.awaySince.get(number) ?? now);
+    }
+    this.store.setState({
+      now,
+      shown: isSameMap(before.shown, shown) ? before.shown : shown,
+      awaySince: isSameMap(before.awaySince, awaySince) ? before.awaySince : awaySince,
+    });
+    const { order, helped } = this.#wanted();
+    this.store.setState({
+      order: followOrder(this.store.getState().order, order, helped, {
+        isHeld: this.#held.size > 0,
+        now,
+      }),
+    });
+  }
+
+  #wanted(): { order: number[]; helped: Set<number> } {
+    const { students, shown, sorting } = this.store.getState();
+    const list = [...students.values()].flatMap((student): OrderedStudent[] => {
+      const each = shown.get(student.student);
+      if (each === undefined) return [];
+      const name = this.#ports.nameOf(student);
+      const timeMs = timeOf(this.store.getState(), student);
+      return [{ student: student.student, name, shown: each, timeMs }];
+    });
+    const order = orderOf(list, sorting, this.#ports.compareNames);
+    return { order, helped: helpedOf(list) };
+  }
+
+  #verify(): void {
+    const { lesson, students } = this.store.getState();
+    const hasClaims = [...students.values()].some(({ tasks }) =>
+      tasks.some(({ claims }) => claims.length > 0),
+    );
+    if (lesson !== null && hasClaims) this.#ports.verify(lesson, students);
+  }
+}
+
+/** The active time now, in ms. */
+export function activeNow({ classroom, now }: Pick<DashboardState, "classroom" | "now">): number {
+  return classroom === null ? 0 : activeMsAt(classroom.time, now);
+}
+
+/** Active ms on the open task, until its first verified solution. */
+export function timeOf(
+  state: Pick<DashboardState, "classroom" | "now" | "verifications">,
+  student: SeenStudent,
+): number {
+  const openedAt = openWork(student)?.openedAt ?? null;
+  if (openedAt === null) return 0;
+  const verification = verificationOf(state, student);
+  const end = verification?.kind === "passes" ? verification.claim.activeAt : activeNow(state);
+  return Math.max(0, end - openedAt);
+}
+
+/** Whether the solution of the open task passes; undefined without a claim. */
+export function verificationOf(
+  { verifications }: Pick<DashboardState, "verifications">,
+  student: SeenStudent,
+): Verification | undefined {
+  return verifications.get(student.student)?.get(openTask(student));
+}
+
+/** The students who need help, as their cards show it. */
+export function helpedOfState({ shown }: Pick<DashboardState, "shown">): Set<number> {
+  return new Set(
+    [...shown].flatMap(([student, each]) => (needsHelp(each.standing) ? [student] : [])),
+  );
+}
+
+function passedOf(tasks: ReadonlyMap<number, Verification> | undefined): number[] {
+  return [...(tasks ?? [])].flatMap(([task, { kind }]) => (kind === "passes" ? [task] : []));
+}
+
+function isSameMap<Value>(
+  one: ReadonlyMap<number, Value>,
+  other: ReadonlyMap<number, Value>,
+): boolean {
+  return one.size === other.size && [...one].every(([key, value]) => other.get(key) === value);
+}

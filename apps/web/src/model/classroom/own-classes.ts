@@ -1,0 +1,80 @@
+/**
+ * The classes that a teacher runs from this device: the key, and what the service never receives.
+ * An entry lasts until the class ends, so a closed tab loses no lesson.
+ */
+import type { KeyValueStorage } from "../storage/key-value-storage.ts";
+
+export interface OwnClass {
+  id: string;
+  /** of a teacher */
+  key: string;
+  /** of a big screen; null: a device that joined by the teacher's link does not have it */
+  screenKey: string | null;
+  /** what the teacher calls the class, such as 8B; may be empty */
+  label: string;
+  /** ms since 1970 */
+  startedAt: number;
+}
+
+const PREFIX = "corridor.classroom.";
+/** The longest life of a class, in ms. */
+const LIFE_MS = 12 * 3_600_000;
+export const MAX_CLASS_LABEL = 40;
+
+export class OwnClasses {
+  readonly #device: KeyValueStorage;
+  readonly #now: () => number;
+
+  /** @param now ms since 1970 */
+  constructor(device: KeyValueStorage, now: () => number) {
+    this.#device = device;
+    this.#now = now;
+  }
+
+  /** The newest first. Removes the entries of classes that must have ended. */
+  list(): OwnClass[] {
+    const keys = Array.from({ length: this.#device.length }, (_, at) => this.#device.key(at));
+    const ids = keys.flatMap((key) => (key?.startsWith(PREFIX) === true ? [key] : []));
+    return ids
+      .map((key) => key.slice(PREFIX.length))
+      .flatMap((id) => this.read(id) ?? [])
+      .filter(({ id, startedAt }) => {
+        const isOver = this.#now() - startedAt > LIFE_MS;
+        if (isOver) this.remove(id);
+        return !isOver;
+      })
+      .toSorted((a, b) => b.startedAt - a.startedAt);
+  }
+
+  /** null: not from this device */
+  read(id: string): OwnClass | null {
+    const text = this.#device.getItem(PREFIX + id);
+    if (text === null) return null;
+    try {
+      const entry = JSON.parse(text) as Partial<Record<keyof OwnClass, unknown>>;
+      if (typeof entry.key !== "string") return null;
+      return {
+        id,
+        key: entry.key,
+        screenKey: typeof entry.screenKey === "string" ? entry.screenKey : null,
+        label: typeof entry.label === "string" ? entry.label.slice(0, MAX_CLASS_LABEL) : "",
+        startedAt: typeof entry.startedAt === "number" ? entry.startedAt : this.#now(),
+      };
+    } catch {
+      return null;
+    }
+  }
+
+  /** Without storage, a closed tab needs the link of the dashboard again. */
+  store({ id, ...entry }: OwnClass): void {
+    try {
+      this.#device.setItem(PREFIX + id, JSON.stringify(entry));
+    } catch {
+      // Full or forbidden: the tab still has the key.
+    }
+  }
+
+  remove(id: string): void {
+    this.#device.removeItem(PREFIX + id);
+  }
+}

@@ -1,0 +1,233 @@
+/** Draws the pictures of the students' cards: maze, path and robot. */
+import { mazeOf, type LessonDocument } from "@corridor/challenge";
+import { CELL, sizeOf, type MazeDocument } from "@corridor/maze";
+import type { Tile } from "@corridor/protocol";
+import { DirtyRects } from "../../stage/drawing/dirty-rects.ts";
+import type { Palette } from "../../stage/drawing/palette.ts";
+import { drawRobot, type Face } from "../../stage/layers/robot.ts";
+import { blocksPath, edgesPath } from "../../ui/maze-outline.ts";
+import { pathCells } from "./tile-path.ts";
+
+/** The robot is larger than in the maze, so that its face can be seen. */
+const ROBOT_SIZE = 1.5;
+/** Pictures of mazes without a robot that are stored. */
+const MAX_FLOORS = 32;
+
+interface Place {
+  student: number;
+  canvas: OffscreenCanvas;
+}
+
+export interface CardPainterPorts {
+  tileOf(student: number): Tile | null;
+  requestFrame(paint: () => void): void;
+}
+
+export class CardPainter {
+  readonly #ports: CardPainterPorts;
+  readonly #places = new Map<string, Place>();
+  readonly #dirty = new Set<string>();
+  readonly #floors = new Map<string, OffscreenCanvas>();
+  readonly #verified = new Map<number, ReadonlySet<number>>();
+  #lesson: LessonDocument | null = null;
+  #palette: Palette | null = null;
+  #isWaiting = false;
+  readonly #erased = new DirtyRects();
+
+  constructor(ports: CardPainterPorts) {
+    this.#ports = ports;
+  }
+
+  setLesson(lesson: LessonDocument): void {
+    this.#lesson = lesson;
+    this.#floors.clear();
+    this.#drawAll();
+  }
+
+  setPalette(palette: Palette): void {
+    this.#palette = palette;
+    this.#floors.clear();
+    this.#drawAll();
+  }
+
+  setVerified(student: number, tasks: readonly number[]): void {
+    this.#verified.set(student, new Set(tasks));
+    this.changed([student]);
+  }
+
+  place(place: string, student: number, canvas: OffscreenCanvas): void {
+    this.#places.set(place, { student, canvas });
+    this.#drawSoon(place);
+  }
+
+  resize(place: string, width: number, height: number): void {
+    const canvas = this.#places.get(place)?.canvas;
+    if (canvas === undefined) return;
+    canvas.width = width;
+    canvas.height = height;
+    this.#drawSoon(place);
+  }
+
+  remove(place: string): void {
+    this.#places.delete(place);
+    this.#dirty.delete(place);
+  }
+
+  /** These students have new tiles. */
+  changed(students: readonly number[]): void {
+    const all = new Set(students);
+    for (const [place, { student }] of this.#places) if (all.has(student)) this.#drawSoon(place);
+  }
+
+  #drawAll(): void {
+    for (const place of this.#places.keys()) this.#drawSoon(place);
+  }
+
+  #drawSoon(place: string): void {
+    this.#dirty.add(place);
+    if (this.#isWaiting) return;
+    this.#isWaiting = true;
+    this.#ports.requestFrame(() => {
+      this.#isWaiting = false;
+      const places = [...this.#dirty];
+      this.#dirty.clear();
+      for (const each of places) this.#draw(each);
+    });
+  }
+
+  #draw(name: string): void {
+    const found = this.#places.get(name);
+    const palette = this.#palette;
+    const context = found?.canvas.getContext("2d") ?? null;
+    if (found === undefined || palette === null || context === null) return;
+    const { student, canvas } = found;
+    context.clearRect(0, 0, canvas.width, canvas.height);
+    const tile = this.#ports.tileOf(student);
+    const maze = this.#mazeOf(tile);
+    if (maze === null) return;
+    const floor = this.#floorOf(maze, canvas, palette);
+    context.drawImage(floor, 0, 0);
+    if (tile === null) return;
+    const view = viewOf(maze, canvas);
+    const isSolved = this.#verified.get(student)?.has(tile.task) === true;
+    drawPath(context, view, tile, isSolved ? palette.good : palette.live);
+    this.#drawRobot(context, view, tile, palette, isSolved);
+  }
+
+  #drawRobot(
+    context: OffscreenCanvasRenderingContext2D,
+    { cell, x, y, columns, rows }: CardView,
+    { pose: [atX, atY, heading], state }: Tile,
+    palette: Palette,
+    isSolved: boolean,
+  ): void {
+    const scale = (cell / CELL) * ROBOT_SIZE;
+    const box = { x: 0, y: 0, width: 0, height: 0 };
+    const centre = { x: x + (atX / CELL) * cell, y: y + (atY / CELL) * cell };
+    const viewport = {
+      scale,
+      originX: centre.x - atX * scale,
+      originY: centre.y - atY * scale,
+      port: box,
+      view: box,
+      columns,
+      rows,
+    };
+    const face: Face = isSolved ? "solved" : state === "bumped" ? "bumped" : "driving";
+    drawRobot(context, viewport, palette, { x: atX, y: atY, heading }, face, this.#erased);
+  }
+
+  /** The maze of a tile; before the first one, the first maze of the lesson. */
+  #mazeOf(tile: Tile | null): MazeDocument | null {
+    const task = this.#lesson?.tasks[(tile?.task ?? 1) - 1];
+    if (task === undefined || tile?.maze === null) return null;
+    const name = tile?.maze ?? "g1";
+    const number = Number(name.slice(1));
+    try {
+      return mazeOf(task, (name.startsWith("u") ? task.mazes.length : 0) + number - 1);
+    } catch {
+      // The claim of a page: the task has no such maze.
+      return null;
+    }
+  }
+
+  /** The picture of a maze without a robot. */
+  #floorOf(maze: MazeDocument, { width, height }: OffscreenCanvas, palette: Palette) {
+    const key = `${width} ${height} ${JSON.stringify(maze)}`;
+    const known = this.#floors.get(key);
+    if (known !== undefined) return known;
+    const floor = new OffscreenCanvas(width, height);
+    const context = floor.getContext("2d");
+    if (context !== null) drawFloor(context, viewOf(maze, floor), maze, palette);
+    if (this.#floors.size >= MAX_FLOORS) this.#floors.clear();
+    this.#floors.set(key, floor);
+    return floor;
+  }
+}
+
+/** Position of the maze in a picture, in device pixels. */
+interface CardView {
+  cell: number;
+  x: number;
+  y: number;
+  columns: number;
+  rows: number;
+}
+
+function viewOf(maze: MazeDocument, { width, height }: OffscreenCanvas): CardView {
+  const { columns, rows } = sizeOf(maze);
+  const cell = Math.min((width - 2) / columns, (height - 2) / rows);
+  return { cell, x: (width - cell * columns) / 2, y: (height - cell * rows) / 2, columns, rows };
+}
+
+function drawFloor(
+  context: OffscreenCanvasRenderingContext2D,
+  { cell, x, y, columns, rows }: CardView,
+  maze: MazeDocument,
+  palette: Palette,
+): void {
+  const mark = 0.26;
+  context.translate(x, y);
+  context.scale(cell, cell);
+  context.lineWidth = 1.25 / cell;
+  context.fillStyle = palette.floor;
+  context.fillRect(0, 0, columns, rows);
+  context.fillStyle = palette.wall;
+  context.fill(new Path2D(blocksPath(maze)));
+  context.strokeStyle = palette.wallEdge;
+  context.stroke(new Path2D(edgesPath(maze)));
+  context.strokeRect(0, 0, columns, rows);
+  context.fillStyle = palette.good;
+  for (const { column, row } of maze.goals) {
+    context.fillRect(column + 0.5 - mark, row + 0.5 - mark, 2 * mark, 2 * mark);
+  }
+  context.beginPath();
+  context.arc(maze.start.column + 0.5, maze.start.row + 0.5, mark, 0, 2 * Math.PI);
+  context.fillStyle = palette.surface;
+  context.fill();
+  context.stroke();
+}
+
+function drawPath(
+  context: OffscreenCanvasRenderingContext2D,
+  { cell, x, y, columns, rows }: CardView,
+  tile: Tile,
+  colour: string,
+): void {
+  const [atX, atY] = tile.pose;
+  context.save();
+  context.beginPath();
+  context.rect(x, y, columns * cell, rows * cell);
+  context.clip();
+  context.beginPath();
+  for (const { column, row } of pathCells(tile)) {
+    context.lineTo(x + (column + 0.5) * cell, y + (row + 0.5) * cell);
+  }
+  context.lineTo(x + (atX / CELL) * cell, y + (atY / CELL) * cell);
+  context.strokeStyle = colour;
+  context.lineWidth = Math.max(1.5, cell * 0.14);
+  context.lineJoin = "round";
+  context.lineCap = "round";
+  context.stroke();
+  context.restore();
+}

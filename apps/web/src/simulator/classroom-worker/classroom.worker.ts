@@ -1,0 +1,61 @@
+/**
+ * Entry of the dashboard's worker: the connection to the class and the pictures of the students, so
+ * that the page only renders. A thin shell; the class is in `classroom-host.ts`.
+ */
+import type { Tile } from "@corridor/protocol";
+import type { Classroom, FromClassroom, ToClassroom } from "../protocol/classroom-messages.ts";
+import { CardPainter } from "./card-painter.ts";
+import { ClassroomHost } from "./classroom-host.ts";
+
+const worker = self as unknown as DedicatedWorkerGlobalScope;
+let host: ClassroomHost | null = null;
+
+const painter = new CardPainter({
+  tileOf: (student): Tile | null => host?.roster.tileOf(student) ?? null,
+  requestFrame: (paint) => requestAnimationFrame(paint),
+});
+
+function post(message: FromClassroom): void {
+  if (message.type === "lesson") painter.setLesson(message.lesson);
+  worker.postMessage(message);
+}
+
+function open(room: Classroom): void {
+  host ??= new ClassroomHost(room, {
+    origin: worker.location.origin,
+    now: () => Date.now(),
+    after: (ms, call) => {
+      const timer = setTimeout(call, ms);
+      return () => clearTimeout(timer);
+    },
+    read: async (path, key) => {
+      const answer = await fetch(path, { headers: { Authorization: `Bearer ${key}` } });
+      return { status: answer.status, text: await answer.text() };
+    },
+    post,
+    onTiles: (students) => painter.changed(students),
+  });
+}
+
+worker.onmessage = ({ data }: MessageEvent<ToClassroom>) => {
+  switch (data.type) {
+    case "open":
+      return open(data.room);
+    case "again":
+      return host?.again();
+    case "watch":
+    case "hint":
+    case "display":
+      return host?.send(data);
+    case "colours":
+      return painter.setPalette(data.palette);
+    case "canvas":
+      return painter.place(data.place, data.student, data.canvas);
+    case "canvas-size":
+      return painter.resize(data.place, data.width, data.height);
+    case "canvas-gone":
+      return painter.remove(data.place);
+    case "verified":
+      return painter.setVerified(data.student, data.tasks);
+  }
+};

@@ -1,0 +1,88 @@
+import type { Tile } from "@corridor/protocol";
+import { describe, expect, it } from "vitest";
+import { Roster } from "./roster.ts";
+import { classView, record, studentView } from "./testing/class-of.ts";
+
+const NOW = 900_000;
+const tile: Tile = {
+  seq: 1,
+  task: 1,
+  maze: "g1",
+  state: "driving",
+  pose: [150, 250, 90],
+  path: "e2",
+  line: 0,
+  tick: 60,
+  bumps: 0,
+  passes: null,
+};
+
+/** A roster with these students, whose first changes were taken. */
+function rosterOf(...students: number[]): Roster {
+  const roster = new Roster(() => NOW);
+  roster.replace(classView(students.map((each) => ({ ...studentView(each), progress: [] }))));
+  roster.takeChanges();
+  return roster;
+}
+
+describe("the students of a class", () => {
+  it("are those of the class when it was read", () => {
+    const roster = rosterOf(1, 2);
+    const opened = record(1, 60_000, { kind: "opened", task: 2 });
+    roster.replace(classView([{ ...studentView(2), progress: [opened] }]));
+    const { changed, removed } = roster.takeChanges();
+    expect(removed).toEqual([1]);
+    expect(changed).toMatchObject([{ student: 2, busyAt: 60_000, tasks: [{ task: 2 }] }]);
+    expect(roster.hasChanges).toBe(false);
+  });
+
+  it("join, change and are removed by events", () => {
+    const roster = rosterOf();
+    const student = studentView(1);
+    roster.follow({ type: "student", n: 5, student, progress: null });
+    expect(roster.takeChanges().changed).toMatchObject([{ student: 1, busyAt: NOW }]);
+    roster.follow({ type: "removed", n: 6, student: 1 });
+    expect(roster.takeChanges()).toEqual({ changed: [], removed: [1] });
+  });
+
+  it("count each progress record once", () => {
+    const roster = rosterOf(1);
+    const hint = record(1, 1, { kind: "hint", task: 1, hint: 1 });
+    const event = { type: "student", n: 5, student: studentView(1), progress: hint } as const;
+    roster.follow(event);
+    roster.follow(event);
+    expect(roster.takeChanges().changed).toMatchObject([{ tasks: [{ hints: 1 }] }]);
+  });
+
+  it("have edited when a program was stored", () => {
+    const roster = new Roster(() => NOW);
+    const opened = record(1, 60_000, { kind: "opened", task: 1 });
+    roster.replace(classView([{ ...studentView(1), progress: [opened] }]));
+    const student = studentView(1, { programs: 1 });
+    roster.follow({ type: "student", n: 5, student, progress: null });
+    expect(roster.takeChanges().changed).toMatchObject([{ busyAt: NOW }]);
+  });
+
+  it("change on the page only if the words of the card do", () => {
+    const roster = rosterOf(1);
+    roster.show([{ student: 1, connected: true, tile }]);
+    expect(roster.takeChanges().changed).toMatchObject([{ isConnected: true }]);
+    const moved: Tile = { ...tile, seq: 2, pose: [250, 250, 90], tick: 90 };
+    expect(roster.show([{ student: 1, connected: true, tile: moved }])).toEqual([1]);
+    expect(roster.hasChanges).toBe(false);
+    expect(roster.tileOf(1)).toEqual(moved);
+  });
+
+  it("have bumps counted once, where the robot was", () => {
+    const roster = rosterOf(1, 2);
+    const bumped: Tile = { ...tile, state: "bumped", bumps: 1 };
+    expect(roster.takeBumps()).toBeNull();
+    for (const student of [1, 1, 2]) roster.show([{ student, connected: true, tile: bumped }]);
+    expect(roster.takeBumps()).toEqual([{ task: 1, maze: "g1", column: 1, row: 2, count: 2 }]);
+    expect(roster.takeBumps()).toBeNull();
+  });
+
+  it("ignore tiles of students who were removed", () => {
+    expect(rosterOf(1).show([{ student: 7, connected: true, tile }])).toEqual([]);
+  });
+});

@@ -1,0 +1,135 @@
+/** What a student has done, from the stored progress records. Pure. */
+import type { ProgressRecord } from "@corridor/protocol";
+import type { CountedFailure, SeenStudent, TaskWork } from "../protocol/classroom-messages.ts";
+
+/** More claims of one task are not run again. */
+const MAX_CLAIMS = 20;
+const MAX_FAILURES = 12;
+
+export type Work = Pick<SeenStudent, "busyAt" | "bestAt" | "repeats" | "tasks" | "answers"> & {
+  /** the failure that `repeats` counts; null: the newest attempt did not fail */
+  failure: Pick<CountedFailure, "code" | "line"> | null;
+  /** the largest number of mazes that passed in a check of the open task */
+  best: number;
+};
+
+/** @param joinedAt active time at which the student joined */
+export function noWork(joinedAt: number): Work {
+  return {
+    busyAt: joinedAt,
+    bestAt: joinedAt,
+    repeats: 0,
+    tasks: [],
+    answers: null,
+    failure: null,
+    best: 0,
+  };
+}
+
+/** Adds the next record. */
+export function withRecord(work: Work, { event, activeMs: at }: ProgressRecord): Work {
+  switch (event.kind) {
+    case "opened": {
+      const { openedAt } = taskOf(work, event.task);
+      const opened = withTask(work, event.task, { openedAt: openedAt ?? at });
+      return { ...opened, busyAt: at, bestAt: at, best: 0, repeats: 0, failure: null };
+    }
+    case "run":
+    case "check":
+      return withAttempt(work, event, at);
+    case "hint": {
+      const { hints } = taskOf(work, event.task);
+      return withTask(work, event.task, { hints: hints + 1 });
+    }
+    case "solved": {
+      const { claims, attempts, openedAt } = taskOf(work, event.task);
+      const { code, lines } = event;
+      const isKnown = claims.length >= MAX_CLAIMS || claims.some((each) => each.code === code);
+      const claim = { code, lines, attempts, activeAt: at };
+      const change = {
+        claims: isKnown ? claims : [...claims, claim],
+        openedAt: openedAt ?? at,
+      };
+      return { ...withTask(work, event.task, change), busyAt: at, bestAt: at };
+    }
+    case "survey":
+      return {
+        ...work,
+        answers: Object.fromEntries(event.answers.map(({ id, answer }) => [id, answer])),
+      };
+  }
+}
+
+type AttemptEvent = Extract<ProgressRecord["event"], { kind: "run" | "check" }>;
+
+function withAttempt(work: Work, event: AttemptEvent, at: number): Work {
+  const before = taskOf(work, event.task);
+  const { failure } = event;
+  const isBest = event.kind === "check" && event.passes > work.best;
+  const next = withTask(work, event.task, {
+    openedAt: before.openedAt ?? at,
+    attempts: before.attempts + (event.changed ? 1 : 0),
+    failures: failure === null ? before.failures : withFailure(before.failures, failure),
+    ...(event.kind === "run"
+      ? {
+          runs: before.runs + 1,
+          bumps: before.bumps + event.bumps,
+          mistakes: before.mistakes + event.mistakes,
+        }
+      : { failedChecks: before.failedChecks + (failure === null ? 0 : 1) }),
+  });
+  const isSame = failure !== null && isSameFailure(failure, work.failure);
+  // The same program again is the same attempt.
+  const counted = event.changed ? 1 : 0;
+  const repeats = failure === null ? 0 : isSame ? work.repeats + counted : 1;
+  return {
+    ...next,
+    busyAt: at,
+    ...(isBest && event.kind === "check" && { best: event.passes, bestAt: at }),
+    repeats,
+    failure,
+  };
+}
+
+/** The work on a task, which may not have begun. */
+export function taskOf({ tasks }: Pick<Work, "tasks">, task: number): TaskWork {
+  return tasks.find((each) => each.task === task) ?? emptyTask(task);
+}
+
+function emptyTask(task: number): TaskWork {
+  return {
+    task,
+    openedAt: null,
+    claims: [],
+    attempts: 0,
+    runs: 0,
+    bumps: 0,
+    failedChecks: 0,
+    hints: 0,
+    mistakes: 0,
+    failures: [],
+  };
+}
+
+function withTask(work: Work, task: number, change: Partial<TaskWork>): Work {
+  const next = { ...taskOf(work, task), ...change };
+  const others = work.tasks.filter((each) => each.task !== task);
+  return { ...work, tasks: [...others, next].toSorted((a, b) => a.task - b.task) };
+}
+
+function withFailure(
+  failures: readonly CountedFailure[],
+  { code, line }: Pick<CountedFailure, "code" | "line">,
+): CountedFailure[] {
+  const known = failures.find((each) => isSameFailure(each, { code, line }));
+  const others = failures.filter((each) => each !== known);
+  const counted = { code, line, count: (known?.count ?? 0) + 1 };
+  return [...others, counted].toSorted((a, b) => b.count - a.count).slice(0, MAX_FAILURES);
+}
+
+function isSameFailure(
+  one: Pick<CountedFailure, "code" | "line">,
+  other: Pick<CountedFailure, "code" | "line"> | null,
+): boolean {
+  return other !== null && one.code === other.code && one.line === other.line;
+}

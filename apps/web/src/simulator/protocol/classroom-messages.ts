@@ -1,0 +1,130 @@
+/**
+ * Messages between the page of a teacher's dashboard and its worker, which holds the connection to
+ * the class and draws the cards. Times with "active" in their name are ms since the class was
+ * created, without its pauses, by the relay's clock.
+ */
+import type { LessonDocument } from "@corridor/challenge";
+import type { ClassSettings, StudentName, Tile } from "@corridor/protocol";
+import type { Palette } from "../../stage/drawing/palette.ts";
+
+/** The class, and a teacher's key. */
+export interface Classroom {
+  id: string;
+  key: string;
+}
+
+/** A solution that a student's page reports. It counts once the dashboard has run it. */
+export interface ClaimedSolution {
+  /** completion code */
+  code: string;
+  activeAt: number;
+  /** of the program; null: a manual drive */
+  lines: number | null;
+  /** attempts until then */
+  attempts: number;
+}
+
+/** The work of a student on a task. */
+export interface TaskWork {
+  task: number;
+  /** null: not opened yet */
+  openedAt: number | null;
+  claims: readonly ClaimedSolution[];
+  /** first runs or checks of a changed program */
+  attempts: number;
+  runs: number;
+  bumps: number;
+  failedChecks: number;
+  hints: number;
+  /** mistakes that the diagnosis found */
+  mistakes: number;
+  /** attempts by why they failed, most frequent first */
+  failures: readonly CountedFailure[];
+}
+
+export interface CountedFailure {
+  /** as the check names it */
+  code: string;
+  /** null: no line caused it */
+  line: number | "default" | null;
+  count: number;
+}
+
+/** A student as the dashboard sees it. */
+export interface SeenStudent {
+  student: number;
+  name: StudentName;
+  /** ms since 1970, by the relay's clock */
+  helpSince: number | null;
+  /** number of stored programs */
+  programs: number;
+  isConnected: boolean;
+  /** the newest one, without what only the picture needs; null: none yet */
+  tile: Pick<Tile, "task" | "state" | "line" | "bumps" | "passes" | "maze"> | null;
+  /** the last edit or run */
+  busyAt: number;
+  /** the last new best result, or the opening of the task */
+  bestAt: number;
+  /** number of newest attempts in a row that failed with the same code and line */
+  repeats: number;
+  tasks: readonly TaskWork[];
+  /** to the survey, by the ids of the questions; null: not answered */
+  answers: Readonly<Record<string, number | null>> | null;
+}
+
+export type ClassroomStatus =
+  | { kind: "connecting" | "connected" | "lost" }
+  /** over: the class has ended; refused: the key is not valid */
+  | { kind: "over" | "refused" };
+
+/** The time of the class, on the clock of this device. */
+export interface ClassTime {
+  /** a moment, in ms since 1970, and the active time then */
+  at: number;
+  activeMs: number;
+  /** ms since 1970; null: not paused */
+  pauseEndsAt: number | null;
+  /** ms that this clock is ahead of the relay's */
+  ahead: number;
+}
+
+export interface ClassroomState {
+  settings: Pick<ClassSettings, "code" | "locked" | "paceTo">;
+  expected: number | null;
+  /** ms since 1970, on the clock of this device */
+  createdAt: number;
+  time: ClassTime;
+}
+
+export type ToClassroom =
+  | { type: "open"; room: Classroom }
+  /** reconnects at once */
+  | { type: "again" }
+  /** receives the tiles of a student more often; null: of nobody */
+  | { type: "watch"; student: number | null }
+  | { type: "hint"; student: number; task: number; hint: number }
+  | { type: "display"; content: Record<string, unknown> }
+  | { type: "colours"; palette: Palette }
+  /** a canvas for a student's picture, or another one in its place */
+  | { type: "canvas"; place: string; student: number; canvas: OffscreenCanvas }
+  /** its size in device pixels */
+  | { type: "canvas-size"; place: string; width: number; height: number }
+  | { type: "canvas-gone"; place: string }
+  /** the path of a student whose solution passes is green */
+  | { type: "verified"; student: number; tasks: readonly number[] };
+
+/** How often robots bumped in a cell, since this dashboard opened. */
+export interface CountedBump {
+  task: number;
+  maze: string;
+  column: number;
+  row: number;
+  count: number;
+}
+
+export type FromClassroom =
+  | { type: "status"; status: ClassroomStatus }
+  | { type: "state"; state: ClassroomState }
+  | { type: "lesson"; lesson: LessonDocument; version: string }
+  | { type: "students"; changed: readonly SeenStudent[]; removed: readonly number[] }
+  | { type: "bumps"; bumps: readonly CountedBump[] };

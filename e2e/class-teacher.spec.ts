@@ -1,0 +1,232 @@
+/** The dashboard of a teacher: starting a class, what it shows of students, and what it sends. */
+import { readFile } from "node:fs/promises";
+import { lessonMark, type LessonDocument } from "@corridor/challenge";
+import { encodeLink } from "@corridor/link";
+import type { BrowserContext, Locator, Page } from "playwright/test";
+import { answers } from "../apps/web/src/model/lessons/missions/testing/answers.ts";
+import { sampleLesson, sampleTask } from "../apps/web/src/model/lessons/testing/sample-lesson.ts";
+import { expect, test } from "./fixtures.ts";
+import { CorridorPage } from "./pages/corridor-page.ts";
+import { expectNoAxeViolations } from "./support/axe.ts";
+import { ClassTeacher } from "./support/class-teacher.ts";
+import { horizontalOverflow, smallTouchTargets } from "./support/layout.ts";
+import { phone } from "./support/phone.ts";
+import { ScriptedStudent } from "./support/scripted-student.ts";
+
+const NAMES = ["Team 1", "Team 2", "Team 3", "Team 4"];
+const lesson: LessonDocument = {
+  ...sampleLesson,
+  name: "One line",
+  tasks: [sampleTask("one-line", "One line")],
+};
+/** For the first task of the lesson. */
+const { solution, wrong } = answers["one-line"];
+
+const opened = { kind: "opened", task: 1 } as const;
+
+/** A claim that the first task is solved. */
+function claim(attempt: typeof solution) {
+  const completion = { lesson: lessonMark(lesson), task: 0, attempt };
+  const link = encodeLink({ completion });
+  if (!link.ok) throw new Error(link.code);
+  return { kind: "solved", task: 1, lines: 1, code: link.text } as const;
+}
+
+/** A class whose dashboard is open. */
+async function openDashboard(page: Page, relay: string, names: string[] | null = NAMES) {
+  const teacher = await ClassTeacher.start(relay, names, lesson);
+  await page.goto(`/class/${teacher.created.id}#${teacher.created.teacherKey}`);
+  await expect(page.getByRole("heading", { name: "One line" })).toBeVisible();
+  return teacher;
+}
+
+function cards(page: Page): Locator {
+  return page.getByRole("list").getByRole("button", { name: /attempt/ });
+}
+
+function nameOf(student: ScriptedStudent): string {
+  return student.joined.name.text ?? "";
+}
+
+function cardOf(page: Page, student: ScriptedStudent): Locator {
+  return page.getByRole("button", { name: new RegExp(`^${nameOf(student)}, `) });
+}
+
+async function choose(page: Page, menu: string, item: string | RegExp): Promise<void> {
+  await page.getByRole("button", { name: menu }).click();
+  await page.getByRole("dialog").getByRole("button", { name: item }).click();
+}
+
+test("a teacher starts a class, and a student joins with the letters on the board", async ({
+  page,
+  openWindow,
+}) => {
+  await page.goto("/teach");
+  await page.getByRole("button", { name: "Start a class" }).click();
+  const dialog = page.getByRole("dialog", { name: "Start a class" });
+  await dialog.getByLabel("What you call this class").fill("8B Robotics");
+  await dialog.getByRole("textbox", { name: "Number of students" }).fill("1");
+  await expectNoAxeViolations(page, "start a class");
+  await dialog.getByRole("button", { name: "Start class" }).click();
+  const code = page.getByRole("region", { name: "Letters for the board" });
+  await expect(code).toContainText("No student has joined yet.");
+  // The key is not visible, and a reload still has it.
+  expect(new URL(page.url()).hash).toBe("");
+  await page.reload();
+  await expect(page.getByRole("button", { name: "8B Robotics" })).toBeVisible();
+  await expect(page.getByRole("heading", { name: "The 2013 study" })).toBeVisible();
+  const letters = await code.getByText(/^[B-Z]{3} [B-Z]{3}$/).textContent();
+  const { page: student } = await openWindow();
+  await student.goto("/join");
+  await student.getByRole("textbox", { name: "Letters on the board" }).fill(letters ?? "");
+  await student.getByRole("button", { name: "Join" }).click();
+  await expect(cards(page)).toHaveCount(1);
+  await expect(page.getByText("1 of 1 have joined. The class is locked.")).toBeVisible();
+  await student.getByRole("link", { name: "Start" }).click();
+  const corridor = new CorridorPage(student);
+  await corridor.waitUntilReady();
+  await student.getByRole("button", { name: /, in class/ }).click();
+  await student.getByRole("button", { name: "I need help" }).click();
+  await expect(cards(page)).toHaveAccessibleName(/Asks for help, Task 1/);
+  // A closed tab loses no lesson.
+  await page.goto("/teach");
+  await page.getByRole("link", { name: "Open", exact: true }).click();
+  await expect(cards(page)).toHaveCount(1);
+  expect(new URL(page.url()).hash).toBe("");
+});
+
+test("a solution counts after the teacher's page has run it", async ({ page, relay }) => {
+  const teacher = await openDashboard(page, relay);
+  const honest = await ScriptedStudent.join(relay, teacher.code);
+  const cheat = await ScriptedStudent.join(relay, teacher.code);
+  for (const student of [honest, cheat]) student.report(opened);
+  honest.report(claim(solution));
+  cheat.show({ state: "solved" });
+  cheat.report(claim(wrong.attempt));
+  await expect(cardOf(page, honest)).toHaveAccessibleName(/, Solved, 0 minutes, 1 line,/);
+  await expect(cardOf(page, cheat)).toHaveAccessibleName(/, Does not pass,/);
+  await expect(page.getByRole("region", { name: "Results" })).toContainText("1 of 2 students");
+  honest.close();
+  cheat.close();
+});
+
+test("students who need help come first, but no card moves under the focus", async ({
+  page,
+  relay,
+}) => {
+  const teacher = await openDashboard(page, relay);
+  const calm = await ScriptedStudent.join(relay, teacher.code);
+  const stuck = await ScriptedStudent.join(relay, teacher.code);
+  const shy = await ScriptedStudent.join(relay, teacher.code);
+  for (const student of [calm, stuck, shy]) student.report(opened);
+  await expect(cards(page)).toHaveCount(3);
+  for (let attempt = 0; attempt < 4; attempt++) stuck.bump(0);
+  await expect(cardOf(page, stuck)).toHaveAccessibleName(/, Stuck, 0 minutes, 4 attempts$/);
+  await expect(cards(page).first()).toHaveAccessibleName(/Stuck/);
+  await cardOf(page, calm).focus();
+  shy.askForHelp();
+  await expect(page.getByText("2 need help now.")).toBeVisible();
+  await expect(cards(page).first()).toHaveAccessibleName(/Stuck/);
+  await page.getByRole("button", { name: "Sort" }).click();
+  await expect(cards(page).first()).toHaveAccessibleName(/Asks for help/);
+  // N moves to the next student who needs help.
+  await page.getByRole("heading", { name: "One line" }).click();
+  await page.keyboard.press("n");
+  await expect(cardOf(page, shy)).toBeFocused();
+  await page.keyboard.press("n");
+  await expect(cardOf(page, stuck)).toBeFocused();
+  await page.getByRole("radio", { name: "Needs help 2" }).check({ force: true });
+  await expect(cards(page)).toHaveCount(2);
+  await expectNoAxeViolations(page, "dashboard");
+  for (const student of [calm, stuck, shy]) student.close();
+});
+
+test("a pause, the lock, new letters and a removal reach the students", async ({ page, relay }) => {
+  const teacher = await openDashboard(page, relay);
+  const student = await ScriptedStudent.join(relay, teacher.code);
+  await expect(cards(page)).toHaveCount(1);
+  await choose(page, "Pause everyone", "5 minutes");
+  await expect.poll(() => student.received.at(-1)).toMatchObject({ type: "pause" });
+  await page.getByRole("button", { name: "End the pause" }).click();
+  await expect.poll(() => student.received.at(-1)).toEqual({ type: "pause", endsInMs: null });
+  await choose(page, "Who can join", "Lock the class");
+  await expect(page.getByText("locked", { exact: true })).toBeVisible();
+  expect((await teacher.read()).settings.locked).toBe(true);
+  await choose(page, "Who can join", /^New letters/);
+  await expect.poll(async () => (await teacher.read()).settings.code).not.toBe(teacher.code);
+  await cardOf(page, student).click();
+  const sheet = page.getByRole("complementary");
+  await expect.poll(() => student.has("watched")).toBe(true);
+  await sheet.getByRole("button", { name: "Show hint 1" }).click();
+  await expect.poll(() => student.received.at(-1)).toEqual({ type: "hint", task: 1, hint: 1 });
+  await sheet.getByRole("button", { name: "Return code" }).click();
+  await expect(sheet.getByText(/^[B-Z]{3} [B-Z]{3}$/)).toBeVisible();
+  await expectNoAxeViolations(page, "watched student");
+  await page.keyboard.press("Escape");
+  await expect(cardOf(page, student)).toBeFocused();
+  await cardOf(page, student).click();
+  await sheet.getByRole("button", { name: "Remove" }).click();
+  await sheet.getByRole("button", { name: "Remove" }).last().click();
+  await expect(cards(page)).toHaveCount(0);
+  student.close();
+});
+
+test("the teacher reads the newest program of a student", async ({ page, relay }) => {
+  const teacher = await openDashboard(page, relay);
+  const student = await ScriptedStudent.join(relay, teacher.code);
+  student.report(opened);
+  if (!("rules" in solution)) throw new Error("not a program");
+  const link = encodeLink({ program: solution });
+  student.write(link.ok ? link.text : "");
+  student.show({ state: "driving", line: 0 });
+  await expect(cardOf(page, student)).toHaveAccessibleName(/, Driving, 0 minutes, 1 line,/);
+  await cardOf(page, student).click();
+  const program = page.getByRole("list", { name: "Program" });
+  await expect(program.getByRole("listitem").first()).toContainText("if front < 50");
+  student.close();
+});
+
+test("the lesson ends with a report, and then nothing is left", async ({ page, relay }) => {
+  const teacher = await openDashboard(page, relay);
+  const student = await ScriptedStudent.join(relay, teacher.code);
+  student.report(opened);
+  student.bump(0);
+  student.report(claim(solution));
+  await expect(cardOf(page, student)).toHaveAccessibleName(/Solved/);
+  await choose(page, "More", "End lesson");
+  const download = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Save report" }).click();
+  const csv = await readFile(await (await download).path(), "utf8");
+  expect(csv.split("\r\n").slice(0, 2)).toEqual([
+    "\uFEFFstudent,task,seconds,lines,attempts,runs,bumps,failed_checks,hints,mistakes",
+    expect.stringMatching(new RegExp(`^${nameOf(student)},One line,\\d+,1,1,1,1,0,0,0$`)),
+  ]);
+  await page.getByRole("button", { name: "End", exact: true }).click();
+  await expect(page.getByRole("heading", { name: "The lesson is over" })).toBeVisible();
+  const stored = await page.evaluate(() => Object.keys(localStorage).join());
+  expect(stored).not.toContain("corridor.classroom");
+  student.close();
+});
+
+test("a second tab without the key shows what to do", async ({ page, relay }) => {
+  const teacher = await ClassTeacher.start(relay);
+  await page.goto(`/class/${teacher.created.id}`);
+  await expect(page.getByRole("heading", { name: "This link does not work" })).toBeVisible();
+});
+
+async function openOnPhone(context: BrowserContext, relay: string) {
+  const page = await context.newPage();
+  return { page, teacher: await openDashboard(page, relay) };
+}
+
+test("the dashboard fits a phone", async ({ browser, relay }) => {
+  const context = await browser.newContext({ ...phone, baseURL: relay });
+  const { page, teacher } = await openOnPhone(context, relay);
+  const student = await ScriptedStudent.join(relay, teacher.code);
+  await expect(cards(page)).toHaveCount(1);
+  expect(await horizontalOverflow(page)).toEqual([]);
+  expect(await smallTouchTargets(page)).toEqual([]);
+  await expect(page.getByRole("button", { name: "Pause everyone" })).toBeVisible();
+  student.close();
+  await context.close();
+});
