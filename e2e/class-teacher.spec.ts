@@ -186,6 +186,61 @@ test("the teacher reads the newest program of a student", async ({ page, relay }
   student.close();
 });
 
+test("a lesson of the device is sent to the class", async ({ page, relay }) => {
+  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
+  await page.goto("/teach#make");
+  await page.getByRole("button", { name: /^The 2013 study/ }).click();
+  await expect(page.getByRole("heading", { name: "The 2013 study" })).toBeVisible();
+  await page.goto(`/class/${teacher.created.id}#${teacher.created.teacherKey}`);
+  const student = await ScriptedStudent.join(relay, teacher.code);
+  await page.getByRole("button", { name: "Send a lesson" }).click();
+  const dialog = page.getByRole("dialog", { name: "Send a lesson" });
+  await dialog.getByRole("button", { name: "Send", exact: true }).click();
+  await expect(dialog.getByText("The lesson is sent.")).toBeVisible();
+  expect(student.has("lesson")).toBe(true);
+  await dialog.getByRole("button", { name: "Close" }).click();
+  await expect(page.getByRole("heading", { name: "The 2013 study" })).toBeVisible();
+  await page.getByRole("combobox", { name: "Open tasks" }).selectOption("Tasks open to 2");
+  await expect.poll(() => student.received.at(-1)).toEqual({ type: "pace", to: 2 });
+  student.close();
+});
+
+test("a big screen shows the code and the results, and no name", async ({
+  page,
+  relay,
+  openWindow,
+}) => {
+  const teacher = await openDashboard(page, relay);
+  const { page: screen } = await openWindow({ viewport: { width: 1920, height: 1080 } });
+  await screen.goto(`${relay}/class/${teacher.created.id}#${teacher.created.screenKey}`);
+  const letters = `${teacher.code.slice(0, 3)} ${teacher.code.slice(3)}`;
+  await expect(screen.getByText(letters)).toBeVisible();
+  expect(new URL(screen.url()).hash).toBe("");
+  const solver = await ScriptedStudent.join(relay, teacher.code);
+  const driver = await ScriptedStudent.join(relay, teacher.code);
+  solver.report(opened);
+  solver.report(claim(solution));
+  driver.show({ state: "driving", pose: [350, 150, 90], path: "e1" });
+  await expect(screen.getByText("1 of 2 solved")).toBeVisible();
+  await expect(screen.getByText("Where robots bump")).toBeVisible();
+  await cardOf(page, driver).click();
+  await page.getByRole("button", { name: "Show on big screen" }).click();
+  await expect(screen.getByText("A run", { exact: true })).toBeVisible();
+  await expect(screen.getByText(/Team \d/)).toHaveCount(0);
+  await screen.reload();
+  await expect(screen.getByText("A run", { exact: true })).toBeVisible();
+  await expectNoAxeViolations(screen, "big screen");
+  const small = await screen.evaluate(() => {
+    const texts = [...document.querySelectorAll("main p, main h1, main figcaption")];
+    return texts.filter((each) => Number.parseFloat(getComputedStyle(each).fontSize) < 28).length;
+  });
+  expect(small).toBe(0);
+  await teacher.direct("DELETE");
+  await expect(screen.getByText("The lesson is over")).toBeVisible();
+  solver.close();
+  driver.close();
+});
+
 test("the lesson ends with a report, and then nothing is left", async ({ page, relay }) => {
   const teacher = await openDashboard(page, relay);
   const student = await ScriptedStudent.join(relay, teacher.code);

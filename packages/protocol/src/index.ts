@@ -68,6 +68,12 @@ export {
 } from "./class-progress.ts";
 export { studentNumberSchema } from "./class-quantities.ts";
 export { MAX_TILE_LENGTH, tileSchema, type Tile } from "./class-tile.ts";
+export {
+  screenContentSchema,
+  type ScreenContent,
+  type ScreenNumbers,
+  type ScreenRun,
+} from "./screen-content.ts";
 export { decodeTeacherFrame, MAX_DISPLAY_LENGTH } from "./teacher-frame.ts";
 export { decodeFrame, encodeFrame, MAX_FRAME_BYTES, MAX_HELLO_BYTES } from "./codec.ts";
 export {

@@ -1,10 +1,11 @@
 /** The bar of the dashboard: the label of the class, and what concerns everyone. */
-import { ChevronDown, Ellipsis, Eye, EyeOff, Link2, LogOut } from "lucide";
+import { ChevronDown, Ellipsis, Eye, EyeOff, Link2, LogOut, Monitor, Send } from "lucide";
 import { useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { classAddress } from "../../model/classroom/class-address.ts";
 import { MAX_CLASS_LABEL, type OwnClass } from "../../model/classroom/own-classes.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
+import { ButtonLink } from "../../ui/ButtonLink.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
 import { Icon } from "../../ui/Icon.tsx";
 import { MenuItem, Popover, usePopover } from "../../ui/Popover.tsx";
@@ -51,6 +52,7 @@ interface DashboardBarEndProps {
   isOver: boolean;
   hidesNames: boolean;
   onHideNames: (hidesNames: boolean) => void;
+  onSend: () => void;
   onEnd: () => void;
   room: OwnClass;
   tools: ReactNode;
@@ -60,6 +62,7 @@ export function DashboardBarEnd({
   isOver,
   hidesNames,
   onHideNames,
+  onSend,
   onEnd,
   room,
   tools,
@@ -79,6 +82,16 @@ export function DashboardBarEnd({
           {names}
         </Button>
       )}
+      {!isNarrow && room.screenKey !== null && (
+        <ButtonLink kind="quiet" icon={<Icon of={Monitor} />} {...screenLink(room)}>
+          {t("screen.open")}
+        </ButtonLink>
+      )}
+      {!isNarrow && (
+        <Button icon={<Icon of={Send} isDirectional />} onClick={onSend}>
+          {t("send.open")}
+        </Button>
+      )}
       <PauseControl isSmall={isPhone} />
       {!isPhone && tools}
       <IconButton label={t("more")} size="medium" {...menu.trigger}>
@@ -88,6 +101,19 @@ export function DashboardBarEnd({
         {isNarrow && (
           <MenuItem icon={namesIcon} onSelect={() => onHideNames(!hidesNames)}>
             {names}
+          </MenuItem>
+        )}
+        {isNarrow && (
+          <MenuItem icon={<Icon of={Send} isDirectional />} onSelect={onSend}>
+            {t("send.open")}
+          </MenuItem>
+        )}
+        {isNarrow && room.screenKey !== null && (
+          <MenuItem
+            icon={<Icon of={Monitor} />}
+            onSelect={() => window.open(screenLink(room).href, "_blank", "noopener")}
+          >
+            {t("screen.open")}
           </MenuItem>
         )}
         <MenuItem icon={<Icon of={Link2} />} onSelect={() => setJoining(true)}>
@@ -101,6 +127,15 @@ export function DashboardBarEnd({
       <DeviceDialog room={room} isOpen={isJoining} onClose={() => setJoining(false)} />
     </>
   );
+}
+
+/** A big screen of the class, in a window of its own. */
+function screenLink({ id, screenKey }: OwnClass) {
+  return {
+    href: classAddress(location.origin, id, screenKey ?? ""),
+    target: "_blank",
+    rel: "noopener",
+  };
 }
 
 /** The dashboard's own address, for a second device of the teacher. */

@@ -15,8 +15,10 @@ import { DashboardProvider } from "./dashboard-context.ts";
 import { DashboardBar, DashboardBarEnd } from "./DashboardBar.tsx";
 import { DashboardFrame } from "./DashboardFrame.tsx";
 import { EndDialog } from "./EndDialog.tsx";
+import { SendLesson } from "./lazy-send-lesson.ts";
 import { StudentCards } from "./StudentCards.tsx";
 import { Summaries } from "./Summaries.tsx";
+import { useScreens } from "./use-screens.ts";
 import { WatchSheet } from "./WatchSheet.tsx";
 import styles from "./dashboard.module.css";
 
@@ -36,6 +38,10 @@ export function DashboardPage({ dashboard, calls, room, onLabel, tools }: Dashbo
   const [hidesNames, setHidesNames] = useState(false);
   const [isEnding, setEnding] = useState(false);
   const [watched, setWatched] = useState<number | null>(null);
+  const [isSending, setSending] = useState(false);
+  /** whose run is on the big screens */
+  const [screened, setScreened] = useState<number | null>(null);
+  useScreens(dashboard, screened);
   const [refusal, report] = useState<ClassRefusal | null>(null);
   const status = useStore(dashboard.store, (state) => state.status.kind);
   const lesson = useStore(dashboard.store, (state) => state.lesson);
@@ -65,6 +71,7 @@ export function DashboardPage({ dashboard, calls, room, onLabel, tools }: Dashbo
               isOver={isOver}
               hidesNames={hidesNames}
               onHideNames={setHidesNames}
+              onSend={() => setSending(true)}
               onEnd={() => setEnding(true)}
               room={room}
               tools={tools}
@@ -97,8 +104,15 @@ export function DashboardPage({ dashboard, calls, room, onLabel, tools }: Dashbo
             </div>
           )}
           {watched !== null && !isOver && (
-            <WatchSheet key={watched} student={watched} onClose={() => setWatched(null)} />
+            <WatchSheet
+              key={watched}
+              student={watched}
+              isOnScreens={watched === screened}
+              onScreens={(isShown) => setScreened(isShown ? watched : null)}
+              onClose={() => setWatched(null)}
+            />
           )}
+          <SendLesson isOpen={isSending && !isOver} onClose={() => setSending(false)} />
           <EndDialog isOpen={isEnding && !isOver} onClose={() => setEnding(false)} label={label} />
         </DashboardFrame>
       </DashboardProvider>

@@ -1,14 +1,13 @@
 /** What the class has done in a task: solved, times, lines, attempts, and where robots bump. */
-import { mazeOf, type LessonDocument } from "@corridor/challenge";
-import { sizeOf, type MazeDocument } from "@corridor/maze";
+import type { LessonDocument } from "@corridor/challenge";
 import { useMemo, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import type { Bar, ClassSummary } from "../../model/classroom/class-summary.ts";
 import { summaryOf } from "../../model/classroom/class-summary.ts";
 import type { CountedBump } from "../../simulator/protocol/classroom-messages.ts";
 import { localNumber } from "../../text/numbers.ts";
-import { MazeDrawing } from "../../ui/MazePicture.tsx";
 import { Select } from "../../ui/Select.tsx";
+import { BumpMaze } from "./BumpMaze.tsx";
 import { clockText } from "./clock-text.ts";
 import { useDashboard } from "./dashboard-context.ts";
 import styles from "./summaries.module.css";
@@ -150,12 +149,12 @@ function Part({ name, figure, note, bars, most = null }: PartProps): ReactNode {
 function Bumps({ lesson, task }: { lesson: LessonDocument; task: number }) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
   const bumps = useDashboard((state) => state.bumps);
-  const own = bumps.filter((bump) => bump.task === task);
+  // Unseen mazes have too few bumps each.
+  const own = bumps.filter((bump) => bump.task === task && bump.maze.startsWith("g"));
   const name = mostBumped(own) ?? "g1";
-  const maze = mazeNamed(lesson, task, name);
+  const maze = lesson.tasks[task - 1]?.mazes[Number(name.slice(1)) - 1];
   const cells = own.filter((bump) => bump.maze === name);
-  if (maze === null) return null;
-  const { columns, rows } = sizeOf(maze);
+  if (maze === undefined) return null;
   return (
     <div className={styles["part"]}>
       <h2 className={styles["name"]}>{t("summary.bumps")}</h2>
@@ -164,17 +163,9 @@ function Bumps({ lesson, task }: { lesson: LessonDocument; task: number }) {
           ? t("summary.noBumps")
           : t("summary.bumpCount", { count: cells.reduce((sum, { count }) => sum + count, 0) })}
       </p>
-      <svg className={styles["maze"]} viewBox={`0 0 ${columns} ${rows}`} aria-hidden="true">
-        <MazeDrawing maze={maze} />
-        {cells.map(({ column, row, count }) => (
-          <g key={`${column},${row}`} transform={`translate(${column + 0.5} ${row + 0.5})`}>
-            <circle className={styles["bump"]} r={Math.min(0.95, 0.5 + count / 30)} />
-            <text className={styles["bumpCount"]} y="0.22">
-              {count}
-            </text>
-          </g>
-        ))}
-      </svg>
+      <div className={styles["maze"]}>
+        <BumpMaze maze={maze} bumps={cells} />
+      </div>
     </div>
   );
 }
@@ -184,16 +175,4 @@ function mostBumped(bumps: readonly CountedBump[]): string | null {
   const sums = new Map<string, number>();
   for (const { maze, count } of bumps) sums.set(maze, (sums.get(maze) ?? 0) + count);
   return [...sums].toSorted((a, b) => b[1] - a[1])[0]?.[0] ?? null;
-}
-
-function mazeNamed(lesson: LessonDocument, task: number, name: string): MazeDocument | null {
-  const found = lesson.tasks[task - 1];
-  if (found === undefined) return null;
-  try {
-    const at = (name.startsWith("u") ? found.mazes.length : 0) + Number(name.slice(1)) - 1;
-    return mazeOf(found, at);
-  } catch {
-    // The claim of a page: the task has no such maze.
-    return found.mazes[0] ?? null;
-  }
 }

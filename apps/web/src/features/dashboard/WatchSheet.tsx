@@ -1,7 +1,8 @@
 /** One student: live picture, program, attempts by failure, and how the teacher can help. */
-import { KeyRound, Lightbulb, UserX, X } from "lucide";
-import { useEffect, useRef, useState } from "react";
+import { KeyRound, Lightbulb, Monitor, UserX, X } from "lucide";
+import { useEffect, useRef, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
+import { verificationOf } from "../../model/classroom/dashboard.ts";
 import { openTask, openWork } from "../../model/classroom/standing.ts";
 import type { CountedFailure, SeenStudent } from "../../simulator/protocol/classroom-messages.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
@@ -17,10 +18,14 @@ import styles from "./watch-sheet.module.css";
 interface WatchSheetProps {
   /** number of the student */
   student: number;
+  /** whether the run of the student is on the big screens */
+  isOnScreens: boolean;
+  onScreens: (isShown: boolean) => void;
   onClose: () => void;
 }
 
-export function WatchSheet({ student: number, onClose }: WatchSheetProps) {
+export function WatchSheet(props: WatchSheetProps) {
+  const { student: number, isOnScreens, onScreens, onClose } = props;
   const { t } = useTranslation("dashboard", { useSuspense: false });
   const { dashboard } = useContent();
   const student = useDashboard(({ students }) => students.get(number));
@@ -55,9 +60,14 @@ export function WatchSheet({ student: number, onClose }: WatchSheetProps) {
       <div className={styles["stage"]}>
         <StudentPicture student={number} />
       </div>
+      <Unverified student={student} />
       <ProgramText student={student} />
       <Attempts student={student} />
-      <Actions student={student} label={t("watch.actions")} />
+      <Actions student={student} label={t("watch.actions")}>
+        <Button icon={<Icon of={Monitor} />} onClick={() => onScreens(!isOnScreens)}>
+          {isOnScreens ? t("screen.hide") : t("screen.show")}
+        </Button>
+      </Actions>
     </aside>
   );
 }
@@ -79,6 +89,12 @@ function SheetHead({ student, onClose }: { student: SeenStudent; onClose: () => 
       </IconButton>
     </div>
   );
+}
+
+function Unverified({ student }: { student: SeenStudent }) {
+  const { t } = useTranslation("dashboard", { useSuspense: false });
+  const isUnverified = useDashboard((all) => verificationOf(all, student)?.kind === "fails");
+  return isUnverified && <p className={styles["wrong"]}>{t("watch.unverified")}</p>;
 }
 
 /** How often each failure ended an attempt at the open task. */
@@ -118,7 +134,14 @@ function failureKey(code: string): "goal" | "rules" {
   return goalFailures.has(code) ? "goal" : "rules";
 }
 
-function Actions({ student, label }: { student: SeenStudent; label: string }) {
+interface ActionsProps {
+  student: SeenStudent;
+  label: string;
+  /** more buttons */
+  children: ReactNode;
+}
+
+function Actions({ student, label, children }: ActionsProps) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
   const { dashboard, calls, report } = useContent();
   const nameOf = useStudentName();
@@ -145,6 +168,7 @@ function Actions({ student, label }: { student: SeenStudent; label: string }) {
             {t("watch.hint", { hint: next })}
           </Button>
         )}
+        {children}
         <Button icon={<Icon of={KeyRound} />} onClick={() => void returnCode()}>
           {t("watch.return")}
         </Button>

@@ -45,7 +45,10 @@ async function pageOf(visit: ClassVisit, { words, tools }: PageParts, classes: O
       const { openDashboard } = await import("./open-dashboard.tsx");
       return openDashboard({ room: visit.room, classes, words, tools });
     }
-    case "show":
+    case "show": {
+      const { openBigScreen } = await import("./open-big-screen.tsx");
+      return openBigScreen({ id: visit.id, key: visit.key, tools });
+    }
     case "broken":
       return null;
   }

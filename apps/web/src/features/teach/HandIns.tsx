@@ -13,7 +13,7 @@ import { HandInTable } from "./HandInTable.tsx";
 import { HandInsWork } from "./hand-ins-work.ts";
 import { LessonOpener } from "./LessonOpener.tsx";
 import { OpenLesson } from "./OpenLesson.tsx";
-import { SavedLessons } from "./lessons/saved-lessons.ts";
+import { SavedLessons } from "../../model/teaching/saved-lessons.ts";
 import { looksLikeLesson } from "./lessons/read-lesson.ts";
 import { readTypedLesson } from "./lessons/read-typed-lesson.ts";
 import { TeachStorage } from "./teach-storage.ts";

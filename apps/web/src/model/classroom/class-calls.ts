@@ -1,15 +1,7 @@
 /** What the teacher sets, as requests to the relay. */
-import { oldestDocumentOf, type LessonDocument } from "@corridor/challenge/document";
-import {
-  readJson,
-  returnCodeSchema,
-  studentProgramSchema,
-  type ReturnCode,
-  type StudentProgram,
-} from "@corridor/protocol";
+import type { LessonDocument } from "@corridor/challenge/document";
+import type { ReturnCode, StudentProgram } from "@corridor/protocol";
 import type { Classroom } from "../../simulator/protocol/classroom-messages.ts";
-
-const MAX_ANSWER = 16 * 1_024;
 
 /** old: the page is older than the relay; too-many: too many classes or requests */
 export type ClassRefusal = "old" | "offline" | "too-many";
@@ -17,6 +9,7 @@ export type ClassRefusal = "old" | "offline" | "too-many";
 /** the part of fetch that is used */
 type Ask = (url: string, request: RequestInit) => Promise<Response>;
 
+/** The readers of responses load on first use: the dashboard opens without them. */
 export class ClassCalls {
   readonly #room: Classroom;
   readonly #ask: Ask;
@@ -49,8 +42,9 @@ export class ClassCalls {
     return this.#change("POST", "/code");
   }
 
-  sendLesson(lesson: LessonDocument): Promise<ClassRefusal | null> {
-    return this.#change("PUT", "/lesson", oldestDocumentOf(lesson));
+  async sendLesson(lesson: LessonDocument): Promise<ClassRefusal | null> {
+    const { lessonBody } = await import("./class-answers.ts");
+    return this.#change("PUT", "/lesson", lessonBody(lesson));
   }
 
   remove(student: number): Promise<ClassRefusal | null> {
@@ -64,15 +58,17 @@ export class ClassCalls {
   /** null: not possible now */
   async returnCode(student: number): Promise<ReturnCode | null> {
     const text = await this.#read("POST", `/students/${student}/return`);
-    const read = text === null ? null : readJson(returnCodeSchema, text, MAX_ANSWER);
-    return read?.ok === true ? read.value : null;
+    if (text === null) return null;
+    const { readReturnCode } = await import("./class-answers.ts");
+    return readReturnCode(text);
   }
 
   /** The newest program of a student; null: none, or not possible now */
   async program(student: number): Promise<StudentProgram | null> {
     const text = await this.#read("GET", `/students/${student}/program`);
-    const read = text === null ? null : readJson(studentProgramSchema, text, MAX_ANSWER);
-    return read?.ok === true ? read.value : null;
+    if (text === null) return null;
+    const { readStudentProgram } = await import("./class-answers.ts");
+    return readStudentProgram(text);
   }
 
   async #change(method: string, path: string, body?: object): Promise<ClassRefusal | null> {

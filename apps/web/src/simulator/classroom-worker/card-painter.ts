@@ -6,7 +6,7 @@ import { DirtyRects } from "../../stage/drawing/dirty-rects.ts";
 import type { Palette } from "../../stage/drawing/palette.ts";
 import { drawRobot, type Face } from "../../stage/layers/robot.ts";
 import { blocksPath, edgesPath } from "../../ui/maze-outline.ts";
-import { pathCells } from "./tile-path.ts";
+import { pathCells } from "../protocol/tile-path.ts";
 
 /** The robot is larger than in the maze, so that its face can be seen. */
 const ROBOT_SIZE = 1.5;
@@ -53,6 +53,10 @@ export class CardPainter {
   setVerified(student: number, tasks: readonly number[]): void {
     this.#verified.set(student, new Set(tasks));
     this.changed([student]);
+  }
+
+  isVerified(student: number, task: number): boolean {
+    return this.#verified.get(student)?.has(task) === true;
   }
 
   place(place: string, student: number, canvas: OffscreenCanvas): void {
@@ -109,7 +113,7 @@ export class CardPainter {
     context.drawImage(floor, 0, 0);
     if (tile === null) return;
     const view = viewOf(maze, canvas);
-    const isSolved = this.#verified.get(student)?.has(tile.task) === true;
+    const isSolved = this.isVerified(student, tile.task);
     drawPath(context, view, tile, isSolved ? palette.good : palette.live);
     this.#drawRobot(context, view, tile, palette, isSolved);
   }

@@ -6,6 +6,7 @@ import type { Tile } from "@corridor/protocol";
 import type { Classroom, FromClassroom, ToClassroom } from "../protocol/classroom-messages.ts";
 import { CardPainter } from "./card-painter.ts";
 import { ClassroomHost } from "./classroom-host.ts";
+import { ScreenFeed } from "./screen-feed.ts";
 
 const worker = self as unknown as DedicatedWorkerGlobalScope;
 let host: ClassroomHost | null = null;
@@ -15,7 +16,15 @@ const painter = new CardPainter({
   requestFrame: (paint) => requestAnimationFrame(paint),
 });
 
+const screens = new ScreenFeed({
+  tileOf: (student) => host?.roster.tileOf(student) ?? null,
+  isSolved: (student, task) => painter.isVerified(student, task),
+  send: (content) => host?.send({ type: "display", content }),
+  after: (ms, call) => void setTimeout(call, ms),
+});
+
 function post(message: FromClassroom): void {
+  if (message.type === "status" && message.status.kind === "connected") screens.repeat();
   if (message.type === "lesson") painter.setLesson(message.lesson);
   worker.postMessage(message);
 }
@@ -33,7 +42,10 @@ function open(room: Classroom): void {
       return { status: answer.status, text: await answer.text() };
     },
     post,
-    onTiles: (students) => painter.changed(students),
+    onTiles: (students) => {
+      painter.changed(students);
+      screens.changed(students);
+    },
   });
 }
 
@@ -45,8 +57,9 @@ worker.onmessage = ({ data }: MessageEvent<ToClassroom>) => {
       return host?.again();
     case "watch":
     case "hint":
-    case "display":
       return host?.send(data);
+    case "screens":
+      return screens.show(data.numbers, data.student);
     case "colours":
       return painter.setPalette(data.palette);
     case "canvas":

@@ -4,7 +4,7 @@
  * created, without its pauses, by the relay's clock.
  */
 import type { LessonDocument } from "@corridor/challenge";
-import type { ClassSettings, StudentName, Tile } from "@corridor/protocol";
+import type { ClassSettings, ScreenNumbers, StudentName, Tile } from "@corridor/protocol";
 import type { Palette } from "../../stage/drawing/palette.ts";
 
 /** The class, and a teacher's key. */
@@ -103,7 +103,8 @@ export type ToClassroom =
   /** receives the tiles of a student more often; null: of nobody */
   | { type: "watch"; student: number | null }
   | { type: "hint"; student: number; task: number; hint: number }
-  | { type: "display"; content: Record<string, unknown> }
+  /** replaces what the big screens show @param student whose run they show; null: none */
+  | { type: "screens"; numbers: ScreenNumbers; student: number | null }
   | { type: "colours"; palette: Palette }
   /** a canvas for a student's picture, or another one in its place */
   | { type: "canvas"; place: string; student: number; canvas: OffscreenCanvas }

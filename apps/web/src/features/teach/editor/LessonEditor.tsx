@@ -8,7 +8,7 @@ import type { KeyValueStorage } from "../../../model/storage/key-value-storage.t
 import { useMediaQuery } from "../../../ui/use-media-query.ts";
 import type { LessonAutosave } from "./lesson-autosave.ts";
 import { lessonName } from "../../../model/lessons/lesson-name.ts";
-import { solutionOf } from "../lessons/solution.ts";
+import { solutionOf } from "../../../model/teaching/solution.ts";
 import { StartClassDialog } from "../start/lazy-start-class-dialog.ts";
 import { ShareLessonDialog } from "../share/lazy-share-lesson-dialog.ts";
 import { TeachFrame } from "../frame/TeachFrame.tsx";

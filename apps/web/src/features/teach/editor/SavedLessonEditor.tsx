@@ -4,7 +4,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import type { KeyValueStorage } from "../../../model/storage/key-value-storage.ts";
 import { LessonAutosave } from "./lesson-autosave.ts";
-import { SavedLessons, type SavedLesson } from "../lessons/saved-lessons.ts";
+import { SavedLessons, type SavedLesson } from "../../../model/teaching/saved-lessons.ts";
 import { TeachFrame } from "../frame/TeachFrame.tsx";
 import type { TeachSlots } from "../frame/teach-slots.ts";
 import { lessonHash } from "../frame/teach-view.ts";

@@ -5,7 +5,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { Button } from "../../../ui/Button.tsx";
 import { Icon } from "../../../ui/Icon.tsx";
-import { solutionOf } from "../lessons/solution.ts";
+import { solutionOf } from "../../../model/teaching/solution.ts";
 import { useDraft, useLesson, useOpenTask } from "./draft-context.ts";
 import { warningsOf, type LessonWarning } from "./lesson-warnings.ts";
 import styles from "./status-panel.module.css";

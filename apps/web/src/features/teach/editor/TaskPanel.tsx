@@ -8,7 +8,7 @@ import { Icon } from "../../../ui/Icon.tsx";
 import { MenuItem, Popover, usePopover } from "../../../ui/Popover.tsx";
 import { Segmented } from "../../../ui/Segmented.tsx";
 import { useMediaQuery } from "../../../ui/use-media-query.ts";
-import { solutionOf } from "../lessons/solution.ts";
+import { solutionOf } from "../../../model/teaching/solution.ts";
 import { emptyMaze, newTask } from "../lessons/new-lesson.ts";
 import { useDraft, useLesson } from "./draft-context.ts";
 import styles from "./task-panel.module.css";

@@ -5,7 +5,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { Button } from "../../../ui/Button.tsx";
 import { Icon } from "../../../ui/Icon.tsx";
-import { solutionOf } from "../lessons/solution.ts";
+import { solutionOf } from "../../../model/teaching/solution.ts";
 import { useDraft, useOpenTask } from "./draft-context.ts";
 import { useSolutionText } from "./use-solution-text.ts";
 import styles from "./trial-band.module.css";

@@ -6,7 +6,7 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { LessonDraft } from "./lesson-draft.ts";
 import { newTextId } from "../../../model/storage/new-text-id.ts";
-import type { SavedLesson, SavedLessons } from "../lessons/saved-lessons.ts";
+import type { SavedLesson, SavedLessons } from "../../../model/teaching/saved-lessons.ts";
 
 /** The first of several quick edits starts the timer. */
 const SAVE_AFTER_MS = 250;

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { programOf } from "../testing/sample-lesson.ts";
-import { solutionOf } from "../lessons/solution.ts";
+import { solutionOf } from "../../../model/teaching/solution.ts";
 import { corridor, lessonWith, taskWith } from "../testing/teacher-task.ts";
 import { LessonDraft } from "./lesson-draft.ts";
 import { addQuestion } from "./task-list-edits.ts";

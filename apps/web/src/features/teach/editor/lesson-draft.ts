@@ -11,7 +11,12 @@ import {
 import type { MazeDocument } from "@corridor/maze";
 import { TICKS_PER_SECOND } from "@corridor/simulation";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { contentMark, withSolution, type Solution, type Solutions } from "../lessons/solution.ts";
+import {
+  contentMark,
+  withSolution,
+  type Solution,
+  type Solutions,
+} from "../../../model/teaching/solution.ts";
 import {
   insertMaze,
   insertTask,

@@ -1,6 +1,6 @@
 import type { LessonTask } from "@corridor/challenge";
 import { expect, it } from "vitest";
-import { withSolution, type Solution } from "../lessons/solution.ts";
+import { withSolution, type Solution } from "../../../model/teaching/solution.ts";
 import { programOf } from "../testing/sample-lesson.ts";
 import { corridor, lessonWith, taskWith } from "../testing/teacher-task.ts";
 import { warningsOf } from "./lesson-warnings.ts";

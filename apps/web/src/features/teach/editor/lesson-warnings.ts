@@ -12,7 +12,7 @@ import {
   type MazeDocument,
 } from "@corridor/maze";
 import { TICKS_PER_SECOND } from "@corridor/simulation";
-import { solutionOf, type Solution, type Solutions } from "../lessons/solution.ts";
+import { solutionOf, type Solution, type Solutions } from "../../../model/teaching/solution.ts";
 
 export type WarningCode =
   /** a maze has no goal, and the robot must reach one */

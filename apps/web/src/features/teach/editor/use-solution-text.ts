@@ -1,5 +1,5 @@
 import { useTranslation } from "react-i18next";
-import type { Solution } from "../lessons/solution.ts";
+import type { Solution } from "../../../model/teaching/solution.ts";
 import { secondsOf } from "./lesson-draft.ts";
 
 /** The result of the teacher's solution: "passes: 2 lines, 5.0 s". Null without a solution. */

@@ -6,7 +6,7 @@ import type { LessonDocument, LessonTask } from "@corridor/challenge";
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { ComponentType, ReactNode } from "react";
-import type { Solution } from "../lessons/solution.ts";
+import type { Solution } from "../../../model/teaching/solution.ts";
 
 export interface WorkbenchProps {
   /** the displayed maze */

@@ -4,7 +4,7 @@ import { LessonDraft } from "../editor/lesson-draft.ts";
 import { programOf, sampleLesson } from "../testing/sample-lesson.ts";
 import { corridor, lessonWith, taskWith } from "../testing/teacher-task.ts";
 import { LessonAutosave } from "../editor/lesson-autosave.ts";
-import { SavedLessons, type SavedLesson } from "./saved-lessons.ts";
+import { SavedLessons, type SavedLesson } from "../../../model/teaching/saved-lessons.ts";
 
 const lesson = lessonWith(taskWith());
 

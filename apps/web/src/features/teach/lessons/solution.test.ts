@@ -2,7 +2,7 @@ import type { LessonTask } from "@corridor/challenge";
 import { describe, expect, it } from "vitest";
 import { programOf } from "../testing/sample-lesson.ts";
 import { corridor, taskWith } from "../testing/teacher-task.ts";
-import { readSolutions, solutionOf, withSolution } from "./solution.ts";
+import { readSolutions, solutionOf, withSolution } from "../../../model/teaching/solution.ts";
 
 const solution = { lines: 2, ticks: 300, program: programOf("right-wall", "Mine") };
 const task = taskWith();

@@ -16,7 +16,7 @@ import { MazePicture } from "../../../ui/MazePicture.tsx";
 import { ProblemNote } from "../../../ui/ProblemNote.tsx";
 import { TextField } from "../../../ui/TextField.tsx";
 import { LessonProblemNote } from "../lessons/LessonProblemNote.tsx";
-import { MAX_SAVED_LESSONS, SavedLessons } from "../lessons/saved-lessons.ts";
+import { MAX_SAVED_LESSONS, SavedLessons } from "../../../model/teaching/saved-lessons.ts";
 import {
   lessonOfShared,
   readLessonFile,

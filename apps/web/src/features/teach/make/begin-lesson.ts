@@ -4,7 +4,7 @@ import { readProject } from "../../../model/projects/read-project.ts";
 import { ProjectStorage, type Project } from "../../../model/projects/project-storage.ts";
 import type { KeyValueStorage } from "../../../model/storage/key-value-storage.ts";
 import { newTextId } from "../../../model/storage/new-text-id.ts";
-import type { SavedLessons } from "../lessons/saved-lessons.ts";
+import type { SavedLessons } from "../../../model/teaching/saved-lessons.ts";
 
 /** `full`: the device has as many lessons as it saves; `blocked`: its storage is full or forbidden. */
 export type Begun = { ok: true; id: string } | { ok: false; code: "full" | "blocked" };

@@ -9,7 +9,7 @@ import { Icon } from "../../../ui/Icon.tsx";
 import type { KeyValueStorage } from "../../../model/storage/key-value-storage.ts";
 import { chooseFiles, type TextFile } from "../../../ui/incoming-files.ts";
 import { saveFile } from "../../../ui/save-file.ts";
-import { SavedLessons } from "../lessons/saved-lessons.ts";
+import { SavedLessons } from "../../../model/teaching/saved-lessons.ts";
 import { questionTexts, type QuestionText } from "./question-texts.ts";
 import { addReportFiles, studyOf, type ReadFiles } from "./report-files.ts";
 import { ReportProblems } from "./ReportProblems.tsx";

@@ -15,7 +15,7 @@ import { readNumber } from "../../../ui/number-text.ts";
 import { Select } from "../../../ui/Select.tsx";
 import { TextArea } from "../../../ui/TextArea.tsx";
 import { TextField } from "../../../ui/TextField.tsx";
-import { SavedLessons } from "../lessons/saved-lessons.ts";
+import { SavedLessons } from "../../../model/teaching/saved-lessons.ts";
 import { study2013 } from "../lessons/study-2013.ts";
 import styles from "./start-class-dialog.module.css";
 

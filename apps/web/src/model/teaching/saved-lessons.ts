@@ -4,7 +4,7 @@
  * listed: a later Corridor may read it.
  */
 import type { LessonDocument } from "@corridor/challenge";
-import type { KeyValueStorage } from "../../../model/storage/key-value-storage.ts";
+import type { KeyValueStorage } from "../storage/key-value-storage.ts";
 import { readDraft, writeDraft } from "./draft-text.ts";
 import { readSolutions, type Solutions } from "./solution.ts";
 

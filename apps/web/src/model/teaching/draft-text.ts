@@ -8,7 +8,7 @@ import {
   readLessonDraft,
   type LessonDocument,
 } from "@corridor/challenge";
-import { readLessonText, writeLessonText } from "../../../model/lessons/lesson-text.ts";
+import { readLessonText, writeLessonText } from "../lessons/lesson-text.ts";
 
 /** @throws RangeError if the lesson is too large to be read again */
 export function writeDraft(lesson: LessonDocument): string {

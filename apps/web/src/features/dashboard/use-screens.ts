@@ -1,0 +1,43 @@
+/** Sends the numbers of the class to its big screens, whenever they change. */
+import { useEffect } from "react";
+import { summaryOf } from "../../model/classroom/class-summary.ts";
+import type { Dashboard, DashboardState } from "../../model/classroom/dashboard.ts";
+import type { ScreenNumbers } from "@corridor/protocol";
+
+/** @param student whose run is on the big screens; null: none */
+export function useScreens(dashboard: Dashboard, student: number | null): void {
+  useEffect(() => {
+    const send = (): void => {
+      const numbers = numbersOf(dashboard.store.getState());
+      if (numbers !== null) dashboard.send({ type: "screens", numbers, student });
+    };
+    send();
+    return dashboard.store.subscribe((state, before) => {
+      const isSame =
+        state.students === before.students &&
+        state.verifications === before.verifications &&
+        state.bumps === before.bumps &&
+        state.classroom === before.classroom &&
+        state.lesson === before.lesson;
+      if (!isSame) send();
+    });
+  }, [dashboard, student]);
+}
+
+/** Of the newest open task. */
+function numbersOf(state: DashboardState): ScreenNumbers | null {
+  const { classroom, lesson, students, shown, verifications, bumps } = state;
+  if (classroom === null || lesson === null) return null;
+  const task = Math.min(classroom.settings.paceTo ?? 1, lesson.tasks.length);
+  const summary = summaryOf(task, students, shown, verifications, classroom.expected);
+  const cells = bumps.filter((bump) => bump.task === task && bump.maze === "g1");
+  return {
+    task,
+    solved: summary.solved,
+    all: summary.all,
+    medianMs: summary.medianMs,
+    lines: summary.commonLines,
+    maze: "g1",
+    bumps: cells.slice(0, 400).map(({ column, row, count }) => ({ column, row, count })),
+  };
+}

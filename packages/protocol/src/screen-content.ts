@@ -1,0 +1,35 @@
+/**
+ * What a dashboard sends to the big screens of its class: numbers, and at most one run. It names no
+ * student. The relay forwards it unread.
+ */
+import { z } from "zod";
+import { tileSchema } from "./class-tile.ts";
+
+const MAX_CELLS = 400;
+const count = z.int().min(0).max(1_000_000);
+
+/** A robot in a maze, as the page of a student displays it. */
+const runSchema = tileSchema.pick({ task: true, maze: true, pose: true, path: true }).extend({
+  /** whether the teacher's page has verified the solution */
+  isSolved: z.boolean(),
+});
+export type ScreenRun = z.infer<typeof runSchema>;
+
+export const screenContentSchema = z.strictObject({
+  task: tileSchema.shape.task,
+  solved: count,
+  /** students */
+  all: count,
+  /** to solve the task; null: nobody has */
+  medianMs: z.number().min(0).nullable(),
+  /** most common number of lines; null: no solution with a program */
+  lines: count.nullable(),
+  /** the maze of `bumps`, as in tiles */
+  maze: tileSchema.shape.maze,
+  bumps: z.array(z.strictObject({ column: count, row: count, count })).max(MAX_CELLS),
+  run: runSchema.nullable(),
+});
+export type ScreenContent = z.infer<typeof screenContentSchema>;
+
+/** The same without the run, which the worker adds. */
+export type ScreenNumbers = Omit<ScreenContent, "run">;
