@@ -21,8 +21,10 @@ export async function openClass(
     return () => clearTimeout(timer);
   };
   const onPause = (endsAt: number | null) => {
+    // The relay states the end of the same pause again whenever the page connects.
+    const isNew = classes.getState().pause === null;
     classes.setState({ pause: endsAt === null ? null : <PauseBand endsAt={endsAt} /> });
-    if (endsAt !== null) closeEverything();
+    if (endsAt !== null && isNew) closeEverything();
   };
   const onEnd = () => classes.setState({ menu: null });
   const studentClass = new StudentClass(
