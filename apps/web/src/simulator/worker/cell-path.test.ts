@@ -5,7 +5,11 @@ describe("the path of a robot", () => {
   it.each([
     { name: "no move", positions: [150, 150], path: "" },
     { name: "a move within a cell", positions: [150, 150, 190, 110], path: "" },
-    { name: "moves in all directions", positions: [150, 150, 550, 150, 550, 350, 250, 350, 250, 250], path: "e4s2w3n1" },
+    {
+      name: "moves in all directions",
+      positions: [150, 150, 550, 150, 550, 350, 250, 350, 250, 250],
+      path: "e4s2w3n1",
+    },
     { name: "corners within one direction", positions: [150, 150, 250, 150, 450, 160], path: "e3" },
     { name: "a way back", positions: [150, 150, 350, 150, 150, 150], path: "e2w2" },
   ])("is $path after $name", ({ positions, path }) => {

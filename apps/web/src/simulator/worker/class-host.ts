@@ -50,7 +50,7 @@ export class ClassHost {
 
   constructor(ports: ClassHostPorts) {
     this.#ports = ports;
-    this.#tiles = new TileFeed(ports);
+    this.#tiles = new TileFeed({ run: () => ports.run(), now: () => ports.now() });
   }
 
   /** Sends a tile if it is due. @param hasChanged whether the run has changed since the last call */

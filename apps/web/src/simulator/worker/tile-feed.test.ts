@@ -30,7 +30,14 @@ describe("the tile of a student", () => {
     const { loop, feed, wait } = newFeed();
     feed.place(place);
     const first = feed.take(false);
-    expect(first).toMatchObject({ seq: 1, task: 2, maze: "g1", state: "writing", path: "", tick: 0 });
+    expect(first).toMatchObject({
+      seq: 1,
+      task: 2,
+      maze: "g1",
+      state: "writing",
+      path: "",
+      tick: 0,
+    });
     loop.run();
     wait(3_000);
     const second = feed.take(false);

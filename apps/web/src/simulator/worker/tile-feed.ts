@@ -26,9 +26,9 @@ export interface TileRun {
 }
 
 interface TileFeedPorts {
-  run(): TileRun;
+  run: () => TileRun;
   /** milliseconds since 1970 */
-  now(): number;
+  now: () => number;
 }
 
 type Shown = Omit<Tile, "seq">;
@@ -77,7 +77,8 @@ export class TileFeed {
     // A clock that was set back must not stop the tiles.
     if (now >= this.#sentAt && now < this.#sentAt + interval) return null;
     this.#hasChanged = false;
-    const shown = this.#place === null ? elsewhere(this.#task) : tileOf(this.#place, this.#ports);
+    const shown =
+      this.#place === null ? elsewhere(this.#task) : tileOf(this.#place, this.#ports.run());
     const text = JSON.stringify(shown);
     if (text === this.#sent) return null;
     this.#sent = text;
@@ -92,8 +93,10 @@ function elsewhere(task: number): Shown {
   return { ...still, task, maze: null, state: "writing", pose: [...still.pose] };
 }
 
-function tileOf({ task, maze, passes, isSolved }: ClassPlace, { run: live }: TileFeedPorts): Shown {
-  const { recording, isRunning } = live();
+function tileOf(
+  { task, maze, passes, isSolved }: ClassPlace,
+  { recording, isRunning }: TileRun,
+): Shown {
   const { run, corners } = recording;
   const { x, y, heading } = run.pose;
   const count = corners.countUpTo(run.tick);
