@@ -3,6 +3,8 @@ import { lessonMark, type LessonDocument, type LessonTask } from "@corridor/chal
 import { decodeLink } from "@corridor/link";
 import { studentProgramSchema } from "@corridor/protocol";
 import type { Locator, Page } from "playwright/test";
+import { SeededRandom } from "../apps/relay/src/testing/faults/seeded-random.ts";
+import { FaultProxy } from "./faults/net/fault-proxy.ts";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
@@ -191,6 +193,63 @@ test("the teacher reads the newest program, without its name", async ({ page, re
       name: "",
       rules: [{ when: { sensor: "right", is: ">", than: 60 }, do: "delayed right 90" }],
     });
+});
+
+test("the teacher reads a drive by hand, and its solution", async ({ page, relay }) => {
+  const byHand = taskOf("By hand", { allowed: { ...taskOf("").allowed, drivers: ["me"] } });
+  const teacher = await ClassTeacher.start(relay, NAMES, { ...lesson, tasks: [byHand] });
+  const dashboard = await teacher.connect();
+  await enterClass(page, teacher.code);
+  await expect(page.getByText("Solve By hand.")).toBeVisible();
+  await page.keyboard.down("w");
+  await expect.poll(() => dashboard.tile).toMatchObject({ state: "solved", line: null });
+  await page.keyboard.up("w");
+  await expect
+    .poll(async () => teacher.progress())
+    .toEqual([
+      { kind: "opened", task: 1 },
+      { kind: "run", task: 1, changed: true, bumps: 0, mistakes: 0, failure: null },
+      { kind: "solved", task: 1, lines: null, code: expect.any(String) },
+    ]);
+  const { link } = studentProgramSchema.parse(await teacher.get("/students/1/program"));
+  const read = decodeLink(link);
+  expect(read).toMatchObject({ ok: true, value: { completion: { task: 0 } } });
+  dashboard.close();
+});
+
+test("what a student does without a network arrives later, once and in order", async ({
+  browser,
+  relay,
+}) => {
+  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
+  const target = Number(new URL(relay).port);
+  const network = await FaultProxy.start({ target: () => target, random: new SeededRandom(1) });
+  // Not an openWindow fixture: the browser logs an error for each failed connection.
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  const corridor = await enterClass(page, teacher.code, network.origin);
+  await expectTask(page, 1);
+  await solve(corridor, page);
+  const opened = { kind: "opened", task: 1 };
+  const solved = [opened, { kind: "run" }, { kind: "solved", task: 1 }];
+  await expect.poll(async () => teacher.progress()).toMatchObject(solved);
+  Object.assign(network, { isUp: false });
+  network.cut();
+  await taskButton(page, 2).click();
+  const card = cardOf(page);
+  await card.getByRole("button", { name: "Show a hint" }).click();
+  await card.getByRole("button", { name: "Show hint 2 of 2" }).click();
+  network.clearFaults();
+  await expect
+    .poll(async () => teacher.progress(), { timeout: 30_000 })
+    .toMatchObject([
+      ...solved,
+      { kind: "opened", task: 2 },
+      { kind: "hint", task: 2, hint: 1 },
+      { kind: "hint", task: 2, hint: 2 },
+    ]);
+  await context.close();
+  await network.close();
 });
 
 test("a lesson that the teacher sends opens beside unsaved work", async ({ page, relay }) => {

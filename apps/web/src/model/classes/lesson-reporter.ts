@@ -71,7 +71,9 @@ export class LessonReporter {
       challenge.subscribe((next, before) => this.#follow(next, before)),
       workspace.subscribe((next, before) => {
         if (next.maze !== before.maze) this.#setPlace();
-        if (next.program !== before.program) this.#programSoon();
+        if (next.program === before.program) return;
+        this.#attempts.edited();
+        this.#programSoon();
       }),
     ];
     this.update();

@@ -113,6 +113,15 @@ describe("progress that is not stored yet", () => {
     expect(sent).toEqual([{ seq: 13, event: { kind: "opened", task: 1 } }]);
   });
 
+  it("does not wait for a record that the relay would reject", () => {
+    const { outbox, numbers, connect } = newOutbox();
+    connect(0);
+    outbox.add({ kind: "hint", task: 1, hint: 99 });
+    expect(numbers()).toEqual([]);
+    outbox.add({ kind: "hint", task: 1, hint: 1 });
+    expect(numbers()).toEqual([1]);
+  });
+
   it("begins anew if the tab stores something unreadable", () => {
     const tab = new VolatileStorage();
     tab.setItem("corridor.class.progress", '{"first":1,"isSent":true,"records":[{"kind":"x"}]}');

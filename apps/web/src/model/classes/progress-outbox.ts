@@ -49,7 +49,8 @@ export class ProgressOutbox {
 
   add(event: Progress): void {
     const { records } = this.#stored;
-    if (records.length >= MAX_RECORDS) return;
+    // A record that the relay rejects would hold up all others.
+    if (records.length >= MAX_RECORDS || !progressSchema.safeParse(event).success) return;
     records.push(event);
     this.#write();
     this.#sendNext();

@@ -27,7 +27,10 @@ function newAttempts(start = { tick: 0, bumps: 0 }) {
   return {
     attempts,
     runs,
-    edit: (text: string) => (program = text),
+    edit: (text: string): void => {
+      program = text;
+      attempts.edited();
+    },
     drive: (tick: number) => frame(tick),
     driveByHand: (tick: number, bumps = 0) => frame(tick, { nowDriver: "me", ...bumped(bumps) }),
     end: (tick: number, bumps = 0) => frame(tick, { hasEnded: true, ...bumped(bumps, "paused") }),
@@ -81,6 +84,29 @@ describe("the runs of a student", () => {
     drive(100);
     attempts.met();
     expect(runs.map(({ program }) => program)).toEqual(["a", "b"]);
+  });
+
+  it("end with an edit after the robot drove in circles", () => {
+    const { attempts, runs, edit, drive } = newAttempts();
+    drive(10);
+    attempts.failed({ code: "circles", line: 0 }, 1, 10);
+    edit("b");
+    drive(20);
+    attempts.met();
+    expect(runs).toEqual([
+      { program: "a", bumps: 0, mistakes: 1, failure: { code: "circles", line: 0 } },
+      { program: "b", ...passed },
+    ]);
+  });
+
+  it("have the newest program that drove, not one that was edited after it", () => {
+    const { runs, edit, drive, reset } = newAttempts();
+    drive(10);
+    edit("b");
+    drive(20);
+    edit("c");
+    reset();
+    expect(runs).toEqual([{ program: "b", ...passed }]);
   });
 
   it("are found if a fast run begins and ends between two frames", () => {

@@ -34,6 +34,8 @@ export class RunAttempts {
   #lastTick: number;
   /** bumps at the newest tick; null: unknown after a jump */
   #bumps: number | null;
+  /** since the last tick that was driven */
+  #isEdited = false;
   /** a failed drive by hand may continue, but it is one run until the robot is reset */
   #isDriveOver = false;
   /**
@@ -89,6 +91,13 @@ export class RunAttempts {
     else this.finish();
   }
 
+  /** The program was edited: a run that failed ends, and another one continues with the edit. */
+  edited(): void {
+    const hasFailed = this.#run !== null && this.#run.failure !== null;
+    if (hasFailed || this.#cancelEnd !== null) this.finish();
+    this.#isEdited = true;
+  }
+
   /** Ends the run and reports it, if there is one. */
   finish(): void {
     const run = this.#run;
@@ -136,8 +145,10 @@ export class RunAttempts {
     // A run that has ended is reported before the next one begins.
     if (this.#cancelEnd !== null || (this.#run !== null && wasByHand !== isByHand)) this.finish();
     if (driver === "remote" || (isByHand && this.#isDriveOver)) return;
+    if (this.#run !== null && !this.#isEdited) return;
+    this.#isEdited = false;
     const program = isByHand ? null : this.#ports.program();
-    this.#run ??= { program, bumps: 0, mistakes: 0, failure: null };
+    this.#run = { bumps: 0, mistakes: 0, failure: null, ...this.#run, program };
   }
 
   #truncated(after: number): void {
