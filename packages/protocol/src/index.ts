@@ -20,6 +20,7 @@ export {
   createdClassSchema,
   joinedClassSchema,
   joinRequestSchema,
+  MAX_PROGRAM_LINK,
   MAX_RENAMES,
   MAX_STUDENTS,
   NAME_WORDS,

@@ -87,7 +87,12 @@ const relay = new Lazy(async () => {
 
 const studentClass = new Lazy(
   async () =>
-    (await import("./class-part.ts")).openClassPart(worker.location.origin, post, guarded),
+    (await import("./class-part.ts")).openClassPart(
+      loadedRun,
+      worker.location.origin,
+      post,
+      guarded,
+    ),
   guarded,
 );
 
@@ -281,6 +286,7 @@ function postUpdate(): void {
   feed.send(updates, update);
   evaluation.post(updates);
   relay.loaded?.update(hasChanged);
+  studentClass.loaded?.update(hasChanged);
 }
 
 guarded(() => {
