@@ -7,6 +7,7 @@ import type { en } from "./en/index.ts";
 import type check from "./en/check.json";
 import type lessonEditor from "./en/lesson-editor.json";
 import type diagnosis from "./en/diagnosis.json";
+import type embed from "./en/embed.json";
 import type join from "./en/join.json";
 import type missions from "./en/missions.json";
 import type names from "./en/names.json";
@@ -25,6 +26,8 @@ export interface Namespaces {
   check: typeof check;
   /** why a run failed */
   diagnosis: typeof diagnosis;
+  /** the page in a frame of another site, and the code of the frame */
+  embed: typeof embed;
   /** a student in a class: the page to join, and the class menu */
   join: typeof join;
   /** the lessons */

@@ -118,6 +118,16 @@ export const partLoaders: Record<
     pt: async () => (await import("./pt/teach.json")).default,
     "zh-Hans": async () => (await import("./zh-Hans/teach.json")).default,
   },
+  embed: {
+    en: async () => (await import("./en/embed.json")).default,
+    ar: async () => (await import("./ar/embed.json")).default,
+    de: async () => (await import("./de/embed.json")).default,
+    es: async () => (await import("./es/embed.json")).default,
+    fr: async () => (await import("./fr/embed.json")).default,
+    ja: async () => (await import("./ja/embed.json")).default,
+    pt: async () => (await import("./pt/embed.json")).default,
+    "zh-Hans": async () => (await import("./zh-Hans/embed.json")).default,
+  },
   join: {
     en: async () => (await import("./en/join.json")).default,
     ar: async () => (await import("./ar/join.json")).default,

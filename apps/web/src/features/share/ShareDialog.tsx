@@ -14,6 +14,7 @@ import { useServices } from "../../model/use-services.ts";
 import { sharedSearch } from "../../model/preferences/language.ts";
 import { missionHash } from "../../model/address/mission-address.ts";
 import { holdLink } from "./held-link.ts";
+import { EmbedCode } from "../../ui/EmbedCode.tsx";
 import { LinkField } from "../../ui/LinkField.tsx";
 import { QrCard } from "../../ui/QrCard.tsx";
 import { RunChoice } from "./RunChoice.tsx";
@@ -102,6 +103,11 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
       ? `${origin}${pathname}${sharedSearch(search)}${missionHash(mission)}`
       : null;
   const shown = isMore || made === null ? (ofMission ?? link) : made.address + sharedSearch(search);
+  const lang = sharedSearch(search);
+  const embedded =
+    isMore || made === null
+      ? result.ok && `${origin}/embed${lang}#${result.text}`
+      : `${origin}/embed/m/${made.id}${lang}`;
   // A long run does not belong in an address bar, and the bar already shows the address of a
   // mission.
   const held = result.ok && !withRun && mission === null ? result.text : null;
@@ -158,6 +164,9 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
           )}
           <RunChoice isChosen={withRun} onChange={setWithRun} saved={saved} />
         </fieldset>
+        {embedded !== false && !isTooLong && (
+          <EmbedCode address={embedded} name={shared?.name || maze.name} />
+        )}
         {result.ok && <TeachLink text={result.text} />}
       </div>
       {shown !== null && !isTooLong && <QrCard link={shown} name={maze.name} />}

@@ -6,6 +6,7 @@ export const files = import.meta.glob<Words>(
     "./*.json",
     "!./check.json",
     "!./diagnosis.json",
+    "!./embed.json",
     "!./missions.json",
     "!./other-mazes.json",
     "!./run-details.json",

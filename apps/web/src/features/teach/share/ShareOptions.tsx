@@ -9,6 +9,7 @@ import { Button } from "../../../ui/Button.tsx";
 import { ButtonLink } from "../../../ui/ButtonLink.tsx";
 import { FieldError } from "../../../ui/FieldError.tsx";
 import { Icon } from "../../../ui/Icon.tsx";
+import { EmbedCode } from "../../../ui/EmbedCode.tsx";
 import { LinkField } from "../../../ui/LinkField.tsx";
 import { QrCard } from "../../../ui/QrCard.tsx";
 import { saveDocument } from "../../../ui/save-file.ts";
@@ -42,6 +43,11 @@ export function ShareOptions({ lesson }: { lesson: LessonDocument }) {
   const address = made ?? long;
   const compact = long !== null && long.length <= MAX_COMPACT_LENGTH ? long : made;
   const name = lessonName(lesson);
+  const lang = sharedSearch(search);
+  const embedded =
+    short.link !== null
+      ? `${origin}/embed/m/${short.link.id}${lang}`
+      : link && `${origin}/embed${lang}#${link}`;
   return (
     <div className={styles["columns"]}>
       <div className={styles["main"]}>
@@ -56,6 +62,7 @@ export function ShareOptions({ lesson }: { lesson: LessonDocument }) {
         ) : (
           <p className={styles["note"]}>{excessText("shortLink", excesses.shortLink)}</p>
         )}
+        {embedded !== null && <EmbedCode address={embedded} name={name} />}
         <div className={styles["answers"]}>
           {address !== null && (
             <ShareSheetButton data={{ title: name, url: address }} label={t("share.apps")} />
