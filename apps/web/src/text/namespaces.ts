@@ -13,6 +13,7 @@ import type missions from "./en/missions.json";
 import type names from "./en/names.json";
 import type otherMazes from "./en/other-mazes.json";
 import type runDetails from "./en/run-details.json";
+import type print from "./en/print.json";
 import type race from "./en/race.json";
 import type report from "./en/report.json";
 import type daily from "./en/daily.json";
@@ -38,6 +39,8 @@ export interface Namespaces {
   otherMazes: typeof otherMazes;
   /** texts that the controls of a run need only in use: taking over, zoom, commands */
   runDetails: typeof runDetails;
+  /** printing worksheets and mazes */
+  print: typeof print;
   /** races against recorded runs */
   race: typeof race;
   /** the report of a class */

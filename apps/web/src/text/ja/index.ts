@@ -10,6 +10,7 @@ export const files = import.meta.glob<Words>(
     "!./missions.json",
     "!./other-mazes.json",
     "!./run-details.json",
+    "!./print.json",
     "!./race.json",
     "!./report.json",
     "!./daily.json",

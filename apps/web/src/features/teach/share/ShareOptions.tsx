@@ -11,6 +11,8 @@ import { FieldError } from "../../../ui/FieldError.tsx";
 import { Icon } from "../../../ui/Icon.tsx";
 import { EmbedCode } from "../../../ui/EmbedCode.tsx";
 import { LinkField } from "../../../ui/LinkField.tsx";
+import { PrintButton } from "../../../ui/print/PrintButton.tsx";
+import { printedLink, printedMazes } from "../../../ui/print/printed-content.ts";
 import { QrCard } from "../../../ui/QrCard.tsx";
 import { saveDocument } from "../../../ui/save-file.ts";
 import { ShareSheetButton } from "../../../ui/ShareSheetButton.tsx";
@@ -77,6 +79,13 @@ export function ShareOptions({ lesson }: { lesson: LessonDocument }) {
               {CLASSROOM}
             </ButtonLink>
           )}
+          <PrintButton
+            content={{
+              language: lesson.language,
+              mazes: printedMazes(lesson),
+              link: printedLink(made, long),
+            }}
+          />
           {excesses.file === undefined && (
             <Button icon={<Icon of={FileDown} />} onClick={() => saveDocument(document, "lesson")}>
               {t("share.file")}
