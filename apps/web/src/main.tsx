@@ -34,7 +34,7 @@ declare global {
 }
 
 /** The paths of pages without a robot. */
-const OTHER_PAGE = /^\/(r\/|join|teach)/;
+const OTHER_PAGE = /^\/(r\/|join|teach|embed)/;
 /** A little more than a sixtieth of a second: the next frame has begun then. */
 const FRAME_MS = 17;
 

@@ -58,10 +58,11 @@ export function MissionCard({ look = "full" }: MissionCardProps) {
 
 function OpenMission({ service }: { service: LessonsService }) {
   const { t } = useTranslation(["missions", "words"], { useSuspense: false });
-  const { challenge: store, classes } = useServices();
+  const { challenge: store, classes, screen } = useServices();
   const lesson = useStore(store, (state) => state.lesson);
   const index = useStore(store, (state) => state.index);
   const open = useStore(store, openTask);
+  const isEmbedded = useStore(screen, (state) => state.isEmbedded === true);
   const mission = useStore(store, (state) => state.mission);
   const hasHints = useStore(store, ({ rights }) => showsHelp(rights, "hints"));
   const fromTeacher = useStore(store, (state) => state.hints?.[state.index] ?? 0);
@@ -127,9 +128,11 @@ function OpenMission({ service }: { service: LessonsService }) {
         <IconButton label={t("missions:card.again")} onClick={() => service.attempt.restart()}>
           <Icon of={ListRestart} />
         </IconButton>
-        <IconButton label={t("missions:card.own")} onClick={() => service.navigation.goHome()}>
-          <Icon of={House} />
-        </IconButton>
+        {!isEmbedded && (
+          <IconButton label={t("missions:card.own")} onClick={() => service.navigation.goHome()}>
+            <Icon of={House} />
+          </IconButton>
+        )}
         <IconButton
           label={t(isFolded ? "missions:card.unfold" : "missions:card.fold")}
           onClick={() => setFoldedAt(isFolded ? null : fromTeacher)}
