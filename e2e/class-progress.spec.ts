@@ -109,7 +109,7 @@ test("the lesson opens when a student joins, and the teacher receives each step 
   await expect
     .poll(async () => teacher.progress(), { timeout: 15_000 })
     .toEqual([
-      { kind: "opened", task: 1 },
+      { kind: "opened", lesson: lessonMark(lesson), task: 1 },
       { kind: "hint", task: 1, hint: 1 },
       {
         kind: "run",
@@ -130,7 +130,7 @@ test("the lesson opens when a student joins, and the teacher receives each step 
     .toEqual([
       { kind: "run", task: 1, changed: true, bumps: 0, mistakes: 0, failure: null },
       { kind: "solved", task: 1, lines: 0, code: expect.any(String) },
-      { kind: "opened", task: 2 },
+      { kind: "opened", lesson: lessonMark(lesson), task: 2 },
     ]);
   const solved = (await teacher.progress()).find(({ kind }) => kind === "solved");
   const code = decodeLink(solved?.kind === "solved" ? solved.code : "");
@@ -207,7 +207,7 @@ test("the teacher reads a drive by hand, and its solution", async ({ page, relay
   await expect
     .poll(async () => teacher.progress())
     .toEqual([
-      { kind: "opened", task: 1 },
+      { kind: "opened", lesson: expect.any(String), task: 1 },
       { kind: "run", task: 1, changed: true, bumps: 0, mistakes: 0, failure: null },
       { kind: "solved", task: 1, lines: null, code: expect.any(String) },
     ]);

@@ -99,8 +99,8 @@ describe("the reports of a student's work", () => {
     openTask(0);
     openTask(1);
     expect(progress).toEqual([
-      { kind: "opened", task: 1 },
-      { kind: "opened", task: 2 },
+      { kind: "opened", lesson: mark, task: 1 },
+      { kind: "opened", lesson: mark, task: 2 },
     ]);
     const reloaded = newPage(tab);
     reloaded.openTask(1);
@@ -178,6 +178,6 @@ describe("the reports of a student's work", () => {
     reporter.close();
     reset();
     openTask(1);
-    expect(progress).toEqual([{ kind: "opened", task: 1 }]);
+    expect(progress).toEqual([{ kind: "opened", lesson: mark, task: 1 }]);
   });
 });

@@ -126,7 +126,7 @@ export class LessonReporter {
     this.#index = index;
     if (index === null || lesson.mark === null) return;
     reported.begin(lesson.mark);
-    if (reported.open(index + 1)) add({ kind: "opened", task: index + 1 });
+    if (reported.open(index + 1)) add({ kind: "opened", lesson: lesson.mark, task: index + 1 });
     this.#programSoon();
   }
 

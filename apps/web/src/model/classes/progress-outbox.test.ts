@@ -4,7 +4,11 @@ import type { ClassSession, ClassStudent } from "../../simulator/protocol/class-
 import { VolatileStorage } from "../storage/volatile-storage.ts";
 import { ProgressOutbox } from "./progress-outbox.ts";
 
-const records: Progress[] = [1, 2, 3].map((task) => ({ kind: "opened", task }));
+const records: Progress[] = [1, 2, 3].map((task) => ({
+  kind: "opened",
+  lesson: "0a1b2c3d4",
+  task,
+}));
 
 /** A page's outbox, and a relay that the test controls. */
 function newOutbox(tab = new VolatileStorage()) {
@@ -71,10 +75,10 @@ describe("progress that is not stored yet", () => {
     const { outbox, numbers, connect, stored, wait } = newOutbox();
     connect(0);
     for (let seq = 1; seq <= 5; seq++) {
-      outbox.add({ kind: "opened", task: 1 });
+      outbox.add({ kind: "opened", lesson: "0a1b2c3d4", task: 1 });
       stored(seq);
     }
-    outbox.add({ kind: "opened", task: 1 });
+    outbox.add({ kind: "opened", lesson: "0a1b2c3d4", task: 1 });
     expect(numbers()).toHaveLength(5);
     wait(2_300);
     expect(numbers()).toHaveLength(6);
@@ -108,9 +112,9 @@ describe("progress that is not stored yet", () => {
 
   it("continues after what another device of the student has sent", () => {
     const { outbox, sent, connect } = newOutbox();
-    outbox.add({ kind: "opened", task: 1 });
+    outbox.add({ kind: "opened", lesson: "0a1b2c3d4", task: 1 });
     connect(12);
-    expect(sent).toEqual([{ seq: 13, event: { kind: "opened", task: 1 } }]);
+    expect(sent).toEqual([{ seq: 13, event: { kind: "opened", lesson: "0a1b2c3d4", task: 1 } }]);
   });
 
   it("does not wait for a record that the relay would reject", () => {
@@ -126,7 +130,7 @@ describe("progress that is not stored yet", () => {
     const tab = new VolatileStorage();
     tab.setItem("corridor.class.progress", '{"first":1,"isSent":true,"records":[{"kind":"x"}]}');
     const { outbox, numbers, connect } = newOutbox(tab);
-    outbox.add({ kind: "opened", task: 1 });
+    outbox.add({ kind: "opened", lesson: "0a1b2c3d4", task: 1 });
     connect(0);
     expect(numbers()).toEqual([1]);
   });

@@ -171,7 +171,7 @@ describe("a student's connection in the worker", () => {
 
   it("sends tiles and reports while it is connected", () => {
     const { host, sent, accept, close } = inClass();
-    const event = { kind: "opened", task: 1 } as const;
+    const event = { kind: "opened", lesson: "0a1b2c3d4", task: 1 } as const;
     const report = { type: "progress", seq: 1, event } as const;
     host.handle({ kind: "place", place: { task: 1, maze: "g1", passes: null, isSolved: false } });
     host.handle({ kind: "send", report });
