@@ -7,6 +7,7 @@ import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 import { linesOf, pagesOf } from "./support/pdf-lines.ts";
+import { Texts } from "./support/texts.ts";
 
 /** 10 cm in points. */
 const RULER = 283.46;
@@ -167,6 +168,18 @@ test("prints a saved lesson of a teacher", async ({ page }) => {
   await expect(dialog.getByText(/^\d+ sheets$/)).toBeVisible();
   const pages = pagesOf(await print(page));
   expect(pages.length).toBeGreaterThanOrEqual(6);
+});
+
+test("previews the worksheet in a right-to-left language", async ({ page }) => {
+  const texts = Texts.load("ar");
+  const word = texts.t("print.print");
+  await page.goto("/?lang=ar");
+  await page.getByRole("button", { name: texts.t("share.share") }).click();
+  await page.getByRole("button", { name: word, exact: true }).click();
+  const dialog = page.getByRole("dialog", { name: word });
+  const sheet = dialog.locator("article");
+  await expect(sheet).toHaveCSS("direction", "rtl");
+  await expect(sheet).toBeInViewport({ ratio: 0.9 });
 });
 
 test("has no accessibility violations, also at 320 px", async ({ corridor, page }) => {

@@ -173,7 +173,7 @@ function WorksheetPrint({ content, mazes, paper }: WorksheetPrintProps) {
         style={{ aspectRatio: `${sheet.width} / ${sheet.height}` }}
         data-lying={isLandscape}
       >
-        {pages[0]}
+        <div className={styles["scaled"]}>{pages[0]}</div>
       </div>
       <p>{t("sheets", { count: mazes.length })}</p>
       {link === null && <p className={styles["note"]}>{t("noLink")}</p>}
