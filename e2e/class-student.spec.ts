@@ -6,25 +6,11 @@ import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 import { ClassTeacher } from "./support/class-teacher.ts";
+import { classButton, enterClass } from "./support/enter-class.ts";
 import { horizontalOverflow, smallTouchTargets } from "./support/layout.ts";
 import { smallestPhone, phone } from "./support/phone.ts";
 
 const NAMES = ["Team 1", "Team 2", "Team 3", "Team 4"];
-
-/** Joins with the code, and opens the student's page. */
-async function enter(page: Page, code: string, origin = ""): Promise<CorridorPage> {
-  await page.goto(`${origin}/join#${code}`);
-  await page.getByRole("button", { name: "Join" }).click();
-  await page.getByRole("link", { name: "Start" }).click();
-  const corridor = new CorridorPage(page);
-  await corridor.waitUntilReady();
-  await expect(classButton(page)).toBeVisible();
-  return corridor;
-}
-
-function classButton(page: Page): Locator {
-  return page.getByRole("button", { name: /, in class/ });
-}
 
 function menuOf(page: Page): Locator {
   return page.getByRole("dialog", { name: "Class" });
@@ -57,7 +43,7 @@ async function duplicate(context: BrowserContext, page: Page): Promise<Page> {
 
 test("a student asks for help, and the teacher receives it", async ({ page, relay }) => {
   const teacher = await ClassTeacher.start(relay, NAMES);
-  await enter(page, teacher.code);
+  await enterClass(page, teacher.code);
   const menu = await openMenu(page);
   const helpSince = async () => (await teacher.read()).students[0]?.helpSince;
   expect(await helpSince()).toBeNull();
@@ -73,7 +59,7 @@ test("a student asks for help, and the teacher receives it", async ({ page, rela
 
 test("a student gets another name twice, also after a reload", async ({ page, relay }) => {
   const teacher = await ClassTeacher.start(relay, NAMES);
-  const corridor = await enter(page, teacher.code);
+  const corridor = await enterClass(page, teacher.code);
   await openMenu(page);
   for (const left of [1, 0]) {
     await item(page, /^Another name/).click();
@@ -92,7 +78,7 @@ test("a student gets another name twice, also after a reload", async ({ page, re
 
 test("an eye is in the bar while the teacher watches", async ({ page, relay }) => {
   const teacher = await ClassTeacher.start(relay, NAMES);
-  await enter(page, teacher.code);
+  await enterClass(page, teacher.code);
   const watched = page.getByRole("button", { name: "in class. Your teacher is watching you." });
   await expect(watched).toBeHidden();
   const end = await teacher.watch(1);
@@ -107,7 +93,7 @@ test("the newest tab has the class, and the other one can take it back", async (
   relay,
 }) => {
   const teacher = await ClassTeacher.start(relay, NAMES);
-  const { messages } = await enter(page, teacher.code);
+  const { messages } = await enterClass(page, teacher.code);
   await openMenu(page);
   const copy = await duplicate(context, page);
   await expect(classButton(copy)).toBeVisible();
@@ -126,8 +112,8 @@ test("a removed student, and a class that ends, leave the work as it is", async 
   relay,
 }) => {
   const teacher = await ClassTeacher.start(relay, NAMES);
-  const first = await enter(page, teacher.code);
-  const second = await enter((await openWindow()).page, teacher.code, relay);
+  const first = await enterClass(page, teacher.code);
+  const second = await enterClass((await openWindow()).page, teacher.code, relay);
   for (const { run, pause } of [first, second]) {
     await run.click();
     await expect(pause).toBeVisible();
@@ -148,7 +134,7 @@ test("a removed student, and a class that ends, leave the work as it is", async 
 
 test("a student leaves only after an answer, and keeps the work", async ({ page, relay }) => {
   const teacher = await ClassTeacher.start(relay, NAMES);
-  const corridor = await enter(page, teacher.code);
+  const corridor = await enterClass(page, teacher.code);
   await openMenu(page);
   await item(page, "Leave the class").click();
   await expect(item(page, "Stay")).toBeFocused();
@@ -165,7 +151,7 @@ test("a pause stops the robot and its keys until the teacher ends it, also after
   relay,
 }) => {
   const teacher = await ClassTeacher.start(relay, NAMES);
-  const corridor = await enter(page, teacher.code);
+  const corridor = await enterClass(page, teacher.code);
   const band = bandOf(page);
   const runButton = page.locator("button[data-does]");
   await corridor.run.click();
@@ -190,7 +176,7 @@ test("a pause stops the robot and its keys until the teacher ends it, also after
 
 test("a pause ends by the clock", async ({ page, relay }) => {
   const teacher = await ClassTeacher.start(relay, NAMES);
-  const corridor = await enter(page, teacher.code);
+  const corridor = await enterClass(page, teacher.code);
   await teacher.direct("PUT", "/pause", { seconds: 10 });
   const band = bandOf(page);
   await expect(band).toBeVisible();
@@ -207,7 +193,11 @@ test("the page reconnects after the network was lost", async ({ browser, relay }
   // Not an openWindow fixture: the browser logs an error for each failed connection.
   const context = await browser.newContext();
   const page = await context.newPage();
-  const { messages, run, pause } = await enter(page, teacher.code, network.origin);
+  const { messages, run, pause } = await enterClass(page, teacher.code, network.origin);
+  // What the lesson needs has loaded once the robot drives.
+  await expect(page.getByRole("region", { name: "Lesson", exact: true })).toBeVisible();
+  await run.click();
+  await pause.click();
   await openMenu(page);
   Object.assign(network, { isUp: false });
   network.cut();
@@ -228,7 +218,7 @@ test("the page reconnects after the network was lost", async ({ browser, relay }
 
 test("a long name fits every width of the bar", async ({ page, relay }) => {
   const teacher = await ClassTeacher.start(relay, ["A name of 24 characters."]);
-  await enter(page, teacher.code);
+  await enterClass(page, teacher.code);
   for (const width of [1440, 1200, 1024, 900, 768, 600]) {
     await page.setViewportSize({ width, height: 800 });
     await expect(classButton(page)).toBeVisible();

@@ -22,7 +22,7 @@ const lesson: LessonDocument = {
 /** For the first task of the lesson. */
 const { solution, wrong } = answers["one-line"];
 
-const opened = { kind: "opened", task: 1 } as const;
+const opened = { kind: "opened", lesson: lessonMark(lesson), task: 1 } as const;
 
 /** A claim that the first task is solved. */
 function claim(attempt: typeof solution) {

@@ -172,7 +172,7 @@ test("warns of a maze that nobody can solve, and of a lesson that was not solved
   const dialog = page.getByRole("dialog");
   await expect(dialog).toContainText("You have not solved this lesson yet.");
   await dialog.getByRole("button", { name: "Share anyway" }).click();
-  await expect(dialog.getByRole("textbox")).toHaveValue(/\/#\S+$/);
+  await expect(dialog.getByRole("textbox", { name: "Link" })).toHaveValue(/\/#\S+$/);
 });
 
 test("shares a lesson as a short link, a picture, a file and with other apps", async ({

@@ -60,7 +60,9 @@ test("has no field that makes the phone zoom in", async ({ openWindow }) => {
   await tab(page, "Presets").tap();
   await expectNoZoom("presets");
   await corridor.share.tap();
-  await expect(corridor.dialog("Share this maze").getByRole("textbox")).toBeVisible();
+  await expect(
+    corridor.dialog("Share this maze").getByRole("textbox", { name: "Link" }),
+  ).toBeVisible();
   await expectNoZoom("share");
   await page.keyboard.press("Escape");
   await corridor.mazeMenu.tap();

@@ -3,9 +3,14 @@ import type { LessonDocument } from "@corridor/challenge";
 import {
   classViewSchema,
   createdClassSchema,
+  decodeFrame,
   PROTOCOL_VERSION,
+  relayToTeacherSchema,
   type ClassView,
   type CreatedClass,
+  type Progress,
+  type TeacherToRelay,
+  type Tile,
 } from "@corridor/protocol";
 import { sampleLesson } from "../../apps/web/src/model/lessons/testing/sample-lesson.ts";
 
@@ -40,6 +45,11 @@ export class ClassTeacher {
     return classViewSchema.parse(await this.get(""));
   }
 
+  /** The stored progress of the first student, in order. */
+  async progress(): Promise<Progress[]> {
+    return ((await this.read()).students[0]?.progress ?? []).map(({ event }) => event);
+  }
+
   /** Reads a part of the class. @param path below the class */
   async get(path: string): Promise<unknown> {
     return (await this.#request("GET", path)).json();
@@ -52,6 +62,13 @@ export class ClassTeacher {
 
   /** Watches a student, as a dashboard does. @returns a function that ends it */
   async watch(student: number): Promise<() => void> {
+    const dashboard = await this.connect();
+    dashboard.send({ type: "watch", student });
+    return () => dashboard.close();
+  }
+
+  /** Connects as a dashboard. */
+  async connect(): Promise<Dashboard> {
     const { id, teacherKey: key } = this.created;
     const address = `${this.#relay.replace("http", "ws")}/api/v1/classes/${id}/socket`;
     const socket = new WebSocket(address);
@@ -60,8 +77,7 @@ export class ClassTeacher {
       socket.addEventListener("error", reject);
     });
     socket.send(JSON.stringify({ type: "hello", version: PROTOCOL_VERSION, role: "teach", key }));
-    socket.send(JSON.stringify({ type: "watch", student }));
-    return () => socket.close();
+    return new Dashboard(socket);
   }
 
   async #request(method: string, path: string, body?: object): Promise<Response> {
@@ -76,5 +92,39 @@ export class ClassTeacher {
     });
     if (!answer.ok) throw new Error(`${method} ${path}: ${answer.status} ${await answer.text()}`);
     return answer;
+  }
+}
+
+/** The tiles that a dashboard receives. */
+export class Dashboard {
+  readonly #socket: WebSocket;
+  /** all tiles of the first student */
+  readonly tiles: Tile[] = [];
+
+  constructor(socket: WebSocket) {
+    this.#socket = socket;
+    socket.addEventListener("message", ({ data }) => this.#receive(String(data)));
+  }
+
+  /** The newest tile of the first student. */
+  get tile(): Tile | null {
+    return this.tiles.at(-1) ?? null;
+  }
+
+  send(message: TeacherToRelay): void {
+    this.#socket.send(JSON.stringify(message));
+  }
+
+  close(): void {
+    this.#socket.close();
+  }
+
+  #receive(text: string): void {
+    const read = decodeFrame(relayToTeacherSchema, text);
+    if (!read.ok || read.value.type !== "tiles") return;
+    this.send({ type: "seen", seq: read.value.seq });
+    for (const { student, tile } of read.value.tiles) {
+      if (student === 1 && tile !== null) this.tiles.push(tile);
+    }
   }
 }

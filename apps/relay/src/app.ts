@@ -25,6 +25,7 @@ import { keyRoutes } from "./gateways/rest/keys/routes.ts";
 import { longPollRoutes } from "./gateways/long-poll/routes.ts";
 import { mazeRoutes } from "./gateways/rest/maze/routes.ts";
 import { pairingRoutes } from "./gateways/rest/pairing/routes.ts";
+import { oembedRoutes } from "./gateways/rest/embedding/routes.ts";
 import { requestLog } from "./platform/http/request-log.ts";
 import { robotRoutes } from "./gateways/rest/robots/routes.ts";
 import { openToAllSites, securityHeaders } from "./platform/http/security-headers.ts";
@@ -89,6 +90,7 @@ export function createApp(dependencies: AppDependencies): Express {
   api.use(eventRoutes(registry, clock));
   api.use(longPollRoutes(longPolls, guard));
   api.use(documentRoutes(documents, guard));
+  api.use(oembedRoutes(documents, guard));
   api.use(classRoutes(classes, guard));
   api.use(longPollRoutes(classLongPolls, guard));
   api.use(notFound);

@@ -12,6 +12,7 @@ describe("readConfig", () => {
         storeUrl: null,
         publicOrigin: null,
         allowedHosts: null,
+        embedOrigins: null,
         trustedProxies: 0,
         metricsPort: null,
         metricsHost: "127.0.0.1",
@@ -29,6 +30,7 @@ describe("readConfig", () => {
       STORE_URL: "redis://:secret@10.0.0.5:6380/1",
       PUBLIC_URL: "https://robots.example.org/",
       ALLOWED_HOSTS: "Robots.example.org, localhost, [::1]",
+      EMBED_ORIGINS: "https://moodle.example.org/, http://localhost:3000",
       TRUSTED_PROXIES: "127.0.0.1, 10.0.0.0/8,fd00::/8",
       LOG_LEVEL: "info",
     };
@@ -39,6 +41,7 @@ describe("readConfig", () => {
         storeUrl: "redis://:secret@10.0.0.5:6380/1",
         publicOrigin: "https://robots.example.org",
         allowedHosts: ["robots.example.org", "localhost", "[::1]"],
+        embedOrigins: ["https://moodle.example.org", "http://localhost:3000"],
         trustedProxies: ["127.0.0.1", "10.0.0.0/8", "fd00::/8"],
       },
     });
@@ -59,6 +62,9 @@ describe("readConfig", () => {
     { name: "ALLOWED_HOSTS", value: "robots.example.org:443" },
     { name: "ALLOWED_HOSTS", value: "https://robots.example.org" },
     { name: "ALLOWED_HOSTS", value: "*.example.org" },
+    { name: "EMBED_ORIGINS", value: "https://moodle.example.org/course" },
+    { name: "EMBED_ORIGINS", value: "https://a.example; script-src *" },
+    { name: "EMBED_ORIGINS", value: "*" },
     { name: "TRUSTED_PROXIES", value: "10" },
     { name: "TRUSTED_PROXIES", value: "true" },
     { name: "TRUSTED_PROXIES", value: "10.0.0.0/33" },

@@ -8,6 +8,8 @@ const DEFAULT_PORT = 8080;
 const portError = "a port number from 0 to 65535 (0: any free port)";
 const urlError = "an address without a path, such as https://robots.example.org";
 const hostsError = "host names with commas between them, such as robots.example.org, localhost";
+const embedError =
+  "addresses without a path, with commas between them, such as https://moodle.example.org";
 const proxiesError =
   "the number of proxies in front, from 0 to 9, or their addresses and networks, such as 127.0.0.1, 10.0.0.0/8";
 const storeError = "the address of a Redis or Valkey, such as redis://127.0.0.1:6379";
@@ -60,6 +62,13 @@ const environmentSchema = z.object({
     .transform((text) => splitList(text.toLowerCase()))
     .refine((names) => names.every(isHostName), { error: hostsError })
     .optional(),
+  /** sites that may show `/embed` in a frame */
+  EMBED_ORIGINS: z
+    .string()
+    .transform(splitList)
+    .refine((origins) => origins.every(isOrigin), { error: embedError })
+    .transform((origins) => origins.map((each) => new URL(each).origin))
+    .optional(),
   /** proxies whose X-Forwarded-* headers are trusted */
   TRUSTED_PROXIES: z
     .string()
@@ -93,6 +102,8 @@ export interface Config {
   publicOrigin: string | null;
   /** null: any host name */
   allowedHosts: readonly string[] | null;
+  /** origins whose pages may show `/embed` in a frame; null: any page */
+  embedOrigins: readonly string[] | null;
   trustedProxies: TrustedProxies;
   /** port of /metrics; null: disabled */
   metricsPort: number | null;
@@ -138,6 +149,7 @@ export function readConfig(
       storeUrl: value.STORE_URL ?? null,
       publicOrigin: value.PUBLIC_URL ?? null,
       allowedHosts: value.ALLOWED_HOSTS ?? null,
+      embedOrigins: value.EMBED_ORIGINS ?? null,
       trustedProxies: value.TRUSTED_PROXIES,
       metricsPort: value.METRICS_PORT ?? null,
       metricsHost: value.METRICS_HOST,

@@ -2,7 +2,7 @@
 import "./platform/process/schema-messages.ts";
 import { createServer } from "node:http";
 import { join } from "node:path";
-import type { Router } from "express";
+import { Router } from "express";
 import type { Logger } from "pino";
 import { createApp } from "./app.ts";
 import { openBackend } from "./backend.ts";
@@ -22,6 +22,7 @@ import { metricsServer } from "./ops/metrics-server.ts";
 import { Metrics } from "./ops/metrics.ts";
 import { PairingService } from "./pairing/pairing-service.ts";
 import { Readiness } from "./ops/readiness.ts";
+import { embeddingHeaders } from "./site/page/embedding.ts";
 import { builtPage } from "./site/page/built-page.ts";
 import { developmentPage, HOT_RELOAD_PREFIX } from "./site/page/development-page.ts";
 import { RobotRegistry } from "./robots/registry.ts";
@@ -109,7 +110,9 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     requireHostHeader: false,
   });
   const development = isDevelopment ? await developmentPage(webRoot, server) : null;
-  const page: Router = development?.router ?? builtPage(join(webRoot, "dist"));
+  const page = Router();
+  page.use(embeddingHeaders(guard, config.embedOrigins));
+  page.use(development?.router ?? builtPage(join(webRoot, "dist")));
   const parts = {
     registry,
     classes,

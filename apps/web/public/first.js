@@ -22,6 +22,16 @@
       return null;
     }
   };
+  // In a frame of another site, the page reads and stores nothing on this device.
+  const isEmbedded = location.pathname.startsWith("/embed");
+  if (isEmbedded) {
+    const get = () => {
+      throw new Error("blocked");
+    };
+    for (const name of ["localStorage", "sessionStorage"]) {
+      Object.defineProperty(window, name, { get });
+    }
+  }
   const stored = (key) => ask(() => localStorage.getItem(`corridor.${key}`));
 
   const asksFor = (feature) => matchMedia(`(prefers-${feature})`).matches;
@@ -78,8 +88,8 @@
   // On a first visit the worker's name contains its input, so that it starts without a message of
   // the page.
   const name = isFirst ? JSON.stringify([text.maze, text.program]) : "";
-  // The pages of viewers and teachers need no simulator.
-  const isOther = /^\/(r\/|teach|class\/)/.test(location.pathname);
+  // The pages of viewers, teachers and other sites start no simulator, or their own.
+  const isOther = isEmbedded || /^\/(r\/|teach|class)/.test(location.pathname);
   const worker = isOther ? {} : new Worker(simulator, { type: "module", name });
   const early = { worker, queue: [], failure: null };
   window.corridorSimulator = early;
@@ -98,6 +108,8 @@
   // robot starts first. The timeouts cover a hidden page, which paints nothing, and a robot that
   // fails to start.
   document.addEventListener("DOMContentLoaded", () => {
+    // The static page has a bar, which a frame has not.
+    if (isEmbedded) document.getElementById("root").replaceChildren();
     if (!isPressed) requestAnimationFrame(() => setTimeout(() => open()));
     setTimeout(() => open(), isPressed ? 1000 : 300);
   });

@@ -34,7 +34,7 @@ declare global {
 }
 
 /** The paths of pages without a robot. */
-const OTHER_PAGE = /^\/(r\/|join|teach|class\/)/;
+const OTHER_PAGE = /^\/(r\/|join|teach|embed|class)/;
 /** A little more than a sixtieth of a second: the next frame has begun then. */
 const FRAME_MS = 17;
 

@@ -31,6 +31,7 @@ export const classes: Section = {
     const snapshot = median(rounds.map((round) => round.snapshot));
     const ages = results.flatMap(({ tileAges }) => tileAges);
     const pauses = results.flatMap((result) => result.pauses);
+    const longPollPauses = results.flatMap((result) => result.longPollPauses);
     const joins = results.flatMap((result) => result.joins);
     printRow("us of cpu", ["a tile", "a snapshot"]);
     printRow("", [tile, snapshot]);
@@ -38,6 +39,7 @@ export const classes: Section = {
     for (const [name, times] of [
       ["age of a tile", ages],
       ["pause at all 40", pauses],
+      ["by long polling", longPollPauses],
       ["200 joins at once", joins],
     ] as const) {
       printRow(name, [quantile(times, 0.5), quantile(times, 0.99)]);
@@ -52,6 +54,7 @@ export const classes: Section = {
       },
       milliseconds("age of a tile at the dashboard, p99", ages, 1_000),
       milliseconds("from a pause to all 40 students, p99", pauses, 300),
+      milliseconds("the same by long polling, p99", longPollPauses, 1_500),
       milliseconds("200 students join from one address at once, p99", joins, 2_000),
     ];
   },

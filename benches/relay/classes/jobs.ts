@@ -25,6 +25,8 @@ export interface ClassesResult {
   tileAges: number[];
   /** from the request to pause a class until all of its students have received it */
   pauses: number[];
+  /** the same in a class whose network blocks WebSockets */
+  longPollPauses: number[];
   /** from the code until the student is connected */
   joins: number[];
 }

@@ -1,5 +1,7 @@
 /** A class at the relay with its students and a dashboard, as the pages connect to it. */
+import { LearnLink } from "@corridor/client/learn";
 import type { CreatedClass, JoinedClass } from "@corridor/protocol";
+import { globalPlatform, type Platform } from "../../../packages/client/src/platform.ts";
 import { sampleLesson } from "../../../apps/web/src/model/lessons/testing/sample-lesson.ts";
 import { TextSocket } from "../fleets/text-socket.ts";
 
@@ -19,11 +21,14 @@ export interface ClassListener {
 
 /** Seconds of a pause, which the benchmark ends itself. */
 const PAUSE_SECONDS = 60;
+/** close code of a WebSocket that a network blocks */
+const CLOSED = 1006;
 
 export class LiveClass {
   readonly #address: ClassAddress;
   readonly #created: CreatedClass;
   readonly #students: TextSocket[] = [];
+  readonly #longPollStudents: LearnLink[] = [];
   #dashboard: TextSocket | null = null;
 
   private constructor(address: ClassAddress, created: CreatedClass) {
@@ -39,14 +44,31 @@ export class LiveClass {
 
   /** Joins with the code, and connects. */
   async join(onPause: (isPaused: boolean) => void = () => undefined): Promise<void> {
-    const body = JSON.stringify({ code: this.#created.code });
-    const joined = (await (
-      await request(this.#address, "POST", "/joins", { body })
-    ).json()) as JoinedClass;
-    const student = await this.#connect("learn", joined.key, (text) => {
+    const { key } = await this.#becomeStudent();
+    const student = await this.#connect("learn", key, (text) => {
       if (text.startsWith('{"type":"pause"')) onPause(!text.includes(":null"));
     });
     this.#students.push(student);
+  }
+
+  /** As `join`, on a network that blocks WebSockets. */
+  async joinByLongPoll(onPause: (isPaused: boolean) => void): Promise<void> {
+    const { class: id, key } = await this.#becomeStudent();
+    const connected = Promise.withResolvers<void>();
+    const link = new LearnLink({
+      origin: `http://127.0.0.1:${this.#address.port}`,
+      id,
+      key,
+      onMessage: (message) => {
+        if (message.type === "pause") onPause(message.endsInMs !== null);
+      },
+      onStatus: ({ kind }) => {
+        if (kind === "connected") connected.resolve();
+      },
+      platform: withoutWebSocket,
+    });
+    this.#longPollStudents.push(link);
+    await connected.promise;
   }
 
   /** Connects students and the dashboard. */
@@ -81,7 +103,14 @@ export class LiveClass {
 
   close(): void {
     for (const student of this.#students) student.close();
+    for (const student of this.#longPollStudents) student.close();
     this.#dashboard?.close();
+  }
+
+  async #becomeStudent(): Promise<JoinedClass> {
+    const body = JSON.stringify({ code: this.#created.code });
+    const joined = await request(this.#address, "POST", "/joins", { body });
+    return (await joined.json()) as JoinedClass;
   }
 
   async #connect(
@@ -102,6 +131,14 @@ export class LiveClass {
     return socket;
   }
 }
+
+const withoutWebSocket: Platform = {
+  ...globalPlatform(),
+  connect: (_url, events) => {
+    queueMicrotask(() => events.closed(CLOSED));
+    return { send: () => undefined, close: () => undefined, isOpen: false, waitingBytes: 0 };
+  },
+};
 
 async function request(
   { port, client }: ClassAddress,

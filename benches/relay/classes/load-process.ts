@@ -7,6 +7,9 @@ import { LiveClass } from "./live-class.ts";
 const WARM_UP_MS = 2_000;
 /** Interval of the pauses, one class after the other. */
 const PAUSE_INTERVAL_MS = 200;
+const LONG_POLL_PAUSES = 25;
+/** The end of a pause reaches all students before the next one starts. */
+const LONG_POLL_INTERVAL_MS = 2_000;
 
 process.on("message", (job: ClassesJob) => {
   run(job).then(
@@ -21,7 +24,8 @@ process.on("disconnect", () => process.exit(0));
 
 async function run(job: ClassesJob): Promise<ClassesResult> {
   const joins = await measureJoins(job);
-  return { ...(await measureLessons(job)), joins };
+  const longPollPauses = await measureLongPollPauses(job);
+  return { ...(await measureLessons(job)), joins, longPollPauses };
 }
 
 async function measureJoins({ port, joins }: ClassesJob): Promise<number[]> {
@@ -37,8 +41,28 @@ async function measureJoins({ port, joins }: ClassesJob): Promise<number[]> {
   return times;
 }
 
+/** Pauses a class of which all students poll. */
+async function measureLongPollPauses({ port, students }: ClassesJob): Promise<number[]> {
+  const lesson = await LiveClass.create({ port, client: "10.2.1.2" });
+  let observer = (): void => undefined;
+  for (let student = 0; student < students; student++) {
+    await lesson.joinByLongPoll((isPaused) => {
+      if (isPaused) observer();
+    });
+  }
+  const pauses: number[] = [];
+  for (let n = 0; n < LONG_POLL_PAUSES; n++) {
+    pauses.push(await pause(lesson, students, (observe) => (observer = observe)));
+    await delay(LONG_POLL_INTERVAL_MS);
+  }
+  lesson.close();
+  return pauses;
+}
+
+type Lessons = Omit<ClassesResult, "joins" | "longPollPauses">;
+
 /** Every student sends tiles. Each class in turn is paused and continued meanwhile. */
-async function measureLessons(job: ClassesJob): Promise<Omit<ClassesResult, "joins">> {
+async function measureLessons(job: ClassesJob): Promise<Lessons> {
   const { port, pid, classes, students, tilesPerSecond, seconds } = job;
   const everyone = classes * students;
   const sentAt = Array.from({ length: everyone }, () => new Map<number, number>());

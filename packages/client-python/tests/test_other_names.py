@@ -1,10 +1,15 @@
-"""Names of HTTP and of the JavaScript library in a Python script."""
+"""Names of other libraries in a Python script."""
 
+import subprocess
+import sys
+from pathlib import Path
 from typing import Any
 
 import pytest
-from corridor import AsyncRobot, Robot
+from corridor import AsyncRobot, LiveSensor, Robot, Sensors
 from corridor.reports import read_snapshot
+
+PACKAGE = Path(__file__).resolve().parents[1] / "src"
 
 
 def unconnected(kind: Any) -> Any:
@@ -40,6 +45,21 @@ def test_a_field_of_javascript_names_the_one_of_python() -> None:
     for owner in (unconnected(Robot), snapshot):
         with pytest.raises(AttributeError, match="goalReached'. Use goal_reached.$"):
             print(owner.goalReached)
+
+
+@pytest.mark.parametrize("kind", [LiveSensor, Sensors])
+def test_a_rear_sensor_is_the_back_one(kind: Any) -> None:
+    with pytest.raises(AttributeError) as error:
+        print(unconnected(kind).rear)
+    assert str(error.value) == f"'{kind.__name__}' object has no attribute 'rear'. Use back."
+
+
+def test_no_hint_names_a_private_part() -> None:
+    # Python adds the most similar name when it prints the error.
+    script = "from corridor import LiveSensor\nLiveSensor(print).rear\n"
+    command = [sys.executable, "-c", script]
+    done = subprocess.run(command, env={"PYTHONPATH": str(PACKAGE)}, stderr=subprocess.PIPE, text=True)
+    assert done.stderr.splitlines()[-1].endswith("has no attribute 'rear'. Use back.")
 
 
 def test_any_other_wrong_name_has_no_hint() -> None:

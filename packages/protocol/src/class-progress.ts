@@ -24,6 +24,11 @@ function numberTo(max: number, min: 0 | 1) {
 }
 
 const task = taskNumberSchema.describe("number of the task, from 1");
+const markError = "the mark of a lesson: 9 hexadecimal digits";
+const lessonMark = z
+  .string({ error: markError })
+  .regex(/^[0-9a-f]{9}$/, { error: markError })
+  .describe("mark of the lesson, as completion codes contain it");
 const count = numberTo(MAX_COUNT, 0);
 const codeError = "the name of a failure, such as not-reached";
 /** Why an attempt failed, and the line that caused it. */
@@ -61,7 +66,8 @@ const completionCodeError = `a completion code of at most ${MAX_CODE} characters
 export const progressSchema = z.discriminatedUnion(
   "kind",
   [
-    z.strictObject({ kind: z.literal("opened"), task }),
+    /** the records after it belong to this lesson */
+    z.strictObject({ kind: z.literal("opened"), lesson: lessonMark, task }),
     z.strictObject({
       kind: z.literal("run"),
       task,

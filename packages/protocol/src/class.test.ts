@@ -134,7 +134,7 @@ describe("a tile", () => {
 
 describe("a progress record", () => {
   it.each([
-    { kind: "opened", task: 1 },
+    { kind: "opened", lesson: "0a1b2c3d4", task: 1 },
     { kind: "check", task: 1, changed: true, passes: 3, mazes: 50, failure: null },
     { kind: "hint", task: 1, hint: 6 },
     { kind: "solved", task: 12, lines: null, code: "3.AAAA" },
@@ -146,7 +146,7 @@ describe("a progress record", () => {
 
   it.each([
     { kind: "cheated", task: 1 },
-    { kind: "opened", task: 0 },
+    { kind: "opened", lesson: "0a1b2c3d4", task: 0 },
     { kind: "check", task: 1, changed: true, passes: 3, mazes: 0, failure: null },
     { kind: "hint", task: 1, hint: 7 },
     { kind: "solved", task: 1, lines: 2, code: "x".repeat(4_097) },

@@ -20,6 +20,7 @@ export {
   createdClassSchema,
   joinedClassSchema,
   joinRequestSchema,
+  MAX_PROGRAM_LINK,
   MAX_RENAMES,
   MAX_STUDENTS,
   NAME_WORDS,
@@ -198,6 +199,13 @@ export {
   readShortCode,
   SHORT_CODE_LENGTHS,
 } from "./short-link.ts";
+export { frameMarkup, frameSizes, type EmbeddedFrame, type FrameSize } from "./embedded-frame.ts";
+export {
+  readFrameRequest,
+  type FrameProblem,
+  type FrameReport,
+  type FrameRequest,
+} from "./frame-messages.ts";
 export { snapshotSchema, type LineRef, type RobotReport, type Snapshot } from "./snapshot.ts";
 export {
   MAX_SCRIPT_NAME,

@@ -228,7 +228,7 @@ describe("what a teacher sets", () => {
 
 describe("what a student sends", () => {
   const caller = { student: 1, key: "key" };
-  const opened = { kind: "opened", task: 1 } as const;
+  const opened = { kind: "opened", lesson: "0a1b2c3d4", task: 1 } as const;
 
   function classWithStudent(change: Partial<ClassRow> = {}) {
     const room = classOf(newClass(change));

@@ -58,6 +58,7 @@ import { createSchema, type ZodOpenApiOverride } from "zod-openapi";
 import { documentSchema } from "../short-links/document-schema.ts";
 import { classRequestSchema } from "./rest/classes/reading.ts";
 import { commandLogSchema } from "./rest/commands/openapi.ts";
+import { oembedSchema } from "./rest/embedding/oembed.ts";
 import { heldSessionSchema } from "./rest/robots/openapi.ts";
 import { describeByExpectation } from "../platform/openapi/describe-by-expectation.ts";
 import { streamedEventSchema } from "./sse/streamed-event.ts";
@@ -115,6 +116,7 @@ export const schemas: Record<string, z.ZodType> = {
   CloseReason: fetchedMessagesSchema.shape.closed.unwrap(),
   SharedDocument: documentSchema,
   ShortLink: shortLinkSchema,
+  Oembed: oembedSchema,
   Maze: mazeSchema,
   MazeStart: mazeSchema.shape.start,
   MazeCell: mazeSchema.shape.goals.element,

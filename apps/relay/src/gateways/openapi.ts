@@ -3,6 +3,7 @@ import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { longPollCalls } from "./long-poll/openapi.ts";
 import { classCalls } from "./rest/classes/openapi.ts";
 import { commandCalls } from "./rest/commands/openapi.ts";
+import { oembedCalls } from "./rest/embedding/openapi.ts";
 import { keyCalls } from "./rest/keys/openapi.ts";
 import { mazeCalls } from "./rest/maze/openapi.ts";
 import { pairingCalls } from "./rest/pairing/openapi.ts";
@@ -23,5 +24,6 @@ export const gatewayCalls: ZodOpenApiPathsObject = {
   ...eventCalls,
   ...longPollCalls,
   ...documentCalls,
+  ...oembedCalls,
   ...classCalls,
 };

@@ -11,7 +11,7 @@ import type { Services } from "../model/services.ts";
 import type { KeyValueStorage } from "../model/storage/key-value-storage.ts";
 import { VolatileStorage } from "../model/storage/volatile-storage.ts";
 import { createWorkerPool } from "../simulator/worker-pool.ts";
-import { newSimulator, onSimulatorFailure } from "./boot/simulator-start.ts";
+import { newVolatileSimulator, onSimulatorFailure } from "./boot/simulator-start.ts";
 import { createServices } from "./create-services.ts";
 
 /** A little more than a sixtieth of a second: the next frame has begun then. */
@@ -40,7 +40,7 @@ export interface StudentPage {
 }
 
 export function openStudentPage({ words, screen: around, device }: SurroundingPage): StudentPage {
-  const worker = newSimulator();
+  const worker = newVolatileSimulator();
   const screen = screenLike(around);
   storeSwitches(screen, device);
   const pool = createWorkerPool();

@@ -8,11 +8,13 @@ import type check from "./en/check.json";
 import type lessonEditor from "./en/lesson-editor.json";
 import type dashboard from "./en/dashboard.json";
 import type diagnosis from "./en/diagnosis.json";
+import type embed from "./en/embed.json";
 import type join from "./en/join.json";
 import type missions from "./en/missions.json";
 import type names from "./en/names.json";
 import type otherMazes from "./en/other-mazes.json";
 import type runDetails from "./en/run-details.json";
+import type print from "./en/print.json";
 import type race from "./en/race.json";
 import type report from "./en/report.json";
 import type daily from "./en/daily.json";
@@ -28,6 +30,8 @@ export interface Namespaces {
   dashboard: typeof dashboard;
   /** why a run failed */
   diagnosis: typeof diagnosis;
+  /** the page in a frame of another site, and the code of the frame */
+  embed: typeof embed;
   /** a student in a class: the page to join, and the class menu */
   join: typeof join;
   /** the lessons */
@@ -38,6 +42,8 @@ export interface Namespaces {
   otherMazes: typeof otherMazes;
   /** texts that the controls of a run need only in use: taking over, zoom, commands */
   runDetails: typeof runDetails;
+  /** printing worksheets and mazes */
+  print: typeof print;
   /** races against recorded runs */
   race: typeof race;
   /** the report of a class */

@@ -68,6 +68,16 @@ export const partLoaders: Record<
     pt: async () => (await import("./pt/run-details.json")).default,
     "zh-Hans": async () => (await import("./zh-Hans/run-details.json")).default,
   },
+  print: {
+    en: async () => (await import("./en/print.json")).default,
+    ar: async () => (await import("./ar/print.json")).default,
+    de: async () => (await import("./de/print.json")).default,
+    es: async () => (await import("./es/print.json")).default,
+    fr: async () => (await import("./fr/print.json")).default,
+    ja: async () => (await import("./ja/print.json")).default,
+    pt: async () => (await import("./pt/print.json")).default,
+    "zh-Hans": async () => (await import("./zh-Hans/print.json")).default,
+  },
   race: {
     en: async () => (await import("./en/race.json")).default,
     ar: async () => (await import("./ar/race.json")).default,
@@ -127,6 +137,16 @@ export const partLoaders: Record<
     ja: async () => (await import("./ja/teach.json")).default,
     pt: async () => (await import("./pt/teach.json")).default,
     "zh-Hans": async () => (await import("./zh-Hans/teach.json")).default,
+  },
+  embed: {
+    en: async () => (await import("./en/embed.json")).default,
+    ar: async () => (await import("./ar/embed.json")).default,
+    de: async () => (await import("./de/embed.json")).default,
+    es: async () => (await import("./es/embed.json")).default,
+    fr: async () => (await import("./fr/embed.json")).default,
+    ja: async () => (await import("./ja/embed.json")).default,
+    pt: async () => (await import("./pt/embed.json")).default,
+    "zh-Hans": async () => (await import("./zh-Hans/embed.json")).default,
   },
   join: {
     en: async () => (await import("./en/join.json")).default,

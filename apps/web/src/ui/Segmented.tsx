@@ -13,7 +13,7 @@ interface SegmentedOption<Value extends string> {
 
 interface SegmentedProps<Value extends string> {
   /** accessible name of the group; visible only with `showLabel` */
-  label: string;
+  label: ReactNode;
   showLabel?: boolean;
   value: Value;
   options: readonly SegmentedOption<Value>[];

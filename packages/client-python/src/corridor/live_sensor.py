@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Callable
+from typing import TYPE_CHECKING, Callable
 
+from .other_names import no_attribute
 from .reports import Snapshot
 
 
@@ -16,27 +17,32 @@ class LiveSensor:
     """
 
     def __init__(self, read: Callable[[str], Snapshot]) -> None:
-        self._read = read
+        self._snapshot_for = read
 
     @property
     def front(self) -> float:
         """cm to the wall in front."""
-        return self._read("front").sensors.front
+        return self._snapshot_for("front").sensors.front
 
     @property
     def right(self) -> float:
         """cm to the wall at the right."""
-        return self._read("right").sensors.right
+        return self._snapshot_for("right").sensors.right
 
     @property
     def back(self) -> float:
         """cm to the wall behind."""
-        return self._read("back").sensors.back
+        return self._snapshot_for("back").sensors.back
 
     @property
     def left(self) -> float:
         """cm to the wall at the left."""
-        return self._read("left").sensors.left
+        return self._snapshot_for("left").sensors.left
 
     def __repr__(self) -> str:
-        return repr(self._read("all").sensors)
+        return repr(self._snapshot_for("all").sensors)
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name):
+            raise no_attribute(self, name)

@@ -1,4 +1,4 @@
-"""Hints for the names that HTTP and the JavaScript library use, and that are spelled differently here."""
+"""Hints for names that other libraries use, and that are spelled differently here."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ _OTHER_NAMES: Dict[str, Tuple[str, str]] = {
     "delayedLeft90": ("delayed_left", "delayed_left()"),
     "delayedRight90": ("delayed_right", "delayed_right()"),
     "goalReached": ("goal_reached", "goal_reached"),
+    "rear": ("back", "back"),
 }
 
 

@@ -32,6 +32,11 @@ class Sensors:
     #: cm to the wall at the left
     left: float
 
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name):
+            raise no_attribute(self, name)
+
 
 @dataclass(frozen=True)
 class Pose:

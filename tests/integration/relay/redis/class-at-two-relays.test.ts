@@ -37,7 +37,11 @@ describe.skipIf(!hasRedis)("a class at two relays with Redis", () => {
 async function work(room: ClassAtRelay, student: JoinedClass): Promise<void> {
   const { socket } = await room.student(student);
   socket.send({ type: "tile", tile });
-  socket.send({ type: "progress", seq: 1, event: { kind: "opened", task: 1 } });
+  socket.send({
+    type: "progress",
+    seq: 1,
+    event: { kind: "opened", lesson: "0a1b2c3d4", task: 1 },
+  });
   await socket.next("stored");
   socket.send({ type: "program", seq: 1, task: 1, link: "c1.AAAA" });
   await socket.next("stored");

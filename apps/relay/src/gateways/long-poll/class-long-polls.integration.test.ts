@@ -22,7 +22,7 @@ it("carries a student, a dashboard and a big screen", async () => {
   const teacher = await connect("teach", room.created.teacherKey);
   expect(await teacher.next("welcome")).toMatchObject({ n: 1 });
   expect(await teacher.next("tiles")).toMatchObject({ tiles: [{ connected: true }] });
-  const event = { kind: "opened", task: 1 };
+  const event = { kind: "opened", lesson: "0a1b2c3d4", task: 1 };
   await student.send({ type: "tile", tile }, { type: "progress", seq: 1, event });
   expect(await student.next("stored")).toMatchObject({ seq: 1 });
   await clock.pass(limits.tilesIntervalMs);

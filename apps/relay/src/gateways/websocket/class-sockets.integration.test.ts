@@ -22,7 +22,7 @@ async function classWith(students: number, request: object = {}) {
   return { clock, relay, room, ada, bo: bo ?? ada };
 }
 
-const opened = { kind: "opened", task: 1 };
+const opened = { kind: "opened", lesson: "0a1b2c3d4", task: 1 };
 
 describe("a student's socket", () => {
   it("begins with the name, the settings and what is stored", async () => {

@@ -49,6 +49,18 @@ export function allowPolicy(response: Response, name: string): void {
   response.set(header, policy.replace("trusted-types default", `trusted-types default ${name}`));
 }
 
+/**
+ * Allows other sites to show a page in a frame.
+ * @param origins the only sites that may; null: all, also pages that were opened as a file
+ */
+export function allowFraming(response: Response, origins: readonly string[] | null): void {
+  const header = "Content-Security-Policy";
+  const ancestors = origins === null ? "" : `;frame-ancestors ${origins.join(" ")}`;
+  const policy = String(response.getHeader(header));
+  response.set(header, policy.replace(";frame-ancestors 'none'", ancestors));
+  response.removeHeader("X-Frame-Options");
+}
+
 /** Scripts on any site may call the API, because authorisation uses keys only, never cookies. */
 export const openToAllSites: RequestHandler = (request, response, next) => {
   response.set({

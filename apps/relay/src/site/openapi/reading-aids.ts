@@ -37,7 +37,7 @@ export const groups: readonly Group[] = [
   {
     name: "Short links",
     description: "Links to mazes, programs and lessons.",
-    paths: ["/api/v1/mazes"],
+    paths: ["/api/v1/mazes", "/api/v1/oembed"],
   },
   {
     name: "Classes",

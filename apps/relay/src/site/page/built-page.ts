@@ -4,11 +4,20 @@
 import { existsSync } from "node:fs";
 import { join } from "node:path";
 import express, { Router } from "express";
+import { EMBED_PATHS } from "./embedding.ts";
 import { Refusal } from "../../platform/errors/problems.ts";
 import { preferCompressed, setEncodingHeaders } from "./compressed-files.ts";
 
 /** Paths of the page. Every other path is a file or does not exist. */
-export const PAGE_PATHS = ["/", "/r/:id", "/m/:id", "/teach", "/join", "/class/:id"];
+export const PAGE_PATHS = [
+  "/",
+  "/r/:id",
+  "/m/:id",
+  "/teach",
+  "/join",
+  "/class/:id",
+  ...EMBED_PATHS,
+];
 
 /** @param folder the build folder, with index.html */
 export function builtPage(folder: string): Router {

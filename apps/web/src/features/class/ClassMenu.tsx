@@ -2,6 +2,7 @@
 import { ChevronDown, Eye, School } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
+import type { ClassWork } from "../../model/classes/class-work.ts";
 import type { StudentClass } from "../../model/classes/student-class.ts";
 import { studentNameText } from "../../model/classes/student-name.ts";
 import { useAnnouncement } from "../../model/use-announcement.ts";
@@ -11,9 +12,16 @@ import { Icon } from "../../ui/Icon.tsx";
 import { Popover, usePopover } from "../../ui/Popover.tsx";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
 import { ClassMenuContent } from "./ClassMenuContent.tsx";
+import { SurveyDialog } from "./SurveyDialog.tsx";
 import styles from "./class-menu.module.css";
 
-export function ClassMenu({ joined }: { joined: StudentClass }) {
+interface ClassMenuProps {
+  joined: StudentClass;
+  /** null before the page is ready for the lesson */
+  work: ClassWork | null;
+}
+
+export function ClassMenu({ joined, work }: ClassMenuProps) {
   const { t } = useTranslation("join", { useSuspense: false });
   const { t: tShared } = useTranslation();
   const { t: tNames } = useTranslation("names", { useSuspense: false });
@@ -41,8 +49,9 @@ export function ClassMenu({ joined }: { joined: StudentClass }) {
         <Icon of={ChevronDown} />
       </Button>
       <Popover {...menu.panel} label={t("inClass.menu")} align="end" className={styles["panel"]}>
-        <ClassMenuContent joined={joined} />
+        <ClassMenuContent joined={joined} work={work} />
       </Popover>
+      {work !== null && <SurveyDialog work={work} />}
     </>
   );
 }

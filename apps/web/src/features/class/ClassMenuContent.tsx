@@ -3,6 +3,7 @@ import { Eye } from "lucide";
 import { useEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
+import type { ClassWork } from "../../model/classes/class-work.ts";
 import type { StudentClass } from "../../model/classes/student-class.ts";
 import { studentNameText } from "../../model/classes/student-name.ts";
 import type { ClassSession, ClassStudent } from "../../simulator/protocol/class-messages.ts";
@@ -15,7 +16,12 @@ interface ClassProps {
   joined: StudentClass;
 }
 
-export function ClassMenuContent({ joined }: ClassProps) {
+interface ContentProps extends ClassProps {
+  /** null before the page is ready for the lesson */
+  work: ClassWork | null;
+}
+
+export function ClassMenuContent({ joined, work }: ContentProps) {
   const { t } = useTranslation("join", { useSuspense: false });
   const { t: tNames } = useTranslation("names", { useSuspense: false });
   const { status, student } = useStore(joined.session);
@@ -28,6 +34,7 @@ export function ClassMenuContent({ joined }: ClassProps) {
       ) : (
         <NotConnected joined={joined} status={status} />
       )}
+      {work !== null && <LessonItems work={work} />}
       <details className={styles["more"]}>
         <summary>{t("teacherSees")}</summary>
         <p className={styles["text"]}>{t("teacherSeesText")}</p>
@@ -66,6 +73,24 @@ function StudentItems({ joined, student }: ClassProps & { student: ClassStudent 
       >
         {t("inClass.otherName", { left: renamesLeft })}
       </MenuItem>
+    </>
+  );
+}
+
+/** Also without a connection: the answers wait for it. */
+function LessonItems({ work }: { work: ClassWork }) {
+  const { t } = useTranslation("join", { useSuspense: false });
+  const { document, isOpen } = useStore(work.lesson.state);
+  const hasAnswered = useStore(work.survey, (state) => state.hasAnswered);
+  if (document === null) return null;
+  return (
+    <>
+      {!isOpen && (
+        <MenuItem onSelect={() => void work.lesson.open()}>{t("inClass.lesson")}</MenuItem>
+      )}
+      {document.survey.length > 0 && !hasAnswered && (
+        <MenuItem onSelect={() => work.openSurvey()}>{t("survey.title")}</MenuItem>
+      )}
     </>
   );
 }

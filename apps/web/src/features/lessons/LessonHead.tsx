@@ -6,7 +6,7 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
 import type { LessonsService } from "../../model/lessons/lessons-service.ts";
-import { isTaskOpen } from "../../model/lessons/task-order.ts";
+import { isTaskOpen, isTaskOpened } from "../../model/lessons/task-order.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { TeacherText } from "./TeacherText.tsx";
 import styles from "./lesson-head.module.css";
@@ -56,9 +56,10 @@ export function TaskRow({ lesson, service }: LessonPartProps) {
   const { challenge } = useServices();
   const open = useStore(challenge, ({ index }) => index);
   const solved = useStore(challenge, (state) => state.solved);
+  const openTo = useStore(challenge, (state) => state.openTo);
   const [pressed, setPressed] = useState<number | null>(null);
   const { tasks, language } = lesson;
-  const isLocked = (index: number) => !isTaskOpen(lesson, solved, index);
+  const isLocked = (index: number) => !isTaskOpen(lesson, solved, index, openTo);
   const locked = [...(pressed === null ? [] : [pressed]), ...tasks.keys()].find(isLocked);
   return (
     <nav aria-label={t("missions:lesson.tasks")}>
@@ -94,7 +95,9 @@ export function TaskRow({ lesson, service }: LessonPartProps) {
       </ol>
       <output className={styles["note"]}>
         {locked !== undefined &&
-          t("missions:lesson.lockedNote", { number: locked + 1, before: locked })}
+          (isTaskOpened(locked, openTo)
+            ? t("missions:lesson.lockedNote", { number: locked + 1, before: locked })
+            : t("missions:lesson.closedNote", { number: locked + 1 }))}
       </output>
     </nav>
   );

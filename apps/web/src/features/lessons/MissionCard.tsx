@@ -58,28 +58,34 @@ export function MissionCard({ look = "full" }: MissionCardProps) {
 
 function OpenMission({ service }: { service: LessonsService }) {
   const { t } = useTranslation(["missions", "words"], { useSuspense: false });
-  const { challenge: store } = useServices();
+  const { challenge: store, classes, screen } = useServices();
   const lesson = useStore(store, (state) => state.lesson);
   const index = useStore(store, (state) => state.index);
   const open = useStore(store, openTask);
+  const isEmbedded = useStore(screen, (state) => state.isEmbedded === true);
   const mission = useStore(store, (state) => state.mission);
   const hasHints = useStore(store, ({ rights }) => showsHelp(rights, "hints"));
+  const fromTeacher = useStore(store, (state) => state.hints?.[state.index] ?? 0);
   const task = useTask();
-  const [hintsShown, setHintsShown] = useState(0);
-  const [isFolded, setFolded] = useState(false);
+  const [hintsOpened, setHintsOpened] = useState(0);
+  const hintsShown = Math.max(hintsOpened, fromTeacher);
+  /** hints of the teacher when the student folded the card: a later one unfolds it */
+  const [foldedAt, setFoldedAt] = useState<number | null>(null);
+  const isFolded = foldedAt !== null && foldedAt >= fromTeacher;
   if (lesson === null || open === null) return null;
   const at = missionIds.findIndex((each) => each === mission);
   const id = missionIds[at];
   const bonus = bonusMissionOf(mission);
   const isMission = bonus !== null || id !== undefined;
   const hasTasks = lesson.tasks.length > 1;
-  const hints = !hasHints
-    ? []
-    : bonus !== null
-      ? Object.values(t(`missions:bonusMissions.${bonus}.hints`, { returnObjects: true }))
-      : id === undefined
-        ? open.words.hints
-        : Object.values(t(`missions:missions.${id}.hints`, { returnObjects: true }));
+  const hints =
+    !hasHints && fromTeacher === 0
+      ? []
+      : bonus !== null
+        ? Object.values(t(`missions:bonusMissions.${bonus}.hints`, { returnObjects: true }))
+        : id === undefined
+          ? open.words.hints
+          : Object.values(t(`missions:missions.${id}.hints`, { returnObjects: true }));
   return (
     <section
       className={styles["card"]}
@@ -112,21 +118,24 @@ function OpenMission({ service }: { service: LessonsService }) {
         </div>
         <HintButton
           shown={hintsShown}
-          count={hints.length}
+          count={hasHints ? hints.length : 0}
           onShow={() => {
-            setHintsShown(hintsShown + 1);
-            setFolded(false);
+            setHintsOpened(hintsShown + 1);
+            classes.getState().onHint?.(hintsShown + 1);
+            setFoldedAt(null);
           }}
         />
         <IconButton label={t("missions:card.again")} onClick={() => service.attempt.restart()}>
           <Icon of={ListRestart} />
         </IconButton>
-        <IconButton label={t("missions:card.own")} onClick={() => service.navigation.goHome()}>
-          <Icon of={House} />
-        </IconButton>
+        {!isEmbedded && (
+          <IconButton label={t("missions:card.own")} onClick={() => service.navigation.goHome()}>
+            <Icon of={House} />
+          </IconButton>
+        )}
         <IconButton
           label={t(isFolded ? "missions:card.unfold" : "missions:card.fold")}
-          onClick={() => setFolded(!isFolded)}
+          onClick={() => setFoldedAt(isFolded ? null : fromTeacher)}
         >
           {isFolded ? <Icon of={ChevronDown} /> : <Icon of={ChevronUp} />}
         </IconButton>

@@ -18,6 +18,8 @@ const CameraView = lazyPart(async () => (await import("./CameraView.tsx")).Camer
 const SmallMap = lazyPart(async () => (await import("./SmallMap.tsx")).SmallMap);
 
 interface StageProps {
+  /** whether the strip with the tools is above the maze */
+  hasTools?: boolean;
   /** beside the tools: undo and redo; null without them */
   history: ReactNode;
   /** in the strip above the maze: the open challenge and the race */
@@ -32,7 +34,7 @@ interface StageProps {
  * Fills its grid area. The stage holds the trail, so that it stays mounted while the page's layout
  * changes.
  */
-export function Stage({ history, strip, sound, cards }: StageProps) {
+export function Stage({ hasTools = true, history, strip, sound, cards }: StageProps) {
   const services = useServices();
   const { t, i18n } = useTranslation();
   const [controller] = useState(() => new StageController(services, i18n));
@@ -57,9 +59,11 @@ export function Stage({ history, strip, sound, cards }: StageProps) {
       {isDriving ? (
         <CameraView view={controller.view} />
       ) : (
-        <ToolStrip history={history} sound={sound}>
-          {strip}
-        </ToolStrip>
+        hasTools && (
+          <ToolStrip history={history} sound={sound}>
+            {strip}
+          </ToolStrip>
+        )
       )}
       <div
         ref={scroller}

@@ -14,7 +14,10 @@ import { useServices } from "../../model/use-services.ts";
 import { sharedSearch } from "../../model/preferences/language.ts";
 import { missionHash } from "../../model/address/mission-address.ts";
 import { holdLink } from "./held-link.ts";
+import { EmbedCode } from "../../ui/EmbedCode.tsx";
 import { LinkField } from "../../ui/LinkField.tsx";
+import { PrintButton } from "../../ui/print/PrintButton.tsx";
+import { printedLink, printedMazes, type PrintedContent } from "../../ui/print/printed-content.ts";
 import { QrCard } from "../../ui/QrCard.tsx";
 import { RunChoice } from "./RunChoice.tsx";
 import styles from "./share.module.css";
@@ -102,6 +105,17 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
       ? `${origin}${pathname}${sharedSearch(search)}${missionHash(mission)}`
       : null;
   const shown = isMore || made === null ? (ofMission ?? link) : made.address + sharedSearch(search);
+  const lang = sharedSearch(search);
+  const embedded =
+    isMore || made === null
+      ? result.ok && `${origin}/embed${lang}#${result.text}`
+      : `${origin}/embed/m/${made.id}${lang}`;
+  const printed: PrintedContent = {
+    language: mission === null ? (shared?.language ?? null) : null,
+    mazes:
+      shared === null ? [{ maze, name: maze.name, task: t("program.goal") }] : printedMazes(shared),
+    link: isTooLong ? null : printedLink(shown, link),
+  };
   // A long run does not belong in an address bar, and the bar already shows the address of a
   // mission.
   const held = result.ok && !withRun && mission === null ? result.text : null;
@@ -158,6 +172,14 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
           )}
           <RunChoice isChosen={withRun} onChange={setWithRun} saved={saved} />
         </fieldset>
+        {embedded !== false && !isTooLong && (
+          <EmbedCode address={embedded} name={shared?.name || maze.name} />
+        )}
+        {!withRun && (
+          <div>
+            <PrintButton content={printed} />
+          </div>
+        )}
         {result.ok && <TeachLink text={result.text} />}
       </div>
       {shown !== null && !isTooLong && <QrCard link={shown} name={maze.name} />}

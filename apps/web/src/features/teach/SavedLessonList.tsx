@@ -1,5 +1,5 @@
 /** The lessons that the teacher saved on this device. */
-import { Copy, Ellipsis, ListChecks, Share2, SquarePen, Trash2, Users } from "lucide";
+import { Copy, Ellipsis, ListChecks, Printer, Share2, SquarePen, Trash2, Users } from "lucide";
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import type { KeyValueStorage } from "../../model/storage/key-value-storage.ts";
@@ -8,10 +8,12 @@ import { Button, IconButton } from "../../ui/Button.tsx";
 import { Icon } from "../../ui/Icon.tsx";
 import { MazePicture } from "../../ui/MazePicture.tsx";
 import { MenuItem, Popover, usePopover } from "../../ui/Popover.tsx";
+import { PrintDialog } from "../../ui/print/lazy-print-dialog.ts";
 import { ProblemNote } from "../../ui/ProblemNote.tsx";
 import { lessonName } from "../../model/lessons/lesson-name.ts";
 import { SavedLessons, type SavedLesson } from "../../model/teaching/saved-lessons.ts";
 import { solutionOf } from "../../model/teaching/solution.ts";
+import { printedLesson } from "./share/printed-lesson.ts";
 import { ShareLessonDialog } from "./share/lazy-share-lesson-dialog.ts";
 import { StartClassDialog } from "./start/lazy-start-class-dialog.ts";
 import { handInsHash, lessonHash } from "./frame/teach-view.ts";
@@ -26,6 +28,8 @@ export function SavedLessonList({ device }: { device: KeyValueStorage }) {
   const [isSharing, setSharing] = useState(false);
   const [started, setStarted] = useState<SavedLesson | null>(null);
   const [isStarting, setStarting] = useState(false);
+  const [printed, setPrinted] = useState<SavedLesson | null>(null);
+  const [isPrinting, setPrinting] = useState(false);
   const [isBlocked, setBlocked] = useState(false);
   useEffect(() => {
     // Another tab saved or deleted a lesson.
@@ -80,6 +84,10 @@ export function SavedLessonList({ device }: { device: KeyValueStorage }) {
               setShared(saved);
               setSharing(true);
             }}
+            onPrint={() => {
+              setPrinted(saved);
+              setPrinting(true);
+            }}
             onDuplicate={() =>
               write({ ...saved, id: newTextId(), revision: newTextId(), savedAt: Date.now() })
             }
@@ -92,6 +100,13 @@ export function SavedLessonList({ device }: { device: KeyValueStorage }) {
           />
         ))}
       </ul>
+      {printed !== null && (
+        <PrintDialog
+          isOpen={isPrinting}
+          content={printedLesson(printed.lesson)}
+          onClose={() => setPrinting(false)}
+        />
+      )}
       {shared !== null && (
         <ShareLessonDialog
           isOpen={isSharing}
@@ -118,13 +133,14 @@ interface RowProps {
   canDuplicate: boolean;
   onStart: () => void;
   onShare: () => void;
+  onPrint: () => void;
   onDuplicate: () => void;
   onDelete: () => void;
 }
 
 function SavedLessonRow(props: RowProps) {
-  const { saved, canDuplicate, onStart, onShare, onDuplicate, onDelete } = props;
-  const { t } = useTranslation("teach", { useSuspense: false });
+  const { saved, canDuplicate, onStart, onShare, onPrint, onDuplicate, onDelete } = props;
+  const { t } = useTranslation(["teach", "print"], { useSuspense: false });
   const menu = usePopover();
   const { id, lesson } = saved;
   const name = lessonName(lesson) || t("lesson.unnamed");
@@ -174,6 +190,9 @@ function SavedLessonRow(props: RowProps) {
             onSelect={() => (location.hash = handInsHash(id))}
           >
             {t("saved.handIns")}
+          </MenuItem>
+          <MenuItem icon={<Icon of={Printer} />} onSelect={onPrint}>
+            {t("print:print")}
           </MenuItem>
           <MenuItem icon={<Icon of={Copy} />} disabled={!canDuplicate} onSelect={onDuplicate}>
             {t("saved.duplicate")}

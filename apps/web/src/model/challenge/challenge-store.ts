@@ -66,6 +66,10 @@ export interface ChallengeState {
   /** whether the card beside the robot offers the next step, so that nothing else has to */
   hasCard: boolean;
   isChecking: boolean;
+  /** the tasks up to this number are open in the class; absent: the lesson decides */
+  openTo?: number | undefined;
+  /** hints that the teacher shows: how many of a task, by its index */
+  hints?: Readonly<Record<number, number>> | undefined;
   /** whether a first-time user is asked to start with mission 1 */
   isInvited: boolean;
   /** whether the dialog with all missions is open */

@@ -10,6 +10,8 @@ interface ClassState {
    * class is not paused
    */
   pause: ReactNode;
+  /** Called when the student opens a hint of the open task, by its number. */
+  onHint?: ((hint: number) => void) | undefined;
 }
 
 export function createClassStore() {

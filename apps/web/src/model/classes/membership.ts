@@ -5,8 +5,8 @@
 import { joinedClassSchema, readJson, type JoinedClass } from "@corridor/protocol";
 import type { KeyValueStorage } from "../storage/key-value-storage.ts";
 import { CLASS_KEY } from "./class-key.ts";
+import { PAUSE_KEY, storedKeys } from "./stored-keys.ts";
 
-const PAUSE_KEY = "corridor.class.pause";
 const MAX_STORED_TEXT = 1_024;
 
 /** @returns null if this tab has joined no class */
@@ -25,10 +25,9 @@ export function storeMembership(tab: KeyValueStorage, joined: JoinedClass): void
   }
 }
 
-/** Removes the key of the student from this tab: the student has left the class. */
+/** Removes the key of the student and all else of the class from this tab: the student has left. */
 export function removeMembership(tab: KeyValueStorage): void {
-  tab.removeItem(CLASS_KEY);
-  tab.removeItem(PAUSE_KEY);
+  for (const key of [CLASS_KEY, ...storedKeys]) tab.removeItem(key);
 }
 
 /** @returns the end of the pause in milliseconds since 1970; null if the class is not paused */

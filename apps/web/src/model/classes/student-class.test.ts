@@ -25,6 +25,9 @@ const student: ClassStudent = {
   helpWanted: false,
   watched: false,
   pauseEndsAt: null,
+  lesson: "k3J9x2aBk3J9x2aBk3J9x2",
+  paceTo: null,
+  stored: { progress: 0, program: 0 },
 };
 
 /** The page of a student, and the worker's end of it. */

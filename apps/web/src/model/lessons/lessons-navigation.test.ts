@@ -71,6 +71,18 @@ describe("navigation between missions", () => {
     expect(messages()).toMatchObject([{ text: "missions:card.replaced" }]);
   });
 
+  it("resumes a lesson of one task where the student left it", () => {
+    const { navigation, challenge, ports } = openPage();
+    const [task] = sampleLesson.tasks;
+    const lesson = { ...sampleLesson, tasks: task === undefined ? [] : [task] };
+    navigation.resume(lesson);
+    const project = ports.projects.currentId();
+    navigation.goHome();
+    navigation.resume(lesson);
+    expect(ports.projects.currentId()).toBe(project);
+    expect(challenge.getState().lesson).toEqual(lesson);
+  });
+
   it("stores a shared challenge with its project, and loads it with the project", () => {
     const { navigation, challenge, ports } = openPage();
     navigation.openMission("every-maze");

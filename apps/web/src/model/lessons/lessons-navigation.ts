@@ -111,8 +111,9 @@ export class LessonsNavigation {
     if (lesson.tasks.length > 1) {
       const { id, isStored } = this.#lessons.add(lesson);
       const solved = this.#lessons.solved(id, lesson);
+      const { openTo } = this.#ports.challenge.getState();
       // The task after the last one is the first one again.
-      const next = nextTask(lesson, solved, lesson.tasks.length) ?? 0;
+      const next = nextTask(lesson, solved, lesson.tasks.length, openTo) ?? 0;
       this.#address.opening();
       this.#openAt({ lesson: id, index: program === null ? next : 0 }, program);
       reportUnlessStored(this.#ports, isStored);
@@ -124,11 +125,28 @@ export class LessonsNavigation {
     this.#start({ lesson, index: 0, mission: null, lessonId: null });
   }
 
+  /** Opens a lesson where the student left it, or from its start. */
+  resume(lesson: LessonDocument): void {
+    const { projects, storage } = this.#ports;
+    const text = writeLessonText(lesson);
+    const project =
+      lesson.tasks.length > 1
+        ? undefined
+        : projects.list().find(({ id }) => storage.challengeOf(id) === text);
+    if (project === undefined) {
+      this.openShared(lesson, null);
+      return;
+    }
+    this.#leaveHome();
+    projects.open(project);
+    this.#start({ lesson, index: 0, mission: null, lessonId: null });
+  }
+
   /** Opens another task of the open lesson where the student left it, unless it is still locked. */
   openTask(index: number): void {
-    const { lesson, lessonId, index: open, solved } = this.#ports.challenge.getState();
+    const { lesson, lessonId, index: open, solved, openTo } = this.#ports.challenge.getState();
     if (lesson === null || lessonId === null || index === open) return;
-    if (!isTaskOpen(lesson, solved, index)) return;
+    if (!isTaskOpen(lesson, solved, index, openTo)) return;
     this.#address.opening();
     this.#openAt({ lesson: lessonId, index }, null);
   }

@@ -42,4 +42,13 @@ describe("the tasks of a lesson", () => {
     expect(nextTask(inTurn, none, 0)).toBeNull();
     expect(nextTask(inTurn, [true, false, false], 0)).toBe(1);
   });
+
+  it("are closed beyond those that the teacher has opened", () => {
+    const open = (solved: readonly boolean[], openTo: number) =>
+      [0, 1, 2].map((index) => isTaskOpen(sampleLesson, solved, index, openTo));
+    expect(open(none, 2)).toEqual([true, true, false]);
+    expect(open([true, true, true], 1)).toEqual([true, false, false]);
+    expect(nextTask(sampleLesson, [true, true, false], 1, 2)).toBeNull();
+    expect(nextTask(sampleLesson, [true, true, false], 1, 3)).toBe(2);
+  });
 });

@@ -90,7 +90,7 @@ describe("the theme", () => {
         window: {},
         addEventListener: () => undefined,
         URLSearchParams,
-        location: { search: "" },
+        location: { pathname: "/", search: "" },
         navigator: { languages: ["en"] },
       });
       expect(`${dataset["theme"]} ${dataset["contrast"]}`).toBe(shown);

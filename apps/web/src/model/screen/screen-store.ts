@@ -50,6 +50,8 @@ export interface ScreenState {
    * meanwhile
    */
   isOpening: boolean;
+  /** set in a frame of another site, where nothing leads to projects of the visitor */
+  isEmbedded?: boolean;
   /** whether single-key shortcuts are enabled (WCAG 2.1.4 requires a switch) */
   singleKeys: boolean;
   /** whether screen readers receive messages about the run while it continues */

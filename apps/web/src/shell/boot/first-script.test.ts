@@ -103,6 +103,7 @@ describe("a first visit", () => {
     { what: "a run was reloaded", tab: { "corridor.run": "12" } },
     { what: "the address has a link", hash: "#abc" },
     { what: "the address is a robot's", pathname: "/r/robot" },
+    { what: "the page is in a frame", pathname: "/embed" },
     { what: "the address is a short link", pathname: "/m/AAAAAAAAAAAA" },
   ])("is none where $what: the worker waits for the page", (visit) => {
     expect(earlyProject(open(visit).name)).toBeNull();

@@ -18,17 +18,25 @@ export async function openExtras(
   words: i18n,
   tab: KeyValueStorage,
 ): Promise<() => Promise<void>> {
-  if (tab.getItem(CLASS_KEY) !== null) await openClass(services, words, tab);
-  return () => resumeSounds(services, words, tab);
+  const openLesson = tab.getItem(CLASS_KEY) === null ? null : await openClass(services, words, tab);
+  return async () => {
+    openLesson?.();
+    await resumeSounds(services, words, tab);
+  };
 }
 
 /** Without its file, the page works as outside of a class. */
-async function openClass(services: Services, words: i18n, tab: KeyValueStorage): Promise<void> {
+async function openClass(
+  services: Services,
+  words: i18n,
+  tab: KeyValueStorage,
+): Promise<(() => void) | null> {
   try {
     const part = await import("../../features/class/open-class.tsx");
-    await part.openClass(services, words, tab);
+    return await part.openClass(services, words, tab);
   } catch {
     showMessage(services.screen, { tone: "bad", text: words.t("offline.partFailed") });
+    return null;
   }
 }
 

@@ -27,6 +27,14 @@ export function newSimulator(): Worker {
   });
 }
 
+/** A simulator that stores no run on the device: its name is `VOLATILE`. */
+export function newVolatileSimulator(): Worker {
+  return new Worker(new URL("../../simulator/worker/simulator.worker.ts", import.meta.url), {
+    type: "module",
+    name: "volatile",
+  });
+}
+
 /** Messages of the worker before the page listened. */
 export function earlyMessages(): readonly FromWorker[] {
   return window.corridorSimulator?.queue ?? [];

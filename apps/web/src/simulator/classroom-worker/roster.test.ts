@@ -28,7 +28,7 @@ function rosterOf(...students: number[]): Roster {
 describe("the students of a class", () => {
   it("are those of the class when it was read", () => {
     const roster = rosterOf(1, 2);
-    const opened = record(1, 60_000, { kind: "opened", task: 2 });
+    const opened = record(1, 60_000, { kind: "opened", lesson: "0123456ab", task: 2 });
     roster.replace(classView([{ ...studentView(2), progress: [opened] }]));
     const { changed, removed } = roster.takeChanges();
     expect(removed).toEqual([1]);
@@ -56,7 +56,7 @@ describe("the students of a class", () => {
 
   it("have edited when a program was stored", () => {
     const roster = new Roster(() => NOW);
-    const opened = record(1, 60_000, { kind: "opened", task: 1 });
+    const opened = record(1, 60_000, { kind: "opened", lesson: "0123456ab", task: 1 });
     roster.replace(classView([{ ...studentView(1), progress: [opened] }]));
     const student = studentView(1, { programs: 1 });
     roster.follow({ type: "student", n: 5, student, progress: null });

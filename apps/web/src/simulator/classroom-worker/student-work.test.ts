@@ -10,7 +10,7 @@ function workAfter(...events: Progress[]) {
     .reduce(withRecord, noWork(0));
 }
 
-const opened: Progress = { kind: "opened", task: 1 };
+const opened: Progress = { kind: "opened", lesson: "0123456ab", task: 1 };
 const run = (line: number | null, change: Partial<Extract<Progress, { kind: "run" }>> = {}) =>
   ({
     kind: "run",
@@ -53,7 +53,7 @@ describe("the work of a student", () => {
     { what: "a failure of another line", events: [run(0), run(0), run(1)], repeats: 1 },
     { what: "an attempt that did not fail", events: [run(0), run(0), run(null)], repeats: 0 },
     { what: "the same program again", events: [run(0), run(0, { changed: false })], repeats: 1 },
-    { what: "another task", events: [run(0), run(0), { kind: "opened", task: 2 }], repeats: 0 },
+    { what: "another task", events: [run(0), run(0), { ...opened, task: 2 }], repeats: 0 },
   ] as { what: string; events: Progress[]; repeats: number }[])(
     "has $repeats repeats after $what",
     ({ events, repeats }) => {
@@ -73,6 +73,12 @@ describe("the work of a student", () => {
       { code: "a", lines: 2, attempts: 1, activeAt: 3_000 },
       { code: "b", lines: 2, attempts: 1, activeAt: 5_000 },
     ]);
+  });
+
+  it("belongs to the lesson in which a task was opened", () => {
+    const other: Progress = { ...opened, lesson: "0123456cd" };
+    expect(taskOf(workAfter(opened, run(0), other), 1).attempts).toBe(0);
+    expect(taskOf(workAfter(opened, run(0), other, opened, run(0)), 1).attempts).toBe(2);
   });
 
   it("has the answers to the survey", () => {

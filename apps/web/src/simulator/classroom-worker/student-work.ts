@@ -11,6 +11,10 @@ export type Work = Pick<SeenStudent, "busyAt" | "bestAt" | "repeats" | "tasks" |
   failure: Pick<CountedFailure, "code" | "line"> | null;
   /** the largest number of mazes that passed in a check of the open task */
   best: number;
+  /** mark of the open lesson; null: none opened yet */
+  lesson: string | null;
+  /** the tasks of lessons that were open before, by their marks */
+  earlier: ReadonlyMap<string, readonly TaskWork[]>;
 };
 
 /** @param joinedAt active time at which the student joined */
@@ -23,6 +27,8 @@ export function noWork(joinedAt: number): Work {
     answers: null,
     failure: null,
     best: 0,
+    lesson: null,
+    earlier: new Map(),
   };
 }
 
@@ -30,8 +36,9 @@ export function noWork(joinedAt: number): Work {
 export function withRecord(work: Work, { event, activeMs: at }: ProgressRecord): Work {
   switch (event.kind) {
     case "opened": {
-      const { openedAt } = taskOf(work, event.task);
-      const opened = withTask(work, event.task, { openedAt: openedAt ?? at });
+      const inLesson = withLesson(work, event.lesson);
+      const { openedAt } = taskOf(inLesson, event.task);
+      const opened = withTask(inLesson, event.task, { openedAt: openedAt ?? at });
       return { ...opened, busyAt: at, bestAt: at, best: 0, repeats: 0, failure: null };
     }
     case "run":
@@ -58,6 +65,15 @@ export function withRecord(work: Work, { event, activeMs: at }: ProgressRecord):
         answers: Object.fromEntries(event.answers.map(({ id, answer }) => [id, answer])),
       };
   }
+}
+
+/** Tasks of two lessons have equal numbers: each lesson has its own work. */
+function withLesson(work: Work, lesson: string): Work {
+  if (work.lesson === lesson) return work;
+  // Work before the first opening belongs to the lesson that opens.
+  if (work.lesson === null) return { ...work, lesson };
+  const earlier = new Map(work.earlier).set(work.lesson, work.tasks);
+  return { ...work, lesson, earlier, tasks: earlier.get(lesson) ?? [] };
 }
 
 type AttemptEvent = Extract<ProgressRecord["event"], { kind: "run" | "check" }>;

@@ -1,5 +1,5 @@
 /** The class of this page's student, in messages between the page and the simulator worker. */
-import type { StudentName } from "@corridor/protocol";
+import type { RelayToStudent, StudentName, StudentToRelay, Tile } from "@corridor/protocol";
 
 export type ClassRequest =
   /** connects, or reconnects at once; `id` is that of the class */
@@ -8,7 +8,23 @@ export type ClassRequest =
   /** whether the student asks the teacher for help */
   | { kind: "help"; wanted: boolean }
   /** asks for another name */
-  | { kind: "name" };
+  | { kind: "name" }
+  /** sends a report once; the page repeats it until it is stored */
+  | { kind: "send"; report: ClassReport }
+  /** what the student works on; null: on nothing of the class's lesson */
+  | { kind: "place"; place: ClassPlace | null };
+
+/** What the relay stores and confirms. */
+export type ClassReport = Extract<StudentToRelay, { type: "progress" | "program" }>;
+
+/** What a tile contains besides the run. */
+export interface ClassPlace extends Pick<Tile, "task" | "maze" | "passes"> {
+  /** whether the open task is solved */
+  isSolved: boolean;
+}
+
+/** A hint that the teacher shows. */
+export type ClassHint = Omit<Extract<RelayToStudent, { type: "hint" }>, "type">;
 
 /** Why the student is not in the class on this page: `replaced` by another tab or device. */
 export type ClassEnding = "removed" | "replaced" | "over";
@@ -28,6 +44,12 @@ export interface ClassStudent {
   watched: boolean;
   /** end of the pause, in milliseconds since 1970; null: the class is not paused */
   pauseEndsAt: number | null;
+  /** version of the class's lesson */
+  lesson: string;
+  /** the tasks up to this number are open; null: all */
+  paceTo: number | null;
+  /** number of the newest stored record, and of the newest stored program of this page */
+  stored: { progress: number; program: number };
 }
 
 export interface ClassSession {

@@ -46,13 +46,16 @@ export function firstProject(mazeName: string, programName: string): FirstProjec
   };
 }
 
+/** Name of a worker that stores no run on the device. */
+export const VOLATILE = "volatile";
+
 /**
  * The project with which the worker starts before the page.
  * @param name name of the worker, from `public/first.js`: on a first visit the names of both
  *   documents
  */
 export function earlyProject(name: string): FirstProject | null {
-  if (name === "") return null;
+  if (name === "" || name === VOLATILE) return null;
   const [mazeName, programName] = JSON.parse(name) as [string, string];
   return firstProject(mazeName, programName);
 }

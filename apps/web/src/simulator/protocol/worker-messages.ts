@@ -20,7 +20,7 @@ import type { ProgramDocument } from "@corridor/program";
 import type { RunDocument, TimelineDelta, WrittenRun } from "@corridor/recording";
 import type { BumpCause } from "@corridor/simulation";
 import type { CancelReason } from "./cancel-reason.ts";
-import type { ClassRequest, ClassSession } from "./class-messages.ts";
+import type { ClassHint, ClassRequest, ClassSession } from "./class-messages.ts";
 import type { Frame } from "../../stage/drawing/frame.ts";
 import type { StageFromWorker, StageToWorker } from "../../stage/stage-messages.ts";
 
@@ -274,5 +274,6 @@ export type FromWorker =
   | { type: "remote"; remote: RemoteView }
   /** the student's class, on each change */
   | { type: "class"; session: ClassSession }
+  | { type: "class-hint"; hint: ClassHint }
   | { type: "digest"; digest: string }
   | { type: "fault"; reason: string };

@@ -1,7 +1,9 @@
 import { closeReasons, type SocketEvents } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import type { ClassSession } from "../protocol/class-messages.ts";
+import type { ClassHint, ClassSession } from "../protocol/class-messages.ts";
+import { firstMaze, firstProgram } from "../protocol/first-project.ts";
 import { ClassHost } from "./class-host.ts";
+import { RunLoop } from "./run-loop.ts";
 
 const NOW = Date.UTC(2026, 0, 1);
 const open = { kind: "open", id: "A".repeat(22), key: `stu_${"B".repeat(22)}` } as const;
@@ -24,6 +26,8 @@ const welcome = {
 function newHost() {
   const sockets: { events: SocketEvents; sent: unknown[] }[] = [];
   const sessions: ClassSession[] = [];
+  const hints: ClassHint[] = [];
+  const loop = new RunLoop(firstMaze, firstProgram, () => 0);
   const timers = new Set<{ ms: number; call: () => void }>();
   const after = (ms: number, call: () => void) => {
     const timer = { ms, call };
@@ -33,7 +37,9 @@ function newHost() {
   const host = new ClassHost({
     origin: "http://localhost",
     now: () => NOW,
+    run: () => loop,
     onSession: (session) => sessions.push(session),
+    onHint: (hint) => hints.push(hint),
     after,
     platform: {
       clock: { now: () => 0, after },
@@ -57,6 +63,7 @@ function newHost() {
     sockets,
     receive,
     session: () => sessions.at(-1),
+    hints,
     /** messages of the newest connection, without `hello` */
     sent: () => sockets.at(-1)?.sent.slice(1),
     accept: (): void => {
@@ -96,6 +103,9 @@ describe("a student's connection in the worker", () => {
         helpWanted: false,
         watched: false,
         pauseEndsAt: null,
+        lesson: welcome.lesson,
+        paceTo: null,
+        stored: { progress: 0, program: 0 },
       },
     });
   });
@@ -144,6 +154,34 @@ describe("a student's connection in the worker", () => {
     host.handle(open);
     accept();
     expect(session()?.status).toEqual({ kind: "connected" });
+  });
+
+  it("reports a new lesson, the pace, hints, and what is stored", () => {
+    const { receive, session, hints } = inClass();
+    const version = "m".repeat(22);
+    receive({ type: "lesson", version });
+    receive({ type: "pace", to: 2 });
+    receive({ type: "stored", what: "progress", seq: 4 });
+    receive({ type: "stored", what: "program", seq: 9 });
+    receive({ type: "hint", task: 1, hint: 2 });
+    const stored = { progress: 4, program: 9 };
+    expect(session()?.student).toMatchObject({ lesson: version, paceTo: 2, stored });
+    expect(hints).toEqual([{ task: 1, hint: 2 }]);
+  });
+
+  it("sends tiles and reports while it is connected", () => {
+    const { host, sent, accept, close } = inClass();
+    const event = { kind: "opened", lesson: "0a1b2c3d4", task: 1 } as const;
+    const report = { type: "progress", seq: 1, event } as const;
+    host.handle({ kind: "place", place: { task: 1, maze: "g1", passes: null, isSolved: false } });
+    host.handle({ kind: "send", report });
+    host.update(false);
+    expect(sent()).toEqual([report, { type: "tile", tile: expect.objectContaining({ seq: 1 }) }]);
+    close(1006);
+    host.update(true);
+    host.handle({ ...open });
+    accept();
+    expect(sent()).toEqual([]);
   });
 
   it("closes without a report", () => {

@@ -7,11 +7,13 @@ import {
 } from "@corridor/client/learn";
 import { endingOf } from "../protocol/class-ending.ts";
 import type {
+  ClassHint,
   ClassRequest,
   ClassSession,
   ClassStatus,
   ClassStudent,
 } from "../protocol/class-messages.ts";
+import { TileFeed, type TileRun } from "./tile-feed.ts";
 
 /** Least time between two requests for help: the relay accepts one in a second. */
 const HELP_INTERVAL_MS = 1_000;
@@ -22,7 +24,11 @@ export interface ClassHostPorts {
   origin: string;
   /** milliseconds since 1970 */
   now(): number;
+  /** the live run */
+  run(): TileRun;
   onSession(session: ClassSession): void;
+  /** The teacher shows a hint. */
+  onHint(hint: ClassHint): void;
   /** Calls once after `ms`. @returns a function that cancels the call */
   after(ms: number, call: () => void): () => void;
   /** default: the worker's own */
@@ -40,9 +46,20 @@ export class ClassHost {
   #sentHelp = false;
   /** cancels the next request for help; null: the next one is sent at once */
   #cancelHelp: (() => void) | null = null;
+  readonly #tiles: TileFeed;
 
   constructor(ports: ClassHostPorts) {
     this.#ports = ports;
+    this.#tiles = new TileFeed({ run: () => ports.run(), now: () => ports.now() });
+  }
+
+  /** Sends a tile if it is due. @param hasChanged whether the run has changed since the last call */
+  update(hasChanged: boolean): void {
+    if (hasChanged) this.#tiles.changed();
+    const link = this.#link;
+    if (link?.isConnected !== true) return;
+    const tile = this.#tiles.take(this.#student?.watched === true);
+    if (tile !== null) link.send({ type: "tile", tile });
   }
 
   handle(request: ClassRequest): void {
@@ -60,6 +77,10 @@ export class ClassHost {
         if (this.#link?.isConnected !== true) return;
         this.#link.send({ type: "name" });
         return this.#change({ rename: "requested" });
+      case "send":
+        return this.#link?.send(request.report);
+      case "place":
+        return this.#tiles.place(request.place);
     }
   }
 
@@ -90,7 +111,10 @@ export class ClassHost {
   #received(message: ClassMessage): void {
     switch (message.type) {
       case "welcome": {
-        const { name, renamesLeft, helpWanted, watched } = message;
+        const { name, renamesLeft, helpWanted, watched, lesson, paceTo, progress } = message;
+        const program = this.#student?.stored.program ?? 0;
+        // The relay may have lost the newest one.
+        this.#tiles.restart();
         const pauseEndsAt = this.#pauseEnd(message.pauseEndsInMs);
         this.#sentHelp = helpWanted;
         // `connected` follows and posts it.
@@ -101,6 +125,9 @@ export class ClassHost {
           watched,
           pauseEndsAt,
           rename: "possible",
+          lesson,
+          paceTo,
+          stored: { progress, program },
         };
         return;
       }
@@ -118,10 +145,16 @@ export class ClassHost {
       case "pause":
         return this.#change({ pauseEndsAt: this.#pauseEnd(message.endsInMs) });
       case "lesson":
+        return this.#change({ lesson: message.version });
       case "pace":
+        return this.#change({ paceTo: message.to });
       case "hint":
-      case "stored":
-        return;
+        return this.#ports.onHint({ task: message.task, hint: message.hint });
+      case "stored": {
+        const { what, seq } = message;
+        const stored = this.#student?.stored;
+        return stored && this.#change({ stored: { ...stored, [what]: seq } });
+      }
     }
   }
 

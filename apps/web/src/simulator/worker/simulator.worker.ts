@@ -5,7 +5,7 @@
  */
 import { loadRaceGhosts } from "../../stage/layers/lazy-race-ghosts.ts";
 import type { ClassSession } from "../protocol/class-messages.ts";
-import { earlyProject, type FirstProject } from "../protocol/first-project.ts";
+import { earlyProject, VOLATILE, type FirstProject } from "../protocol/first-project.ts";
 import type { FromWorker, RemoteView, ToWorker } from "../protocol/worker-messages.ts";
 import { afterMessages } from "./after-messages.ts";
 import { describeFault } from "./describe-fault.ts";
@@ -87,7 +87,12 @@ const relay = new Lazy(async () => {
 
 const studentClass = new Lazy(
   async () =>
-    (await import("./class-part.ts")).openClassPart(worker.location.origin, post, guarded),
+    (await import("./class-part.ts")).openClassPart(
+      loadedRun,
+      worker.location.origin,
+      post,
+      guarded,
+    ),
   guarded,
 );
 
@@ -277,10 +282,11 @@ function postUpdate(): void {
   const update = updates.take();
   const hasChanged = update !== null;
   if (hasChanged && update.frame.nowTick > 0) evaluation.loadDiagnostics(updates);
-  world.update(hasChanged);
+  if (worker.name !== VOLATILE) world.update(hasChanged);
   feed.send(updates, update);
   evaluation.post(updates);
   relay.loaded?.update(hasChanged);
+  studentClass.loaded?.update(hasChanged);
 }
 
 guarded(() => {

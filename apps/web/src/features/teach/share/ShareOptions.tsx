@@ -9,7 +9,10 @@ import { Button } from "../../../ui/Button.tsx";
 import { ButtonLink } from "../../../ui/ButtonLink.tsx";
 import { FieldError } from "../../../ui/FieldError.tsx";
 import { Icon } from "../../../ui/Icon.tsx";
+import { EmbedCode } from "../../../ui/EmbedCode.tsx";
 import { LinkField } from "../../../ui/LinkField.tsx";
+import { PrintButton } from "../../../ui/print/PrintButton.tsx";
+import { printedLink, printedMazes } from "../../../ui/print/printed-content.ts";
 import { QrCard } from "../../../ui/QrCard.tsx";
 import { saveDocument } from "../../../ui/save-file.ts";
 import { ShareSheetButton } from "../../../ui/ShareSheetButton.tsx";
@@ -42,6 +45,11 @@ export function ShareOptions({ lesson }: { lesson: LessonDocument }) {
   const address = made ?? long;
   const compact = long !== null && long.length <= MAX_COMPACT_LENGTH ? long : made;
   const name = lessonName(lesson);
+  const lang = sharedSearch(search);
+  const embedded =
+    short.link !== null
+      ? `${origin}/embed/m/${short.link.id}${lang}`
+      : link && `${origin}/embed${lang}#${link}`;
   return (
     <div className={styles["columns"]}>
       <div className={styles["main"]}>
@@ -56,6 +64,7 @@ export function ShareOptions({ lesson }: { lesson: LessonDocument }) {
         ) : (
           <p className={styles["note"]}>{excessText("shortLink", excesses.shortLink)}</p>
         )}
+        {embedded !== null && <EmbedCode address={embedded} name={name} />}
         <div className={styles["answers"]}>
           {address !== null && (
             <ShareSheetButton data={{ title: name, url: address }} label={t("share.apps")} />
@@ -70,6 +79,13 @@ export function ShareOptions({ lesson }: { lesson: LessonDocument }) {
               {CLASSROOM}
             </ButtonLink>
           )}
+          <PrintButton
+            content={{
+              language: lesson.language,
+              mazes: printedMazes(lesson),
+              link: printedLink(made, long),
+            }}
+          />
           {excesses.file === undefined && (
             <Button icon={<Icon of={FileDown} />} onClick={() => saveDocument(document, "lesson")}>
               {t("share.file")}

@@ -1,0 +1,184 @@
+import { lessonMark, type LessonDocument } from "@corridor/challenge";
+import { describe, expect, it } from "vitest";
+import type { ClassStudent } from "../../simulator/protocol/class-messages.ts";
+import { en } from "../../text/en/index.ts";
+import join from "../../text/en/join.json";
+import { createI18n } from "../../text/i18n.ts";
+import { createChallengeStore } from "../challenge/challenge-store.ts";
+import { sampleLesson } from "../lessons/testing/sample-lesson.ts";
+import { createScreenStore } from "../screen/screen-store.ts";
+import { VolatileStorage } from "../storage/volatile-storage.ts";
+import { ClassLesson, storedLesson } from "./class-lesson.ts";
+import { ClassLessonMark } from "./class-lesson-mark.ts";
+import type { ClassLessonResult } from "./read-class-lesson.ts";
+
+const other: LessonDocument = { ...sampleLesson, name: "Long way round" };
+
+/** A student's page in a class. Its lessons open at once. */
+function newPage(tab = new VolatileStorage()) {
+  const challenge = createChallengeStore();
+  const screen = createScreenStore();
+  const words = createI18n(en);
+  words.addResourceBundle("en", "join", join);
+  const timers = new Map<() => void, number>();
+  const hints: number[] = [];
+  const opened: string[] = [];
+  let result: ClassLessonResult = { ok: true, lesson: sampleLesson };
+  let isPaused = false;
+  const resume = (document: LessonDocument): void => {
+    opened.push(document.name);
+    const lessonId = lessonMark(document);
+    challenge.setState({ lesson: document, index: 0, mission: null, lessonId });
+  };
+  const openTask = (index: number): void => challenge.setState({ index });
+  const lesson = new ClassLesson({
+    read: async () => result,
+    challenge,
+    lessons: { load: async () => ({ navigation: { resume, openTask } }) as never },
+    screen,
+    tab,
+    words,
+    lesson: new ClassLessonMark(storedLesson(tab)?.mark ?? null),
+    isPaused: () => isPaused,
+    onLesson: () => undefined,
+    onHint: (hint) => hints.push(hint),
+    later: (call, ms) => {
+      timers.set(call, ms);
+      return () => void timers.delete(call);
+    },
+  });
+  const settle = async () => new Promise((resolve) => setTimeout(resolve));
+  return {
+    tab,
+    lesson,
+    challenge,
+    hints,
+    opened,
+    setPaused: (paused: boolean) => (isPaused = paused),
+    texts: () => screen.getState().messages.map(({ text }) => text),
+    press: async (label: string) => {
+      const { messages } = screen.getState();
+      messages.find(({ action }) => action?.label === label)?.action?.run();
+      await settle();
+    },
+    answer: (document: LessonDocument) => (result = { ok: true, lesson: document }),
+    receive: async (answer: ClassLessonResult | LessonDocument, version: string) => {
+      result = "ok" in answer ? answer : { ok: true, lesson: answer };
+      const student = { lesson: version, paceTo: null } as ClassStudent;
+      lesson.follow({ status: { kind: "connected" }, student });
+      await settle();
+    },
+    pace: (paceTo: number | null, version: string) => {
+      const student = { lesson: version, paceTo } as ClassStudent;
+      lesson.follow({ status: { kind: "connected" }, student });
+    },
+    /** Calls all timers of at most this time. */
+    wait: async (ms: number) => {
+      const due = [...timers].filter(([, after]) => after <= ms);
+      for (const [call] of due) if (timers.delete(call)) call();
+      await settle();
+    },
+  };
+}
+
+/** A page that has joined. */
+async function joinedPage() {
+  const page = newPage();
+  await page.receive(sampleLesson, "first");
+  await page.wait(0);
+  return page;
+}
+
+describe("the lesson of a class", () => {
+  it("opens when the student joins, and not again after a reload", async () => {
+    const { opened, tab } = await joinedPage();
+    expect(opened).toEqual(["Sensors"]);
+    const reloaded = newPage(tab);
+    await reloaded.receive(sampleLesson, "first");
+    await reloaded.wait(60_000);
+    expect(reloaded.opened).toEqual([]);
+    expect(reloaded.texts()).toEqual([]);
+  });
+
+  it("is offered when the teacher sends another one, and opens by itself", async () => {
+    const { receive, opened, texts, wait } = await joinedPage();
+    await receive(other, "second");
+    expect(texts()).toEqual([
+      "Your teacher sent: Long way round. It opens in 10 s. Your own work stays as it is.",
+    ]);
+    expect(opened).toEqual(["Sensors"]);
+    await wait(10_000);
+    expect(opened).toEqual(["Sensors", "Long way round"]);
+    expect(texts()).toEqual([]);
+  });
+
+  it("opens at once if the student wants to, and only once", async () => {
+    const { receive, press, opened, wait } = await joinedPage();
+    await receive(other, "second");
+    await press("Open");
+    await wait(60_000);
+    expect(opened).toEqual(["Sensors", "Long way round"]);
+  });
+
+  it("does not open while the class is paused", async () => {
+    const { receive, setPaused, opened, wait } = await joinedPage();
+    await receive(other, "second");
+    setPaused(true);
+    await wait(10_000);
+    expect(opened).toEqual(["Sensors"]);
+    setPaused(false);
+    await wait(1_000);
+    expect(opened).toEqual(["Sensors", "Long way round"]);
+  });
+
+  it("asks again after the relay did not send it", async () => {
+    const { receive, answer, opened, wait } = newPage();
+    await receive({ ok: false, reason: "failed" }, "first");
+    await wait(0);
+    expect(opened).toEqual([]);
+    answer(sampleLesson);
+    await wait(5_000);
+    await wait(0);
+    expect(opened).toEqual(["Sensors"]);
+  });
+
+  it("asks for a reload if the page is too old for it", async () => {
+    const { receive, texts } = newPage();
+    await receive({ ok: false, reason: "old" }, "first");
+    expect(texts()).toEqual([
+      "This page is older than the class. Reload to join. Your work is saved.",
+    ]);
+  });
+});
+
+describe("the pace of the class", () => {
+  it("applies to the lesson of the class, and to no other", async () => {
+    const { pace, challenge, texts } = await joinedPage();
+    pace(1, "first");
+    expect(challenge.getState().openTo).toBe(1);
+    pace(2, "first");
+    expect(texts()).toEqual(["You can open task 2 now."]);
+    challenge.setState({ lesson: other, lessonId: lessonMark(other) });
+    expect(challenge.getState().openTo).toBeUndefined();
+    challenge.setState({ lesson: sampleLesson, lessonId: lessonMark(sampleLesson) });
+    expect(challenge.getState().openTo).toBe(2);
+  });
+});
+
+describe("a hint of the teacher", () => {
+  it("appears in the open task", async () => {
+    const { lesson, challenge, hints, texts } = await joinedPage();
+    lesson.showHint({ task: 1, hint: 2 });
+    expect(challenge.getState().hints).toEqual({ 0: 2 });
+    expect(hints).toEqual([2]);
+    expect(texts()).toEqual(["Your teacher shows you hint 2."]);
+  });
+
+  it("leads to the task that it belongs to", async () => {
+    const { lesson, challenge, press, texts } = await joinedPage();
+    lesson.showHint({ task: 3, hint: 1 });
+    expect(texts()).toEqual(["Your teacher shows you hint 1 of task 3."]);
+    await press("Open task 3");
+    expect(challenge.getState().index).toBe(2);
+  });
+});

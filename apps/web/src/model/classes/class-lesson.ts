@@ -1,0 +1,231 @@
+/**
+ * The lesson of the class: it opens when the student joins, and is offered when the teacher sends
+ * another one. It opens beside the student's work. The pace closes tasks, and hints of the teacher
+ * appear in the task.
+ */
+import { lessonMark, type LessonDocument } from "@corridor/challenge";
+import type { i18n } from "i18next";
+import { createStore } from "zustand/vanilla";
+import type { ClassHint, ClassSession } from "../../simulator/protocol/class-messages.ts";
+import type { ChallengeStore } from "../challenge/challenge-store.ts";
+import type { LessonsEntry } from "../lessons/lessons-entry.ts";
+import { dismiss, showMessage, type Message, type ScreenStore } from "../screen/screen-store.ts";
+import type { KeyValueStorage } from "../storage/key-value-storage.ts";
+import type { ClassLessonMark } from "./class-lesson-mark.ts";
+import type { ClassLessonResult } from "./read-class-lesson.ts";
+import { LESSON_KEY } from "./stored-keys.ts";
+
+/** Time until a lesson that the teacher sent opens by itself, in ms. */
+const OFFER_MS = 10_000;
+/** Time until the page asks again for a lesson that it did not receive, in ms. */
+const RETRY_MS = 5_000;
+
+export interface ClassLessonPorts {
+  read: () => Promise<ClassLessonResult>;
+  challenge: ChallengeStore;
+  lessons: Pick<LessonsEntry, "load">;
+  screen: ScreenStore;
+  /** sessionStorage */
+  tab: KeyValueStorage;
+  words: Pick<i18n, "t">;
+  lesson: ClassLessonMark;
+  /** Whether the class is paused: nothing opens meanwhile. */
+  isPaused: () => boolean;
+  /** The page knows the lesson of the class, or it is another one. */
+  onLesson: () => void;
+  /** A hint of the teacher appears in the open task. */
+  onHint: (hint: number) => void;
+  /** @returns a function that cancels the call */
+  later: (call: () => void, ms: number) => () => void;
+}
+
+/** The lesson that this tab has opened. */
+interface OpenedLesson {
+  version: string;
+  mark: string;
+}
+
+export function storedLesson(tab: KeyValueStorage): OpenedLesson | null {
+  const [version, mark] = tab.getItem(LESSON_KEY)?.split(" ") ?? [];
+  return version === undefined || mark === undefined ? null : { version, mark };
+}
+
+interface ClassLessonState {
+  /** null: not received yet */
+  document: LessonDocument | null;
+  /** whether the student works on it */
+  isOpen: boolean;
+}
+
+export class ClassLesson {
+  readonly state = createStore<ClassLessonState>()(() => ({ document: null, isOpen: false }));
+  readonly #ports: ClassLessonPorts;
+  /** version that was requested last */
+  #version: string | null = null;
+  #openTo: number | undefined;
+  #hints: Readonly<Record<number, number>> = {};
+  /** id of the message about a lesson that the teacher sent; null: none */
+  #offer: number | null = null;
+  #cancel: () => void = () => undefined;
+  readonly #unsubscribe: () => void;
+  #isClosed = false;
+
+  constructor(ports: ClassLessonPorts) {
+    this.#ports = ports;
+    this.#unsubscribe = ports.challenge.subscribe((next, before) => {
+      if (next.lesson !== before.lesson) this.#apply();
+    });
+    this.#apply();
+  }
+
+  follow({ student }: ClassSession): void {
+    if (student === null) return;
+    this.#setPace(student.paceTo ?? undefined);
+    if (student.lesson === this.#version) return;
+    this.#version = student.lesson;
+    void this.#load(student.lesson);
+  }
+
+  /** The teacher shows a hint, and all hints before it. */
+  showHint({ task, hint }: ClassHint): void {
+    const { challenge, lesson, screen, words, onHint } = this.#ports;
+    const { t } = words;
+    const index = task - 1;
+    this.#hints = { ...this.#hints, [index]: Math.max(hint, this.#hints[index] ?? 0) };
+    this.#apply();
+    if (lesson.openIndex(challenge.getState()) === index) {
+      onHint(hint);
+      showMessage(screen, { tone: "info", text: t("join:inClass.hint", { hint }) });
+      return;
+    }
+    const text = t("join:inClass.hintOfTask", { hint, task });
+    const action = {
+      label: t("join:inClass.openTask", { task }),
+      run: () => void this.#openTask(index),
+    };
+    showMessage(screen, { tone: "info", text, stays: true, action });
+  }
+
+  /** Opens the lesson beside the student's work. One that is already open stays as it is. */
+  async open(): Promise<void> {
+    const { document } = this.state.getState();
+    if (document === null || this.#isClosed) return;
+    this.#endOffer();
+    const { challenge, lesson, lessons, screen, words } = this.#ports;
+    if (lesson.openIndex(challenge.getState()) !== null) return;
+    try {
+      const { navigation } = await lessons.load();
+      if (document !== this.state.getState().document || this.#isClosed) return;
+      // The lesson begins with a task that is open in the class.
+      challenge.setState({ openTo: this.#openTo });
+      navigation.resume(document);
+    } catch {
+      showMessage(screen, { tone: "bad", text: words.t("lessons.notLoaded") });
+      return;
+    }
+    this.#apply();
+    this.#storeOpened();
+  }
+
+  close(): void {
+    this.#isClosed = true;
+    this.#endOffer();
+    this.#unsubscribe();
+    this.#ports.challenge.setState({ openTo: undefined, hints: undefined });
+  }
+
+  async #load(version: string): Promise<void> {
+    const result = await this.#ports.read();
+    if (version !== this.#version || this.#isClosed) return;
+    if (result.ok) return this.#received(version, result.lesson);
+    const { screen, words, later } = this.#ports;
+    if (result.reason === "old") {
+      showMessage(screen, { tone: "bad", text: words.t("join:problem.old") });
+      return;
+    }
+    later(() => {
+      if (version === this.#version && !this.#isClosed) void this.#load(version);
+    }, RETRY_MS);
+  }
+
+  #received(version: string, document: LessonDocument): void {
+    const { tab, lesson, onLesson } = this.#ports;
+    const opened = storedLesson(tab);
+    const mark = lessonMark(document);
+    if (lesson.mark !== mark) this.#hints = {};
+    lesson.set(mark);
+    this.state.setState({ document });
+    this.#apply();
+    onLesson();
+    if (opened?.version === version) return;
+    if (this.state.getState().isOpen) this.#storeOpened();
+    else if (opened === null) this.#openSoon(0);
+    else this.#offerLesson(document);
+  }
+
+  #storeOpened(): void {
+    const { tab, lesson } = this.#ports;
+    if (this.#version === null || lesson.mark === null) return;
+    try {
+      tab.setItem(LESSON_KEY, `${this.#version} ${lesson.mark}`);
+    } catch {
+      // Without storage, a reload opens the lesson again.
+    }
+  }
+
+  #offerLesson({ name }: LessonDocument): void {
+    const { screen, words } = this.#ports;
+    const { t } = words;
+    this.#endOffer();
+    const text = name === "" ? t("join:inClass.sentUnnamed") : t("join:inClass.sent", { name });
+    const action = { label: t("join:inClass.open"), run: () => void this.open() };
+    const offer: Omit<Message, "id"> = { tone: "info", text, stays: true, action };
+    this.#offer = showMessage(screen, offer);
+    this.#openSoon(OFFER_MS);
+  }
+
+  /** Opens the lesson after this time, but not during a pause of the class. */
+  #openSoon(ms: number): void {
+    const { later, isPaused } = this.#ports;
+    this.#cancel();
+    this.#cancel = later(() => {
+      if (isPaused()) this.#openSoon(1_000);
+      else void this.open();
+    }, ms);
+  }
+
+  #endOffer(): void {
+    this.#cancel();
+    if (this.#offer !== null) dismiss(this.#ports.screen, this.#offer);
+    this.#offer = null;
+  }
+
+  async #openTask(index: number): Promise<void> {
+    await this.open();
+    (await this.#ports.lessons.load()).navigation.openTask(index);
+  }
+
+  #setPace(openTo: number | undefined): void {
+    const before = this.#openTo;
+    if (openTo === before) return;
+    this.#openTo = openTo;
+    this.#apply();
+    const { document, isOpen } = this.state.getState();
+    if (!isOpen || document === null || before === undefined) return;
+    const task = Math.min(openTo ?? document.tasks.length, document.tasks.length);
+    if (task <= before) return;
+    const { screen, words } = this.#ports;
+    showMessage(screen, { tone: "info", text: words.t("join:inClass.paced", { task }) });
+  }
+
+  /** Applies pace and hints to the lesson of the class only. */
+  #apply(): void {
+    const { challenge, lesson } = this.#ports;
+    const state = challenge.getState();
+    const isOpen = lesson.openIndex(state) !== null;
+    if (isOpen !== this.state.getState().isOpen) this.state.setState({ isOpen });
+    const openTo = isOpen ? this.#openTo : undefined;
+    const hints = isOpen ? this.#hints : undefined;
+    if (openTo !== state.openTo || hints !== state.hints) challenge.setState({ openTo, hints });
+  }
+}

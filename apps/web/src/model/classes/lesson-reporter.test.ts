@@ -1,0 +1,183 @@
+import { lessonMark } from "@corridor/challenge";
+import { decodeLink } from "@corridor/link";
+import type { ProgramDocument } from "@corridor/program";
+import type { Progress } from "@corridor/protocol";
+import { describe, expect, it } from "vitest";
+import type { ClassPlace } from "../../simulator/protocol/class-messages.ts";
+import type { FromWorker } from "../../simulator/protocol/worker-messages.ts";
+import { createChallengeStore, noChallenge } from "../challenge/challenge-store.ts";
+import { sampleLesson } from "../lessons/testing/sample-lesson.ts";
+import { createRunStore } from "../run/run-store.ts";
+import { VolatileStorage } from "../storage/volatile-storage.ts";
+import { createWorkspaceStore, setProgram } from "../workspace/workspace-store.ts";
+import { ClassLessonMark } from "./class-lesson-mark.ts";
+import { LessonReporter } from "./lesson-reporter.ts";
+import { ReportedWork } from "./reported-work.ts";
+
+const mark = lessonMark(sampleLesson);
+const [firstTask] = sampleLesson.tasks;
+if (firstTask?.mazes[0] === undefined) throw new Error("the sample lesson has no maze");
+const [maze] = firstTask.mazes;
+const forward: ProgramDocument = {
+  format: "corridor/program",
+  version: 1,
+  name: "Mine",
+  rules: [],
+  default: "forward",
+};
+const reverse: ProgramDocument = { ...forward, default: "reverse" };
+
+/** A page whose class has the sample lesson. */
+function newPage(tab = new VolatileStorage()) {
+  const challenge = createChallengeStore();
+  const workspace = createWorkspaceStore(maze, forward, (_, after) => after);
+  const listeners = new Set<(message: FromWorker) => void>();
+  const timers = new Set<() => void>();
+  const progress: Progress[] = [];
+  const programs: { task: number; link: string }[] = [];
+  const places: (ClassPlace | null)[] = [];
+  let surveys = 0;
+  const reporter = new LessonReporter({
+    challenge,
+    workspace,
+    run: createRunStore(),
+    simulator: {
+      isGone: false,
+      send: () => undefined,
+      listen: (listener) => {
+        listeners.add(listener);
+        return () => listeners.delete(listener);
+      },
+    },
+    lesson: new ClassLessonMark(mark),
+    reported: new ReportedWork(tab),
+    add: (event) => progress.push(event),
+    setProgram: (task, link) => programs.push({ task, link }),
+    setPlace: (place) => places.push(place),
+    onAllSolved: () => (surveys += 1),
+    later: (call) => {
+      timers.add(call);
+      return () => void timers.delete(call);
+    },
+  });
+  return {
+    tab,
+    reporter,
+    challenge,
+    workspace,
+    progress,
+    programs,
+    place: () => places.at(-1),
+    surveys: () => surveys,
+    openTask: (index: number) => {
+      const solved = sampleLesson.tasks.map(() => false);
+      const shown = { lesson: sampleLesson, index, lessonId: mark, solved };
+      challenge.setState({ ...noChallenge, ...shown });
+    },
+    edit: () => setProgram(workspace, reverse, []),
+    bump: (tick: number) => {
+      const event = { kind: "bump", tick, bumps: 1, line: "default", driver: "program" };
+      for (const listener of listeners) listener({ type: "event", event } as FromWorker);
+    },
+    meet: () => {
+      const figures = { ticks: 300, bumps: 0, lines: 0 };
+      challenge.setState({ result: { state: "met", driver: "program", ...figures } });
+    },
+    reset: () => {
+      for (const listener of listeners) listener({ type: "truncated", after: -1 });
+    },
+    wait: () => {
+      for (const call of timers) call();
+      timers.clear();
+    },
+  };
+}
+
+describe("the reports of a student's work", () => {
+  it("contain each task that opens, once also after a reload", () => {
+    const { openTask, progress, tab } = newPage();
+    openTask(0);
+    openTask(1);
+    expect(progress).toEqual([
+      { kind: "opened", lesson: mark, task: 1 },
+      { kind: "opened", lesson: mark, task: 2 },
+    ]);
+    const reloaded = newPage(tab);
+    reloaded.openTask(1);
+    expect(reloaded.progress).toEqual([]);
+  });
+
+  it("contain runs, and whether the program has changed since the last one", () => {
+    const { openTask, bump, reset, edit, progress } = newPage();
+    openTask(0);
+    for (let run = 0; run < 3; run++) {
+      if (run === 2) edit();
+      bump(100);
+      reset();
+    }
+    const runs = progress.filter(({ kind }) => kind === "run");
+    expect(runs.map((run) => "changed" in run && run.changed)).toEqual([true, false, true]);
+    expect(runs[0]).toMatchObject({ bumps: 1, failure: { code: "bump", line: "default" } });
+  });
+
+  it("contain a solution after its run, and not again", () => {
+    const { openTask, meet, challenge, progress } = newPage();
+    openTask(0);
+    meet();
+    challenge.setState({ result: { state: "open" } });
+    meet();
+    const solved = progress.filter(({ kind }) => kind === "solved");
+    expect(solved).toHaveLength(1);
+    const [{ code } = { code: "" }] = solved.flatMap((each) =>
+      each.kind === "solved" ? [each] : [],
+    );
+    expect(decodeLink(code)).toMatchObject({
+      ok: true,
+      value: { completion: { lesson: mark, task: 0 } },
+    });
+  });
+
+  it("contain the program without its name, some time after an edit", () => {
+    const { openTask, edit, wait, programs } = newPage();
+    openTask(0);
+    edit();
+    expect(programs).toEqual([]);
+    wait();
+    expect(programs).toHaveLength(1);
+    const read = decodeLink(programs[0]?.link ?? "");
+    expect(read).toMatchObject({ ok: true, value: { program: { name: "", default: "reverse" } } });
+  });
+
+  it("say where the student is, and nothing of other work", () => {
+    const { openTask, challenge, place, bump, edit, wait, progress, programs } = newPage();
+    openTask(0);
+    expect(place()).toEqual({ task: 1, maze: "g1", passes: null, isSolved: false });
+    challenge.setState({ ...noChallenge });
+    expect(place()).toBeNull();
+    const before = progress.length;
+    edit();
+    bump(100);
+    wait();
+    expect(progress).toHaveLength(before);
+    expect(programs).toEqual([]);
+  });
+
+  it("lead to the survey once all tasks are solved", () => {
+    const { openTask, challenge, surveys } = newPage();
+    openTask(0);
+    challenge.setState({ solved: [true, true, false] });
+    expect(surveys()).toBe(0);
+    challenge.setState({ solved: [true, true, true] });
+    expect(surveys()).toBe(1);
+  });
+
+  it("end with the class", () => {
+    const { openTask, reporter, bump, reset, progress } = newPage();
+    openTask(0);
+    bump(100);
+    reporter.close();
+    reset();
+    openTask(1);
+    expect(progress).toEqual([{ kind: "opened", lesson: mark, task: 1 }]);
+  });
+});

@@ -1,0 +1,267 @@
+/**
+ * Reports the work on the lesson of the class: opened tasks, runs, checks, hints, solutions, and the
+ * newest program. Nothing else that is open on the page is reported.
+ */
+import type { LessonTask } from "@corridor/challenge";
+import { causeLine } from "@corridor/coach";
+import type { Progress } from "@corridor/protocol";
+import type { RunDocument } from "@corridor/recording";
+import { attemptOf } from "@corridor/link";
+import type { SimulatorClient } from "../../simulator/simulator-client.ts";
+import type { ClassPlace } from "../../simulator/protocol/class-messages.ts";
+import {
+  isJudgedByRun,
+  mazeCount,
+  openTask,
+  type ChallengeState,
+  type ChallengeStore,
+} from "../challenge/challenge-store.ts";
+import type { CheckedTask } from "../check/checked-task.ts";
+import { mazeIndex } from "../lessons/maze-index.ts";
+import { saveRun } from "../run/run-requests.ts";
+import type { RunStore } from "../run/run-store.ts";
+import type { WorkspaceStore } from "../workspace/workspace-store.ts";
+import { completionText, programText } from "./attempt-text.ts";
+import type { ClassLessonMark } from "./class-lesson-mark.ts";
+import type { ReportedWork } from "./reported-work.ts";
+import { RunAttempts, type AttemptFailure, type FinishedRun } from "./run-attempts.ts";
+
+/** Time after an edit until the program is sent, in ms. */
+const EDITED_MS = 2_000;
+
+export interface LessonReporterPorts {
+  challenge: ChallengeStore;
+  workspace: WorkspaceStore;
+  run: Pick<RunStore, "getState">;
+  simulator: Pick<SimulatorClient, "send" | "listen" | "isGone">;
+  lesson: ClassLessonMark;
+  reported: ReportedWork;
+  add: (event: Progress) => void;
+  setProgram: (task: number, link: string) => void;
+  setPlace: (place: ClassPlace | null) => void;
+  /** All tasks of the lesson are solved. */
+  onAllSolved: () => void;
+  /** @returns a function that cancels the call */
+  later: (call: () => void, ms: number) => () => void;
+}
+
+export class LessonReporter {
+  readonly #ports: LessonReporterPorts;
+  readonly #attempts: RunAttempts;
+  readonly #ends: (() => void)[];
+  /** index of the open task; null: the lesson of the class is not open */
+  #index: number | null = null;
+  #place = "";
+  #cancelProgram: () => void = () => undefined;
+
+  constructor(ports: LessonReporterPorts) {
+    this.#ports = ports;
+    const { challenge, workspace, simulator, run, later } = ports;
+    const { nowTick, snapshot } = run.getState();
+    this.#attempts = new RunAttempts(
+      {
+        program: () => programText(workspace.getState().program) ?? "",
+        onFinished: (finished) => this.#finished(finished),
+        later,
+      },
+      { tick: nowTick, bumps: snapshot?.bumps ?? 0 },
+    );
+    this.#ends = [
+      simulator.listen((message) => this.#attempts.receive(message)),
+      challenge.subscribe((next, before) => this.#follow(next, before)),
+      workspace.subscribe((next, before) => {
+        if (next.maze !== before.maze) this.#setPlace();
+        if (next.program === before.program) return;
+        this.#attempts.edited();
+        this.#programSoon();
+      }),
+    ];
+    this.update();
+  }
+
+  /** The class has another lesson, or the page has found out which one. */
+  update(): void {
+    const state = this.#ports.challenge.getState();
+    this.#open(state);
+    this.#setPlace();
+  }
+
+  /** Whether the lesson is open, and all of its tasks are solved. */
+  get isAllSolved(): boolean {
+    return this.#index !== null && isAllSolved(this.#ports.challenge.getState());
+  }
+
+  /** The student, or the teacher, has opened a hint of the open task. */
+  hint(hint: number): void {
+    if (this.#index !== null) this.#ports.add({ kind: "hint", task: this.#index + 1, hint });
+  }
+
+  /** The page may close. */
+  flush(): void {
+    this.#attempts.finish();
+  }
+
+  close(): void {
+    for (const end of this.#ends) end();
+    this.#attempts.discard();
+    this.#cancelProgram();
+  }
+
+  #follow(next: ChallengeState, before: ChallengeState): void {
+    if (next.lesson !== before.lesson || next.index !== before.index) this.#open(next);
+    const task = openTask(next);
+    if (this.#index === null || task === null) return this.#setPlace();
+    if (next.failedRun !== before.failedRun || next.result !== before.result) this.#judged(next);
+    const { checked, result } = next;
+    if (checked !== null && checked !== before.checked) this.#checked(task, next, checked);
+    if (result.state === "met" && before.result.state !== "met") this.#solved(result.driver);
+    if (isAllSolved(next) && !isAllSolved(before)) this.#ports.onAllSolved();
+    this.#setPlace();
+  }
+
+  #open(state: ChallengeState): void {
+    const { lesson, reported, add } = this.#ports;
+    const index = lesson.openIndex(state);
+    if (index !== this.#index) this.#attempts.finish();
+    this.#index = index;
+    if (index === null || lesson.mark === null) return;
+    reported.begin(lesson.mark);
+    if (reported.open(index + 1)) add({ kind: "opened", lesson: lesson.mark, task: index + 1 });
+    this.#programSoon();
+  }
+
+  /** The run on the screen failed, or reached the goal. */
+  #judged(state: ChallengeState): void {
+    const { result, verdict } = state;
+    if (result.state === "met" || result.state === "here") return this.#attempts.met();
+    // A check has failed, not the run.
+    if (verdict !== null) return;
+    const failure = failureOfRun(state);
+    const tick = state.failedRun?.event.tick ?? (result.state === "failed" ? result.tick : 0);
+    const mistakes = state.failedRun?.cause ? 1 : 0;
+    if (failure !== null) this.#attempts.failed(failure, mistakes, tick);
+  }
+
+  #finished({ program, ...run }: FinishedRun): void {
+    if (this.#index === null) return;
+    const { reported, add } = this.#ports;
+    const task = this.#index + 1;
+    // Every drive by hand is another attempt.
+    const changed = program === null || reported.try(task, program);
+    add({ kind: "run", task, changed, ...run });
+    if (program === null) this.#sendDrive(task);
+  }
+
+  #checked(task: LessonTask, state: ChallengeState, checked: CheckedTask): void {
+    // The page itself checks a program that has reached the goal of the only maze.
+    if (this.#index === null || isJudgedByRun(task)) return;
+    const { reported, workspace, add } = this.#ports;
+    const number = this.#index + 1;
+    const changed = reported.try(number, programText(workspace.getState().program) ?? "");
+    const passes = passesOf(task, checked);
+    const failure = failureOfCheck(state, checked);
+    add({ kind: "check", task: number, changed, passes, mazes: mazeCount(task), failure });
+  }
+
+  #solved(driver: string): void {
+    const index = this.#index;
+    if (index === null) return;
+    const { program } = this.#ports.workspace.getState();
+    if (driver === "program") this.#sendSolution(index, program.rules.length, program);
+    else {
+      this.#withDrive((drive) => this.#sendSolution(index, null, drive));
+    }
+  }
+
+  #sendSolution(
+    index: number,
+    lines: number | null,
+    attempt: Parameters<typeof completionText>[2],
+  ): void {
+    const { lesson, reported, add } = this.#ports;
+    if (lesson.mark === null) return;
+    const code = completionText(lesson.mark, index, attempt);
+    if (code === null || !reported.solve(index + 1, code)) return;
+    add({ kind: "solved", task: index + 1, lines, code });
+  }
+
+  #programSoon(): void {
+    this.#cancelProgram();
+    if (this.#index === null) return;
+    const task = this.#index + 1;
+    this.#cancelProgram = this.#ports.later(() => {
+      const { workspace, setProgram } = this.#ports;
+      if (this.#index !== task - 1) return;
+      const text = programText(workspace.getState().program);
+      if (text !== null) setProgram(task, text);
+    }, EDITED_MS);
+  }
+
+  /** The newest drive by hand in place of the program. */
+  #sendDrive(task: number): void {
+    this.#withDrive((drive) => {
+      const { lesson, setProgram } = this.#ports;
+      const text = lesson.mark && completionText(lesson.mark, task - 1, drive);
+      if (text !== null) setProgram(task, text);
+    });
+  }
+
+  #withDrive(use: (drive: NonNullable<ReturnType<typeof attemptOf>>) => void): void {
+    saveRun(this.#ports.simulator, (saved) => {
+      const drive = saved.ok ? attemptOf(JSON.parse(saved.text) as RunDocument) : null;
+      if (drive !== null) use(drive);
+    });
+  }
+
+  #setPlace(): void {
+    const place = this.#placeNow();
+    const text = JSON.stringify(place);
+    if (text === this.#place) return;
+    this.#place = text;
+    this.#ports.setPlace(place);
+  }
+
+  #placeNow(): ClassPlace | null {
+    const { challenge, workspace } = this.#ports;
+    const state = challenge.getState();
+    const task = openTask(state);
+    if (this.#index === null || task === null) return null;
+    const maze = mazeIndex(task, workspace.getState().maze);
+    return {
+      task: this.#index + 1,
+      maze: maze === null ? null : `g${maze + 1}`,
+      passes: state.checked && passesOf(task, state.checked),
+      isSolved: state.result.state === "met",
+    };
+  }
+}
+
+function isAllSolved({ lesson, solved, result }: ChallengeState): boolean {
+  if (lesson === null) return false;
+  return solved.length === 0 ? result.state === "met" : !solved.includes(false);
+}
+
+/** Number of given and unseen mazes in which the program passes. */
+function passesOf({ unseen }: LessonTask, { mazes, unseenFailures }: CheckedTask): number {
+  if (mazes.length === 0) return 0;
+  const given = mazes.filter(({ failure }) => failure === null).length;
+  return given + (unseen?.count ?? 0) - unseenFailures.length;
+}
+
+function failureOfRun({ result, failedRun }: ChallengeState): AttemptFailure {
+  if (failedRun === null) {
+    return result.state === "failed" ? { code: result.code, line: null } : null;
+  }
+  const { event } = failedRun;
+  const code = result.state === "failed" ? result.code : event.kind;
+  return { code, line: causeLine(failedRun) ?? (event.kind === "bump" ? event.line : null) };
+}
+
+function failureOfCheck(
+  { diagnoses, unseenDiagnosis }: ChallengeState,
+  { passed, failure, failedUnseen }: CheckedTask,
+): AttemptFailure {
+  if (passed || failure === null) return null;
+  const found = failedUnseen === null ? (diagnoses[failure.maze ?? -1] ?? null) : unseenDiagnosis;
+  return { code: failure.code, line: (found && causeLine(found)) ?? failure.line };
+}

@@ -1,0 +1,24 @@
+/** How often a page may send reports: a little less than the relay accepts, 1 in 2 s, burst 10. */
+const INTERVAL_MS = 2_100;
+/** A reload starts again, and must not exceed the limit together with the page before it. */
+const BURST = 5;
+
+export class ReportPace {
+  #allowed = BURST;
+  #countedAt: number;
+
+  /** @param now monotonic milliseconds */
+  constructor(now: number) {
+    this.#countedAt = now;
+  }
+
+  /** Takes one report. @returns 0, or the milliseconds to wait before the next call */
+  take(now: number): number {
+    const gained = (now - this.#countedAt) / INTERVAL_MS;
+    this.#allowed = Math.min(BURST, this.#allowed + gained);
+    this.#countedAt = now;
+    if (this.#allowed < 1) return Math.ceil((1 - this.#allowed) * INTERVAL_MS);
+    this.#allowed -= 1;
+    return 0;
+  }
+}

@@ -1,0 +1,175 @@
+import { describe, expect, it } from "vitest";
+import type { Frame } from "../../stage/drawing/frame.ts";
+import type { FromWorker } from "../../simulator/protocol/worker-messages.ts";
+import { RunAttempts, type FinishedRun } from "./run-attempts.ts";
+
+/** The runs that are found in messages of the worker. */
+function newAttempts(start = { tick: 0, bumps: 0 }) {
+  const runs: FinishedRun[] = [];
+  const timers = new Set<() => void>();
+  let program = "a";
+  const attempts = new RunAttempts(
+    {
+      program: () => program,
+      onFinished: (run) => runs.push(run),
+      later: (call) => {
+        timers.add(call);
+        return () => void timers.delete(call);
+      },
+    },
+    start,
+  );
+  const frame = (tick: number, change: Partial<Frame> = {}): void => {
+    attempts.receive({ type: "frame", frame: frameOf(tick, change), timeline: null });
+  };
+  // The page has just opened.
+  frame(start.tick, bumped(start.bumps, "paused"));
+  return {
+    attempts,
+    runs,
+    edit: (text: string): void => {
+      program = text;
+      attempts.edited();
+    },
+    drive: (tick: number) => frame(tick),
+    driveByHand: (tick: number, bumps = 0) => frame(tick, { nowDriver: "me", ...bumped(bumps) }),
+    end: (tick: number, bumps = 0) => frame(tick, { hasEnded: true, ...bumped(bumps, "paused") }),
+    pause: (tick: number) => frame(tick, bumped(0, "paused")),
+    reset: (after = -1) => attempts.receive({ type: "truncated", after }),
+    wait: (): void => {
+      for (const call of timers) call();
+      timers.clear();
+    },
+  };
+}
+
+function frameOf(tick: number, change: Partial<Frame>): Frame {
+  const shown = { nowTick: tick, nowDriver: "program", view: "now", hasEnded: false } as const;
+  return { ...bumped(0), ...shown, ...change } as Frame;
+}
+
+function bumped(bumps: number, state: "running" | "paused" = "running"): Pick<Frame, "snapshot"> {
+  return { snapshot: { bumps, state } as Frame["snapshot"] };
+}
+
+const passed = { bumps: 0, mistakes: 0, failure: null };
+
+describe("the runs of a student", () => {
+  it("end at a bump, with the reason that follows", () => {
+    const { attempts, runs, drive, end, wait } = newAttempts();
+    drive(10);
+    end(90, 1);
+    expect(runs).toEqual([]);
+    attempts.failed({ code: "bump", line: 2 }, 1, 90);
+    wait();
+    expect(runs).toEqual([
+      { program: "a", bumps: 1, mistakes: 1, failure: { code: "bump", line: 2 } },
+    ]);
+  });
+
+  it("are one run with a pause", () => {
+    const { attempts, runs, drive, pause } = newAttempts();
+    drive(10);
+    pause(20);
+    drive(30);
+    attempts.met();
+    expect(runs).toEqual([{ program: "a", ...passed }]);
+  });
+
+  it("are two runs if the robot drives on after a bump", () => {
+    const { attempts, runs, edit, drive, end } = newAttempts();
+    drive(10);
+    end(90, 1);
+    edit("b");
+    drive(100);
+    attempts.met();
+    expect(runs.map(({ program }) => program)).toEqual(["a", "b"]);
+  });
+
+  it("end with an edit after the robot drove in circles", () => {
+    const { attempts, runs, edit, drive } = newAttempts();
+    drive(10);
+    attempts.failed({ code: "circles", line: 0 }, 1, 10);
+    edit("b");
+    drive(20);
+    attempts.met();
+    expect(runs).toEqual([
+      { program: "a", bumps: 0, mistakes: 1, failure: { code: "circles", line: 0 } },
+      { program: "b", ...passed },
+    ]);
+  });
+
+  it("have the newest program that drove, not one that was edited after it", () => {
+    const { runs, edit, drive, reset } = newAttempts();
+    drive(10);
+    edit("b");
+    drive(20);
+    edit("c");
+    reset();
+    expect(runs).toEqual([{ program: "b", ...passed }]);
+  });
+
+  it("are found if a fast run begins and ends between two frames", () => {
+    const { runs, end, wait } = newAttempts();
+    end(300, 1);
+    wait();
+    expect(runs).toHaveLength(1);
+    expect(runs[0]?.bumps).toBe(1);
+  });
+
+  it("have the reason of a bump that arrives before its frame", () => {
+    const { attempts, runs, end, wait } = newAttempts();
+    const event = { kind: "bump", tick: 300, bumps: 1, line: "default", driver: "program" };
+    attempts.receive({ type: "event", event } as FromWorker);
+    end(300, 1);
+    wait();
+    const failure = { code: "bump", line: "default" };
+    expect(runs).toEqual([{ program: "a", bumps: 1, mistakes: 0, failure }]);
+  });
+
+  it("end with the time of the task, also before the next frame", () => {
+    const { attempts, runs, pause, wait } = newAttempts();
+    attempts.failed({ code: "late", line: null }, 0, 3_600);
+    pause(3_600);
+    wait();
+    expect(runs).toEqual([{ program: "a", ...passed, failure: { code: "late", line: null } }]);
+  });
+
+  it("end when the robot is reset, or the past replaces them", () => {
+    const { runs, drive, reset } = newAttempts();
+    drive(10);
+    reset();
+    drive(40);
+    reset(20);
+    drive(30);
+    expect(runs).toHaveLength(2);
+  });
+
+  it("are one drive by hand until the robot is reset, also after it failed", () => {
+    const { attempts, runs, driveByHand, reset } = newAttempts();
+    driveByHand(10);
+    driveByHand(20, 1);
+    attempts.failed({ code: "bump", line: null }, 0, 20);
+    driveByHand(30, 2);
+    expect(runs).toEqual([
+      { program: null, bumps: 1, mistakes: 0, failure: { code: "bump", line: null } },
+    ]);
+    reset();
+    driveByHand(5);
+    attempts.met();
+    expect(runs[1]).toEqual({ program: null, ...passed });
+  });
+
+  it("are not the run that a reload restores", () => {
+    const { attempts, runs, reset, pause, drive, wait } = newAttempts({ tick: 500, bumps: 1 });
+    reset();
+    attempts.receive({ type: "run-loaded", id: 1, loaded: { ok: true } as never } as FromWorker);
+    pause(800);
+    wait();
+    reset();
+    expect(runs).toEqual([]);
+    drive(10);
+    reset();
+    expect(runs).toHaveLength(1);
+  });
+});

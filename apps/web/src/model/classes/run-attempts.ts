@@ -1,0 +1,160 @@
+/**
+ * Detects the runs of a student in the messages of the worker: where one begins and ends, its bumps,
+ * and why it failed. A run ends at a bump that stops the program, at the goal, when the time is over,
+ * when the robot is reset, or when the past replaces it. Pause and resume belong to one run.
+ */
+import type { DriverName, Progress } from "@corridor/protocol";
+import type { FromWorker } from "../../simulator/protocol/worker-messages.ts";
+
+type RunRecord = Extract<Progress, { kind: "run" }>;
+export type AttemptFailure = RunRecord["failure"];
+
+export interface FinishedRun extends Pick<RunRecord, "bumps" | "mistakes" | "failure"> {
+  /** the program that drove, as a text to compare; null: a manual drive */
+  program: string | null;
+}
+
+export interface RunAttemptsPorts {
+  /** the newest program as a text to compare */
+  program: () => string;
+  onFinished: (run: FinishedRun) => void;
+  /** @returns a function that cancels the call */
+  later: (call: () => void, ms: number) => () => void;
+}
+
+/** The explanation of a failed run may follow its end after this time at the latest, in ms. */
+const EXPLAINED_MS = 1_000;
+
+type FrameMessage = Extract<FromWorker, { type: "frame" }>;
+
+export class RunAttempts {
+  readonly #ports: RunAttemptsPorts;
+  /** null: no run has begun since the last one ended */
+  #run: FinishedRun | null = null;
+  #lastTick: number;
+  /** bumps at the newest tick; null: unknown after a jump */
+  #bumps: number | null;
+  /** since the last tick that was driven */
+  #isEdited = false;
+  /** a failed drive by hand may continue, but it is one run until the robot is reset */
+  #isDriveOver = false;
+  /**
+   * the next frame may show a run that was opened, not driven: another one, or the one that a reload
+   * has just restored
+   */
+  #isOpened = true;
+  /** cancels the report of a run that has ended; null: it has not */
+  #cancelEnd: (() => void) | null = null;
+
+  /** @param tick of the live run, which continues */
+  constructor(ports: RunAttemptsPorts, { tick, bumps }: { tick: number; bumps: number }) {
+    this.#ports = ports;
+    this.#lastTick = tick;
+    this.#bumps = bumps;
+  }
+
+  receive(message: FromWorker): void {
+    if (message.type === "frame") this.#frame(message.frame);
+    else if (message.type === "truncated") this.#truncated(message.after);
+    else if (message.type === "run-loaded" && message.loaded.ok) {
+      this.discard();
+      this.#isOpened = true;
+    } else if (message.type === "event") {
+      // It may arrive before the frame of its tick.
+      const { kind, driver, line, tick, bumps } = message.event;
+      this.#advance(tick, bumps, driver);
+      if (kind === "bump" && driver === "program") this.failed({ code: "bump", line }, 0, tick);
+    }
+  }
+
+  /**
+   * Why the run fails is known. The newest reason counts.
+   * @param tick at which it failed
+   */
+  failed(failure: NonNullable<AttemptFailure>, mistakes: number, tick: number): void {
+    // At full speed, a whole run fits between two frames.
+    if (tick > this.#lastTick) this.#advance(tick, null, "program");
+    const run = this.#run;
+    if (run === null) return;
+    run.failure = { ...failure, line: failure.line ?? run.failure?.line ?? null };
+    run.mistakes = Math.max(mistakes, run.mistakes);
+    if (run.program === null) this.#endDrive();
+    else if (failure.code === "late") this.#endSoon();
+  }
+
+  /** The run reached what the task asks for in this maze. */
+  met(): void {
+    const run = this.#run;
+    if (run === null) return;
+    Object.assign(run, { failure: null, mistakes: 0 });
+    if (run.program === null) this.#endDrive();
+    else this.finish();
+  }
+
+  /** The program was edited: a run that failed ends, and another one continues with the edit. */
+  edited(): void {
+    const hasFailed = this.#run !== null && this.#run.failure !== null;
+    if (hasFailed || this.#cancelEnd !== null) this.finish();
+    this.#isEdited = true;
+  }
+
+  /** Ends the run and reports it, if there is one. */
+  finish(): void {
+    const run = this.#run;
+    this.discard();
+    if (run !== null) this.#ports.onFinished(run);
+  }
+
+  /** Ends the run without a report. */
+  discard(): void {
+    this.#cancelEnd?.();
+    this.#cancelEnd = null;
+    this.#run = null;
+  }
+
+  #endDrive(): void {
+    this.finish();
+    this.#isDriveOver = true;
+  }
+
+  #frame({ snapshot, hasEnded, view, nowTick, nowDriver }: FrameMessage["frame"]): void {
+    if (this.#isOpened && snapshot.state === "paused") this.#lastTick = nowTick;
+    this.#isOpened = false;
+    this.#advance(nowTick, view === "now" ? snapshot.bumps : null, nowDriver);
+    const isEnd = view === "now" && hasEnded && snapshot.state === "paused";
+    if (isEnd && this.#run !== null && this.#run.program !== null) this.#endSoon();
+  }
+
+  /** @param bumps up to this tick; null: not known */
+  #advance(tick: number, bumps: number | null, driver: DriverName): void {
+    const hasDriven = tick > this.#lastTick;
+    this.#lastTick = tick;
+    if (hasDriven) this.#drive(driver);
+    if (bumps === null) return;
+    if (this.#run !== null) this.#run.bumps += Math.max(0, bumps - (this.#bumps ?? bumps));
+    this.#bumps = bumps;
+  }
+
+  #endSoon(): void {
+    this.#cancelEnd ??= this.#ports.later(() => this.finish(), EXPLAINED_MS);
+  }
+
+  #drive(driver: DriverName): void {
+    const isByHand = driver === "me";
+    const wasByHand = this.#run?.program === null;
+    // A run that has ended is reported before the next one begins.
+    if (this.#cancelEnd !== null || (this.#run !== null && wasByHand !== isByHand)) this.finish();
+    if (driver === "remote" || (isByHand && this.#isDriveOver)) return;
+    if (this.#run !== null && !this.#isEdited) return;
+    this.#isEdited = false;
+    const program = isByHand ? null : this.#ports.program();
+    this.#run = { bumps: 0, mistakes: 0, failure: null, ...this.#run, program };
+  }
+
+  #truncated(after: number): void {
+    this.finish();
+    this.#lastTick = Math.max(0, after);
+    this.#bumps = after < 0 ? 0 : null;
+    this.#isDriveOver = false;
+  }
+}

@@ -1,0 +1,370 @@
+/** The work of a student on the lesson of a class, as the teacher receives it. */
+import { lessonMark, type LessonDocument, type LessonTask } from "@corridor/challenge";
+import { decodeLink } from "@corridor/link";
+import { studentProgramSchema } from "@corridor/protocol";
+import type { Locator, Page } from "playwright/test";
+import { SeededRandom } from "../apps/relay/src/testing/faults/seeded-random.ts";
+import { FaultProxy } from "./faults/net/fault-proxy.ts";
+import { expect, test } from "./fixtures.ts";
+import type { CorridorPage } from "./pages/corridor-page.ts";
+import { expectNoAxeViolations } from "./support/axe.ts";
+import { ClassTeacher } from "./support/class-teacher.ts";
+import { classButton, enterClass } from "./support/enter-class.ts";
+import { horizontalOverflow } from "./support/layout.ts";
+import { waitForAnimations } from "./support/wait-for-animations.ts";
+
+const NAMES = ["Team 1", "Team 2"];
+
+const straight: LessonTask["mazes"][number] = {
+  format: "corridor/maze",
+  version: 1,
+  name: "Straight on",
+  blocks: ["#######", "#.....#", "#######"],
+  start: { column: 1, row: 1, heading: "east" },
+  goals: [{ column: 5, row: 1 }],
+};
+const corner: LessonTask["mazes"][number] = {
+  ...straight,
+  name: "Corner",
+  blocks: ["#####", "#...#", "###.#", "#####"],
+  goals: [{ column: 3, row: 2 }],
+};
+
+function taskOf(name: string, change: Partial<LessonTask> = {}): LessonTask {
+  return {
+    name,
+    words: { task: `Solve ${name}.`, short: `Solve ${name}`, hints: ["Look ahead.", "Drive on."] },
+    mazes: [straight],
+    program: null,
+    goal: { kind: "reach" },
+    allowed: {
+      drivers: ["program"],
+      lines: 3,
+      conditions: null,
+      actions: null,
+      edits: ["condition", "number", "action", "otherwise", "order", "lines"],
+      maze: false,
+      tools: null,
+      help: null,
+    },
+    checks: { bumps: 0, seconds: 60 },
+    par: null,
+    unseen: null,
+    ...change,
+  };
+}
+
+const lesson: LessonDocument = {
+  format: "corridor/challenge",
+  version: 2,
+  language: "en",
+  name: "Two mazes",
+  intro: "",
+  order: "any",
+  tasks: [taskOf("Straight on"), taskOf("Corner", { mazes: [corner, straight] })],
+  survey: [
+    { id: "navigation", question: "Did it help you to find the way?" },
+    { id: "robots", question: "Did it help you to understand robots?" },
+  ],
+};
+
+function cardOf(page: Page): Locator {
+  return page.getByRole("region", { name: "Lesson", exact: true });
+}
+
+function taskButton(page: Page, number: number): Locator {
+  const tasks = cardOf(page).getByRole("navigation", { name: "Tasks of this lesson" });
+  return tasks.getByRole("button", { name: new RegExp(`^${number} `) });
+}
+
+async function expectTask(page: Page, number: number): Promise<void> {
+  await expect(taskButton(page, number)).toHaveAttribute("aria-current", "step");
+}
+
+/** Runs the program at full speed. */
+async function drive({ speed, run }: CorridorPage): Promise<void> {
+  await speed.selectOption("16×");
+  await run.click();
+}
+
+/** Solves the open task: straight on, then to the right. */
+async function solve(corridor: CorridorPage, page: Page): Promise<void> {
+  await corridor.program.otherwise.selectOption("forward");
+  await drive(corridor);
+  await expect(cardOf(page).getByRole("note")).toContainText("solved");
+}
+
+test("the lesson opens when a student joins, and the teacher receives each step once", async ({
+  page,
+  relay,
+}) => {
+  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
+  const corridor = await enterClass(page, teacher.code);
+  await expectTask(page, 1);
+  await expect(cardOf(page)).toContainText("Two mazes");
+  await cardOf(page).getByRole("button", { name: "Show a hint" }).click();
+  await corridor.program.otherwise.selectOption("turn 180");
+  await corridor.program.otherwise.selectOption("reverse");
+  await drive(corridor);
+  await expect
+    .poll(async () => teacher.progress(), { timeout: 15_000 })
+    .toEqual([
+      { kind: "opened", lesson: lessonMark(lesson), task: 1 },
+      { kind: "hint", task: 1, hint: 1 },
+      {
+        kind: "run",
+        task: 1,
+        changed: true,
+        bumps: 1,
+        mistakes: expect.any(Number),
+        failure: { code: "bump", line: "default" },
+      },
+    ]);
+  await corridor.reset.click();
+  await solve(corridor, page);
+  await corridor.reload();
+  await expectTask(page, 1);
+  await taskButton(page, 2).click();
+  await expect
+    .poll(async () => (await teacher.progress()).slice(3), { timeout: 20_000 })
+    .toEqual([
+      { kind: "run", task: 1, changed: true, bumps: 0, mistakes: 0, failure: null },
+      { kind: "solved", task: 1, lines: 0, code: expect.any(String) },
+      { kind: "opened", lesson: lessonMark(lesson), task: 2 },
+    ]);
+  const solved = (await teacher.progress()).find(({ kind }) => kind === "solved");
+  const code = decodeLink(solved?.kind === "solved" ? solved.code : "");
+  expect(code).toMatchObject({
+    ok: true,
+    value: { completion: { lesson: lessonMark(lesson), task: 0 } },
+  });
+});
+
+test("the teacher sees the robot drive, bump and solve, and nothing of other work", async ({
+  page,
+  relay,
+}) => {
+  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
+  const dashboard = await teacher.connect();
+  dashboard.send({ type: "watch", student: 1 });
+  const corridor = await enterClass(page, teacher.code);
+  await expectTask(page, 1);
+  await expect
+    .poll(() => dashboard.tile)
+    .toMatchObject({ task: 1, maze: "g1", state: "writing", path: "", passes: null });
+  await corridor.program.otherwise.selectOption("reverse");
+  await corridor.run.click();
+  await expect.poll(() => dashboard.tile).toMatchObject({ state: "bumped", bumps: 1 });
+  await corridor.reset.click();
+  await corridor.program.otherwise.selectOption("forward");
+  await corridor.run.click();
+  await expect.poll(() => dashboard.tile?.state).toBe("driving");
+  await expect.poll(() => dashboard.tile).toMatchObject({ state: "solved", path: "e4", bumps: 0 });
+  expect(dashboard.tiles.some(({ line }) => line === "default")).toBe(true);
+  await taskButton(page, 2).click();
+  await expect.poll(() => dashboard.tile).toMatchObject({ task: 2, maze: "g1", state: "writing" });
+  await cardOf(page).getByRole("button", { name: "Check in both mazes" }).click();
+  await expect.poll(() => dashboard.tile?.passes).toBe(1);
+  await expect
+    .poll(async () => (await teacher.progress()).at(-1))
+    .toMatchObject({ kind: "check", task: 2, changed: true, passes: 1, mazes: 2 });
+  await cardOf(page).getByRole("button", { name: "Back to my maze" }).click();
+  await expect.poll(() => dashboard.tile).toMatchObject({ maze: null, tick: 0, path: "" });
+  await corridor.run.click();
+  await expect(corridor.clock).not.toHaveText(/0:00\.0$/);
+  expect(dashboard.tile).toMatchObject({ maze: null, tick: 0, path: "" });
+  dashboard.close();
+});
+
+test("the teacher reads the newest program, without its name", async ({ page, relay }) => {
+  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
+  const corridor = await enterClass(page, teacher.code);
+  await expectTask(page, 1);
+  await corridor.program.addLine("right >", "60", "delayed right 90");
+  const programs = async () => (await teacher.read()).students[0]?.programs ?? 0;
+  await expect
+    .poll(async () => {
+      if ((await programs()) === 0) return null;
+      const { link } = studentProgramSchema.parse(await teacher.get("/students/1/program"));
+      const decoded = decodeLink(link);
+      return decoded.ok ? decoded.value.program : null;
+    })
+    .toMatchObject({
+      name: "",
+      rules: [{ when: { sensor: "right", is: ">", than: 60 }, do: "delayed right 90" }],
+    });
+});
+
+test("the teacher reads a drive by hand, and its solution", async ({ page, relay }) => {
+  const byHand = taskOf("By hand", { allowed: { ...taskOf("").allowed, drivers: ["me"] } });
+  const teacher = await ClassTeacher.start(relay, NAMES, { ...lesson, tasks: [byHand] });
+  const dashboard = await teacher.connect();
+  await enterClass(page, teacher.code);
+  await expect(page.getByText("Solve By hand.")).toBeVisible();
+  await page.keyboard.down("w");
+  await expect.poll(() => dashboard.tile).toMatchObject({ state: "solved", line: null });
+  await page.keyboard.up("w");
+  await expect
+    .poll(async () => teacher.progress())
+    .toEqual([
+      { kind: "opened", lesson: expect.any(String), task: 1 },
+      { kind: "run", task: 1, changed: true, bumps: 0, mistakes: 0, failure: null },
+      { kind: "solved", task: 1, lines: null, code: expect.any(String) },
+    ]);
+  const { link } = studentProgramSchema.parse(await teacher.get("/students/1/program"));
+  const read = decodeLink(link);
+  expect(read).toMatchObject({ ok: true, value: { completion: { task: 0 } } });
+  dashboard.close();
+});
+
+test("what a student does without a network arrives later, once and in order", async ({
+  browser,
+  relay,
+}) => {
+  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
+  const target = Number(new URL(relay).port);
+  const network = await FaultProxy.start({ target: () => target, random: new SeededRandom(1) });
+  // Not an openWindow fixture: the browser logs an error for each failed connection.
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  const corridor = await enterClass(page, teacher.code, network.origin);
+  await expectTask(page, 1);
+  await solve(corridor, page);
+  const opened = { kind: "opened", task: 1 };
+  const solved = [opened, { kind: "run" }, { kind: "solved", task: 1 }];
+  await expect.poll(async () => teacher.progress()).toMatchObject(solved);
+  Object.assign(network, { isUp: false });
+  network.cut();
+  await taskButton(page, 2).click();
+  const card = cardOf(page);
+  await card.getByRole("button", { name: "Show a hint" }).click();
+  await card.getByRole("button", { name: "Show hint 2 of 2" }).click();
+  network.clearFaults();
+  await expect
+    .poll(async () => teacher.progress(), { timeout: 30_000 })
+    .toMatchObject([
+      ...solved,
+      { kind: "opened", task: 2 },
+      { kind: "hint", task: 2, hint: 1 },
+      { kind: "hint", task: 2, hint: 2 },
+    ]);
+  await context.close();
+  await network.close();
+});
+
+test("a lesson that the teacher sends opens beside unsaved work", async ({ page, relay }) => {
+  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
+  const corridor = await enterClass(page, teacher.code);
+  await expectTask(page, 1);
+  await corridor.program.addLine("front <", "50", "turn 180");
+  await teacher.direct("PUT", "/lesson", { ...lesson, name: "Long way round" });
+  await expect(corridor.messages).toContainText(
+    "Your teacher sent: Long way round. It opens in 10 s. Your own work stays as it is.",
+  );
+  await expectNoAxeViolations(page, "lesson sent");
+  await expect(corridor.program.number(1)).toHaveValue("50");
+  await corridor.messages.getByRole("button", { name: "Open", exact: true }).click();
+  await expect(cardOf(page)).toContainText("Long way round");
+  await expect(corridor.program.lines).toHaveCount(0);
+  await corridor.program.addLine("right >", "70", "right 90");
+  // By itself, and not while the class is paused.
+  await teacher.direct("PUT", "/lesson", { ...lesson, name: "Third lesson" });
+  await expect(corridor.messages).toContainText("Your teacher sent: Third lesson.");
+  await expect(cardOf(page)).toContainText("Third lesson", { timeout: 15_000 });
+  await corridor.reload();
+  await expect(cardOf(page)).toContainText("Third lesson");
+  await expect(corridor.messages).not.toContainText("Your teacher sent");
+  await page.goBack();
+  await expect(cardOf(page)).toContainText("Long way round");
+  await expect(corridor.program.number(1)).toHaveValue("70");
+  await page.goBack();
+  await expect(corridor.program.number(1)).toHaveValue("50");
+});
+
+test("the teacher opens the tasks one after the other", async ({ page, relay }) => {
+  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
+  await teacher.direct("PUT", "/pace", { to: 1 });
+  const corridor = await enterClass(page, teacher.code);
+  await expectTask(page, 1);
+  await expect(taskButton(page, 2)).toHaveAttribute("aria-disabled", "true");
+  // Playwright waits for an element without aria-disabled.
+  await taskButton(page, 2).dispatchEvent("click");
+  await expect(cardOf(page)).toContainText("Your teacher will open task 2 later.");
+  await solve(corridor, page);
+  await expect(page.getByRole("button", { name: "Next task" })).toBeHidden();
+  await expectTask(page, 1);
+  await teacher.direct("DELETE", "/pace");
+  await expect(corridor.messages).toContainText("You can open task 2 now.");
+  await taskButton(page, 2).click();
+  await expectTask(page, 2);
+});
+
+test("the teacher shows a hint", async ({ page, relay }) => {
+  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
+  const dashboard = await teacher.connect();
+  const corridor = await enterClass(page, teacher.code);
+  await expectTask(page, 1);
+  dashboard.send({ type: "hint", student: 1, task: 1, hint: 2 });
+  await expect(corridor.messages).toContainText("Your teacher shows you hint 2.");
+  await expect(cardOf(page)).toContainText("Drive on.");
+  await expect
+    .poll(async () => (await teacher.progress()).at(-1))
+    .toEqual({ kind: "hint", task: 1, hint: 2 });
+  dashboard.send({ type: "hint", student: 1, task: 2, hint: 1 });
+  await expect(corridor.messages).toContainText("Your teacher shows you hint 1 of task 2.");
+  await corridor.messages.getByRole("button", { name: "Open task 2" }).click();
+  await expectTask(page, 2);
+  await expect(cardOf(page)).toContainText("Look ahead.");
+  dashboard.close();
+});
+
+test("a student answers or skips the questions after the last task", async ({ page, relay }) => {
+  const [first] = lesson.tasks;
+  const single = { ...lesson, tasks: first === undefined ? [] : [first] };
+  const teacher = await ClassTeacher.start(relay, NAMES, single);
+  const corridor = await enterClass(page, teacher.code);
+  const card = page.getByRole("region", { name: "Mission", exact: true });
+  await expect(card).toContainText("Two mazes");
+  await corridor.program.otherwise.selectOption("forward");
+  await drive(corridor);
+  await expect(corridor.messages).toContainText("You solved all tasks.");
+  await corridor.messages.getByRole("button", { name: "Answer" }).click();
+  const dialog = corridor.dialog("Questions about the lesson");
+  const question = dialog.getByRole("group", { name: "Did it help you to find the way?" });
+  await expect(question.getByRole("radio", { name: "Skip" })).toBeChecked();
+  await expectNoAxeViolations(page, "questions");
+  await page.setViewportSize({ width: 320, height: 640 });
+  await waitForAnimations(page);
+  expect(await horizontalOverflow(page)).toEqual([]);
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await question.getByRole("radio", { name: "4" }).check();
+  await dialog.getByRole("button", { name: "Send answers" }).click();
+  await expect(dialog).toBeHidden();
+  await expect(corridor.messages).toContainText("Your answers are saved.");
+  await expect
+    .poll(async () => (await teacher.progress()).at(-1))
+    .toEqual({
+      kind: "survey",
+      answers: [
+        { id: "navigation", answer: 4 },
+        { id: "robots", answer: null },
+      ],
+    });
+  await classButton(page).click();
+  const menu = page.getByRole("dialog", { name: "Class" });
+  await expect(menu.getByRole("button", { name: "I need help" })).toBeVisible();
+  await expect(menu.getByRole("button", { name: "Questions about the lesson" })).toBeHidden();
+});
+
+test("a class that ended while the page was closed says so", async ({ page, relay }) => {
+  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
+  const corridor = await enterClass(page, teacher.code);
+  await expectTask(page, 1);
+  await page.goto("about:blank");
+  await teacher.direct("DELETE");
+  await corridor.open("/");
+  await expect(corridor.messages).toContainText("The lesson is over.");
+  await expect(classButton(page)).toBeHidden();
+  const stored = await page.evaluate(() => Object.keys(sessionStorage));
+  expect(stored.filter((key) => key.startsWith("corridor.class"))).toEqual([]);
+});
