@@ -114,7 +114,9 @@ test("a removed student, and a class that ends, leave the work as it is", async 
   const teacher = await ClassTeacher.start(relay, NAMES);
   const first = await enterClass(page, teacher.code);
   const second = await enterClass((await openWindow()).page, teacher.code, relay);
-  for (const { run, pause } of [first, second]) {
+  for (const { page: own, run, pause } of [first, second]) {
+    // The lesson that opens ends a run that began before.
+    await expect(own.getByRole("region", { name: "Lesson", exact: true })).toBeVisible();
     await run.click();
     await expect(pause).toBeVisible();
   }
@@ -152,6 +154,7 @@ test("a pause stops the robot and its keys until the teacher ends it, also after
 }) => {
   const teacher = await ClassTeacher.start(relay, NAMES);
   const corridor = await enterClass(page, teacher.code);
+  await expect(page.getByRole("region", { name: "Lesson", exact: true })).toBeVisible();
   const band = bandOf(page);
   const runButton = page.locator("button[data-does]");
   await corridor.run.click();
