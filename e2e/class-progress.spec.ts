@@ -11,18 +11,11 @@ import { expectNoAxeViolations } from "./support/axe.ts";
 import { ClassTeacher } from "./support/class-teacher.ts";
 import { classButton, enterClass } from "./support/enter-class.ts";
 import { horizontalOverflow } from "./support/layout.ts";
+import { lessonTask, straight } from "./support/lesson-task.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
 
 const NAMES = ["Team 1", "Team 2"];
 
-const straight: LessonTask["mazes"][number] = {
-  format: "corridor/maze",
-  version: 1,
-  name: "Straight on",
-  blocks: ["#######", "#.....#", "#######"],
-  start: { column: 1, row: 1, heading: "east" },
-  goals: [{ column: 5, row: 1 }],
-};
 const corner: LessonTask["mazes"][number] = {
   ...straight,
   name: "Corner",
@@ -31,27 +24,7 @@ const corner: LessonTask["mazes"][number] = {
 };
 
 function taskOf(name: string, change: Partial<LessonTask> = {}): LessonTask {
-  return {
-    name,
-    words: { task: `Solve ${name}.`, short: `Solve ${name}`, hints: ["Look ahead.", "Drive on."] },
-    mazes: [straight],
-    program: null,
-    goal: { kind: "reach" },
-    allowed: {
-      drivers: ["program"],
-      lines: 3,
-      conditions: null,
-      actions: null,
-      edits: ["condition", "number", "action", "otherwise", "order", "lines"],
-      maze: false,
-      tools: null,
-      help: null,
-    },
-    checks: { bumps: 0, seconds: 60 },
-    par: null,
-    unseen: null,
-    ...change,
-  };
+  return lessonTask(name, ["Look ahead.", "Drive on."], change);
 }
 
 const lesson: LessonDocument = {

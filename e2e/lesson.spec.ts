@@ -8,44 +8,17 @@ import { LessonsPanel } from "./pages/lessons-panel.ts";
 import { TeachPage } from "./pages/teach-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 import { horizontalOverflow } from "./support/layout.ts";
+import { lessonTask, straight } from "./support/lesson-task.ts";
 
 const side: LessonTask["mazes"][number] = {
-  format: "corridor/maze",
-  version: 1,
+  ...straight,
   name: "Side opening",
   blocks: ["#######", "#.....#", "###.###", "###.###", "#######"],
-  start: { column: 1, row: 1, heading: "east" },
   goals: [{ column: 3, row: 3 }],
-};
-const straight: LessonTask["mazes"][number] = {
-  ...side,
-  name: "Straight on",
-  blocks: ["#######", "#.....#", "#######"],
-  goals: [{ column: 5, row: 1 }],
 };
 
 function taskOf(name: string, change: Partial<LessonTask> = {}): LessonTask {
-  return {
-    name,
-    words: { task: `Solve ${name}.`, short: `Solve ${name}`, hints: ["Look at right."] },
-    mazes: [straight],
-    program: null,
-    goal: { kind: "reach" },
-    allowed: {
-      drivers: ["program"],
-      lines: 3,
-      conditions: null,
-      actions: null,
-      edits: ["condition", "number", "action", "otherwise", "order", "lines"],
-      maze: false,
-      tools: null,
-      help: null,
-    },
-    checks: { bumps: 0, seconds: 60 },
-    par: null,
-    unseen: null,
-    ...change,
-  };
+  return lessonTask(name, ["Look at right."], change);
 }
 
 const lesson: LessonDocument = {
