@@ -60,10 +60,14 @@ export function Popover({
       popover="auto"
       aria-label={label}
       className={classNames(styles["popover"], className)}
+      // It opens with this event, because a toggle event comes later: the button may be gone by then.
+      onBeforeToggle={({ newState }) => {
+        if (newState === "open") onOpenChange(true);
+      }}
       onToggle={(event) => {
         // A details element inside sends toggle events, too.
         if (event.target !== event.currentTarget) return;
-        onOpenChange(event.newState === "open");
+        if (event.newState === "closed") onOpenChange(false);
       }}
     >
       {isOpen && (
