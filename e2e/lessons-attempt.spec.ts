@@ -217,3 +217,27 @@ test("announces nothing of a mission that is no longer open", async ({ corridor,
   await expect(lessons.card).toBeHidden();
   await expect(corridor.announcement).not.toContainText(outcome);
 });
+
+test("judges a run although the network was lost while the mission opened", async ({
+  corridor,
+  page,
+  pageErrors,
+}) => {
+  let isDown = true;
+  let requests = 0;
+  await page.route(/run-judge/, (route) => {
+    requests += 1;
+    return isDown ? route.abort() : route.continue();
+  });
+  const lessons = new LessonsPanel(page);
+  await lessons.openMission(8);
+  await expect.poll(() => requests).toBeGreaterThan(0);
+  await corridor.program.action(1).selectOption("left 90");
+  await corridor.speed.selectOption("16×");
+  await corridor.run.click();
+  await expect.poll(() => requests).toBeGreaterThan(1);
+  isDown = false;
+  await expect(lessons.outcome).toHaveText("Challenge solved. Lines used: 1 of 1");
+  // The browser logs an error for each missing file.
+  pageErrors.messages.splice(0);
+});

@@ -8,12 +8,15 @@ import type { Diagnostics } from "./run-diagnosis.ts";
 import type { RunJudge } from "./run-judge.ts";
 import type { RunUpdates } from "./run-updates.ts";
 
+type JudgeMessage = Extract<ToWorker, { type: "judge" }>;
+type Attempt = NonNullable<JudgeMessage["attempt"]>;
+
 export interface RunEvaluationPorts {
   post: (message: FromWorker) => void;
   /** calls a function and handles its errors */
   guarded: (work: () => void) => void;
-  /** the judge did not load */
-  onFault: (error: unknown) => void;
+  /** calls a function after a while */
+  later: (work: () => void) => void;
   /** the diagnostics have loaded, or did not: updates of the run are due */
   onDiagnostics: () => void;
 }
@@ -32,14 +35,26 @@ export class RunEvaluation {
     this.#diagnostics = new Lazy(() => import("./diagnose-run.ts"), guarded);
   }
 
-  /** Judges the run by a task. Ticks that run before the judge has loaded are judged then. */
-  judge(updates: RunUpdates, { id, attempt }: Extract<ToWorker, { type: "judge" }>): void {
+  /**
+   * Judges the run by a task. Ticks that run before the judge has loaded are judged then; without a
+   * network it is loaded again and again.
+   */
+  judge(updates: RunUpdates, { id, attempt }: JudgeMessage): void {
     this.#judgeId = id;
     updates.judgeBy(null);
-    if (attempt === null) return;
-    this.#judge.use((Judge) => {
-      if (id === this.#judgeId) updates.judgeBy(new Judge(attempt.task, attempt.maze));
-    }, this.#ports.onFault);
+    if (attempt !== null) this.#loadJudge(updates, id, attempt);
+  }
+
+  #loadJudge(updates: RunUpdates, id: number, attempt: Attempt): void {
+    this.#judge.use(
+      (Judge) => {
+        if (id === this.#judgeId) updates.judgeBy(new Judge(attempt.task, attempt.maze));
+      },
+      () =>
+        this.#ports.later(() => {
+          if (id === this.#judgeId) this.#loadJudge(updates, id, attempt);
+        }),
+    );
   }
 
   /** Loads the diagnostics; without them the run continues unexplained. */

@@ -24,6 +24,8 @@ import { StagePainter } from "../../stage/stage-painter.ts";
 const INTERVAL_MS = 8;
 /** Least milliseconds between two catch-ups before drawing. */
 const RECENT_MS = 2;
+/** Milliseconds until a part that did not load is loaded again. */
+const RETRY_MS = 2_000;
 
 /** The relay link did not load. */
 const unreachable: RemoteView = {
@@ -69,7 +71,7 @@ const feed = new PageFeed({ post, draw: (frame) => painter.add(frame), now });
 const evaluation = new RunEvaluation({
   post,
   guarded,
-  onFault: reportFault,
+  later: (work) => setTimeout(() => guarded(work), RETRY_MS),
   onDiagnostics: postUpdate,
 });
 
