@@ -7,7 +7,8 @@ export default defineConfig({
   testDir: ".",
   testMatch: "**/*.spec.ts",
   fullyParallel: true,
-  workers: 2,
+  // On two cores: a third test uses the processor while another waits for a robot or a timeout.
+  workers: 3,
   timeout: 60_000,
   expect: { timeout: 15_000 },
   // A busy machine can lose a tap. The summary names every test that passed only on a retry.

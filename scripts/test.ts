@@ -112,10 +112,10 @@ function testStage(
   add(name, counts);
 }
 
-/** Runs a project of vitest.config.ts. */
+/** Runs the script of a project of vitest.config.ts. */
 function vitestStage(project: string): void {
-  const args = ["vitest", "run", "--project", project, "--reporter=default", "--reporter=json"];
-  testStage(project, args, parseVitestReport);
+  const reporters = ["--reporter=default", "--reporter=json"];
+  testStage(project, ["npm", "run", `test:${project}`, "--", ...reporters], parseVitestReport);
 }
 
 function run(name: string, [command = "", ...args]: string[], extra: NodeJS.ProcessEnv): number {
