@@ -1,7 +1,8 @@
 /**
  * Measures 25 classes of 40 students with one dashboard each: tiles, pauses, and 200 students who
  * join from one address at once. The cost of a tile is compared with that of a snapshot at the same
- * number of messages per second.
+ * number of messages per second. A relay on Redis also stores 8 progress records of each class per
+ * second.
  */
 import { fork } from "node:child_process";
 import { once } from "node:events";
@@ -10,12 +11,14 @@ import type { Goal } from "../../core/goals.ts";
 import { median, quantile } from "../../core/measure.ts";
 import { ask } from "../load/ask.ts";
 import { Load } from "../load/load.ts";
-import { startPeer } from "../peers/start-peer.ts";
+import { startPeer, startRelayOnRedis } from "../peers/start-peer.ts";
 import { costPerItem } from "../rounds.ts";
 import { printRow, type Section } from "../section.ts";
 import type { ClassesJob, ClassesResult } from "./jobs.ts";
 
-const CLASSES = { classes: 25, students: 40, tilesPerSecond: 2, seconds: 10, joins: 200 };
+const LESSONS = { classes: 25, students: 40, tilesPerSecond: 2, seconds: 10 };
+const CLASSES = { ...LESSONS, recordsPerSecond: 0, joins: 200, longPollPauses: 25 };
+const ON_REDIS = { ...LESSONS, recordsPerSecond: 8, joins: 0, longPollPauses: 0 };
 /** As many snapshots per second as tiles. */
 const SNAPSHOTS = { snapshotsPerSecond: 20, commandsPerSecond: 0, seconds: 10 };
 const ROBOTS = (CLASSES.classes * CLASSES.students * CLASSES.tilesPerSecond) / 20;
@@ -44,6 +47,9 @@ export const classes: Section = {
     ] as const) {
       printRow(name, [quantile(times, 0.5), quantile(times, 0.99)]);
     }
+    const onRedis = await measureOnRedis();
+    printRow("on Redis", ["records per second", "us of relay", "us of Redis"]);
+    printRow("", [onRedis.recordsPerSecond, onRedis.relay, onRedis.redis]);
     const ratios = rounds.map((round) => costOfTile(round.result) / round.snapshot);
     return [
       {
@@ -56,6 +62,12 @@ export const classes: Section = {
       milliseconds("from a pause to all 40 students, p99", pauses, 300),
       milliseconds("the same by long polling, p99", longPollPauses, 1_500),
       milliseconds("200 students join from one address at once, p99", joins, 2_000),
+      {
+        label: "classes of 40 that one core of Redis serves",
+        measured: onRedis.classes,
+        bound: { atLeast: 1_000 },
+        unit: "classes",
+      },
     ];
   },
 };
@@ -77,9 +89,32 @@ async function measureRound(): Promise<{ result: ClassesResult; snapshot: number
     });
     const paced = await load.paced({ fleet, pids: running.pids, ...SNAPSHOTS });
     await load.close(fleet);
-    return { result: await runClasses({ port, pid, ...CLASSES }), snapshot: costPerItem(paced) };
+    const result = await runClasses({ port, pids: [pid], ...CLASSES });
+    return { result, snapshot: costPerItem(paced) };
   } finally {
     await load.stop();
+    await running.stop();
+  }
+}
+
+/** Measures classes at a relay that stores its data in Redis: costs per record, and capacity. */
+async function measureOnRedis() {
+  const running = await startRelayOnRedis();
+  if (running === null) {
+    const missing = Number.NaN;
+    return { recordsPerSecond: missing, relay: missing, redis: missing, classes: missing };
+  }
+  try {
+    const { pages: port, pids } = running;
+    const { seconds, stored, processorMs } = await runClasses({ port, pids, ...ON_REDIS });
+    const [relay = Number.NaN, redis = Number.NaN] = processorMs;
+    return {
+      recordsPerSecond: stored / seconds,
+      relay: (relay * 1000) / stored,
+      redis: (redis * 1000) / stored,
+      classes: (ON_REDIS.classes * seconds * 1000) / redis,
+    };
+  } finally {
     await running.stop();
   }
 }
@@ -94,7 +129,8 @@ async function runClasses(job: ClassesJob): Promise<ClassesResult> {
   return result;
 }
 
-const costOfTile = ({ processorMs, tiles }: ClassesResult): number => (processorMs * 1000) / tiles;
+const costOfTile = ({ processorMs: [relay = Number.NaN], tiles }: ClassesResult): number =>
+  (relay * 1000) / tiles;
 
 function milliseconds(label: string, times: readonly number[], atMost: number): Goal {
   return { label, measured: quantile(times, 0.99), bound: { atMost }, unit: "ms" };

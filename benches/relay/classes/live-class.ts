@@ -17,6 +17,8 @@ export interface ClassListener {
   onPause: (student: number, isPaused: boolean) => void;
   /** The dashboard has received a tile. */
   onTile: (student: number, seq: number) => void;
+  /** A progress record is stored. */
+  onStored: () => void;
 }
 
 /** Seconds of a pause, which the benchmark ends itself. */
@@ -43,10 +45,14 @@ export class LiveClass {
   }
 
   /** Joins with the code, and connects. */
-  async join(onPause: (isPaused: boolean) => void = () => undefined): Promise<void> {
+  async join(
+    onPause: (isPaused: boolean) => void = () => undefined,
+    onStored: () => void = () => undefined,
+  ): Promise<void> {
     const { key } = await this.#becomeStudent();
     const student = await this.#connect("learn", key, (text) => {
       if (text.startsWith('{"type":"pause"')) onPause(!text.includes(":null"));
+      else if (text.startsWith('{"type":"stored"')) onStored();
     });
     this.#students.push(student);
   }
@@ -72,9 +78,9 @@ export class LiveClass {
   }
 
   /** Connects students and the dashboard. */
-  async fill(students: number, { onPause, onTile }: ClassListener): Promise<void> {
+  async fill(students: number, { onPause, onTile, onStored }: ClassListener): Promise<void> {
     for (let student = 0; student < students; student++) {
-      await this.join((isPaused) => onPause(student, isPaused));
+      await this.join((isPaused) => onPause(student, isPaused), onStored);
     }
     const key = this.#created.teacherKey;
     this.#dashboard = await this.#connect("teach", key, (text, dashboard) => {
@@ -91,6 +97,12 @@ export class LiveClass {
   sendTile(student: number, seq: number): void {
     this.#students[student]?.send(
       `{"type":"tile","tile":{"seq":${seq},"task":1,"maze":"g1","state":"driving","pose":[${100 + (seq % 800)},150,90],"path":"e4s2e3n1e2s5w1s3e6n2e1","line":${(seq % 3) + 1},"tick":${seq * 30},"bumps":0,"passes":null}}`,
+    );
+  }
+
+  sendProgress(student: number, seq: number): void {
+    this.#students[student]?.send(
+      `{"type":"progress","seq":${seq},"event":{"kind":"run","task":1,"changed":true,"bumps":1,"mistakes":0,"failure":null}}`,
     );
   }
 

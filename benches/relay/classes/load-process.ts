@@ -7,7 +7,6 @@ import { LiveClass } from "./live-class.ts";
 const WARM_UP_MS = 2_000;
 /** Interval of the pauses, one class after the other. */
 const PAUSE_INTERVAL_MS = 200;
-const LONG_POLL_PAUSES = 25;
 /** The end of a pause reaches all students before the next one starts. */
 const LONG_POLL_INTERVAL_MS = 2_000;
 
@@ -42,7 +41,9 @@ async function measureJoins({ port, joins }: ClassesJob): Promise<number[]> {
 }
 
 /** Pauses a class of which all students poll. */
-async function measureLongPollPauses({ port, students }: ClassesJob): Promise<number[]> {
+async function measureLongPollPauses(job: ClassesJob): Promise<number[]> {
+  const { port, students, longPollPauses } = job;
+  if (longPollPauses === 0) return [];
   const lesson = await LiveClass.create({ port, client: "10.2.1.2" });
   let observer = (): void => undefined;
   for (let student = 0; student < students; student++) {
@@ -51,7 +52,7 @@ async function measureLongPollPauses({ port, students }: ClassesJob): Promise<nu
     });
   }
   const pauses: number[] = [];
-  for (let n = 0; n < LONG_POLL_PAUSES; n++) {
+  for (let n = 0; n < longPollPauses; n++) {
     pauses.push(await pause(lesson, students, (observe) => (observer = observe)));
     await delay(LONG_POLL_INTERVAL_MS);
   }
@@ -63,13 +64,14 @@ type Lessons = Omit<ClassesResult, "joins" | "longPollPauses">;
 
 /** Every student sends tiles. Each class in turn is paused and continued meanwhile. */
 async function measureLessons(job: ClassesJob): Promise<Lessons> {
-  const { port, pid, classes, students, tilesPerSecond, seconds } = job;
+  const { port, pids, classes, students, tilesPerSecond, recordsPerSecond, seconds } = job;
   const everyone = classes * students;
   const sentAt = Array.from({ length: everyone }, () => new Map<number, number>());
   const tileAges: number[] = [];
   /** called when a student of the class receives the start of a pause */
   const observers: (() => void)[] = [];
   let isMeasured = false;
+  let stored = 0;
   const lessons: LiveClass[] = [];
   for (let n = 0; n < classes; n++) {
     const lesson = await LiveClass.create({ port, client: `10.2.0.${n + 1}` });
@@ -81,28 +83,36 @@ async function measureLessons(job: ClassesJob): Promise<Lessons> {
         const sent = sentAt[n * students + student]?.get(seq);
         if (isMeasured && sent !== undefined) tileAges.push(performance.now() - sent);
       },
+      onStored: () => (stored += 1),
     });
     lessons.push(lesson);
   }
   const startedAt = performance.now();
   let tiles = 0;
+  let records = 0;
   const timer = setInterval(() => {
-    const due = ((performance.now() - startedAt) / 1000) * tilesPerSecond * everyone;
-    for (; tiles < due; tiles++) {
+    const elapsed = (performance.now() - startedAt) / 1000;
+    for (; tiles < elapsed * tilesPerSecond * everyone; tiles++) {
       const at = tiles % everyone;
       const seq = Math.floor(tiles / everyone) + 1;
       sentAt[at]?.set(seq, performance.now());
       lessons[Math.floor(at / students)]?.sendTile(at % students, seq);
     }
+    for (; records < elapsed * recordsPerSecond * classes; records++) {
+      const at = records % everyone;
+      const seq = Math.floor(records / everyone) + 1;
+      lessons[at % classes]?.sendProgress(Math.floor(at / classes), seq);
+    }
   }, 1);
   await delay(WARM_UP_MS);
   isMeasured = true;
-  const before = { tiles, processor: processorMs(pid), at: performance.now() };
+  const before = { tiles, stored, processor: pids.map(processorMs), at: performance.now() };
   await delay(seconds * 1000);
   const result = {
     seconds: (performance.now() - before.at) / 1000,
     tiles: tiles - before.tiles,
-    processorMs: processorMs(pid) - before.processor,
+    stored: stored - before.stored,
+    processorMs: pids.map((pid, at) => processorMs(pid) - (before.processor[at] ?? Number.NaN)),
   };
   isMeasured = false;
   const pauses: number[] = [];
