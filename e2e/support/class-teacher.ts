@@ -36,6 +36,11 @@ export class ClassTeacher {
     return new ClassTeacher(relay, createdClassSchema.parse(await answer.json()));
   }
 
+  /** Directs a class that a page has started. */
+  static of(relay: string, created: CreatedClass): ClassTeacher {
+    return new ClassTeacher(relay, created);
+  }
+
   get code(): string {
     return this.created.code;
   }
