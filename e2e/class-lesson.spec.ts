@@ -18,7 +18,6 @@ import { textsInFiles } from "./support/class-files.ts";
 import { ClassTeacher } from "./support/class-teacher.ts";
 import { classButton, enterClass } from "./support/enter-class.ts";
 import { lessonTask } from "./support/lesson-task.ts";
-import type { PageErrors } from "./support/page-errors.ts";
 
 /** A relay whose files the test reads. */
 interface Service {
@@ -132,15 +131,6 @@ async function storedOf(teacher: ClassTeacher, name: string) {
 /** Students who write and those who drive have one place. */
 function asOrdered(state: string): string {
   return state === "Writing" || state === "Driving" ? "Working" : state;
-}
-
-/** The browser reports each connection that fails while a network or the relay is down. */
-function ignoreFailedRequests({ messages }: PageErrors): void {
-  const others = messages.filter(
-    (each) =>
-      !/^console: (Failed to load resource|WebSocket connection)|imported module/.test(each),
-  );
-  messages.splice(0, messages.length, ...others);
 }
 
 test("a lesson with eight students, until no byte of it is left", async ({
@@ -367,5 +357,5 @@ test("a lesson with eight students, until no byte of it is left", async ({
     await relay.kill();
     expect(left()).toEqual([]);
   });
-  ignoreFailedRequests(pageErrors);
+  pageErrors.ignoreFailedRequests();
 });
