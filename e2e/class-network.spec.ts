@@ -97,9 +97,10 @@ test("teacher and student use two relays, of which one is killed", async ({
   pageErrors,
   cluster: { first, second, folder },
 }) => {
-  const { created } = await ClassTeacher.start(first.url, NAMES, lesson);
+  const teacher = await ClassTeacher.start(first.url, NAMES, lesson);
+  const { created } = teacher;
   const { page } = await openWindow();
-  await page.goto(`${first.url}/class/${created.id}#${created.teacherKey}`);
+  await page.goto(teacher.address());
   const dashboard = new DashboardPage(page);
   const student = await enterClass((await openWindow()).page, created.code, second.url);
   await expect(dashboard.cards).toHaveAccessibleName(/, Writing, 0 minutes/);

@@ -45,6 +45,12 @@ export class ClassTeacher {
     return this.created.code;
   }
 
+  /** The address of the dashboard. @param search such as ?lang=ar */
+  address(search = ""): string {
+    const { id, teacherKey } = this.created;
+    return `${this.#relay}/class/${id}${search}#${teacherKey}`;
+  }
+
   /** The class with its students. */
   async read(): Promise<ClassView> {
     return classViewSchema.parse(await this.get(""));
