@@ -138,6 +138,7 @@ test("a lesson with eight students, until no byte of it is left", async ({
   pageErrors,
   service: { relay, folder, network },
 }) => {
+  pageErrors.ignoreFailedRequests();
   test.setTimeout(150_000);
   const origin = relay.url;
   const { page } = await openWindow();
@@ -263,13 +264,21 @@ test("a lesson with eight students, until no byte of it is left", async ({
   await test.step("a killed relay loses nothing that it acknowledged", async () => {
     const before = await teacher.read();
     await relay.killAndRestart();
+    const after = await teacher.read();
+    // Pages may have reported more by now.
+    for (const [at, { progress, programs, ...student }] of before.students.entries()) {
+      const now = after.students[at];
+      expect(now).toMatchObject(student);
+      expect(now?.progress.slice(0, progress.length)).toEqual(progress);
+      expect(now?.programs).toBeGreaterThanOrEqual(programs);
+    }
+    const { programs } = await storedOf(teacher, nameOf(helper));
     await helper.program.addLine("front <", "40", "turn 180");
-    expect(await teacher.read()).toMatchObject({ students: before.students });
     await other.runWith("forward");
     await dashboard.expectState(nameOf(other), "Solved");
     await expect
       .poll(async () => (await storedOf(teacher, nameOf(helper))).programs)
-      .toBeGreaterThan(0);
+      .toBeGreaterThan(programs);
   });
 
   await test.step("a lesson opens beside work that no one has saved", async () => {
@@ -354,8 +363,5 @@ test("a lesson with eight students, until no byte of it is left", async ({
     await expect(page.getByRole("heading", { name: "The lesson is over" })).toBeVisible();
     for (const { messages } of present) await expect(messages).toContainText("The lesson is over.");
     expect(left()).toEqual([]);
-    await relay.kill();
-    expect(left()).toEqual([]);
   });
-  pageErrors.ignoreFailedRequests();
 });

@@ -97,6 +97,7 @@ test("teacher and student use two relays, of which one is killed", async ({
   pageErrors,
   cluster: { first, second, folder },
 }) => {
+  pageErrors.ignoreFailedRequests();
   const teacher = await ClassTeacher.start(first.url, NAMES, lesson);
   const { created } = teacher;
   const { page } = await openWindow();
@@ -125,5 +126,4 @@ test("teacher and student use two relays, of which one is killed", async ({
   await page.getByRole("button", { name: "End", exact: true }).click();
   await expect(student.messages).toContainText("The lesson is over.");
   await expect.poll(stored).toEqual([]);
-  pageErrors.ignoreFailedRequests();
 });

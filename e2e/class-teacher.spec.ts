@@ -274,6 +274,7 @@ test("the key of another class opens nothing, and does not replace the right one
   pageErrors,
   relay,
 }) => {
+  pageErrors.ignoreFailedRequests();
   const teacher = await openDashboard(page, relay);
   const other = await ClassTeacher.start(relay);
   await page.goto(`/class/${teacher.created.id}#${other.created.teacherKey}`);
@@ -281,7 +282,6 @@ test("the key of another class opens nothing, and does not replace the right one
   await expect(page.getByText("Open the class from the device that started it.")).toBeVisible();
   await page.reload();
   await expect(page.getByRole("heading", { name: "One line" })).toBeVisible();
-  pageErrors.ignoreFailedRequests();
 });
 
 async function openOnPhone(context: BrowserContext, relay: string) {

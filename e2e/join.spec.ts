@@ -57,6 +57,7 @@ test("each refusal says what to do, and the letters stay in the field", async ({
   pageErrors,
   relay,
 }) => {
+  pageErrors.ignoreFailedRequests();
   const teacher = await ClassTeacher.start(relay, ["Only one"]);
   await page.goto("/join");
   const alert = page.getByRole("alert");
@@ -79,7 +80,6 @@ test("each refusal says what to do, and the letters stay in the field", async ({
   await teacher.direct("DELETE");
   await join(page, teacher.code);
   await expect(alert).toHaveText("No class has these letters now. Look at the board again.");
-  pageErrors.ignoreFailedRequests();
 });
 
 test("a page that is older than the relay offers to reload", async ({ page, relay }) => {
@@ -101,12 +101,12 @@ test("a student without a network reads what still works", async ({
   context,
   pageErrors,
 }) => {
+  pageErrors.ignoreFailedRequests();
   await page.goto("/join");
   await expect(lettersOf(page)).toBeVisible();
   await context.setOffline(true);
   await join(page, NO_CLASS);
   await expect(page.getByRole("alert")).toContainText("You are offline.");
-  pageErrors.ignoreFailedRequests();
 });
 
 test("fits a phone and 320 px, also in a right-to-left language", async ({
@@ -114,6 +114,7 @@ test("fits a phone and 320 px, also in a right-to-left language", async ({
   pageErrors,
   relay,
 }) => {
+  pageErrors.ignoreFailedRequests();
   const { code } = await ClassTeacher.start(relay);
   for (const locale of ["en", "ar"]) {
     const { page } = await openWindow({ ...phone, locale });
@@ -131,7 +132,6 @@ test("fits a phone and 320 px, also in a right-to-left language", async ({
     expect(await smallTouchTargets(page)).toEqual([]);
     expect(await horizontalOverflow(page), locale).toEqual([]);
   }
-  pageErrors.ignoreFailedRequests();
 });
 
 test("a student takes another name before the start, at most twice", async ({ page, relay }) => {

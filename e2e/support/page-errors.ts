@@ -5,17 +5,22 @@ export class PageErrors {
   /** console errors, uncaught errors and Content-Security-Policy violations, as text */
   readonly messages: string[] = [];
 
-  /** Drops what the browser reports of each request or connection that failed, as a test expects. */
+  #ignored: RegExp | null = null;
+
+  /**
+   * Collects no console errors about requests and connections that failed: the test makes them
+   * fail. The browser reports some of them late.
+   */
   ignoreFailedRequests(): void {
-    const failed = /^console: (Failed to load resource|WebSocket connection)/;
-    const others = this.messages.filter((each) => !failed.test(each));
-    this.messages.splice(0, this.messages.length, ...others);
+    this.#ignored = /^(Failed to load resource|WebSocket connection)/;
   }
 
   /** Collects the errors of all pages of a context, including those opened later. */
   async observe(context: BrowserContext): Promise<void> {
     context.on("console", (message) => {
-      if (message.type() === "error") this.messages.push(`console: ${message.text()}`);
+      const text = message.text();
+      const isError = message.type() === "error" && this.#ignored?.test(text) !== true;
+      if (isError) this.messages.push(`console: ${text}`);
     });
     context.on("weberror", (error) => {
       this.messages.push(`uncaught: ${String(error.error())}`);
