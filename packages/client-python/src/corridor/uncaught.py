@@ -36,7 +36,7 @@ def explain_interrupt(error: BaseException) -> Optional[str]:
 
 def _line_before(trace: Optional[TracebackType], package: str) -> Optional[str]:
     """The last line of the script that calls the package; None if no line does."""
-    line = None
+    line: Optional[str] = None
     while trace is not None and trace.tb_next is not None:
         if not _is_of(trace, package) and _is_of(trace.tb_next, package):
             line = _line_of(trace)
