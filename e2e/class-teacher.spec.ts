@@ -241,6 +241,38 @@ test("a big screen shows the code and the results, and no name", async ({
   driver.close();
 });
 
+test("verified programs race in one maze, on the dashboard and the big screen, without names", async ({
+  page,
+  relay,
+  openWindow,
+}) => {
+  const teacher = await openDashboard(page, relay);
+  const { page: screen } = await openWindow({ viewport: { width: 1920, height: 1080 } });
+  await screen.goto(`${relay}/class/${teacher.created.id}#${teacher.created.screenKey}`);
+  const students = [
+    await ScriptedStudent.join(relay, teacher.code),
+    await ScriptedStudent.join(relay, teacher.code),
+  ];
+  for (const student of students) student.report(opened);
+  students[0]?.report(claim(solution));
+  await expect(screen.getByText("1 of 2 solved")).toBeVisible();
+  await expect(screen.getByRole("button", { name: /^Race/ })).toHaveCount(0);
+  students[1]?.report(claim(solution));
+  for (const place of [page, screen]) {
+    await place.getByRole("button", { name: "Race: 2 robots, one maze" }).click();
+    await expect(place.getByText("2 of 2 at the goal")).toBeVisible();
+    await expect(place.getByText(/^Robot 1: \d+\.\d s, 1 line, 2 students$/)).toBeVisible();
+    await expect(place.getByRole("button", { name: "Again" })).toBeVisible();
+    await expectNoAxeViolations(place, "race");
+  }
+  await expect(screen.getByText(/Team \d/)).toHaveCount(0);
+  await screen.getByRole("button", { name: "Again" }).click();
+  await expect(screen.getByText("2 of 2 at the goal")).toBeVisible();
+  await screen.getByRole("button", { name: "Close race" }).click();
+  await expect(screen.getByText("Where robots bump")).toBeVisible();
+  for (const student of students) student.close();
+});
+
 test("the lesson ends with a report, and then nothing is left", async ({ page, relay }) => {
   const teacher = await openDashboard(page, relay);
   const student = await ScriptedStudent.join(relay, teacher.code);

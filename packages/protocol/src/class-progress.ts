@@ -5,6 +5,7 @@
 import { z } from "zod";
 import {
   hintNumberSchema,
+  MAX_CODE,
   MAX_TASK_MAZES,
   taskNumberSchema,
   wholeNumber,
@@ -13,8 +14,6 @@ import { lineSchema } from "./snapshot.ts";
 
 /** Records of one student. At most one in two seconds, so they last for almost three hours. */
 export const MAX_PROGRESS = 5_000;
-/** Longest completion code. */
-const MAX_CODE = 4_096;
 const MAX_QUESTIONS = 8;
 const MAX_LINES = 200;
 const MAX_COUNT = 1_000_000;

@@ -6,6 +6,9 @@ const MAX_STUDENT_NUMBER = 9_999;
 /** Bounds of a lesson, from the document's schema in another package. */
 const MAX_TASKS = 12;
 const MAX_HINTS = 6;
+/** Longest completion code, in characters. */
+export const MAX_CODE = 4_096;
+
 /** Given and unseen mazes of one task. */
 export const MAX_TASK_MAZES = 1_010;
 

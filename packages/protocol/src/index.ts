@@ -69,8 +69,10 @@ export {
 } from "./class-progress.ts";
 export { studentNumberSchema } from "./class-quantities.ts";
 export { MAX_TILE_LENGTH, tileSchema, type Tile } from "./class-tile.ts";
+export { MAX_RACERS } from "./max-racers.ts";
 export {
   screenContentSchema,
+  type Racer,
   type ScreenContent,
   type ScreenNumbers,
   type ScreenRun,

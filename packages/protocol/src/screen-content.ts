@@ -3,7 +3,9 @@
  * student. The relay forwards it unread.
  */
 import { z } from "zod";
+import { MAX_CODE } from "./class-quantities.ts";
 import { tileSchema } from "./class-tile.ts";
+import { MAX_RACERS } from "./max-racers.ts";
 
 const MAX_CELLS = 400;
 const count = z.int().min(0).max(1_000_000);
@@ -14,6 +16,15 @@ const runSchema = tileSchema.pick({ task: true, maze: true, pose: true, path: tr
   isSolved: z.boolean(),
 });
 export type ScreenRun = z.infer<typeof runSchema>;
+
+/** A program that solves the task. */
+const racerSchema = z.strictObject({
+  /** completion code */
+  code: z.string().min(1).max(MAX_CODE),
+  /** students with this program */
+  count: count.min(1),
+});
+export type Racer = z.infer<typeof racerSchema>;
 
 export const screenContentSchema = z.strictObject({
   task: tileSchema.shape.task,
@@ -28,6 +39,8 @@ export const screenContentSchema = z.strictObject({
   maze: tileSchema.shape.maze,
   bumps: z.array(z.strictObject({ column: count, row: count, count })).max(MAX_CELLS),
   run: runSchema.nullable(),
+  /** the verified programs of the task */
+  racers: z.array(racerSchema).max(MAX_RACERS),
 });
 export type ScreenContent = z.infer<typeof screenContentSchema>;
 

@@ -2,19 +2,21 @@
 import type { LessonDocument } from "@corridor/challenge";
 import { CELL, sizeOf } from "@corridor/maze";
 import type { ScreenContent, ScreenRun } from "@corridor/protocol";
-import { useEffect, type ReactNode } from "react";
+import { useEffect, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import type { StoreApi } from "zustand/vanilla";
 import { lessonName } from "../../model/lessons/lesson-name.ts";
 import { pathCells } from "../../simulator/protocol/tile-path.ts";
 import { Brand } from "../../ui/Brand.tsx";
+import { Button } from "../../ui/Button.tsx";
 import { MazeDrawing } from "../../ui/MazePicture.tsx";
 import { QrCode } from "../../ui/QrCode.tsx";
 import { qrPath } from "../../ui/qr-path.ts";
 import type { BigScreenState } from "./big-screen-state.ts";
 import { BumpMaze } from "./BumpMaze.tsx";
 import { clockText, codeText } from "./clock-text.ts";
+import { LazyRaceView } from "./lazy-race-view.ts";
 import { taskMaze } from "./task-maze.ts";
 import styles from "./big-screen.module.css";
 
@@ -78,7 +80,9 @@ function Join({ code }: { code: string }) {
 
 function Results({ lesson, content }: { lesson: LessonDocument; content: ScreenContent }) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
-  const { task, solved, all, medianMs, lines, bumps, run } = content;
+  const { task, solved, all, medianMs, lines, bumps, run, racers } = content;
+  const [isRacing, setRacing] = useState(false);
+  const count = racers.reduce((sum, racer) => sum + racer.count, 0);
   const maze = taskMaze(lesson, task, content.maze ?? "g1");
   return (
     <section className={styles["results"]} aria-label={t("summary.label")}>
@@ -92,15 +96,30 @@ function Results({ lesson, content }: { lesson: LessonDocument; content: ScreenC
         </div>
         {medianMs !== null && <p>{t("screen.median", { time: clockText(medianMs) })}</p>}
         {lines !== null && <p>{t("screen.lines", { count: lines })}</p>}
+        {count > 1 && !isRacing && (
+          <div>
+            <Button onClick={() => setRacing(true)}>{t("race.open", { count })}</Button>
+          </div>
+        )}
       </div>
-      {run === null
-        ? maze !== null && (
-            <figure className={styles["picture"]}>
-              <figcaption>{t("screen.bumps")}</figcaption>
-              <BumpMaze maze={maze} bumps={bumps} />
-            </figure>
-          )
-        : run.maze !== null && <Run lesson={lesson} run={run} />}
+      {isRacing ? (
+        <LazyRaceView
+          key={task}
+          lesson={lesson}
+          task={task}
+          racers={racers}
+          onClose={() => setRacing(false)}
+        />
+      ) : run === null ? (
+        maze !== null && (
+          <figure className={styles["picture"]}>
+            <figcaption>{t("screen.bumps")}</figcaption>
+            <BumpMaze maze={maze} bumps={bumps} />
+          </figure>
+        )
+      ) : (
+        run.maze !== null && <Run lesson={lesson} run={run} />
+      )}
     </section>
   );
 }

@@ -4,12 +4,14 @@ import { useMemo, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import type { Bar, ClassSummary } from "../../model/classroom/class-summary.ts";
 import { summaryOf } from "../../model/classroom/class-summary.ts";
+import { racersOf } from "../../model/classroom/racers.ts";
 import type { CountedBump } from "../../simulator/protocol/classroom-messages.ts";
 import { localNumber } from "../../text/numbers.ts";
 import { Select } from "../../ui/Select.tsx";
 import { BumpMaze } from "./BumpMaze.tsx";
 import { clockText } from "./clock-text.ts";
 import { useDashboard } from "./dashboard-context.ts";
+import { RaceButton } from "./RaceButton.tsx";
 import styles from "./summaries.module.css";
 
 export function Summaries() {
@@ -50,6 +52,9 @@ export function Summaries() {
           />
         )}
         <Shares summary={summary} />
+        {lesson !== null && (
+          <RaceButton lesson={lesson} task={task} racers={racersOf(task, verifications)} />
+        )}
       </div>
       <Part
         name={t("summary.time")}

@@ -1,6 +1,7 @@
 /** Sends the numbers of the class to its big screens, whenever they change. */
 import { useEffect } from "react";
 import { summaryOf } from "../../model/classroom/class-summary.ts";
+import { racersOf } from "../../model/classroom/racers.ts";
 import type { Dashboard, DashboardState } from "../../model/classroom/dashboard.ts";
 import type { ScreenNumbers } from "@corridor/protocol";
 
@@ -39,5 +40,6 @@ function numbersOf(state: DashboardState): ScreenNumbers | null {
     lines: summary.commonLines,
     maze: "g1",
     bumps: cells.slice(0, 400).map(({ column, row, count }) => ({ column, row, count })),
+    racers: racersOf(task, verifications),
   };
 }

@@ -10,6 +10,7 @@ const numbers = {
   lines: 2,
   maze: "g1",
   bumps: [{ column: 1, row: 1, count: 4 }],
+  racers: [],
 };
 
 function newFeed() {

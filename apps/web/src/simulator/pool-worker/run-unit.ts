@@ -4,6 +4,7 @@ import { emptyProgram } from "@corridor/program";
 import { Recording, type WrittenRun } from "@corridor/recording";
 import type { PoolJob, PoolResult, RunToRecord } from "../protocol/pool-messages.ts";
 import { diagnoseAttempt } from "./diagnose-attempt.ts";
+import { raceRun } from "./race-run.ts";
 import { mazeOf, minutesFor, tryMaze } from "./maze-trial.ts";
 
 /** @param unit from 0 @throws RangeError if the job has no such unit */
@@ -22,6 +23,12 @@ export function runUnit(job: PoolJob, unit: number): PoolResult {
       const run = job.runs[unit];
       if (run === undefined) throw new RangeError(`no unit ${unit}`);
       return { kind: "record", written: recordAttempt(run) };
+    }
+    case "race": {
+      const { task, maze, programs } = job.race;
+      const program = programs[unit];
+      if (program === undefined) throw new RangeError(`no unit ${unit}`);
+      return { kind: "race", run: raceRun(task, maze, program) };
     }
     case "diagnose": {
       const attempt = job.attempts[unit];

@@ -26,6 +26,25 @@ export interface AttemptToDiagnose {
   reader: "student" | "teacher";
 }
 
+/** Programs to race in a maze of a task. */
+export interface RaceToRun {
+  task: LessonTask;
+  maze: MazeDocument;
+  programs: readonly ProgramDocument[];
+}
+
+/** How a robot drives in a race. */
+export interface RacedRun {
+  /** x, y and heading at every `TICKS_PER_POSE`th tick, and at the last one */
+  poses: Float32Array;
+  /** until it solved the task, or failed */
+  ticks: number;
+  isSolved: boolean;
+}
+
+/** Ten poses per second. */
+export const TICKS_PER_POSE = 6;
+
 export type PoolJob =
   /** unit n tries the program in the maze with the seed `first` + n */
   | { kind: "trial"; program: ProgramDocument; mazes: TrialMazes; first: number }
@@ -33,6 +52,8 @@ export type PoolJob =
   | { kind: "check"; check: CheckJob }
   /** a unit for each run */
   | { kind: "record"; runs: readonly RunToRecord[] }
+  /** a unit for each program */
+  | { kind: "race"; race: RaceToRun }
   /** a unit for each attempt */
   | { kind: "diagnose"; attempts: readonly AttemptToDiagnose[] };
 
@@ -41,6 +62,7 @@ export type PoolResult =
   | { kind: "trial"; trial: TrialResult }
   | { kind: "check"; outcome: MazeOutcome }
   | { kind: "record"; written: WrittenRun }
+  | { kind: "race"; run: RacedRun }
   | { kind: "diagnose"; diagnosis: Diagnosis | null };
 
 /** Units from `from` up to and without `to`. */

@@ -1,0 +1,164 @@
+/** A race of the verified programs of a task, together in one maze. Robots have numbers, no names. */
+import type { LessonDocument } from "@corridor/challenge";
+import { CELL, sizeOf, type MazeDocument } from "@corridor/maze";
+import type { Racer } from "@corridor/protocol";
+import { TICKS_PER_SECOND } from "@corridor/simulation";
+import { useEffect, useRef, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { createWorkerPool } from "../../simulator/worker-pool.ts";
+import { formatSeconds } from "../../text/numbers.ts";
+import { Button } from "../../ui/Button.tsx";
+import { MazeDrawing } from "../../ui/MazePicture.tsx";
+import { useMediaQuery } from "../../ui/use-media-query.ts";
+import { lastTick, poseAt, raceSpeed } from "./race-motion.ts";
+import { startRace, type RaceRobot } from "./start-race.ts";
+import { taskMaze } from "./task-maze.ts";
+import styles from "./race-view.module.css";
+
+const DEGREES = { north: 0, east: 90, south: 180, west: 270 } as const;
+/** Rows of the list of results. */
+const MOST_RESULTS = 3;
+
+export interface RaceViewProps {
+  lesson: LessonDocument;
+  /** from 1 */
+  task: number;
+  racers: readonly Racer[];
+  onClose: () => void;
+}
+
+/** Later solutions take part in the next race. */
+export function RaceView({ lesson, task, racers, onClose }: RaceViewProps) {
+  const { t } = useTranslation("dashboard", { useSuspense: false });
+  const [starters] = useState({ lesson, task, racers });
+  const [robots, setRobots] = useState<RaceRobot[] | "failed" | null>(null);
+  useEffect(() => {
+    const pool = createWorkerPool();
+    let isShown = true;
+    startRace(pool, starters.lesson, starters.task, starters.racers).then(
+      (found) => isShown && setRobots(found ?? "failed"),
+      () => isShown && setRobots("failed"),
+    );
+    return () => {
+      isShown = false;
+      pool.close();
+    };
+  }, [starters]);
+  const maze = taskMaze(starters.lesson, starters.task, "g1");
+  const missing =
+    Array.isArray(robots) && robots.length < starters.racers.length
+      ? starters.racers.length - robots.length
+      : 0;
+  return (
+    <figure className={styles["race"]}>
+      <figcaption className="visually-hidden">{t("race.title")}</figcaption>
+      {robots === "failed" && <p role="alert">{t("race.failed")}</p>}
+      {missing > 0 && <p role="alert">{t("race.unreadable")}</p>}
+      {Array.isArray(robots) && robots.length > 0 && maze !== null ? (
+        <Track maze={maze} robots={robots} onClose={onClose} />
+      ) : (
+        <div className={styles["bar"]}>
+          <Button onClick={onClose}>{t("race.close")}</Button>
+        </div>
+      )}
+    </figure>
+  );
+}
+
+interface TrackProps {
+  maze: MazeDocument;
+  robots: readonly RaceRobot[];
+  onClose: () => void;
+}
+
+function Track({ maze, robots, onClose }: TrackProps) {
+  const { t, i18n } = useTranslation("dashboard", { useSuspense: false });
+  const isStill = useMediaQuery("(prefers-reduced-motion: reduce)");
+  const [isRunning, setRunning] = useState(!isStill);
+  const [tick, setTick] = useState(0);
+  const places = useRef<(SVGGElement | null)[]>([]);
+  const runs = robots.map(({ run }) => run);
+  const end = lastTick(runs);
+  const speed = raceSpeed(runs);
+  useEffect(() => {
+    const draw = (at: number): void => {
+      for (const [index, { run }] of robots.entries()) {
+        const { x, y, heading } = poseAt(run, at);
+        const robot = places.current[index];
+        robot?.setAttribute("transform", `translate(${x / CELL} ${y / CELL})`);
+        robot?.querySelector("path")?.setAttribute("transform", `rotate(${heading})`);
+      }
+    };
+    if (!isRunning) return;
+    const startedAt = performance.now();
+    let request = requestAnimationFrame(function next(now) {
+      const at = Math.min(end, Math.max(0, (now - startedAt) / 1000) * TICKS_PER_SECOND * speed);
+      draw(at);
+      setTick(Math.floor(at / 6) * 6);
+      if (at < end) request = requestAnimationFrame(next);
+      else {
+        setTick(end);
+        setRunning(false);
+      }
+    });
+    return () => cancelAnimationFrame(request);
+  }, [isRunning, robots, end, speed]);
+  const { columns, rows } = sizeOf(maze);
+  const { column, row, heading } = maze.start;
+  const seconds = (ticks: number): string =>
+    t("race.seconds", { seconds: formatSeconds(ticks, i18n.language) });
+  const arrived = robots
+    .map((robot, at) => ({ ...robot, number: at + 1 }))
+    .filter(({ run }) => run.isSolved && run.ticks <= tick)
+    .toSorted((a, b) => a.run.ticks - b.run.ticks);
+  const all = robots.reduce((sum, { count }) => sum + count, 0);
+  const atGoal = arrived.reduce((sum, { count }) => sum + count, 0);
+  return (
+    <>
+      <div className={styles["bar"]}>
+        <p className={styles["clock"]}>
+          <span>{seconds(tick)}</span>
+          {speed > 1 && <span>{t("race.speed", { speed })}</span>}
+          <span>{t("race.arrived", { arrived: atGoal, count: all })}</span>
+        </p>
+        {!isRunning && (
+          <Button
+            onClick={() => {
+              setTick(0);
+              setRunning(true);
+            }}
+          >
+            {tick === 0 ? t("race.start") : t("race.again")}
+          </Button>
+        )}
+        <Button onClick={onClose}>{t("race.close")}</Button>
+      </div>
+      <svg viewBox={`0 0 ${columns} ${rows}`} aria-hidden="true">
+        <MazeDrawing maze={maze} showStart={false} />
+        {robots.map(({ run }, at) => (
+          <g
+            key={at}
+            ref={(place) => {
+              places.current[at] = place;
+            }}
+            transform={`translate(${column + 0.5} ${row + 0.5})`}
+            className={styles["robot"]}
+            data-solved={run.isSolved && run.ticks <= tick}
+          >
+            <circle r="0.3" />
+            <path d="M-.14-.12 0-.28 .14-.12z" transform={`rotate(${DEGREES[heading]})`} />
+            <text y="0.1">{at + 1}</text>
+          </g>
+        ))}
+      </svg>
+      <ol className={styles["results"]}>
+        {arrived.slice(0, MOST_RESULTS).map(({ number, run, lines, count }) => (
+          <li key={number}>
+            {t("race.robot", { number })}: {seconds(run.ticks)}, {t("race.lines", { count: lines })}
+            {count > 1 && `, ${t("race.times", { count })}`}
+          </li>
+        ))}
+      </ol>
+    </>
+  );
+}

@@ -1,0 +1,57 @@
+/** Reads the programs of a race, and runs them on the workers of a pool. */
+import { isProgram, type LessonDocument } from "@corridor/challenge";
+import { handInsOf } from "@corridor/link";
+import type { ProgramDocument } from "@corridor/program";
+import type { Racer } from "@corridor/protocol";
+import type { RacedRun } from "../../simulator/protocol/pool-messages.ts";
+import type { WorkerPool } from "../../simulator/worker-pool.ts";
+import { taskMaze } from "./task-maze.ts";
+
+export interface RaceRobot {
+  /** students with its program */
+  count: number;
+  lines: number;
+  run: RacedRun;
+}
+
+/**
+ * @param task from 1; the robots race in its first maze
+ * @returns the robots in the order of `racers`, without those whose code is unreadable; null if the
+ *   workers do not load
+ */
+export async function startRace(
+  pool: Pick<WorkerPool, "run">,
+  lesson: LessonDocument,
+  task: number,
+  racers: readonly Racer[],
+): Promise<RaceRobot[] | null> {
+  const document = lesson.tasks[task - 1];
+  const maze = taskMaze(lesson, task, "g1");
+  const starters = racers.flatMap(({ code, count }) => {
+    const program = programOf(code, lesson);
+    return program === null ? [] : [{ program, count }];
+  });
+  if (document === undefined || maze === null || starters.length === 0) return [];
+  const programs = starters.map(({ program }) => program);
+  const robots: RaceRobot[] = [];
+  let left = programs.length;
+  return new Promise((resolve) => {
+    pool.run({ kind: "race", race: { task: document, maze, programs } }, programs.length, {
+      onResult: (result, at) => {
+        const starter = starters[at];
+        if (result.kind !== "race" || starter === undefined) return;
+        const lines = starter.program.rules.filter(({ when }) => when !== null).length;
+        robots[at] = { count: starter.count, lines, run: result.run };
+        if (--left === 0) resolve(robots);
+      },
+      onEnd: () => resolve(null),
+    });
+  });
+}
+
+/** null: not a program of this lesson */
+function programOf(code: string, lesson: LessonDocument): ProgramDocument | null {
+  const lines = handInsOf(code, lesson);
+  const read = lines.ok ? lines.value[0]?.read : undefined;
+  return read?.ok === true && isProgram(read.value.attempt) ? read.value.attempt : null;
+}
