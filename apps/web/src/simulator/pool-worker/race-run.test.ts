@@ -1,14 +1,39 @@
-import { checkMaze } from "@corridor/challenge";
+import { checkMaze, type LessonTask } from "@corridor/challenge";
+import type { MazeDocument } from "@corridor/maze";
 import { programPresets } from "@corridor/program";
 import { expect, it } from "vitest";
-import { sampleLesson } from "../../model/lessons/testing/sample-lesson.ts";
 import { raceRun } from "./race-run.ts";
 
-const [task] = sampleLesson.tasks;
 const found = programPresets.find(({ id }) => id === "right-wall");
-if (task === undefined || found === undefined) throw new Error("a sample is gone");
-const [maze] = task.mazes;
-if (maze === undefined) throw new Error("the task has no maze");
+if (found === undefined) throw new Error("the preset is gone");
+const maze: MazeDocument = {
+  format: "corridor/maze",
+  version: 1,
+  name: "Corner",
+  blocks: ["#####", "#...#", "#.#.#", "#.#.#", "#####"],
+  start: { column: 1, row: 3, heading: "north" },
+  goals: [{ column: 3, row: 3 }],
+};
+const task: LessonTask = {
+  name: "Corner",
+  words: { task: "Reach the goal.", short: "Reach the goal", hints: [] },
+  mazes: [maze],
+  program: null,
+  goal: { kind: "reach" },
+  allowed: {
+    drivers: ["program"],
+    lines: 3,
+    conditions: null,
+    actions: null,
+    edits: ["lines"],
+    maze: false,
+    tools: null,
+    help: null,
+  },
+  checks: { bumps: 0, seconds: 120 },
+  unseen: null,
+  par: null,
+};
 
 it("a raced robot starts at the start, and solves the task on the tick of its check", () => {
   const { ticks, failure } = checkMaze(task, maze, found.program, 0);
