@@ -74,6 +74,8 @@ test("teacher and student work over plain HTTPS where WebSockets are blocked", a
   const dashboard = new DashboardPage(page);
   await expect(dashboard.code).toContainText("No student has joined yet.");
   const student = await enterClass(studentPage, created.code, origin);
+  // What a student does before the lesson opens belongs to the student's own project.
+  await expect(student.page.getByRole("heading", { name: "Straight on" })).toBeVisible();
   await Promise.all(longPolls);
   await expect(dashboard.cards).toHaveAccessibleName(/, Writing, 0 minutes/);
   const band = studentPage.getByText(PAUSED, { exact: true });
@@ -104,6 +106,7 @@ test("teacher and student use two relays, of which one is killed", async ({
   await page.goto(teacher.address());
   const dashboard = new DashboardPage(page);
   const student = await enterClass((await openWindow()).page, created.code, second.url);
+  await expect(student.page.getByRole("heading", { name: "Straight on" })).toBeVisible();
   await expect(dashboard.cards).toHaveAccessibleName(/, Writing, 0 minutes/);
   await student.program.otherwise.selectOption("reverse");
   await student.run.click();
