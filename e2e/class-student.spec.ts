@@ -180,6 +180,7 @@ test("a pause stops the robot and its keys until the teacher ends it, also after
 test("a pause ends by the clock", async ({ page, relay }) => {
   const teacher = await ClassTeacher.start(relay, NAMES);
   const corridor = await enterClass(page, teacher.code);
+  await expect(page.getByText("Task 1 of 3")).toBeVisible();
   await teacher.direct("PUT", "/pause", { seconds: 10 });
   const band = bandOf(page);
   await expect(band).toBeVisible();

@@ -269,6 +269,21 @@ test("a second tab without the key shows what to do", async ({ page, relay }) =>
   await expect(page.getByRole("heading", { name: "This link does not work" })).toBeVisible();
 });
 
+test("the key of another class opens nothing, and does not replace the right one", async ({
+  page,
+  pageErrors,
+  relay,
+}) => {
+  pageErrors.ignoreFailedRequests();
+  const teacher = await openDashboard(page, relay);
+  const other = await ClassTeacher.start(relay);
+  await page.goto(`/class/${teacher.created.id}#${other.created.teacherKey}`);
+  await expect(page.getByRole("heading", { name: "This link does not work" })).toBeVisible();
+  await expect(page.getByText("Open the class from the device that started it.")).toBeVisible();
+  await page.reload();
+  await expect(page.getByRole("heading", { name: "One line" })).toBeVisible();
+});
+
 async function openOnPhone(context: BrowserContext, relay: string) {
   const page = await context.newPage();
   return { page, teacher: await openDashboard(page, relay) };

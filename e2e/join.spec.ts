@@ -5,7 +5,6 @@ import { expect, test } from "./fixtures.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 import { ClassTeacher } from "./support/class-teacher.ts";
 import { horizontalOverflow, smallTouchTargets } from "./support/layout.ts";
-import type { PageErrors } from "./support/page-errors.ts";
 import { phone } from "./support/phone.ts";
 
 /** Letters of no class: codes are random, and the chance of this one is 1 in 64 million. */
@@ -18,12 +17,6 @@ function lettersOf(page: Page): Locator {
 async function join(page: Page, letters: string): Promise<void> {
   await lettersOf(page).fill(letters);
   await page.keyboard.press("Enter");
-}
-
-/** The browser reports each refused or failed request as an error. */
-function ignoreFailedRequests({ messages }: PageErrors): void {
-  const others = messages.filter((each) => !each.startsWith("console: Failed to load resource"));
-  messages.splice(0, messages.length, ...others);
 }
 
 test("a student joins with small letters, and stays in the class after a reload", async ({
@@ -64,6 +57,7 @@ test("each refusal says what to do, and the letters stay in the field", async ({
   pageErrors,
   relay,
 }) => {
+  pageErrors.ignoreFailedRequests();
   const teacher = await ClassTeacher.start(relay, ["Only one"]);
   await page.goto("/join");
   const alert = page.getByRole("alert");
@@ -86,7 +80,6 @@ test("each refusal says what to do, and the letters stay in the field", async ({
   await teacher.direct("DELETE");
   await join(page, teacher.code);
   await expect(alert).toHaveText("No class has these letters now. Look at the board again.");
-  ignoreFailedRequests(pageErrors);
 });
 
 test("a page that is older than the relay offers to reload", async ({ page, relay }) => {
@@ -108,12 +101,12 @@ test("a student without a network reads what still works", async ({
   context,
   pageErrors,
 }) => {
+  pageErrors.ignoreFailedRequests();
   await page.goto("/join");
   await expect(lettersOf(page)).toBeVisible();
   await context.setOffline(true);
   await join(page, NO_CLASS);
   await expect(page.getByRole("alert")).toContainText("You are offline.");
-  ignoreFailedRequests(pageErrors);
 });
 
 test("fits a phone and 320 px, also in a right-to-left language", async ({
@@ -121,6 +114,7 @@ test("fits a phone and 320 px, also in a right-to-left language", async ({
   pageErrors,
   relay,
 }) => {
+  pageErrors.ignoreFailedRequests();
   const { code } = await ClassTeacher.start(relay);
   for (const locale of ["en", "ar"]) {
     const { page } = await openWindow({ ...phone, locale });
@@ -138,7 +132,6 @@ test("fits a phone and 320 px, also in a right-to-left language", async ({
     expect(await smallTouchTargets(page)).toEqual([]);
     expect(await horizontalOverflow(page), locale).toEqual([]);
   }
-  ignoreFailedRequests(pageErrors);
 });
 
 test("a student takes another name before the start, at most twice", async ({ page, relay }) => {

@@ -6,7 +6,10 @@
 import { expect, test } from "./fixtures.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
+import { expectNoAxeViolations } from "./support/axe.ts";
+import { ClassTeacher } from "./support/class-teacher.ts";
 import { unreadableTexts } from "./support/layout.ts";
+import { ScriptedStudent } from "./support/scripted-student.ts";
 import { languageTags, Texts } from "./support/texts.ts";
 
 const languages = [
@@ -239,4 +242,28 @@ test("mirrors the page in Arabic, but neither the maze nor the robot's sides", a
     const second = await cells.nth(1).boundingBox();
     expect(first?.x).toBeLessThan(second?.x ?? 0);
   }
+});
+
+test("mirrors a dashboard in Arabic, but not the letters of the class", async ({
+  openWindow,
+  relay,
+}) => {
+  const teacher = await ClassTeacher.start(relay, ["Team 1"]);
+  const { page } = await openWindow();
+  await page.goto(teacher.address("?lang=ar"));
+  const letters = page.getByText(`${teacher.code.slice(0, 3)} ${teacher.code.slice(3)}`);
+  await expect(letters).toHaveCSS("direction", "ltr");
+  await expectNoAxeViolations(page, "Arabic dashboard without students");
+  const student = await ScriptedStudent.join(relay, teacher.code);
+  await page.locator("[data-student]").click();
+  const sheet = page.getByRole("complementary");
+  await expect(sheet).toBeVisible();
+  expect((await sheet.boundingBox())?.x).toBe(0);
+  // The name of the lesson is English, and begins where the Arabic page begins.
+  const title = await page.getByRole("heading", { name: "Sensors" }).boundingBox();
+  const pace = await page.locator("main select").first().boundingBox();
+  const rightOf = (box: typeof title) => (box === null ? 0 : box.x + box.width);
+  expect(rightOf(title)).toBeCloseTo(rightOf(pace), 0);
+  await expectNoAxeViolations(page, "Arabic dashboard");
+  student.close();
 });

@@ -99,11 +99,15 @@ test("explains an invalid table, and keeps the open report", async ({ page }) =>
     csv("text.csv", "hello world\n"),
     csv("six.csv", "navigation\n5\n6\n"),
     csv("again.csv", "student,task,seconds\nJuniper,1,90\n"),
+    csv("long.csv", `a_seconds\n${"1\n".repeat(100_000)}`),
+    csv("large.csv", `a_seconds\n${"1\n".repeat(5_000_000)}`),
   ]);
   await expect(page.getByRole("alert").getByRole("listitem")).toHaveText([
     /text\.csv is not a table that Corridor can read\..*row 1: found the columns hello world/,
     /six\.csv is not.*row 3, navigation: found 6, expected an answer from 1/,
     /again\.csv is not.*found two rows of Juniper and 1/,
+    /long\.csv is not.*found more than \d+ rows/,
+    /large\.csv is bigger than 8 MB\..*choose another file/,
   ]);
   await expect(page.getByRole("row", { name: /^1 / })).toContainText("1:00");
 });

@@ -70,7 +70,7 @@ async function firstScripts(page: Page, address: string, folder: string): Promis
     ),
   );
   for (const { name, text } of all) {
-    expect(text.trim().split("\n").length, name).toBeLessThanOrEqual(12);
+    expect(text.trim().split("\n").length, name).toBeLessThanOrEqual(13);
   }
   return all;
 }
@@ -142,8 +142,9 @@ test("a first script with a misspelled action reports its name and the valid act
     if (misspelled === text) continue;
     // Java reads a file instead of its input.
     if (name === "Java") await writeFile(join(folder, "Robot.java"), misspelled);
-    const { output } = await runScript([...command], misspelled);
+    const { code, output } = await runScript([...command], misspelled);
     expect(output, name).toMatch(/found '?turn left'?, expected one of forward, reverse, stop/);
+    expect(code, name).toBe(1);
   }
   await rm(folder, { recursive: true });
 });
@@ -164,7 +165,7 @@ for (const { state, prepare, last } of states) {
     for (const ended of await Promise.all(scripts.map(run))) {
       expect(ended.last, `${ended.name}: ${ended.output}`).toMatch(last);
       expect(ended.output, ended.name).not.toContain("Traceback");
-      if (state === "on Remote") expect(ended.code, ended.name).toBe(0);
+      expect(ended.code, ended.name).toBe(state === "on Remote" ? 0 : 1);
     }
     await rm(folder, { recursive: true });
   });

@@ -3,6 +3,9 @@
  */
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
+import { DashboardPage } from "./pages/dashboard-page.ts";
+import { ClassTeacher } from "./support/class-teacher.ts";
+import { ScriptedStudent } from "./support/scripted-student.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
 import { horizontalOverflow, unreadableTexts } from "./support/layout.ts";
 
@@ -107,6 +110,70 @@ test("is usable at 400 %, when a window of 1280 x 1024 has 320 x 256 px", async 
   }
   await corridor.run.click();
   await expect(corridor.pause).toBeVisible();
+});
+
+test("a dashboard is usable at 400 %", async ({ openWindow, relay }) => {
+  const { page } = await openWindow({ viewport: { width: 320, height: 256 } });
+  const teacher = await ClassTeacher.start(relay, ["A name of 24 letters wow"]);
+  const dashboard = new DashboardPage(page);
+  const faults: string[] = [];
+  const check = async (state: string): Promise<void> => {
+    await waitForAnimations(page);
+    const found = [...(await horizontalOverflow(page)), ...(await unreadableTexts(page))];
+    faults.push(...found.map((fault) => `${state}: ${fault}`));
+  };
+  const button = (name: string) => page.getByRole("button", { name, exact: true });
+  await page.goto(teacher.address());
+  await expect(dashboard.code).toContainText("No student has joined yet.");
+  await check("nobody has joined");
+  const student = await ScriptedStudent.join(relay, teacher.code);
+  student.askForHelp();
+  await expect(dashboard.cards).toHaveAccessibleName(/Asks for help/);
+  await check("a card");
+  const sorting = page.getByRole("combobox", { name: "Sort by" });
+  for (const control of [sorting, button("Who can join"), dashboard.cards]) {
+    await control.scrollIntoViewIfNeeded();
+    await expect(control).toBeInViewport();
+  }
+  await expect(button("Pause everyone")).toBeInViewport();
+  await button("More").click();
+  for (const control of [button("End lesson"), button("Theme")]) {
+    await control.scrollIntoViewIfNeeded();
+    await expect(control).toBeInViewport();
+  }
+  await page.keyboard.press("Escape");
+  await dashboard.cards.click();
+  for (const name of ["Close", "Return code", "Remove"]) {
+    await button(name).scrollIntoViewIfNeeded();
+    await expect(button(name)).toBeInViewport();
+  }
+  expect(await horizontalOverflow(page), "watched student").toEqual([]);
+  expect(faults).toEqual([]);
+  student.close();
+});
+
+test("shows the cards of a dashboard in forced colours", async ({ page, relay }) => {
+  const teacher = await ClassTeacher.start(relay, ["Team 1"]);
+  const { cards } = new DashboardPage(page);
+  await page.emulateMedia({ forcedColors: "active" });
+  await page.goto(teacher.address());
+  const student = await ScriptedStudent.join(relay, teacher.code);
+  student.askForHelp();
+  await expect(cards).toHaveAccessibleName(/Asks for help/);
+  await page.keyboard.press("n");
+  await expect(cards).toBeFocused();
+  const drawn = await cards.evaluate((card) => {
+    const chip = [...(card.parentElement?.querySelectorAll("span") ?? [])].find(
+      (each) => each.textContent === "Asks for help" && each.querySelector("svg") !== null,
+    );
+    const borders = [card.parentElement, chip].map((each) =>
+      each ? Number.parseFloat(getComputedStyle(each).borderTopWidth) : 0,
+    );
+    return { borders, outline: Number.parseFloat(getComputedStyle(card).outlineWidth) };
+  });
+  expect(drawn.borders).toEqual([1, 1]);
+  expect(drawn.outline).toBeGreaterThanOrEqual(2);
+  student.close();
 });
 
 test("shows focus, selection and state in forced colours", async ({ corridor, page }) => {

@@ -36,8 +36,19 @@ export class ClassTeacher {
     return new ClassTeacher(relay, createdClassSchema.parse(await answer.json()));
   }
 
+  /** Directs a class that a page has started. */
+  static of(relay: string, created: CreatedClass): ClassTeacher {
+    return new ClassTeacher(relay, created);
+  }
+
   get code(): string {
     return this.created.code;
+  }
+
+  /** The address of the dashboard. @param search such as ?lang=ar */
+  address(search = ""): string {
+    const { id, teacherKey } = this.created;
+    return `${this.#relay}/class/${id}${search}#${teacherKey}`;
   }
 
   /** The class with its students. */

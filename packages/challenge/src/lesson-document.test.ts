@@ -53,6 +53,7 @@ describe("a lesson", () => {
   it.each<[string, unknown, string]>([
     ["a newer version", { ...plain, version: 3 }, "version: version 1 or 2"],
     ["no version", { format: "corridor/challenge" }, "version: version 1 or 2"],
+    ["a list instead of an object", [], "a lesson: an object"],
     ["another format", { ...plain, format: "corridor/maze" }, "format: "],
     ["no task", { ...plain, tasks: [] }, "tasks: at least one task"],
     ["13 tasks", { ...plain, tasks: Array.from({ length: 13 }, () => task) }, "tasks: at most 12"],

@@ -92,7 +92,10 @@ export const challengeOrLessonSchema = z.discriminatedUnion(
   "version",
   [challengeSchema, lessonSchema],
   {
-    error: VERSIONS,
+    error: ({ input }) =>
+      typeof input === "object" && input !== null && !Array.isArray(input)
+        ? VERSIONS
+        : "a lesson: an object",
   },
 );
 

@@ -32,7 +32,7 @@ export type HostStatus =
   | { kind: "connected" }
   /** the link reconnects automatically after `retryMs` */
   | { kind: "lost"; reason: CloseReason; retryMs: number }
-  /** the session was deleted: register again */
+  /** the robot was deleted: register it again */
   | { kind: "over"; reason: CloseReason }
   /** another page took over the robot */
   | { kind: "replaced"; reason: CloseReason };

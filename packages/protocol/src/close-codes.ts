@@ -42,9 +42,8 @@ export const closeReasons = {
   },
   noRobot: {
     code: 4404,
-    cause: "there is no robot with this id",
-    remedy:
-      "The relay deletes robots after 2 hours without use: open the page and copy the new address.",
+    cause: "the relay has no robot with this id",
+    remedy: "Copy the address again: the relay deletes robots after 2 hours without use.",
     retry: false,
   },
   tooSlow: {
@@ -61,7 +60,7 @@ export const closeReasons = {
   },
   over: {
     code: 4410,
-    cause: "the session of this robot was deleted or has expired",
+    cause: "the robot was deleted or has expired",
     remedy: "Register the robot again for a new address.",
     retry: false,
   },

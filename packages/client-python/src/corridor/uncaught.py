@@ -16,29 +16,38 @@ def explain(error: RobotError, trace: Optional[TracebackType]) -> str:
     line = ""
     while trace is not None:
         # The last frame outside of the library belongs to the script.
-        if not _is_own(trace):
+        if not _is_of(trace, __name__):
             line = f"{_line_of(trace)}\n"
         trace = trace.tb_next
     return f"{line}{error.what}. {error.hint}\n"
 
 
 def explain_interrupt(error: BaseException) -> Optional[str]:
-    """The line of the script that Ctrl+C interrupted; None if it was not a call of the library."""
-    trace, line = error.__traceback__, None
-    while trace is not None and trace.tb_next is not None:
-        if not _is_own(trace) and _is_own(trace.tb_next):
-            line = f"Stopped by Ctrl+C: {_line_of(trace)}\n"
-        trace = trace.tb_next
+    """The line of the script that Ctrl+C interrupted; None if it called neither library nor asyncio."""
+    line = _line_before(error.__traceback__, __name__)
     # asyncio raises it outside of the script, while it handles the cancellation of the script.
     if line is None and error.__context__ is not None:
-        return explain_interrupt(error.__context__)
+        line = _line_before(error.__context__.__traceback__, __name__)
+    # Before Python 3.11, asyncio raises it where it waits, with no trace of the waiting line.
+    if line is None:
+        line = _line_before(error.__traceback__, "asyncio")
+    return None if line is None else f"Stopped by Ctrl+C: {line}\n"
+
+
+def _line_before(trace: Optional[TracebackType], package: str) -> Optional[str]:
+    """The last line of the script that calls the package; None if no line does."""
+    line: Optional[str] = None
+    while trace is not None and trace.tb_next is not None:
+        if not _is_of(trace, package) and _is_of(trace.tb_next, package):
+            line = _line_of(trace)
+        trace = trace.tb_next
     return line
 
 
-def _is_own(trace: TracebackType) -> bool:
-    """Whether the frame belongs to the library."""
+def _is_of(trace: TracebackType, package: str) -> bool:
+    """Whether the frame belongs to a module of the package."""
     name: str = trace.tb_frame.f_globals.get("__name__", "")
-    return name.split(".")[0] == __name__.split(".")[0]
+    return name.split(".")[0] == package.split(".")[0]
 
 
 def _line_of(trace: TracebackType) -> str:

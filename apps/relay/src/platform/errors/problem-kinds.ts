@@ -30,7 +30,7 @@ export const problemKinds = {
     status: 401,
     title: "Missing or invalid key",
     what: "The relay rejected the request because it contains no valid key.",
-    why: "The header `Authorization: Bearer KEY` is missing, the key contains a typing error, or the owner has revoked it.",
+    why: "The header `Authorization: Bearer KEY` is missing, the key contains a typing error, or the owner has revoked it. In a class, the key of a student ends when the teacher removes the student.",
     fix: [
       "Send the part of the address after `#` as the key: `Authorization: Bearer drv_...`.",
       "On a command line, quote the address. Without quotes, the shell drops the key.",
@@ -41,7 +41,7 @@ export const problemKinds = {
     status: 403,
     title: "The key does not permit this request",
     what: "The key is valid but does not permit this request.",
-    why: "A watch key (`wch_...`), which is the key of a watch link, only reads. Some requests require the owner key, which only the robot's page has. Only the key that sent a command can cancel it.",
+    why: "A watch key (`wch_...`), which is the key of a watch link, only reads. Some requests require the owner key, which only the robot's page has. Only the key that sent a command can cancel it. In a class, only the teacher's key (`tea_...`) reads students and changes settings.",
     fix: [
       "To drive, use the address of **Remote**. Its key starts with `drv_`.",
       "To end a command of another script, send `stop`.",
@@ -322,14 +322,14 @@ export const problemKinds = {
     status: 429,
     title: "Too many requests",
     what: "The relay did not process the request.",
-    why: "A key can send 20 commands and 5 stops a second. Registrations, short links and pairing codes have limits for each network.",
+    why: "A key can send 20 commands and 5 stops a second. Registrations, short links, classes, joins and wrong codes have limits for each network. [Limits](/docs/limits#rate-limits) has all of them.",
     fix: ["Wait for the seconds in the header `Retry-After`, then send the same request again."],
   },
   "too-many-readers": {
     status: 429,
     title: "Too many connections",
     what: "The relay did not open another connection, or did not wait.",
-    why: "At most 60 connections and waiting requests can read a robot. Each key and network has [a limit](/docs/limits#connections) too.",
+    why: "At most 60 connections and waiting requests can read a robot. Each class, key and network has [a limit](/docs/limits#connections) too.",
     fix: [
       "End scripts that you do not need.",
       "Wait for the seconds in `Retry-After`, then try again.",

@@ -3,8 +3,8 @@ import type { ClassMessageKinds } from "./class-examples.ts";
 import { closeCodes, type ChannelTexts } from "./texts.ts";
 
 const STUDENT_ORDER = `1. Send \`hello\` with the role \`learn\`. The relay responds with \`welcome\`.
-2. Send \`tile\` when the displayed state changes, \`progress\` and \`program\` until \`stored\` confirms them, and \`help\`.
-3. At any time, receive \`lesson\`, \`pause\`, \`pace\`, \`watched\` and \`hint\`.`;
+2. Send \`tile\` when the displayed state changes, \`progress\` and \`program\` until \`stored\` confirms them, \`help\` and \`name\`.
+3. At any time, receive \`lesson\`, \`pause\`, \`pace\`, \`watched\`, \`hint\` and \`name\`.`;
 
 const DASHBOARD_ORDER = `1. Send \`hello\` with the role \`teach\`. The relay responds with \`welcome\`, followed by the missed events or a \`gap\`.
 2. At any time, receive \`tiles\`, which you acknowledge with \`seen\`, and the events \`student\`, \`removed\` and
@@ -39,7 +39,7 @@ The role must match the key. Heartbeats and reconnection are those of a robot. A
 ${closeCodes({
   forbidden: "the teacher removed the student, or the key does not permit the role",
   replaced: "another tab or device is this student now",
-  over: "the class has ended",
+  over: "the class has ended, or does not exist",
   tooMany: "too many dashboards and big screens, or connections of one network",
   noRobot: null,
 })}`,

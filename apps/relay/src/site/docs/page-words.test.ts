@@ -24,6 +24,9 @@ const page = (name: string): string =>
 const library = (name: string): string =>
   readFileSync(join(import.meta.dirname, `../../../../../packages/${name}/README.md`), "utf8");
 
+const guide = (name: string): string =>
+  readFileSync(join(import.meta.dirname, `../../../../../docs/${name}.md`), "utf8");
+
 it.each([
   { where: "the text of problems", text: JSON.stringify(problemKinds) },
   { where: "the text of the quickstart", text: page("quickstart") },
@@ -34,5 +37,13 @@ it.each([
 ])("$where uses the labels of the page", ({ text }) => {
   const named = [...text.matchAll(/\*\*([^`*]+)\*\*/g)].map(([, words = ""]) => words);
   expect(named).toContain("Remote");
+  expect(named.filter((words) => !onPage.has(words))).toEqual([]);
+});
+
+it.each(["teaching", "grading", "lms"])("the guide %s uses the labels of the page", (name) => {
+  const named = [...guide(name).matchAll(/\*\*([^`*]+)\*\*/g)].map(([, words = ""]) =>
+    words.replaceAll(/\s+/g, " "),
+  );
+  expect(named.length).toBeGreaterThan(0);
   expect(named.filter((words) => !onPage.has(words))).toEqual([]);
 });

@@ -2,7 +2,11 @@
 import "../../ui/base.css";
 import "../../ui/fonts/inter.css";
 import { I18nextProvider } from "react-i18next";
-import { takeClassVisit, type ClassVisit } from "../../model/classroom/class-address.ts";
+import {
+  hasClassKey,
+  takeClassVisit,
+  type ClassVisit,
+} from "../../model/classroom/class-address.ts";
 import { OwnClasses } from "../../model/classroom/own-classes.ts";
 import { LanguageProvider } from "../../model/language-context.ts";
 import type { PageParts } from "../../model/page-parts.ts";
@@ -26,7 +30,8 @@ export async function openPage(parts: PageParts): Promise<void> {
   const visit = read();
   // Another link to the same class in the address bar does not reload the page.
   window.addEventListener("hashchange", () => {
-    if (location.hash.length > 1 && read().kind !== "broken") location.reload();
+    if (hasClassKey(location.hash)) location.reload();
+    else if (location.hash.length > 1) read();
   });
   await words.loadNamespaces(["dashboard", "names"]);
   const page = await pageOf(visit, parts, classes);

@@ -7,7 +7,10 @@ import type { OwnClass, OwnClasses } from "../../model/classroom/own-classes.ts"
 import type { ProgramReader } from "../../model/classroom/program-reader.ts";
 import type { SolutionVerifier } from "../../model/classroom/verifier.ts";
 import { studentNameText } from "../../model/classes/student-name.ts";
-import type { FromClassroom } from "../../simulator/protocol/classroom-messages.ts";
+import type {
+  ClassroomStatus,
+  FromClassroom,
+} from "../../simulator/protocol/classroom-messages.ts";
 import { observeTheme, shownProperties } from "../../stage/page/observe-theme.ts";
 import { readPalette } from "../../stage/drawing/palette.ts";
 import { DashboardPage } from "./DashboardPage.tsx";
@@ -64,10 +67,16 @@ export function openDashboard({ room, classes, words, tools }: DashboardParts): 
       );
     },
   });
+  const followStatus = (kind: ClassroomStatus["kind"]): void => {
+    // The service has deleted the class: its key is of no use any more.
+    if (kind === "over") classes.remove(room.id);
+    if (kind !== "connected") return;
+    const stored = classes.read(room.id);
+    if (stored !== null && stored.key !== room.key) classes.store({ ...stored, key: room.key });
+  };
   worker.onmessage = ({ data }: MessageEvent<FromClassroom>) => {
     dashboard.receive(data);
-    // The service has deleted the class: its key is of no use any more.
-    if (data.type === "status" && data.status.kind === "over") classes.remove(room.id);
+    if (data.type === "status") followStatus(data.status.kind);
   };
   const recolour = (): void =>
     dashboard.send({ type: "colours", palette: readPalette(shownProperties()) });

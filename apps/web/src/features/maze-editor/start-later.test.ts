@@ -11,7 +11,7 @@ function start() {
     return () => story.push("ended");
   });
   const settle = () => new Promise((resolve) => setTimeout(resolve, 0));
-  return { story, load: loaded.resolve, stop, settle };
+  return { story, load: loaded.resolve, fail: loaded.reject, stop, settle };
 }
 
 it("what loads on demand can be ended after it has started", async () => {
@@ -32,4 +32,14 @@ it("what loads on demand can be ended before it has started, and ends then", asy
   load();
   await settle();
   expect(story).toEqual(["started", "ended"]);
+});
+
+it("what does not load, because there is no network, is left out", async () => {
+  const { story, fail, stop, settle } = start();
+  fail(new TypeError("Failed to fetch dynamically imported module"));
+  // A rejection that nothing handles fails the test.
+  await settle();
+  stop();
+  await settle();
+  expect(story).toEqual([]);
 });

@@ -1,6 +1,7 @@
 /**
  * Scripts to copy. The starter script uses the library, `corridor.py`. The others need no
- * installation: they send one command, and print its final state or why the robot rejected it.
+ * installation: they send one command, print its final state or why the robot rejected it, and exit
+ * with 0 only if it is completed.
  */
 
 /** Number of lines of the starter script. */
@@ -50,9 +51,10 @@ def ask(path, body=None):
 try:
     command = ask("/commands", b'{"action": "left 90"}')
     command = ask(f"/commands/{command['seq']}?wait=25")
-    print(command["reason"] or command["state"])
+    print(command["state"])
+    raise SystemExit(command["reason"])
 except error.HTTPError as refused:
-    print(json.load(refused)["detail"])
+    raise SystemExit(json.load(refused)["detail"])
 `;
 }
 
@@ -67,6 +69,7 @@ async function ask(path, body) {
 let command = await ask("/commands", { action: "left 90" });
 if (command.seq) command = await ask(\`/commands/\${command.seq}?wait=25\`);
 console.log(command.detail ?? command.reason ?? command.state);
+process.exitCode = command.state === "completed" ? 0 : 1;
 `;
 }
 
@@ -82,7 +85,7 @@ public class Robot {
     var text = ask("/commands", "{\\"action\\":\\"left 90\\"}");
     if (text.contains("\\"seq\\":")) text = ask("/commands/" + text.replaceAll(".*\\"seq\\":(\\\\d+).*", "$1") + "?wait=25");
     System.out.println(text.replaceAll(".*\\"(?:detail|reason)\\":\\"([^\\"]+)\\".*|.*\\"state\\":\\"(\\\\w+)\\".*", "$1$2"));
-  } }
+    System.exit(text.contains("\\"state\\":\\"completed\\"") ? 0 : 1); } }
 `;
 }
 
@@ -94,5 +97,6 @@ ANSWER=$(curl -sS $ROBOT/commands -H "$AUTH" -H "$JSON" -d '{"action":"left 90"}
 SEQ=$(echo "$ANSWER" | grep -o '"seq":[0-9]*' | cut -d: -f2)
 if [ "$SEQ" ]; then ANSWER=$(curl -sS "$ROBOT/commands/$SEQ?wait=25" -H "$AUTH"); fi
 echo "$ANSWER" | grep -oE '"(state|reason|detail)":"[^"]*"'
+echo "$ANSWER" | grep -q '"state":"completed"' || exit 1
 `;
 }

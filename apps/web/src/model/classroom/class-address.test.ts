@@ -40,6 +40,14 @@ it("a link does not change the label that the device has", () => {
   expect(visit(`#${teacherKey}`)).toMatchObject({ room: { label: "8B", screenKey } });
 });
 
+it("a wrong link does not replace the key that the device has", () => {
+  const { visit } = device();
+  const wrong = `tea_${"D".repeat(22)}`;
+  expect(visit(`#${teacherKey}`)).toMatchObject({ room: { key: teacherKey } });
+  expect(visit(`#${wrong}`)).toMatchObject({ room: { key: wrong } });
+  expect(visit("")).toMatchObject({ room: { key: teacherKey } });
+});
+
 it("the key of a big screen is stored in the tab", () => {
   const { visit, classes } = device();
   expect(visit(`#${screenKey}`)).toEqual({ kind: "show", id, key: screenKey });

@@ -1,6 +1,6 @@
 /**
  * Reads the address of a class. The key is removed from the address at once, so that nobody can read
- * it on the screen. A teacher's key is stored on the device.
+ * it on the screen. The first teacher's key of a class is stored on the device.
  */
 import type { OwnClass, OwnClasses } from "./own-classes.ts";
 
@@ -37,7 +37,8 @@ export function takeClassVisit(ports: ClassAddressPorts): ClassVisit {
   if (given.startsWith("tea_")) {
     const known = stored ?? { id, screenKey: null, label: "", startedAt: now() };
     const room = { ...known, key: given };
-    classes.store(room);
+    // A wrong link must not replace the right key. The dashboard stores another key that works.
+    if (stored === null) classes.store(room);
     return { kind: "teach", room };
   }
   if (given.startsWith("scr_")) {
@@ -47,6 +48,11 @@ export function takeClassVisit(ports: ClassAddressPorts): ClassVisit {
   const screen = storedScreen(tab, id);
   if (screen !== null) return { kind: "show", id, key: screen };
   return stored === null ? { kind: "broken" } : { kind: "teach", room: stored };
+}
+
+/** Whether the address has a key. @param hash of the address, with # */
+export function hasClassKey(hash: string): boolean {
+  return KEY.test(hash.slice(1));
 }
 
 /** The address of the dashboard or the big screen of a class, with its key. */

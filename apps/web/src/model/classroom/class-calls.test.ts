@@ -42,6 +42,7 @@ describe("what a teacher sets", () => {
   });
 
   it.each([
+    { status: 413, refusal: "too-large" },
     { status: 429, refusal: "too-many" },
     { status: 503, refusal: "offline" },
     { status: 422, refusal: "old" },

@@ -3,11 +3,19 @@ import type { LessonDocument } from "@corridor/challenge/document";
 import type { ReturnCode, StudentProgram } from "@corridor/protocol";
 import type { Classroom } from "../../simulator/protocol/classroom-messages.ts";
 
-/** old: the page is older than the relay; too-many: too many classes or requests */
-export type ClassRefusal = "old" | "offline" | "too-many";
+/**
+ * old: the page is older than the relay; too-large: the lesson is; too-many: too many classes or
+ * requests
+ */
+export type ClassRefusal = "old" | "offline" | "too-large" | "too-many";
 
 /** the part of fetch that is used */
 type Ask = (url: string, request: RequestInit) => Promise<Response>;
+
+const refusals: ReadonlyMap<number, ClassRefusal> = new Map([
+  [413, "too-large"],
+  [429, "too-many"],
+]);
 
 /** The readers of responses load on first use: the dashboard opens without them. */
 export class ClassCalls {
@@ -76,7 +84,7 @@ export class ClassCalls {
       const { ok, status } = await this.#send(method, path, body);
       // A class that has ended has no use for the change; its connection says so.
       if (ok || status === 404) return null;
-      return status === 429 ? "too-many" : status >= 500 ? "offline" : "old";
+      return refusals.get(status) ?? (status >= 500 ? "offline" : "old");
     } catch {
       return "offline";
     }

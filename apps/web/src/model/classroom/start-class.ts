@@ -14,8 +14,7 @@ export interface ClassRequest {
   expected: number | null;
 }
 
-export type StartProblem = ClassRefusal | "too-large";
-export type StartResult = { ok: true; value: CreatedClass } | { ok: false; problem: StartProblem };
+export type StartResult = { ok: true; value: CreatedClass } | { ok: false; problem: ClassRefusal };
 
 type Ask = (
   url: string,
@@ -56,6 +55,6 @@ export function namesOf(text: string): string[] | null {
   return read.success && read.data !== null ? read.data : null;
 }
 
-function failed(problem: StartProblem): StartResult {
+function failed(problem: ClassRefusal): StartResult {
   return { ok: false, problem };
 }

@@ -67,6 +67,15 @@ describe("the description of a short link for embedding sites", () => {
     expect(problem.errors).toMatchObject([{ path }]);
   });
 
+  it("names JSON to a site that asks for XML", async () => {
+    const answer = await ask(await startTestRelay(), {
+      url: "https://a.example/m/B",
+      format: "xml",
+    });
+    const { detail } = problemSchema.parse(await answer.json());
+    expect(detail).toContain("format: found 'xml', expected 'json', the only format");
+  });
+
   it.each([
     "https://a.example/m/BCDF",
     "no address",

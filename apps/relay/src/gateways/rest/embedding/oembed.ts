@@ -8,6 +8,7 @@ const MAX_SIDE = 10_000;
 const PROVIDER = "Corridor";
 
 const urlError = "the address of a short link of this service, such as https://HOST/m/BCDF";
+const formatError = '"json", the only format of this service';
 const sideError = `a whole number from 1 to ${MAX_SIDE}`;
 const side = z
   .string({ error: sideError })
@@ -21,7 +22,7 @@ export const oembedQuery = z.object({
   }),
   maxwidth: side.optional().describe("largest width of the frame in pixels"),
   maxheight: side.optional().describe("largest height of the frame in pixels"),
-  format: z.literal("json", { error: '"json"' }).optional(),
+  format: z.literal("json", { error: formatError }).optional(),
 });
 export type OembedQuery = z.infer<typeof oembedQuery>;
 

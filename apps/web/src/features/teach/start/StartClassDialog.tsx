@@ -3,8 +3,9 @@ import { parseLesson, type LessonDocument } from "@corridor/challenge";
 import { MAX_STUDENTS } from "@corridor/protocol";
 import { useId, useState, type SubmitEvent } from "react";
 import { useTranslation } from "react-i18next";
+import type { ClassRefusal } from "../../../model/classroom/class-calls.ts";
 import { MAX_CLASS_LABEL, OwnClasses } from "../../../model/classroom/own-classes.ts";
-import { namesOf, startClass, type StartProblem } from "../../../model/classroom/start-class.ts";
+import { namesOf, startClass } from "../../../model/classroom/start-class.ts";
 import { lessonName } from "../../../model/lessons/lesson-name.ts";
 import type { KeyValueStorage } from "../../../model/storage/key-value-storage.ts";
 import { Button } from "../../../ui/Button.tsx";
@@ -45,7 +46,7 @@ export function StartClassDialog({ isOpen, lesson, device, onClose }: StartClass
   );
 }
 
-type Problem = StartProblem | "names" | "expected" | "lesson";
+type Problem = ClassRefusal | "names" | "expected" | "lesson";
 
 function StartClassForm({ lesson, device }: Pick<StartClassDialogProps, "lesson" | "device">) {
   const { t, i18n } = useTranslation("teach", { useSuspense: false });
