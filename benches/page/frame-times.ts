@@ -29,6 +29,8 @@ export interface FrameTimes {
   workerFrames: number[];
   /** time between the starts of consecutive animation frames of the worker */
   workerGaps: number[];
+  /** all tasks of the thread of the drawing worker: callbacks, messages and browser internals */
+  workerThread: number[];
 }
 
 const FRAME_US = 1e6 / 60;
@@ -105,11 +107,16 @@ function readTrace(events: readonly TraceEvent[]): FrameTimes {
     )
     .toSorted((a, b) => a.ts - b.ts);
   const from = firstFrame(mainEvents, tasks, startMark.ts);
+  const workerTasks = traced.filter(
+    ({ name, cat, pid, tid }) =>
+      isTask(name, cat) && pid === startMark.pid && tid === frames[0]?.tid,
+  );
   return {
     mainThread: sumByFrame(tasks, from, endMark.ts),
     script: sumByFrame(scripts, from, endMark.ts),
     workerFrames: frames.map((frame) => processorMs(frame)),
     workerGaps: frames.slice(1).map(({ ts }, at) => (ts - (frames[at]?.ts ?? ts)) / 1000),
+    workerThread: sumByFrame(outermost(workerTasks), from, endMark.ts),
   };
 }
 

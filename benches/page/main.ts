@@ -7,6 +7,7 @@ import { chromium } from "playwright";
 import { RelayProcess } from "../../tests/support/relay-process.ts";
 import { chromiumArguments, requireChromium } from "../../scripts/chromium.ts";
 import { formatGoal, isMet, type Goal } from "../core/goals.ts";
+import { dashboard } from "./dashboard/dashboard.ts";
 import { firstVisit } from "./first-visit.ts";
 import { lessonCheck } from "./lesson-check.ts";
 import { otherMazes } from "./other-mazes.ts";
@@ -22,6 +23,7 @@ const sections: readonly Section[] = [
   firstVisit,
   otherMazes,
   lessonCheck,
+  dashboard,
 ];
 
 const filters = process.argv.slice(2).map((filter) => filter.toLowerCase());

@@ -1,16 +1,16 @@
 /** The card of a student: picture, name, state and numbers. */
 import { Clock, List, RotateCcw } from "lucide";
-import { memo } from "react";
+import { memo, useEffect, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useShallow } from "zustand/react/shallow";
-import { openTask } from "../../model/classroom/standing.ts";
+import type { DashboardState } from "../../model/classroom/dashboard.ts";
 import { classNames } from "../../ui/class-names.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { clockText } from "./clock-text.ts";
-import { useDashboard, useStudentName } from "./dashboard-context.ts";
+import { useContent, useDashboard, useStudentName } from "./dashboard-context.ts";
 import { StandingChip } from "./StandingChip.tsx";
 import { StudentPicture } from "./StudentPicture.tsx";
-import { cardNumbers, cardState } from "./use-card.ts";
+import { cardFacts, cardSeconds } from "./use-card.ts";
 import styles from "./student-card.module.css";
 
 interface StudentCardProps {
@@ -23,29 +23,16 @@ export const StudentCard = memo(function StudentCard(props: StudentCardProps) {
   const { student: number, isWatched, onWatch } = props;
   const { t } = useTranslation("dashboard", { useSuspense: false });
   const nameOf = useStudentName();
-  const student = useDashboard(({ students }) => students.get(number));
-  const state = useDashboard((all) =>
-    student === undefined ? "not-here" : cardState(all, student),
-  );
-  const { seconds, lines, attempts } = useDashboard(
-    useShallow((all) =>
-      student === undefined ? { seconds: 0, lines: null, attempts: 0 } : cardNumbers(all, student),
-    ),
-  );
-  const awaySeconds = useDashboard(({ awaySince, lostAt, now }) => {
-    const since = awaySince.get(number) ?? lostAt;
-    const age = since === null ? 0 : Math.floor((now - since) / 1_000);
-    return age >= OLD_SECONDS ? age : null;
-  });
-  const hasTasks = useDashboard(({ lesson }) => (lesson?.tasks.length ?? 1) > 1);
-  if (student === undefined) return null;
-  const name = nameOf(student);
-  const task = openTask(student);
-  const facts = [
+  // Everything that the card renders, so that it renders again only when that changes.
+  const facts = useDashboard(useShallow((all) => cardFacts(all, number)));
+  if (facts === null) return null;
+  const { word, text, task, hasTasks, state, minutes, lines, attempts, awaySeconds } = facts;
+  const name = nameOf({ student: number, name: { word, text } });
+  const spoken = [
     name,
     t(`standing.${state}`),
     ...(hasTasks ? [t("card.task", { task })] : []),
-    t("card.minutes", { count: Math.floor(seconds / 60) }),
+    t("card.minutes", { count: minutes }),
     ...(lines === null ? [] : [t("card.lines", { count: lines })]),
     t("card.attempts", { count: attempts }),
   ];
@@ -61,7 +48,7 @@ export const StudentCard = memo(function StudentCard(props: StudentCardProps) {
         type="button"
         className={styles["watch"]}
         data-student={number}
-        aria-label={facts.join(", ")}
+        aria-label={spoken.join(", ")}
         aria-expanded={isWatched}
         onClick={() => onWatch(number)}
       />
@@ -75,7 +62,7 @@ export const StudentCard = memo(function StudentCard(props: StudentCardProps) {
           {hasTasks && <span>{t("card.task", { task })}</span>}
           <span>
             <Icon of={Clock} size={14} />
-            {clockText(seconds * 1_000)}
+            <CardClock student={number} />
           </span>
           {lines !== null && (
             <span>
@@ -94,5 +81,28 @@ export const StudentCard = memo(function StudentCard(props: StudentCardProps) {
   );
 });
 
-/** A picture that is older than this is grey. */
-const OLD_SECONDS = 20;
+/** The time changes every second on every card, so it is written past React. */
+function CardClock({ student }: { student: number }) {
+  const { dashboard } = useContent();
+  const element = useRef<HTMLSpanElement>(null);
+  useEffect(() => {
+    const { current } = element;
+    if (current === null) return;
+    const node = current.appendChild(document.createTextNode(""));
+    let shown = Number.NaN;
+    const show = (state: DashboardState): void => {
+      const seconds = cardSeconds(state, student);
+      if (seconds === shown) return;
+      shown = seconds;
+      node.data = clockText(seconds * 1_000);
+      current.style.inlineSize = `${node.length}ch`;
+    };
+    show(dashboard.store.getState());
+    const stop = dashboard.store.subscribe(show);
+    return () => {
+      stop();
+      node.remove();
+    };
+  }, [dashboard, student]);
+  return <span ref={element} className={styles["clock"]} />;
+}

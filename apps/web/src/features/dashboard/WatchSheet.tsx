@@ -12,7 +12,7 @@ import { useContent, useDashboard, useStudentName } from "./dashboard-context.ts
 import { ProgramText } from "./ProgramText.tsx";
 import { StandingChip } from "./StandingChip.tsx";
 import { StudentPicture } from "./StudentPicture.tsx";
-import { cardNumbers, cardState } from "./use-card.ts";
+import { cardSeconds, cardState } from "./use-card.ts";
 import styles from "./watch-sheet.module.css";
 
 interface WatchSheetProps {
@@ -76,7 +76,7 @@ function SheetHead({ student, onClose }: { student: SeenStudent; onClose: () => 
   const { t } = useTranslation("dashboard", { useSuspense: false });
   const nameOf = useStudentName();
   const state = useDashboard((all) => cardState(all, student));
-  const seconds = useDashboard((all) => cardNumbers(all, student).seconds);
+  const seconds = useDashboard((all) => cardSeconds(all, student.student));
   return (
     <div className={styles["head"]}>
       <h2 id="watched-student" className={styles["name"]} dir="auto">

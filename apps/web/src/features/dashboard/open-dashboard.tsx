@@ -82,6 +82,10 @@ export function openDashboard({ room, classes, words, tools }: DashboardParts): 
     dashboard.send({ type: "colours", palette: readPalette(shownProperties()) });
   recolour();
   observeTheme(recolour);
+  const calm = matchMedia("(prefers-reduced-motion: reduce)");
+  const calmDown = (): void => dashboard.send({ type: "calm", isCalm: calm.matches });
+  calmDown();
+  calm.addEventListener("change", calmDown);
   dashboard.send({ type: "open", room: { id: room.id, key: room.key } });
   setInterval(() => dashboard.tick(), SECOND_MS);
   window.addEventListener("online", () => dashboard.send({ type: "again" }));

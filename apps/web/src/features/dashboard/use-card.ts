@@ -20,20 +20,49 @@ function writtenLines({ programs }: DashboardState, student: SeenStudent): numbe
   return read?.task === openTask(student) ? (read.program?.rules.length ?? null) : null;
 }
 
-export interface CardNumbers {
-  /** whole seconds on the open task */
-  seconds: number;
+/** Whole seconds on the open task; 0 for a student who is gone. */
+export function cardSeconds(state: DashboardState, number: number): number {
+  const student = state.students.get(number);
+  return student === undefined ? 0 : Math.floor(timeOf(state, student) / 1_000);
+}
+
+/** A picture that is older than this is grey. */
+const OLD_SECONDS = 20;
+
+interface CardFacts {
+  /** of the name: a number, or a text that the teacher pasted */
+  word: number | null;
+  text: string | null;
+  /** number of the open task */
+  task: number;
+  /** whether the lesson has more than one */
+  hasTasks: boolean;
+  state: CardState;
+  /** whole minutes on the open task */
+  minutes: number;
   /** of the verified solution, or of the newest program; null: not known */
   lines: number | null;
   attempts: number;
+  /** age of the picture; null: it is new */
+  awaySeconds: number | null;
 }
 
-export function cardNumbers(state: DashboardState, student: SeenStudent): CardNumbers {
+/** Everything that a card renders; null: the student is gone. */
+export function cardFacts(state: DashboardState, number: number): CardFacts | null {
+  const student = state.students.get(number);
+  if (student === undefined) return null;
   const verification = verificationOf(state, student);
+  const since = state.awaySince.get(number) ?? state.lostAt;
+  const age = since === null ? 0 : Math.floor((state.now - since) / 1_000);
   return {
-    seconds: Math.floor(timeOf(state, student) / 1_000),
+    ...student.name,
+    task: openTask(student),
+    hasTasks: (state.lesson?.tasks.length ?? 1) > 1,
+    state: cardState(state, student),
+    minutes: Math.floor(timeOf(state, student) / 60_000),
     lines:
       verification?.kind === "passes" ? verification.claim.lines : writtenLines(state, student),
     attempts: openWork(student)?.attempts ?? 0,
+    awaySeconds: age >= OLD_SECONDS ? age : null,
   };
 }

@@ -152,7 +152,7 @@ export class Dashboard {
 
   /** Puts the cards in order at once, because the teacher asks for it. */
   sortNow(): void {
-    const wanted = this.#wanted();
+    const wanted = this.#wanted(this.store.getState());
     const changedAt = this.#ports.now();
     this.store.setState({ order: { order: wanted.order, changedAt, waiting: 0 } });
   }
@@ -173,27 +173,31 @@ export class Dashboard {
       shown.set(number, settle(before.shown.get(number) ?? null, next, now));
       if (!student.isConnected) awaySince.set(number, before.awaySince.get(number) ?? now);
     }
-    this.store.setState({
+    const next = {
+      ...before,
       now,
       shown: isSameMap(before.shown, shown) ? before.shown : shown,
       awaySince: isSameMap(before.awaySince, awaySince) ? before.awaySince : awaySince,
-    });
-    const { order, helped } = this.#wanted();
+    };
+    const { order, helped } = this.#wanted(next);
+    const isHeld = this.#held.size > 0;
+    // One update of the store, because every card looks at each.
     this.store.setState({
-      order: followOrder(this.store.getState().order, order, helped, {
-        isHeld: this.#held.size > 0,
-        now,
-      }),
+      now,
+      shown: next.shown,
+      awaySince: next.awaySince,
+      order: followOrder(before.order, order, helped, { isHeld, now }),
     });
   }
 
-  #wanted(): { order: number[]; helped: Set<number> } {
-    const { students, shown, sorting } = this.store.getState();
+  #wanted(state: DashboardState): { order: number[]; helped: Set<number> } {
+    const { students, shown, sorting } = state;
     const list = [...students.values()].flatMap((student): OrderedStudent[] => {
       const each = shown.get(student.student);
       if (each === undefined) return [];
-      const name = this.#ports.nameOf(student);
-      const timeMs = timeOf(this.store.getState(), student);
+      // A translation of each name is too slow for every update.
+      const name = sorting === "name" ? this.#ports.nameOf(student) : "";
+      const timeMs = timeOf(state, student);
       return [{ student: student.student, name, shown: each, timeMs }];
     });
     const order = orderOf(list, sorting, this.#ports.compareNames);

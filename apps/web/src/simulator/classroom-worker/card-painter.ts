@@ -6,7 +6,7 @@ import { DirtyRects } from "../../stage/drawing/dirty-rects.ts";
 import type { Palette } from "../../stage/drawing/palette.ts";
 import { drawRobot, type Face } from "../../stage/layers/robot.ts";
 import { blocksPath, edgesPath } from "../../ui/maze-outline.ts";
-import { pathCells } from "../protocol/tile-path.ts";
+import { TileMotion, type ShownTile } from "./tile-motion.ts";
 
 /** The robot is larger than in the maze, so that its face can be seen. */
 const ROBOT_SIZE = 1.5;
@@ -21,6 +21,8 @@ interface Place {
 export interface CardPainterPorts {
   tileOf(student: number): Tile | null;
   requestFrame(paint: () => void): void;
+  /** monotonic ms */
+  now(): number;
 }
 
 export class CardPainter {
@@ -29,8 +31,10 @@ export class CardPainter {
   readonly #dirty = new Set<string>();
   readonly #floors = new Map<string, OffscreenCanvas>();
   readonly #verified = new Map<number, ReadonlySet<number>>();
+  readonly #motions = new Map<number, TileMotion>();
   #lesson: LessonDocument | null = null;
   #palette: Palette | null = null;
+  #isCalm = false;
   #isWaiting = false;
   readonly #erased = new DirtyRects();
 
@@ -50,9 +54,15 @@ export class CardPainter {
     this.#drawAll();
   }
 
+  /** @param isCalm robots jump from tile to tile, as the settings of the device ask for */
+  setCalm(isCalm: boolean): void {
+    this.#isCalm = isCalm;
+    this.#drawAll();
+  }
+
   setVerified(student: number, tasks: readonly number[]): void {
     this.#verified.set(student, new Set(tasks));
-    this.changed([student]);
+    this.#drawStudents([student]);
   }
 
   isVerified(student: number, task: number): boolean {
@@ -79,6 +89,18 @@ export class CardPainter {
 
   /** These students have new tiles. */
   changed(students: readonly number[]): void {
+    const now = this.#ports.now();
+    for (const student of students) {
+      const tile = this.#ports.tileOf(student);
+      if (tile === null) continue;
+      const motion = this.#motions.get(student) ?? new TileMotion();
+      this.#motions.set(student, motion);
+      motion.add(tile, now);
+    }
+    this.#drawStudents(students);
+  }
+
+  #drawStudents(students: readonly number[]): void {
     const all = new Set(students);
     for (const [place, { student }] of this.#places) if (all.has(student)) this.#drawSoon(place);
   }
@@ -95,50 +117,54 @@ export class CardPainter {
       this.#isWaiting = false;
       const places = [...this.#dirty];
       this.#dirty.clear();
-      for (const each of places) this.#draw(each);
+      const now = this.#ports.now();
+      for (const each of places) this.#draw(each, now);
     });
   }
 
-  #draw(name: string): void {
+  /** While the robot moves, each frame requests the next one. */
+  #draw(name: string, now: number): void {
     const found = this.#places.get(name);
     const palette = this.#palette;
     const context = found?.canvas.getContext("2d") ?? null;
     if (found === undefined || palette === null || context === null) return;
     const { student, canvas } = found;
     context.clearRect(0, 0, canvas.width, canvas.height);
-    const tile = this.#ports.tileOf(student);
-    const maze = this.#mazeOf(tile);
+    const motion = this.#motions.get(student);
+    const shown = (this.#isCalm ? motion?.newest() : motion?.shown(now)) ?? null;
+    if (motion?.isMoving === true) this.#drawSoon(name);
+    const maze = this.#mazeOf(shown?.tile ?? null);
     if (maze === null) return;
     const floor = this.#floorOf(maze, canvas, palette);
     context.drawImage(floor, 0, 0);
-    if (tile === null) return;
+    if (shown === null) return;
     const view = viewOf(maze, canvas);
-    const isSolved = this.isVerified(student, tile.task);
-    drawPath(context, view, tile, isSolved ? palette.good : palette.live);
-    this.#drawRobot(context, view, tile, palette, isSolved);
+    const isSolved = this.isVerified(student, shown.tile.task);
+    drawPath(context, view, shown, isSolved ? palette.good : palette.live);
+    this.#drawRobot(context, view, shown, palette, isSolved);
   }
 
   #drawRobot(
     context: OffscreenCanvasRenderingContext2D,
     { cell, x, y, columns, rows }: CardView,
-    { pose: [atX, atY, heading], state }: Tile,
+    { pose, tile: { state } }: ShownTile,
     palette: Palette,
     isSolved: boolean,
   ): void {
     const scale = (cell / CELL) * ROBOT_SIZE;
     const box = { x: 0, y: 0, width: 0, height: 0 };
-    const centre = { x: x + (atX / CELL) * cell, y: y + (atY / CELL) * cell };
+    const centre = { x: x + (pose.x / CELL) * cell, y: y + (pose.y / CELL) * cell };
     const viewport = {
       scale,
-      originX: centre.x - atX * scale,
-      originY: centre.y - atY * scale,
+      originX: centre.x - pose.x * scale,
+      originY: centre.y - pose.y * scale,
       port: box,
       view: box,
       columns,
       rows,
     };
     const face: Face = isSolved ? "solved" : state === "bumped" ? "bumped" : "driving";
-    drawRobot(context, viewport, palette, { x: atX, y: atY, heading }, face, this.#erased);
+    drawRobot(context, viewport, palette, pose, face, this.#erased);
   }
 
   /** The maze of a tile; before the first one, the first maze of the lesson. */
@@ -215,19 +241,17 @@ function drawFloor(
 function drawPath(
   context: OffscreenCanvasRenderingContext2D,
   { cell, x, y, columns, rows }: CardView,
-  tile: Tile,
+  { trail }: ShownTile,
   colour: string,
 ): void {
-  const [atX, atY] = tile.pose;
   context.save();
   context.beginPath();
   context.rect(x, y, columns * cell, rows * cell);
   context.clip();
   context.beginPath();
-  for (const { column, row } of pathCells(tile)) {
-    context.lineTo(x + (column + 0.5) * cell, y + (row + 0.5) * cell);
+  for (const point of trail) {
+    context.lineTo(x + (point.x / CELL) * cell, y + (point.y / CELL) * cell);
   }
-  context.lineTo(x + (atX / CELL) * cell, y + (atY / CELL) * cell);
   context.strokeStyle = colour;
   context.lineWidth = Math.max(1.5, cell * 0.14);
   context.lineJoin = "round";

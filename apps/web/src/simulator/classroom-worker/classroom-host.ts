@@ -76,6 +76,10 @@ export class ClassroomHost {
 
   /** Sends a message to the relay; drops it while there is no connection. */
   send(message: TeacherToRelay): void {
+    if (message.type === "watch") {
+      this.roster.watch(message.student);
+      this.#postSoon();
+    }
     this.#link?.send(message);
   }
 

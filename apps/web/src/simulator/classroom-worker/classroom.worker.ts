@@ -14,6 +14,7 @@ let host: ClassroomHost | null = null;
 const painter = new CardPainter({
   tileOf: (student): Tile | null => host?.roster.tileOf(student) ?? null,
   requestFrame: (paint) => requestAnimationFrame(paint),
+  now: () => performance.now(),
 });
 
 const screens = new ScreenFeed({
@@ -62,6 +63,8 @@ worker.onmessage = ({ data }: MessageEvent<ToClassroom>) => {
       return screens.show(data.numbers, data.student);
     case "colours":
       return painter.setPalette(data.palette);
+    case "calm":
+      return painter.setCalm(data.isCalm);
     case "canvas":
       return painter.place(data.place, data.student, data.canvas);
     case "canvas-size":

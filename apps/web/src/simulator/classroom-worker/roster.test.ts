@@ -73,6 +73,17 @@ describe("the students of a class", () => {
     expect(roster.tileOf(1)).toEqual(moved);
   });
 
+  it("show their running line while the teacher watches them", () => {
+    const roster = rosterOf(1, 2);
+    for (const student of [1, 2]) roster.show([{ student, connected: true, tile }]);
+    roster.takeChanges();
+    const next: Tile = { ...tile, seq: 2, line: 1 };
+    roster.watch(2);
+    expect(roster.takeChanges().changed).toMatchObject([{ student: 2, tile: { line: 0 } }]);
+    for (const student of [1, 2]) roster.show([{ student, connected: true, tile: next }]);
+    expect(roster.takeChanges().changed).toMatchObject([{ student: 2, tile: { line: 1 } }]);
+  });
+
   it("have bumps counted once, where the robot was", () => {
     const roster = rosterOf(1, 2);
     const bumped: Tile = { ...tile, state: "bumped", bumps: 1 };

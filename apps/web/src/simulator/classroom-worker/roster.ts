@@ -33,6 +33,7 @@ export class Roster {
   readonly #removed = new Set<number>();
   readonly #bumps = new Map<string, CountedBump>();
   #hasNewBumps = false;
+  #watched: number | null = null;
 
   /** @param activeMs the active time now */
   constructor(activeMs: () => number) {
@@ -67,13 +68,22 @@ export class Roster {
     this.#set(withView(before, view, progress, this.#activeMs()));
   }
 
+  /** The page shows the running line of this student; null: of nobody. */
+  watch(student: number | null): void {
+    this.#watched = student;
+    if (student !== null && this.#entries.has(student)) this.#changed.add(student);
+  }
+
   /** Applies a batch of tiles. @returns the students whose picture may have changed */
   show(tiles: readonly StudentTile[]): number[] {
     const shown: number[] = [];
     for (const { student, connected, tile } of tiles) {
       const before = this.#entries.get(student);
       if (before === undefined) continue;
-      const isSame = before.isConnected === connected && isSameState(before.tile, tile);
+      const isSame =
+        before.isConnected === connected &&
+        isSameState(before.tile, tile) &&
+        (student !== this.#watched || before.tile?.line === tile?.line);
       const entry = { ...before, isConnected: connected, tile: tile ?? before.tile };
       this.#entries.set(student, entry);
       if (!isSame) this.#changed.add(student);
@@ -164,7 +174,6 @@ function isSameState(one: Tile | null, other: Tile | null): boolean {
   return (
     one.task === other.task &&
     one.state === other.state &&
-    one.line === other.line &&
     one.bumps === other.bumps &&
     one.passes === other.passes &&
     one.maze === other.maze

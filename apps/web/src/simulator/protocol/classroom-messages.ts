@@ -106,6 +106,8 @@ export type ToClassroom =
   /** replaces what the big screens show @param student whose run they show; null: none */
   | { type: "screens"; numbers: ScreenNumbers; student: number | null }
   | { type: "colours"; palette: Palette }
+  /** whether robots jump from tile to tile instead of moving */
+  | { type: "calm"; isCalm: boolean }
   /** a canvas for a student's picture, or another one in its place */
   | { type: "canvas"; place: string; student: number; canvas: OffscreenCanvas }
   /** its size in device pixels */

@@ -1,0 +1,50 @@
+/** A student of a class whose robot drives without end. */
+import { LearnLink } from "@corridor/client/learn";
+import { joinedClassSchema, type JoinedClass } from "@corridor/protocol";
+import { DrivenRobot } from "./driven-robot.ts";
+
+/** Mark of the lesson. The relay does not compare it. */
+const LESSON = "0123456ab";
+
+export class RobotStudent {
+  readonly #link: LearnLink;
+  readonly #connected: Promise<void>;
+  readonly #robot: DrivenRobot;
+
+  private constructor(relay: string, joined: JoinedClass, drivenMs: number) {
+    this.#robot = new DrivenRobot(drivenMs);
+    const connection = Promise.withResolvers<void>();
+    this.#connected = connection.promise;
+    this.#link = new LearnLink({
+      origin: relay,
+      id: joined.class,
+      key: joined.key,
+      onMessage: () => undefined,
+      onStatus: ({ kind }) => {
+        if (kind === "connected") connection.resolve();
+      },
+    });
+  }
+
+  /** Joins, and opens the task. @param drivenMs how long the robot has driven */
+  static async join(relay: string, code: string, drivenMs: number): Promise<RobotStudent> {
+    const answer = await fetch(`${relay}/api/v1/joins`, {
+      method: "POST",
+      headers: { "Content-Type": "application/json" },
+      body: JSON.stringify({ code }),
+    });
+    if (answer.status !== 201) throw new Error(`join: ${answer.status} ${await answer.text()}`);
+    const joined = joinedClassSchema.parse(await answer.json());
+    const student = new RobotStudent(relay, joined, drivenMs);
+    await student.#connected;
+    const event = { kind: "opened", lesson: LESSON, task: 1 } as const;
+    student.#link.send({ type: "progress", seq: 1, event });
+    return student;
+  }
+
+  /** Drives on, and sends a tile if one is due. */
+  drive(ms: number): void {
+    const tile = this.#robot.drive(ms);
+    if (tile !== null) this.#link.send({ type: "tile", tile });
+  }
+}
