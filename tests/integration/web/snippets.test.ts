@@ -61,18 +61,20 @@ async function startRobot({ record, detail }: (typeof endings)[number]) {
   return { api: `http://127.0.0.1:${port}/api/v1/robots/r1`, requests };
 }
 
-/** Runs a script to its end. @returns its last printed line */
-async function run(language: keyof typeof programs, api: string): Promise<string> {
+/** Runs a script to its end. @returns its last printed line, and its exit code */
+async function run(language: keyof typeof programs, api: string) {
   const [program, file] = programs[language];
   const folder = await mkdtemp(join(tmpdir(), "corridor-script-"));
   await writeFile(join(folder, file), snippet(language, api, KEY));
-  const child = spawn(program, [file], { cwd: folder, stdio: ["ignore", "pipe", "inherit"] });
+  const child = spawn(program, [file], { cwd: folder, stdio: ["ignore", "pipe", "pipe"] });
   let output = "";
+  let errors = "";
   child.stdout.on("data", (chunk: Buffer) => (output += chunk.toString()));
-  const ended = await once(child, "close");
+  child.stderr.on("data", (chunk: Buffer) => (errors += chunk.toString()));
+  const [code] = (await once(child, "close")) as [number | null];
   await rm(folder, { recursive: true });
-  expect(ended).toEqual([0, null]);
-  return output.trimEnd().split("\n").at(-1) ?? "";
+  // Python prints the reason of a failure to the error output, and then exits.
+  return { last: `${output}${errors}`.trimEnd().split("\n").at(-1) ?? "", code };
 }
 
 describe.each(snippetLanguages)("the script to copy in %s", (language) => {
@@ -80,8 +82,10 @@ describe.each(snippetLanguages)("the script to copy in %s", (language) => {
     "prints at its end that the command $name",
     async (ending) => {
       const { api, requests } = await startRobot(ending);
-      const last = await run(language, api);
+      const { last, code } = await run(language, api);
       expect(language === "curl" ? /"\w+":"(.*)"/.exec(last)?.[1] : last).toBe(ending.prints);
+      // A shell or a build server sees that the robot did not drive.
+      expect(code).toBe(ending.prints === "completed" ? 0 : 1);
       const follow = ending.detail === undefined ? ["GET /commands/7?wait=25"] : [];
       expect(requests).toEqual(['POST /commands {"action":"left90"}', ...follow]);
     },
