@@ -10,12 +10,22 @@ import { TileMotion, type ShownTile } from "./tile-motion.ts";
 
 /** The robot is larger than in the maze, so that its face can be seen. */
 const ROBOT_SIZE = 1.5;
-/** Pictures of mazes without a robot that are stored. */
+/** Pictures of mazes without a robot that are stored besides those in use. */
 const MAX_FLOORS = 32;
+/** One for each student of the largest class. */
+const MAX_MAZES = 200;
 
 interface Place {
   student: number;
   canvas: OffscreenCanvas;
+  /** null: none was drawn yet */
+  floor: Floor | null;
+}
+
+/** The picture of a maze without a robot. */
+interface Floor {
+  key: string;
+  picture: OffscreenCanvas;
 }
 
 export interface CardPainterPorts {
@@ -29,7 +39,9 @@ export class CardPainter {
   readonly #ports: CardPainterPorts;
   readonly #places = new Map<string, Place>();
   readonly #dirty = new Set<string>();
-  readonly #floors = new Map<string, OffscreenCanvas>();
+  readonly #floors = new Map<string, Floor>();
+  /** by task and name, because an unseen maze is generated; null: there is no such maze */
+  readonly #mazes = new Map<string, MazeDocument | null>();
   readonly #verified = new Map<number, ReadonlySet<number>>();
   readonly #motions = new Map<number, TileMotion>();
   #lesson: LessonDocument | null = null;
@@ -44,13 +56,14 @@ export class CardPainter {
 
   setLesson(lesson: LessonDocument): void {
     this.#lesson = lesson;
-    this.#floors.clear();
+    this.#mazes.clear();
+    this.#removeFloors();
     this.#drawAll();
   }
 
   setPalette(palette: Palette): void {
     this.#palette = palette;
-    this.#floors.clear();
+    this.#removeFloors();
     this.#drawAll();
   }
 
@@ -70,7 +83,7 @@ export class CardPainter {
   }
 
   place(place: string, student: number, canvas: OffscreenCanvas): void {
-    this.#places.set(place, { student, canvas });
+    this.#places.set(place, { student, canvas, floor: null });
     this.#drawSoon(place);
   }
 
@@ -105,6 +118,11 @@ export class CardPainter {
     for (const [place, { student }] of this.#places) if (all.has(student)) this.#drawSoon(place);
   }
 
+  #removeFloors(): void {
+    this.#floors.clear();
+    for (const place of this.#places.values()) place.floor = null;
+  }
+
   #drawAll(): void {
     for (const place of this.#places.keys()) this.#drawSoon(place);
   }
@@ -133,10 +151,12 @@ export class CardPainter {
     const motion = this.#motions.get(student);
     const shown = (this.#isCalm ? motion?.newest() : motion?.shown(now)) ?? null;
     if (motion?.isMoving === true) this.#drawSoon(name);
-    const maze = this.#mazeOf(shown?.tile ?? null);
+    const task = shown?.tile.task ?? 1;
+    // Before the first tile, the first maze of the lesson.
+    const mazeName = shown === null ? "g1" : shown.tile.maze;
+    const maze = this.#mazeOf(task, mazeName);
     if (maze === null) return;
-    const floor = this.#floorOf(maze, canvas, palette);
-    context.drawImage(floor, 0, 0);
+    context.drawImage(this.#floorOf(found, `${task} ${mazeName}`, maze, palette), 0, 0);
     if (shown === null) return;
     const view = viewOf(maze, canvas);
     const isSolved = this.isVerified(student, shown.tile.task);
@@ -167,32 +187,56 @@ export class CardPainter {
     drawRobot(context, viewport, palette, pose, face, this.#erased);
   }
 
-  /** The maze of a tile; before the first one, the first maze of the lesson. */
-  #mazeOf(tile: Tile | null): MazeDocument | null {
-    const task = this.#lesson?.tasks[(tile?.task ?? 1) - 1];
-    if (task === undefined || tile?.maze === null) return null;
-    const name = tile?.maze ?? "g1";
-    const number = Number(name.slice(1));
-    try {
-      return mazeOf(task, (name.startsWith("u") ? task.mazes.length : 0) + number - 1);
-    } catch {
-      // The claim of a page: the task has no such maze.
-      return null;
+  #mazeOf(task: number, name: string | null): MazeDocument | null {
+    const key = `${task} ${name}`;
+    let maze = this.#mazes.get(key);
+    if (maze === undefined) {
+      maze = readMaze(this.#lesson, task, name);
+      if (this.#mazes.size >= MAX_MAZES) this.#mazes.clear();
+      this.#mazes.set(key, maze);
     }
+    return maze;
   }
 
-  /** The picture of a maze without a robot. */
-  #floorOf(maze: MazeDocument, { width, height }: OffscreenCanvas, palette: Palette) {
-    const key = `${width} ${height} ${JSON.stringify(maze)}`;
-    const known = this.#floors.get(key);
-    if (known !== undefined) return known;
-    const floor = new OffscreenCanvas(width, height);
-    const context = floor.getContext("2d");
-    if (context !== null) drawFloor(context, viewOf(maze, floor), maze, palette);
-    if (this.#floors.size >= MAX_FLOORS) this.#floors.clear();
-    this.#floors.set(key, floor);
-    return floor;
+  /** @param mazeKey names the maze in this lesson */
+  #floorOf(place: Place, mazeKey: string, maze: MazeDocument, palette: Palette): OffscreenCanvas {
+    const { width, height } = place.canvas;
+    const key = `${width} ${height} ${mazeKey}`;
+    if (place.floor?.key !== key) {
+      place.floor = this.#floors.get(key) ?? newFloor(key, maze, place.canvas, palette);
+      if (this.#floors.size >= MAX_FLOORS) this.#floors.clear();
+      this.#floors.set(key, place.floor);
+    }
+    return place.floor.picture;
   }
+}
+
+/** @returns null if the lesson has no such maze, because a tile is the claim of a page */
+function readMaze(
+  lesson: LessonDocument | null,
+  task: number,
+  name: string | null,
+): MazeDocument | null {
+  const found = lesson?.tasks[task - 1];
+  if (found === undefined || name === null) return null;
+  const number = Number(name.slice(1));
+  try {
+    return mazeOf(found, (name.startsWith("u") ? found.mazes.length : 0) + number - 1);
+  } catch {
+    return null;
+  }
+}
+
+function newFloor(
+  key: string,
+  maze: MazeDocument,
+  { width, height }: OffscreenCanvas,
+  palette: Palette,
+): Floor {
+  const picture = new OffscreenCanvas(width, height);
+  const context = picture.getContext("2d");
+  if (context !== null) drawFloor(context, viewOf(maze, picture), maze, palette);
+  return { key, picture };
 }
 
 /** Position of the maze in a picture, in device pixels. */

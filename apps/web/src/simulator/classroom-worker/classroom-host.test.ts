@@ -1,44 +1,13 @@
-import { mazePresets } from "@corridor/maze";
 import { closeReasons, type SocketEvents } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import type { FromClassroom } from "../protocol/classroom-messages.ts";
 import { ClassroomHost } from "./classroom-host.ts";
 import { classView, studentView } from "./testing/class-of.ts";
+import { lesson } from "./testing/straight-lesson.ts";
 
 const NOW = Date.UTC(2026, 0, 1, 8, 10, 2);
 const room = { id: "A".repeat(22), key: `tea_${"B".repeat(22)}` };
 const STREAM = "k3J9x2aB";
-const task = {
-  name: "Straight",
-  words: { task: "Reach the goal.", short: "Reach the goal", hints: [] },
-  mazes: mazePresets.slice(1, 2).map(({ maze }) => maze),
-  goal: { kind: "reach" },
-  program: null,
-  checks: { bumps: 0, seconds: 20 },
-  allowed: {
-    drivers: ["program"],
-    lines: 1,
-    conditions: null,
-    actions: ["forward", "turn 180"],
-    edits: ["action"],
-    maze: false,
-    tools: null,
-    help: null,
-  },
-  par: null,
-  unseen: null,
-};
-const lesson = {
-  format: "corridor/challenge",
-  version: 2,
-  language: null,
-  name: "Sensors",
-  intro: "",
-  order: "any",
-  tasks: [task],
-  survey: [],
-};
-
 type Answer = { status: number; text: string };
 
 /** A dashboard's host, at a relay whose responses the test controls. */
