@@ -241,6 +241,24 @@ test("a big screen shows the code and the results, and no name", async ({
   driver.close();
 });
 
+test("a big screen of another version than the dashboard says what to do", async ({
+  page,
+  relay,
+  openWindow,
+}) => {
+  const teacher = await openDashboard(page, relay);
+  const { page: screen } = await openWindow({ viewport: { width: 1920, height: 1080 } });
+  await screen.routeWebSocket(/\/socket$/, (client) => {
+    const server = client.connectToServer();
+    server.onMessage((message) => client.send(String(message).replace('"racers"', '"robots"')));
+  });
+  await screen.goto(`${relay}/class/${teacher.created.id}#${teacher.created.screenKey}`);
+  await expect(screen.getByRole("alert")).toHaveText(/^This page cannot show the results\. Reload/);
+  await expect(
+    screen.getByText(`${teacher.code.slice(0, 3)} ${teacher.code.slice(3)}`),
+  ).toBeVisible();
+});
+
 test("verified programs race in one maze, on the dashboard and the big screen, without names", async ({
   page,
   relay,

@@ -6,6 +6,7 @@ import { useEffect, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import type { StoreApi } from "zustand/vanilla";
+import { countRacers } from "../../model/classroom/racers.ts";
 import { lessonName } from "../../model/lessons/lesson-name.ts";
 import { pathCells } from "../../simulator/protocol/tile-path.ts";
 import { Brand } from "../../ui/Brand.tsx";
@@ -28,7 +29,7 @@ interface BigScreenProps {
 
 export function BigScreen({ store, tools }: BigScreenProps) {
   const { t, i18n } = useTranslation("dashboard", { useSuspense: false });
-  const { status, code, lesson, content } = useStore(store);
+  const { status, code, lesson, content, ...state } = useStore(store);
   useEffect(() => {
     document.title = t("screen.pageTitle");
   }, [t, i18n.language]);
@@ -48,6 +49,9 @@ export function BigScreen({ store, tools }: BigScreenProps) {
               {lesson === null ? "" : lessonName(lesson)}
             </h1>
             <Join code={code} />
+            {!(state.isLessonReadable && state.isContentReadable) && (
+              <p role="alert">{t("screen.unreadable")}</p>
+            )}
             {content !== null && lesson !== null && <Results lesson={lesson} content={content} />}
           </>
         )}
@@ -82,7 +86,7 @@ function Results({ lesson, content }: { lesson: LessonDocument; content: ScreenC
   const { t } = useTranslation("dashboard", { useSuspense: false });
   const { task, solved, all, medianMs, lines, bumps, run, racers } = content;
   const [isRacing, setRacing] = useState(false);
-  const count = racers.reduce((sum, racer) => sum + racer.count, 0);
+  const count = countRacers(racers);
   const maze = taskMaze(lesson, task, content.maze ?? "g1");
   return (
     <section className={styles["results"]} aria-label={t("summary.label")}>

@@ -8,4 +8,7 @@ export interface BigScreenState {
   lesson: LessonDocument | null;
   /** null: no dashboard has sent any yet */
   content: ScreenContent | null;
+  /** whether this page can read the newest lesson and content: other parts may be newer or older */
+  isLessonReadable: boolean;
+  isContentReadable: boolean;
 }

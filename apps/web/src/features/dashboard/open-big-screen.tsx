@@ -22,6 +22,8 @@ export function openBigScreen({ id, key, tools }: BigScreenParts): ReactNode {
     code: null,
     lesson: null,
     content: null,
+    isLessonReadable: true,
+    isContentReadable: true,
   }));
   let newest = "";
   const openLesson = async (version: string): Promise<void> => {
@@ -29,8 +31,13 @@ export function openBigScreen({ id, key, tools }: BigScreenParts): ReactNode {
     while (newest === version) {
       const text = await readText(`/api/v1/classes/${id}/lesson`, key);
       const read = text === null ? null : readLesson(text);
-      if (newest === version && read?.ok === true) return store.setState({ lesson: read.value });
-      if (read !== null) return;
+      if (newest !== version) return;
+      if (read !== null) {
+        return store.setState({
+          ...(read.ok && { lesson: read.value }),
+          isLessonReadable: read.ok,
+        });
+      }
       await new Promise((resolve) => setTimeout(resolve, RETRY_MS));
     }
   };
@@ -49,8 +56,10 @@ export function openBigScreen({ id, key, tools }: BigScreenParts): ReactNode {
           return void openLesson(message.version);
         case "display": {
           const read = readValue(screenContentSchema, message.content);
-          if (read.ok) store.setState({ content: read.value });
-          return;
+          return store.setState({
+            ...(read.ok && { content: read.value }),
+            isContentReadable: read.ok,
+          });
         }
         case "problem":
           return;
