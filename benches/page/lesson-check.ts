@@ -3,12 +3,12 @@
  * first result and the end are displayed, the time of Stop, and the frames of the main thread. The
  * baseline is one worker that runs the program in the same mazes alone, without judging it.
  */
-import { taskOf, type LessonDocument, type LessonTask } from "@corridor/challenge";
 import { encodeLink } from "@corridor/link";
 import { programPresets, type ProgramDocument } from "@corridor/program";
 import type { Browser, Page } from "playwright";
 import { formatNumber, type Goal } from "../core/goals.ts";
 import { median } from "../core/measure.ts";
+import { benchLesson } from "./bench-lesson.ts";
 import { traceFrames } from "./frame-times.ts";
 import { capturePoolWorkerUrl, runAlone } from "./pool-worker.ts";
 import type { PageUnderTest, Section } from "./section.ts";
@@ -76,7 +76,7 @@ async function measure({ browser, url }: PageUnderTest): Promise<readonly Goal[]
 }
 
 async function openLesson(browser: Browser, url: string, program: ProgramDocument): Promise<Page> {
-  const link = encodeLink({ lesson: lessonOf(), program });
+  const link = encodeLink({ lesson, program });
   if (!link.ok) throw new Error(`the lesson cannot be encoded as a link: ${link.code}`);
   const viewport = { width: 1440, height: 900 };
   const page = await browser.newPage({ viewport, reducedMotion: "reduce" });
@@ -93,49 +93,18 @@ async function openLesson(browser: Browser, url: string, program: ProgramDocumen
  * No path leads to the goal of the given maze, so that the task stays unsolved and offers its check
  * again.
  */
-function lessonOf(): LessonDocument {
-  const task: LessonTask = {
-    ...taskOf({
-      format: "corridor/challenge",
-      version: 1,
-      name: "Every tree",
-      words: { task: "Reach the goal.", short: "Reach the goal", hints: [] },
-      mazes: [
-        {
-          format: "corridor/maze",
-          version: 1,
-          name: "Closed",
-          blocks: ["#####", "#.#.#", "#####"],
-          start: { column: 1, row: 1, heading: "east" },
-          goals: [{ column: 3, row: 1 }],
-        },
-      ],
-      program: null,
-      goal: { kind: "reach" },
-      allowed: {
-        drivers: ["program"],
-        lines: 3,
-        conditions: null,
-        actions: null,
-        edits: ["condition", "number", "action", "otherwise", "order", "lines"],
-        maze: false,
-      },
-      checks: { bumps: 0, seconds: 600 },
-      par: null,
-    }),
-    unseen: { kind: "tree", columns: SIDE, rows: SIDE, seed: SEED, count: MAZES, pass: MAZES },
-  };
-  return {
-    format: "corridor/challenge",
-    version: 2,
-    language: "en",
-    name: "Every tree",
-    intro: "",
-    order: "any",
-    tasks: [task],
-    survey: [],
-  };
-}
+const lesson = benchLesson(
+  "Every tree",
+  {
+    format: "corridor/maze",
+    version: 1,
+    name: "Closed",
+    blocks: ["#####", "#.#.#", "#####"],
+    start: { column: 1, row: 1, heading: "east" },
+    goals: [{ column: 3, row: 1 }],
+  },
+  { kind: "tree", columns: SIDE, rows: SIDE, seed: SEED, count: MAZES, pass: MAZES },
+);
 
 /** Measures the share of frames that the main thread completes on time during a check. */
 async function measureFrames(browser: Browser, page: Page): Promise<Goal> {

@@ -1,6 +1,7 @@
 /** The lesson of the benchmark's class: one maze without an end. */
-import { taskOf, type LessonDocument } from "@corridor/challenge";
+import type { LessonDocument } from "@corridor/challenge";
 import { generateTree, type MazeDocument } from "@corridor/maze";
+import { benchLesson } from "../bench-lesson.ts";
 
 /** A tree without a path to its goal, so that no robot stops. */
 export function dashboardMaze(): MazeDocument {
@@ -16,33 +17,5 @@ export function dashboardMaze(): MazeDocument {
 }
 
 export function dashboardLesson(): LessonDocument {
-  const task = taskOf({
-    format: "corridor/challenge",
-    version: 1,
-    name: "Tree",
-    words: { task: "Follow the wall.", short: "Follow the wall", hints: [] },
-    mazes: [dashboardMaze()],
-    program: null,
-    goal: { kind: "reach" },
-    allowed: {
-      drivers: ["program"],
-      lines: 3,
-      conditions: null,
-      actions: null,
-      edits: ["condition", "number", "action", "otherwise", "order", "lines"],
-      maze: false,
-    },
-    checks: { bumps: 0, seconds: 600 },
-    par: null,
-  });
-  return {
-    format: "corridor/challenge",
-    version: 2,
-    language: "en",
-    name: "Follow the wall",
-    intro: "",
-    order: "any",
-    tasks: [task],
-    survey: [],
-  };
+  return benchLesson("Tree", dashboardMaze());
 }

@@ -1,3 +1,4 @@
+export { countLines } from "./count-lines.ts";
 export { conditionOf, kindOf, numberOf, numberRange } from "./condition-parts.ts";
 export { emptyProgram } from "./empty-program.ts";
 export { evaluateCondition, type EvaluatedCondition } from "./evaluate-condition.ts";

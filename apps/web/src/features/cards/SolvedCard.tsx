@@ -1,4 +1,5 @@
 /** The card for a reached goal: the figures of the run, and the next steps. */
+import { countLines } from "@corridor/program";
 import type { DriverName, Pose } from "@corridor/protocol";
 import { Flag, History, Share } from "lucide";
 import { useMemo, type ReactNode } from "react";
@@ -167,9 +168,4 @@ function SolvedSentence({ driver, lines, at }: SolvedSentenceProps) {
   return lines === 0
     ? t("cards.solved.otherwiseOnly")
     : t("cards.solved.program", { count: lines });
-}
-
-/** Counts the lines with a condition. Lines without a condition do nothing. */
-function countLines(rules: readonly { when: unknown }[]): number {
-  return rules.filter(({ when }) => when !== null).length;
 }

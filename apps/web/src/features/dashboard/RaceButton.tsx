@@ -3,6 +3,7 @@ import type { LessonDocument } from "@corridor/challenge";
 import type { Racer } from "@corridor/protocol";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
+import { countRacers } from "../../model/classroom/racers.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
 import { LazyRaceView } from "./lazy-race-view.ts";
@@ -18,7 +19,7 @@ interface RaceButtonProps {
 export function RaceButton({ lesson, task, racers }: RaceButtonProps) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
   const [isOpen, setOpen] = useState(false);
-  const count = racers.reduce((sum, racer) => sum + racer.count, 0);
+  const count = countRacers(racers);
   const close = (): void => setOpen(false);
   return (
     <>

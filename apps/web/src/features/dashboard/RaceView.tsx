@@ -5,17 +5,19 @@ import type { Racer } from "@corridor/protocol";
 import { TICKS_PER_SECOND } from "@corridor/simulation";
 import { useEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
+import { countRacers } from "../../model/classroom/racers.ts";
 import { createWorkerPool } from "../../simulator/worker-pool.ts";
 import { formatSeconds } from "../../text/numbers.ts";
 import { Button } from "../../ui/Button.tsx";
 import { MazeDrawing } from "../../ui/MazePicture.tsx";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
-import { lastTick, poseAt, raceSpeed } from "./race-motion.ts";
+import { lastTick, poseAt, raceSpeed, type RacePose } from "./race-motion.ts";
 import { startRace, type RaceRobot } from "./start-race.ts";
 import { taskMaze } from "./task-maze.ts";
 import styles from "./race-view.module.css";
 
-const DEGREES = { north: 0, east: 90, south: 180, west: 270 } as const;
+/** The clock shows tenths of a second. */
+const TICKS_PER_TENTH = TICKS_PER_SECOND / 10;
 /** Rows of the list of results. */
 const MOST_RESULTS = 3;
 
@@ -45,15 +47,12 @@ export function RaceView({ lesson, task, racers, onClose }: RaceViewProps) {
     };
   }, [starters]);
   const maze = taskMaze(starters.lesson, starters.task, "g1");
-  const missing =
-    Array.isArray(robots) && robots.length < starters.racers.length
-      ? starters.racers.length - robots.length
-      : 0;
+  const isIncomplete = Array.isArray(robots) && robots.length < starters.racers.length;
   return (
     <figure className={styles["race"]}>
       <figcaption className="visually-hidden">{t("race.title")}</figcaption>
       {robots === "failed" && <p role="alert">{t("race.failed")}</p>}
-      {missing > 0 && <p role="alert">{t("race.unreadable")}</p>}
+      {isIncomplete && <p role="alert">{t("race.unreadable")}</p>}
       {Array.isArray(robots) && robots.length > 0 && maze !== null ? (
         <Track maze={maze} robots={robots} onClose={onClose} />
       ) : (
@@ -63,6 +62,10 @@ export function RaceView({ lesson, task, racers, onClose }: RaceViewProps) {
       )}
     </figure>
   );
+}
+
+function transformsOf({ x, y, heading }: RacePose): { place: string; turn: string } {
+  return { place: `translate(${x / CELL} ${y / CELL})`, turn: `rotate(${heading})` };
 }
 
 interface TrackProps {
@@ -81,20 +84,20 @@ function Track({ maze, robots, onClose }: TrackProps) {
   const end = lastTick(runs);
   const speed = raceSpeed(runs);
   useEffect(() => {
+    if (!isRunning) return;
     const draw = (at: number): void => {
       for (const [index, { run }] of robots.entries()) {
-        const { x, y, heading } = poseAt(run, at);
         const robot = places.current[index];
-        robot?.setAttribute("transform", `translate(${x / CELL} ${y / CELL})`);
-        robot?.querySelector("path")?.setAttribute("transform", `rotate(${heading})`);
+        const { place, turn } = transformsOf(poseAt(run, at));
+        robot?.setAttribute("transform", place);
+        robot?.querySelector("path")?.setAttribute("transform", turn);
       }
     };
-    if (!isRunning) return;
     const startedAt = performance.now();
     let request = requestAnimationFrame(function next(now) {
       const at = Math.min(end, Math.max(0, (now - startedAt) / 1000) * TICKS_PER_SECOND * speed);
       draw(at);
-      setTick(Math.floor(at / 6) * 6);
+      setTick(Math.floor(at / TICKS_PER_TENTH) * TICKS_PER_TENTH);
       if (at < end) request = requestAnimationFrame(next);
       else {
         setTick(end);
@@ -104,22 +107,23 @@ function Track({ maze, robots, onClose }: TrackProps) {
     return () => cancelAnimationFrame(request);
   }, [isRunning, robots, end, speed]);
   const { columns, rows } = sizeOf(maze);
-  const { column, row, heading } = maze.start;
   const seconds = (ticks: number): string =>
     t("race.seconds", { seconds: formatSeconds(ticks, i18n.language) });
   const arrived = robots
     .map((robot, at) => ({ ...robot, number: at + 1 }))
     .filter(({ run }) => run.isSolved && run.ticks <= tick)
     .toSorted((a, b) => a.run.ticks - b.run.ticks);
-  const all = robots.reduce((sum, { count }) => sum + count, 0);
-  const atGoal = arrived.reduce((sum, { count }) => sum + count, 0);
+  // Each robot is rendered at its start. Later frames move it past React.
+  const starts = robots.map(({ run }) => transformsOf(poseAt(run, 0)));
   return (
     <>
       <div className={styles["bar"]}>
         <p className={styles["clock"]}>
           <span>{seconds(tick)}</span>
           {speed > 1 && <span>{t("race.speed", { speed })}</span>}
-          <span>{t("race.arrived", { arrived: atGoal, count: all })}</span>
+          <span>
+            {t("race.arrived", { arrived: countRacers(arrived), count: countRacers(robots) })}
+          </span>
         </p>
         {!isRunning && (
           <Button
@@ -141,12 +145,12 @@ function Track({ maze, robots, onClose }: TrackProps) {
             ref={(place) => {
               places.current[at] = place;
             }}
-            transform={`translate(${column + 0.5} ${row + 0.5})`}
+            transform={starts[at]?.place}
             className={styles["robot"]}
             data-solved={run.isSolved && run.ticks <= tick}
           >
             <circle r="0.3" />
-            <path d="M-.14-.12 0-.28 .14-.12z" transform={`rotate(${DEGREES[heading]})`} />
+            <path d="M-.14-.12 0-.28 .14-.12z" transform={starts[at]?.turn} />
             <text y="0.1">{at + 1}</text>
           </g>
         ))}

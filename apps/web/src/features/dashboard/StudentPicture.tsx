@@ -4,6 +4,9 @@ import type { Dashboard } from "../../model/classroom/dashboard.ts";
 import { useContent } from "./dashboard-context.ts";
 import styles from "./student-card.module.css";
 
+/** Pictures this close to the view are drawn, so that none appears late. */
+const NEAR = "200px";
+
 export function StudentPicture({ student }: { student: number }) {
   const { dashboard } = useContent();
   const id = useId();
@@ -32,9 +35,6 @@ export function StudentPicture({ student }: { student: number }) {
   }, [dashboard, id, student]);
   return <div ref={frame} className={styles["picture"]} aria-hidden="true" />;
 }
-
-/** Pictures this close to the view are drawn, so that none appears late. */
-const NEAR = "200px";
 
 interface Picture {
   dashboard: Dashboard;

@@ -11,7 +11,7 @@ const run = {
 describe("a robot of a race", () => {
   it.each([
     { tick: 0, pose: { x: 50, y: 50, heading: 350 }, says: "starts at its first pose" },
-    { tick: 3, pose: { x: 80, y: 50, heading: 360 }, says: "turns the shorter way round" },
+    { tick: 3, pose: { x: 80, y: 50, heading: 0 }, says: "turns the shorter way round" },
     { tick: 6, pose: { x: 110, y: 50, heading: 10 }, says: "is at its second pose after 6 ticks" },
     { tick: 7.5, pose: { x: 110, y: 65, heading: 50 }, says: "has a shorter step at its end" },
     { tick: 9, pose: { x: 110, y: 80, heading: 90 }, says: "reaches its last pose" },

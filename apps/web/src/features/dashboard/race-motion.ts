@@ -1,5 +1,6 @@
 /** Where the robots of a race are, and how fast the race is displayed. Pure. */
 import { TICKS_PER_SECOND } from "@corridor/simulation";
+import { blendHeading } from "../../simulator/protocol/blend-heading.ts";
 import { TICKS_PER_POSE, type RacedRun } from "../../simulator/protocol/pool-messages.ts";
 
 /** A class watches a race for this long at most, in seconds. */
@@ -21,12 +22,10 @@ export function poseAt({ poses, ticks }: RacedRun, tick: number): RacePose {
   const share = toTick === fromTick ? 0 : (at - fromTick) / (toTick - fromTick);
   const [x = 0, y = 0, heading = 0] = poses.subarray(3 * from, 3 * from + 3);
   const [toX = x, toY = y, toHeading = heading] = poses.subarray(3 * to, 3 * to + 3);
-  // The shorter way round: 350 to 10 degrees is a turn of 20.
-  const turn = ((((toHeading - heading) % 360) + 540) % 360) - 180;
   return {
     x: x + share * (toX - x),
     y: y + share * (toY - y),
-    heading: heading + share * turn,
+    heading: blendHeading(heading, toHeading, share),
   };
 }
 

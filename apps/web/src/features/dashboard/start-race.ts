@@ -1,7 +1,7 @@
 /** Reads the programs of a race, and runs them on the workers of a pool. */
 import { isProgram, type LessonDocument } from "@corridor/challenge";
 import { handInsOf } from "@corridor/link";
-import type { ProgramDocument } from "@corridor/program";
+import { countLines, type ProgramDocument } from "@corridor/program";
 import type { Racer } from "@corridor/protocol";
 import type { RacedRun } from "../../simulator/protocol/pool-messages.ts";
 import type { WorkerPool } from "../../simulator/worker-pool.ts";
@@ -40,8 +40,8 @@ export async function startRace(
       onResult: (result, at) => {
         const starter = starters[at];
         if (result.kind !== "race" || starter === undefined) return;
-        const lines = starter.program.rules.filter(({ when }) => when !== null).length;
-        robots[at] = { count: starter.count, lines, run: result.run };
+        const { count, program } = starter;
+        robots[at] = { count, lines: countLines(program.rules), run: result.run };
         if (--left === 0) resolve(robots);
       },
       onEnd: () => resolve(null),

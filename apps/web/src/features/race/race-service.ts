@@ -2,6 +2,7 @@
  * Manages races: adds a recorded run as a ghost, removes a ghost, ends the race. It ensures that
  * all runs of a race use the maze on the screen.
  */
+import { countLines } from "@corridor/program";
 import { isSameLayout } from "@corridor/maze";
 import type { RunDocument } from "@corridor/recording";
 import type { i18n } from "i18next";
@@ -213,6 +214,6 @@ function digestOf({ digest, ticks }: RunDocument): string {
 
 function finishOf(event: Extract<FromWorker, { type: "event" }>["event"]): Finish {
   const { tick, bumps, driver, program } = event;
-  const lines = program?.rules.filter(({ when }) => when !== null).length ?? 0;
+  const lines = countLines(program?.rules ?? []);
   return { goalTick: tick, bumps, driver, lines };
 }

@@ -29,3 +29,8 @@ export function racersOf(task: number, verifications: Verifications): Racer[] {
   }
   return racers;
 }
+
+/** Number of students whose programs race. */
+export function countRacers(racers: readonly Pick<Racer, "count">[]): number {
+  return racers.reduce((sum, { count }) => sum + count, 0);
+}

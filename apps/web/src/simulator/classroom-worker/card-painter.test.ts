@@ -2,7 +2,7 @@ import type { Tile } from "@corridor/protocol";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { readPalette } from "../../stage/drawing/palette.ts";
 import { CardPainter } from "./card-painter.ts";
-import { lesson } from "./testing/straight-lesson.ts";
+import { lesson } from "../testing/straight-lesson.ts";
 
 /** Counts how often a card was drawn, and where its robot is. */
 class FakeCanvas {

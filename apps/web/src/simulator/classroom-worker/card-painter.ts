@@ -1,11 +1,12 @@
 /** Draws the pictures of the students' cards: maze, path and robot. */
-import { mazeOf, type LessonDocument } from "@corridor/challenge";
+import type { LessonDocument } from "@corridor/challenge";
 import { CELL, sizeOf, type MazeDocument } from "@corridor/maze";
 import type { Tile } from "@corridor/protocol";
 import { DirtyRects } from "../../stage/drawing/dirty-rects.ts";
 import type { Palette } from "../../stage/drawing/palette.ts";
 import { drawRobot, type Face } from "../../stage/layers/robot.ts";
 import { blocksPath, edgesPath } from "../../ui/maze-outline.ts";
+import { tileMaze } from "../protocol/tile-maze.ts";
 import { TileMotion, type ShownTile } from "./tile-motion.ts";
 
 /** The robot is larger than in the maze, so that its face can be seen. */
@@ -188,10 +189,11 @@ export class CardPainter {
   }
 
   #mazeOf(task: number, name: string | null): MazeDocument | null {
+    if (this.#lesson === null || name === null) return null;
     const key = `${task} ${name}`;
     let maze = this.#mazes.get(key);
     if (maze === undefined) {
-      maze = readMaze(this.#lesson, task, name);
+      maze = tileMaze(this.#lesson, task, name);
       if (this.#mazes.size >= MAX_MAZES) this.#mazes.clear();
       this.#mazes.set(key, maze);
     }
@@ -208,22 +210,6 @@ export class CardPainter {
       this.#floors.set(key, place.floor);
     }
     return place.floor.picture;
-  }
-}
-
-/** @returns null if the lesson has no such maze, because a tile is the claim of a page */
-function readMaze(
-  lesson: LessonDocument | null,
-  task: number,
-  name: string | null,
-): MazeDocument | null {
-  const found = lesson?.tasks[task - 1];
-  if (found === undefined || name === null) return null;
-  const number = Number(name.slice(1));
-  try {
-    return mazeOf(found, (name.startsWith("u") ? found.mazes.length : 0) + number - 1);
-  } catch {
-    return null;
   }
 }
 

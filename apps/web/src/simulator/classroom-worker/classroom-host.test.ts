@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import type { FromClassroom } from "../protocol/classroom-messages.ts";
 import { ClassroomHost } from "./classroom-host.ts";
 import { classView, studentView } from "./testing/class-of.ts";
-import { lesson } from "./testing/straight-lesson.ts";
+import { lesson } from "../testing/straight-lesson.ts";
 
 const NOW = Date.UTC(2026, 0, 1, 8, 10, 2);
 const room = { id: "A".repeat(22), key: `tea_${"B".repeat(22)}` };

@@ -6,6 +6,7 @@
  */
 import { CELL } from "@corridor/maze";
 import type { Pose, Tile } from "@corridor/protocol";
+import { blendHeading } from "../protocol/blend-heading.ts";
 import { pathCells, type CellPoint } from "../protocol/tile-path.ts";
 
 /** Interval between two tiles of a relay that is not busy, and its bounds, in ms. */
@@ -106,7 +107,7 @@ function between(from: Step, to: Step, corners: readonly Point[], share: number)
   const pose = {
     x: start.x + (end.x - start.x) * part,
     y: start.y + (end.y - start.y) * part,
-    heading: turned(from.pose.heading, to.pose.heading, share),
+    heading: blendHeading(from.pose.heading, to.pose.heading, share),
   };
   const trail = [...from.trail.slice(0, -1), ...corners.slice(0, passed), pose];
   return { tile: from.tile, trail, pose };
@@ -163,12 +164,6 @@ function isOnWay({ column, row }: CellPoint, a: CellPoint, b: CellPoint): boolea
     row >= Math.min(a.row, b.row) &&
     row <= Math.max(a.row, b.row)
   );
-}
-
-/** The shorter direction. */
-function turned(from: number, to: number, part: number): number {
-  const way = ((to - from + 540) % 360) - 180;
-  return (from + way * part + 360) % 360;
 }
 
 function poseOf({ pose: [x, y, heading] }: Tile): Pose {

@@ -5,6 +5,7 @@
  * time.
  */
 import type { Pose, Snapshot } from "@corridor/protocol";
+import { blendHeading } from "../protocol/blend-heading.ts";
 import type { Frame } from "../../stage/drawing/frame.ts";
 
 /** A robot this far from its last position, in units, did not drive there. */
@@ -124,7 +125,7 @@ function between(from: Seen, to: Seen, at: number): Snapshot {
     pose: {
       x: blend(a.pose.x, b.pose.x),
       y: blend(a.pose.y, b.pose.y),
-      heading: turned(a.pose.heading, b.pose.heading, part),
+      heading: blendHeading(a.pose.heading, b.pose.heading, part),
     },
     sensors: {
       front: reading(front, b.sensors.front),
@@ -133,12 +134,6 @@ function between(from: Seen, to: Seen, at: number): Snapshot {
       left: reading(left, b.sensors.left),
     },
   };
-}
-
-/** The shorter direction. */
-function turned(from: number, to: number, part: number): number {
-  const way = ((to - from + 540) % 360) - 180;
-  return (from + way * part + 360) % 360;
 }
 
 function isJump(a: Snapshot, b: Snapshot): boolean {

@@ -3,6 +3,7 @@
  * clock of its own, so speed, pause, the past and Reset apply to it as to the robot. It stays at
  * its end once its recording is over.
  */
+import { countLines } from "@corridor/program";
 import { Replay, type Playback } from "@corridor/recording";
 import {
   MAX_GHOSTS,
@@ -103,6 +104,6 @@ function finishOf({ playback, ticks }: Ghost, goalTick: number | null) {
     goalTick,
     bumps,
     driver,
-    lines: program.rules.filter(({ when }) => when !== null).length,
+    lines: countLines(program.rules),
   };
 }
