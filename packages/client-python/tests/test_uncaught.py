@@ -26,6 +26,7 @@ async def main():
 
 asyncio.run(main())
 """
+AWAIT = "6: await robot.right()"
 # As asyncio.run of Python 3.9 and 3.10, which does not cancel the script before Ctrl+C is raised.
 OLD_ASYNC = ASYNC.replace("asyncio.run(main())", "asyncio.new_event_loop().run_until_complete(main())")
 
@@ -87,15 +88,16 @@ def test_it_is_a_traceback_in_development_mode_and_for_other_errors(
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no SIGINT for one process")
 @pytest.mark.parametrize(
-    "text, line",
+    "text, lines",
     [
-        (SYNC, "3: robot.right()"),
-        (ASYNC, "6: await robot.right()" if sys.version_info >= (3, 11) else "8: asyncio.run(main())"),
-        (OLD_ASYNC, "8: asyncio.new_event_loop().run_until_complete(main())"),
+        (SYNC, ["3: robot.right()"]),
+        (ASYNC, [AWAIT] if sys.version_info >= (3, 11) else [AWAIT, "8: asyncio.run(main())"]),
+        # It depends on the moment: the script runs a step of the command, or the event loop waits.
+        (OLD_ASYNC, [AWAIT, "8: asyncio.new_event_loop().run_until_complete(main())"]),
     ],
 )
 def test_ctrl_c_during_a_command_prints_the_line_of_the_script(
-    corridor: Host, tmp_path: Path, text: str, line: str
+    corridor: Host, tmp_path: Path, text: str, lines: List[str]
 ) -> None:
     corridor.send("disconnect")
     (tmp_path / "first.py").write_text(text.format(address=corridor.address))
@@ -113,4 +115,4 @@ def test_ctrl_c_during_a_command_prints_the_line_of_the_script(
     _, printed = script.communicate(timeout=20)
     assert script.returncode == -signal.SIGINT
     # The shell reports a script that Ctrl+C has ended as 130.
-    assert printed.splitlines() == [f"Stopped by Ctrl+C: first.py, line {line}"]
+    assert printed in [f"Stopped by Ctrl+C: first.py, line {line}\n" for line in lines]
