@@ -92,7 +92,8 @@ function useFocusOnChange(key: unknown) {
       isFirst.current = false;
       return;
     }
-    main.current?.focus();
+    // A field of the view may already have the focus.
+    if (main.current?.contains(document.activeElement) !== true) main.current?.focus();
   }, [key, first]);
   return main;
 }
