@@ -73,7 +73,7 @@ function View({ view, device }: ViewProps) {
     case "hand-ins":
       return <HandIns device={device} saved={view.lesson} />;
     case "report":
-      return <ReportView device={device} />;
+      return <ReportView key={view.report} device={device} saved={view.report} />;
   }
 }
 
