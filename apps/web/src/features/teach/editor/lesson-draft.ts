@@ -19,7 +19,7 @@ import {
 } from "../../../model/teaching/solution.ts";
 import {
   insertMaze,
-  insertTask,
+  insertTasks,
   moveTask,
   newTaskIds,
   removeMaze,
@@ -101,12 +101,12 @@ export class LessonDraft {
     this.#group = null;
   }
 
-  /** Adds a task after the open one, and opens it. @returns whether there was room */
-  addTask(task: LessonTask): boolean {
+  /** Adds tasks after the open one, and opens the first. @returns whether all fit; else none is added */
+  addTasks(tasks: readonly LessonTask[]): boolean {
     const state = this.store.getState();
-    if (state.lesson.tasks.length >= MAX_TASKS) return false;
+    if (state.lesson.tasks.length + tasks.length > MAX_TASKS) return false;
     const at = state.task + 1;
-    this.#commit(insertTask(state, at, task), { task: at, maze: 0 });
+    this.#commit(insertTasks(state, at, tasks), { task: at, maze: 0 });
     return true;
   }
 

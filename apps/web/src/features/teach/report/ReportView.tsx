@@ -9,9 +9,11 @@ import { Icon } from "../../../ui/Icon.tsx";
 import type { KeyValueStorage } from "../../../model/storage/key-value-storage.ts";
 import { chooseFiles, type TextFile } from "../../../ui/incoming-files.ts";
 import { saveFile } from "../../../ui/save-file.ts";
+import { REPORT_HASH, SavedReports } from "../../../model/teaching/saved-reports.ts";
+import { SavedReportList } from "./SavedReportList.tsx";
 import { SavedLessons } from "../../../model/teaching/saved-lessons.ts";
 import { questionTexts, type QuestionText } from "./question-texts.ts";
-import { addReportFiles, studyOf, type ReadFiles } from "./report-files.ts";
+import { addReportFiles, openReport, studyOf, type ReadFiles } from "./report-files.ts";
 import { ReportProblems } from "./ReportProblems.tsx";
 import { SurveyTable } from "./SurveyTable.tsx";
 import { TaskFigures } from "./TaskFigures.tsx";
@@ -20,9 +22,21 @@ import styles from "./report.module.css";
 
 const TABLES = ".csv,.txt,text/csv,text/plain";
 
-export function ReportView({ device }: { device: KeyValueStorage }) {
+interface ReportViewProps {
+  /** localStorage */
+  device: KeyValueStorage;
+  /** id of a report of this device that opens at once; null: none */
+  saved: string | null;
+}
+
+export function ReportView({ device, saved }: ReportViewProps) {
   const { t } = useTranslation("report", { useSuspense: false });
-  const [{ files, problems }, setRead] = useState<ReadFiles>({ files: [], problems: [] });
+  const [reports] = useState(() => new SavedReports(device));
+  const [first] = useState(() => openFirst(reports, saved));
+  const [{ files, problems }, setRead] = useState<ReadFiles>({
+    files: first === null ? [] : [first],
+    problems: [],
+  });
   const [mistakes, setMistakes] = useState<ReadonlyMap<string, number>>(new Map());
   const study = useMemo(() => studyOf(files), [files]);
   const report = useMemo(() => reportOf(study, mistakes), [study, mistakes]);
@@ -41,7 +55,8 @@ export function ReportView({ device }: { device: KeyValueStorage }) {
       }
     >
       <section className={styles["opener"]} aria-label={t("tables")}>
-        <p>{isEmpty ? t("intro") : files.map(({ name }) => name).join(", ")}</p>
+        {saved !== null && first === null && <p>{t("saved.missing")}</p>}
+        <p>{isEmpty ? t("intro") : files.map(({ name }) => name || t("title")).join(", ")}</p>
         <div className={styles["buttons"]}>
           <Button
             kind={isEmpty ? "primary" : "outline"}
@@ -53,6 +68,8 @@ export function ReportView({ device }: { device: KeyValueStorage }) {
           {!isEmpty && (
             <Button
               onClick={() => {
+                // The address names the report that was open.
+                if (saved !== null) location.hash = REPORT_HASH;
                 setRead({ files: [], problems: [] });
                 setMistakes(new Map());
               }}
@@ -64,6 +81,7 @@ export function ReportView({ device }: { device: KeyValueStorage }) {
         {isEmpty && <p className={styles["note"]}>{t("drop")}</p>}
       </section>
       <ReportProblems problems={problems} />
+      {isEmpty && <SavedReportList reports={reports} />}
       {!isEmpty && (
         <ReportContent
           report={report}
@@ -83,6 +101,11 @@ export function ReportView({ device }: { device: KeyValueStorage }) {
       )}
     </DropView>
   );
+}
+
+function openFirst(reports: SavedReports, id: string | null) {
+  const report = id === null ? null : reports.read(id);
+  return report === null ? null : openReport(report);
 }
 
 interface ReportContentProps {
