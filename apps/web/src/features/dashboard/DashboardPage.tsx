@@ -5,6 +5,7 @@ import { useStore } from "zustand";
 import type { ClassCalls, ClassRefusal } from "../../model/classroom/class-calls.ts";
 import type { Dashboard } from "../../model/classroom/dashboard.ts";
 import type { OwnClass } from "../../model/classroom/own-classes.ts";
+import type { RaceChoice } from "../../model/classroom/racers.ts";
 import { lessonName } from "../../model/lessons/lesson-name.ts";
 import { Button } from "../../ui/Button.tsx";
 import { ErrorBoundary } from "../../ui/ErrorBoundary.tsx";
@@ -41,7 +42,8 @@ export function DashboardPage({ dashboard, calls, room, onLabel, tools }: Dashbo
   const [isSending, setSending] = useState(false);
   /** whose run is on the big screens */
   const [screened, setScreened] = useState<number | null>(null);
-  useScreens(dashboard, screened);
+  const [raceChoice, setRaceChoice] = useState<RaceChoice | null>(null);
+  useScreens(dashboard, screened, raceChoice);
   const [refusal, report] = useState<ClassRefusal | null>(null);
   const status = useStore(dashboard.store, (state) => state.status.kind);
   const lesson = useStore(dashboard.store, (state) => state.lesson);
@@ -98,7 +100,7 @@ export function DashboardPage({ dashboard, calls, room, onLabel, tools }: Dashbo
                 </ProblemNote>
               )}
               <ClassHead name={lesson === null ? "" : lessonName(lesson) || t("unnamed")} />
-              <Summaries />
+              <Summaries raceChoice={raceChoice} onRaceChoice={setRaceChoice} />
               <StudentCards onWatch={setWatched} watched={watched} />
               <Announcements />
             </div>

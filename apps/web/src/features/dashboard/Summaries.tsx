@@ -4,7 +4,7 @@ import { useMemo, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import type { Bar, ClassSummary } from "../../model/classroom/class-summary.ts";
 import { summaryOf } from "../../model/classroom/class-summary.ts";
-import { racersOf } from "../../model/classroom/racers.ts";
+import { chosenMaze, raceField, type RaceChoice } from "../../model/classroom/racers.ts";
 import type { CountedBump } from "../../simulator/protocol/classroom-messages.ts";
 import { localNumber } from "../../text/numbers.ts";
 import { Select } from "../../ui/Select.tsx";
@@ -14,7 +14,12 @@ import { useDashboard } from "./dashboard-context.ts";
 import { RaceButton } from "./RaceButton.tsx";
 import styles from "./summaries.module.css";
 
-export function Summaries() {
+interface SummariesProps {
+  raceChoice: RaceChoice | null;
+  onRaceChoice: (choice: RaceChoice) => void;
+}
+
+export function Summaries({ raceChoice, onRaceChoice }: SummariesProps) {
   const { t, i18n } = useTranslation("dashboard", { useSuspense: false });
   const lesson = useDashboard((state) => state.lesson);
   const students = useDashboard((state) => state.students);
@@ -53,7 +58,13 @@ export function Summaries() {
         )}
         <Shares summary={summary} />
         {lesson !== null && (
-          <RaceButton lesson={lesson} task={task} racers={racersOf(task, verifications)} />
+          <RaceButton
+            lesson={lesson}
+            task={task}
+            field={raceField(task, verifications)}
+            maze={chosenMaze(lesson, task, raceChoice)}
+            onMaze={(maze) => onRaceChoice({ task, maze })}
+          />
         )}
       </div>
       <Part
