@@ -42,6 +42,7 @@ export {
 } from "./class.ts";
 export {
   classHelloSchema,
+  classRoles,
   relayToScreenSchema,
   relayToStudentSchema,
   relayToTeacherSchema,

@@ -2,7 +2,12 @@
  * All classes of this relay: creates, finds and deletes them, and admits students. A class is held
  * in memory while it is in use. The store holds the rest.
  */
-import type { CreatedClass, JoinedClass } from "@corridor/protocol";
+import {
+  classRoles,
+  type ClassRole,
+  type CreatedClass,
+  type JoinedClass,
+} from "@corridor/protocol";
 import type { Logger } from "pino";
 import type { ClassBus } from "../bus/class-bus.ts";
 import { canBeKey, hashKey, mintClassCode, mintId, mintKey, mintStream } from "../platform/keys.ts";
@@ -25,6 +30,14 @@ export interface ClassRequest {
   expected: number | null;
   /** the document as JSON */
   lesson: string;
+}
+
+/** What is connected to this relay. */
+export interface ClassCounts {
+  /** classes with a connection */
+  classes: number;
+  /** connections by role */
+  members: Record<ClassRole, number>;
 }
 
 export interface ClassGrant {
@@ -133,6 +146,18 @@ export class ClassRegistry {
     checkClassRight(member.kind, verb);
     found.used();
     return { found, member };
+  }
+
+  async connectionCounts(): Promise<ClassCounts> {
+    const members = { learn: 0, teach: 0, show: 0 };
+    let classes = 0;
+    for (const pending of this.#classes.values()) {
+      const found = await pending.catch(() => null);
+      if (found === null || found.connections.isEmpty) continue;
+      classes += 1;
+      for (const role of classRoles) members[role] += found.connections.counts[role];
+    }
+    return { classes, members };
   }
 
   /** Deletes a class with all its stored data. */
