@@ -16,7 +16,7 @@ import { CheckQueue } from "../platform/limits/check-queue.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { TokenBucket } from "../platform/limits/token-bucket.ts";
 import type { Clock } from "../platform/time/clock.ts";
-import type { ClassRow, ClassStore } from "../store/class-store.ts";
+import type { ClassRow, ClassStore, FoundCode } from "../store/class-store.ts";
 import { checkClassRight, wrongClassKey, type ClassVerb, type Member } from "./access.ts";
 import { LiveClass } from "./live-class.ts";
 import { joinStep, returnStep, wrongCode } from "./student-steps.ts";
@@ -114,9 +114,7 @@ export class ClassRegistry {
   async join(code: string, from: string): Promise<JoinedClass> {
     if (this.#isClosing) throw restarting();
     const hash = hashKey(code);
-    const found = await this.#checks.run(from, hash, async () =>
-      this.#store.findCode(hash, this.#clock.now()),
-    );
+    const found = await this.#checks.run(from, hash, async () => this.#validCode(hash));
     if (found === null) throw wrongCode();
     this.#limitRate(this.#joins, limits.joinRate, from, "Too many students joined");
     const joinedClass = await this.#find(found.id);
@@ -174,6 +172,12 @@ export class ClassRegistry {
     const classes = [...this.#classes.values()];
     this.#classes.clear();
     for (const each of classes) (await each.catch(() => null))?.leave();
+  }
+
+  async #validCode(hash: string): Promise<FoundCode | null> {
+    const found = await this.#store.findCode(hash);
+    const hasEnded = found !== null && found.endsAt !== null && found.endsAt <= this.#clock.now();
+    return hasEnded ? null : found;
   }
 
   async #find(id: string): Promise<LiveClass | null> {
