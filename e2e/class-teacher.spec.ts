@@ -25,21 +25,16 @@ const { solution, wrong } = answers["one-line"];
 const opened = { kind: "opened", lesson: lessonMark(lesson), task: 1 } as const;
 
 /** A claim that the first task is solved. */
-function claim(attempt: typeof solution, taught = lesson) {
-  const completion = { lesson: lessonMark(taught), task: 0, attempt };
+function claim(attempt: typeof solution) {
+  const completion = { lesson: lessonMark(lesson), task: 0, attempt };
   const link = encodeLink({ completion });
   if (!link.ok) throw new Error(link.code);
   return { kind: "solved", task: 1, lines: 1, code: link.text } as const;
 }
 
 /** A class whose dashboard is open. */
-async function openDashboard(
-  page: Page,
-  relay: string,
-  names: string[] | null = NAMES,
-  taught = lesson,
-) {
-  const teacher = await ClassTeacher.start(relay, names, taught);
+async function openDashboard(page: Page, relay: string, names: string[] | null = NAMES) {
+  const teacher = await ClassTeacher.start(relay, names, lesson);
   await page.goto(`/class/${teacher.created.id}#${teacher.created.teacherKey}`);
   await expect(page.getByRole("heading", { name: "One line" })).toBeVisible();
   return teacher;
@@ -293,51 +288,6 @@ test("verified programs race in one maze, on the dashboard and the big screen, w
   await expect(screen.getByText("2 of 2 at the goal")).toBeVisible();
   await screen.getByRole("button", { name: "Close race" }).click();
   await expect(screen.getByText("Where robots bump")).toBeVisible();
-  for (const student of students) student.close();
-});
-
-test("a race takes place in the maze that the teacher chooses, also on the big screen", async ({
-  page,
-  relay,
-  openWindow,
-}) => {
-  const task = sampleTask("every-maze", "Every maze");
-  const unseen = { kind: "tree", columns: 11, rows: 11, seed: 7, count: 50, pass: 1 } as const;
-  const taught = { ...lesson, tasks: [{ ...task, unseen }] };
-  const mark = lessonMark(taught);
-  const teacher = await openDashboard(page, relay, NAMES, taught);
-  const { page: screen } = await openWindow({ viewport: { width: 1920, height: 1080 } });
-  await screen.goto(`${relay}/class/${teacher.created.id}#${teacher.created.screenKey}`);
-  const students = [
-    await ScriptedStudent.join(relay, teacher.code),
-    await ScriptedStudent.join(relay, teacher.code),
-  ];
-  for (const student of students) {
-    student.report({ ...opened, lesson: mark });
-    student.report(claim(answers["every-maze"].solution, taught));
-  }
-  const result = /^Robot 1: \d+\.\d s, \d lines, 2 students$/;
-  const race = { name: "Race: 2 robots, one maze" };
-  await screen.getByRole("button", race).click();
-  await expect(screen.getByText(result)).toBeVisible();
-  const first = await screen.getByText(result).textContent();
-  await page.getByRole("button", race).click();
-  const dialog = page.getByRole("dialog", { name: "Race" });
-  const choice = dialog.getByRole("combobox", { name: "Maze" });
-  await expect(choice.getByRole("option")).toHaveText([
-    ...task.mazes.map((_, at) => `Maze ${at + 1}`),
-    ...Array.from({ length: 10 }, (_, at) => `Tree ${at + 1} of seed 7`),
-  ]);
-  // The second maze is the mirror of the first one.
-  await choice.selectOption("Maze 3");
-  await expect(screen.getByText("0 of 2 at the goal")).toBeVisible();
-  await expect(dialog.getByText(result)).toBeVisible();
-  const time = await dialog.getByText(result).textContent();
-  expect(time).not.toBe(first);
-  await expect(screen.getByText(time ?? "", { exact: true })).toBeVisible();
-  await choice.selectOption("Tree 1 of seed 7");
-  await expect(screen.getByText("0 of 2 at the goal")).toBeVisible();
-  await expectNoAxeViolations(page, "race in a chosen maze");
   for (const student of students) student.close();
 });
 
