@@ -62,6 +62,7 @@ export {
 } from "./class-messages.ts";
 export {
   attemptFailureSchema,
+  MAX_BUMP_PLACES,
   progressRecordSchema,
   progressSchema,
   surveyAnswerSchema,

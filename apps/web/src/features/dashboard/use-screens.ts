@@ -1,6 +1,7 @@
 /** Sends the numbers of the class to its big screens, whenever they change. */
 import { useEffect } from "react";
 import { summaryOf } from "../../model/classroom/class-summary.ts";
+import { mostBumped } from "../../model/classroom/most-bumped.ts";
 import { chosenMaze, raceField, type RaceChoice } from "../../model/classroom/racers.ts";
 import type { Dashboard, DashboardState } from "../../model/classroom/dashboard.ts";
 import type { ScreenNumbers } from "@corridor/protocol";
@@ -38,7 +39,7 @@ function numbersOf(state: DashboardState, choice: RaceChoice | null): ScreenNumb
   if (classroom === null || lesson === null) return null;
   const task = Math.min(classroom.settings.paceTo ?? 1, lesson.tasks.length);
   const summary = summaryOf(task, students, shown, verifications, classroom.expected);
-  const cells = bumps.filter((bump) => bump.task === task && bump.maze === "g1");
+  const { maze, cells } = mostBumped(task, bumps);
   const { racers, missing } = raceField(task, verifications);
   return {
     task,
@@ -46,7 +47,7 @@ function numbersOf(state: DashboardState, choice: RaceChoice | null): ScreenNumb
     all: summary.all,
     medianMs: summary.medianMs,
     lines: summary.commonLines,
-    maze: "g1",
+    maze,
     bumps: cells.slice(0, 400).map(({ column, row, count }) => ({ column, row, count })),
     racers,
     raceMaze: chosenMaze(lesson, task, choice),
