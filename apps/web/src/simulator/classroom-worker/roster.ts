@@ -111,14 +111,16 @@ export class Roster {
     return { changed, removed };
   }
 
-  /** All bumps in the lesson of each student; null: they are the same as at the last call */
+  /** All bumps in the lesson that was opened last; null: the same as at the last call */
   takeBumps(): CountedBump[] | null {
     if (!this.#hasNewBumps) return null;
     this.#hasNewBumps = false;
     const all = new Map<string, CountedBump>();
-    for (const { work } of this.#entries.values()) {
-      for (const { lesson, ...bump } of work.bumped) {
-        if (lesson !== work.lesson) continue;
+    const works = [...this.#entries.values()].map(({ work }) => work);
+    const newest = works.toSorted((a, b) => b.lessonAt - a.lessonAt)[0]?.lesson;
+    for (const { bumped } of works) {
+      for (const { lesson, ...bump } of bumped) {
+        if (lesson !== newest) continue;
         const key = `${bump.task} ${bump.maze} ${bump.column} ${bump.row}`;
         all.set(key, { ...bump, count: bump.count + (all.get(key)?.count ?? 0) });
       }

@@ -18,6 +18,8 @@ export type Work = Pick<SeenStudent, "busyAt" | "bestAt" | "repeats" | "tasks" |
   best: number;
   /** mark of the open lesson; null: none opened yet */
   lesson: string | null;
+  /** active time at which it was opened */
+  lessonAt: number;
   /** the tasks of lessons that were open before, by their marks */
   earlier: ReadonlyMap<string, readonly TaskWork[]>;
   /** where the robot bumped, in all lessons */
@@ -44,6 +46,7 @@ export function noWork(joinedAt: number): Work {
     failure: null,
     best: 0,
     lesson: null,
+    lessonAt: 0,
     earlier: new Map(),
     bumped: noBumps,
   };
@@ -53,7 +56,7 @@ export function noWork(joinedAt: number): Work {
 export function withRecord(work: Work, { event, activeMs: at }: ProgressRecord): Work {
   switch (event.kind) {
     case "opened": {
-      const inLesson = withLesson(work, event.lesson);
+      const inLesson = withLesson(work, event.lesson, at);
       const { openedAt } = taskOf(inLesson, event.task);
       const opened = withTask(inLesson, event.task, { openedAt: openedAt ?? at });
       return { ...opened, busyAt: at, bestAt: at, best: 0, repeats: 0, failure: null };
@@ -85,15 +88,15 @@ export function withRecord(work: Work, { event, activeMs: at }: ProgressRecord):
 }
 
 /** Tasks of two lessons have equal numbers: each lesson has its own work. */
-function withLesson(work: Work, lesson: string): Work {
+function withLesson(work: Work, lesson: string, lessonAt: number): Work {
   if (work.lesson === lesson) return work;
   // Work before the first opening belongs to the lesson that opens.
   if (work.lesson === null) {
     const bumped = work.bumped.map((each) => ({ ...each, lesson }));
-    return { ...work, lesson, bumped: bumped.length === 0 ? noBumps : bumped };
+    return { ...work, lesson, lessonAt, bumped: bumped.length === 0 ? noBumps : bumped };
   }
   const earlier = new Map(work.earlier).set(work.lesson, work.tasks);
-  return { ...work, lesson, earlier, tasks: earlier.get(lesson) ?? [] };
+  return { ...work, lesson, lessonAt, earlier, tasks: earlier.get(lesson) ?? [] };
 }
 
 type AttemptEvent = Extract<ProgressRecord["event"], { kind: "run" | "check" }>;
