@@ -89,6 +89,7 @@ test("the lesson opens when a student joins, and the teacher receives each step 
         task: 1,
         changed: true,
         bumps: 1,
+        bumpPlaces: [{ maze: "g1", column: expect.any(Number), row: expect.any(Number) }],
         mistakes: expect.any(Number),
         failure: { code: "bump", line: "default" },
       },

@@ -1,7 +1,7 @@
 /** The big screen of a class: how students join, and what the class has done. No names. */
 import type { LessonDocument } from "@corridor/challenge";
 import { CELL, sizeOf } from "@corridor/maze";
-import type { ScreenContent, ScreenRun } from "@corridor/protocol";
+import { MAX_RACERS, type ScreenContent, type ScreenRun } from "@corridor/protocol";
 import { useEffect, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -84,7 +84,7 @@ function Join({ code }: { code: string }) {
 
 function Results({ lesson, content }: { lesson: LessonDocument; content: ScreenContent }) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
-  const { task, solved, all, medianMs, lines, bumps, run, racers } = content;
+  const { task, solved, all, medianMs, lines, bumps, run, racers, raceMaze, missing } = content;
   const [isRacing, setRacing] = useState(false);
   const count = countRacers(racers);
   const maze = taskMaze(lesson, task, content.maze ?? "g1");
@@ -108,10 +108,12 @@ function Results({ lesson, content }: { lesson: LessonDocument; content: ScreenC
       </div>
       {isRacing ? (
         <LazyRaceView
-          key={task}
+          key={`${task} ${raceMaze}`}
           lesson={lesson}
           task={task}
+          maze={raceMaze}
           racers={racers}
+          note={missing === 0 ? null : t("race.missing", { count: missing, most: MAX_RACERS })}
           onClose={() => setRacing(false)}
         />
       ) : run === null ? (

@@ -5,6 +5,7 @@ import { useStore } from "zustand";
 import type { ClassCalls, ClassRefusal } from "../../model/classroom/class-calls.ts";
 import type { Dashboard } from "../../model/classroom/dashboard.ts";
 import type { OwnClass } from "../../model/classroom/own-classes.ts";
+import type { RaceChoice } from "../../model/classroom/racers.ts";
 import { lessonName } from "../../model/lessons/lesson-name.ts";
 import type { SavedReports } from "../../model/teaching/saved-reports.ts";
 import { Button } from "../../ui/Button.tsx";
@@ -48,7 +49,8 @@ export function DashboardPage(props: DashboardPageProps) {
   const [isSending, setSending] = useState(false);
   /** whose run is on the big screens */
   const [screened, setScreened] = useState<number | null>(null);
-  useScreens(dashboard, screened);
+  const [raceChoice, setRaceChoice] = useState<RaceChoice | null>(null);
+  useScreens(dashboard, screened, raceChoice);
   const [refusal, report] = useState<ClassRefusal | null>(null);
   const status = useStore(dashboard.store, (state) => state.status.kind);
   const lesson = useStore(dashboard.store, (state) => state.lesson);
@@ -99,7 +101,7 @@ export function DashboardPage(props: DashboardPageProps) {
                 </ProblemNote>
               )}
               <ClassHead name={lesson === null ? "" : lessonName(lesson) || t("unnamed")} />
-              <Summaries />
+              <Summaries raceChoice={raceChoice} onRaceChoice={setRaceChoice} />
               <StudentCards onWatch={setWatched} watched={watched} />
               <Announcements />
             </div>

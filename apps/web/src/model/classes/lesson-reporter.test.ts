@@ -76,7 +76,8 @@ function newPage(tab = new VolatileStorage()) {
     },
     edit: () => setProgram(workspace, reverse, []),
     bump: (tick: number) => {
-      const event = { kind: "bump", tick, bumps: 1, line: "default", driver: "program" };
+      const pose = { x: 310, y: 150, heading: 90 };
+      const event = { kind: "bump", tick, bumps: 1, line: "default", driver: "program", pose };
       for (const listener of listeners) listener({ type: "event", event } as FromWorker);
     },
     meet: () => {
@@ -117,7 +118,11 @@ describe("the reports of a student's work", () => {
     }
     const runs = progress.filter(({ kind }) => kind === "run");
     expect(runs.map((run) => "changed" in run && run.changed)).toEqual([true, false, true]);
-    expect(runs[0]).toMatchObject({ bumps: 1, failure: { code: "bump", line: "default" } });
+    expect(runs[0]).toMatchObject({
+      bumps: 1,
+      bumpPlaces: [{ maze: "g1", column: 3, row: 1 }],
+      failure: { code: "bump", line: "default" },
+    });
   });
 
   it("contain a solution after its run, and not again", () => {

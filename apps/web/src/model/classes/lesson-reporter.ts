@@ -61,6 +61,7 @@ export class LessonReporter {
     this.#attempts = new RunAttempts(
       {
         program: () => programText(workspace.getState().program) ?? "",
+        maze: () => this.#placeNow()?.maze ?? null,
         onFinished: (finished) => this.#finished(finished),
         later,
       },

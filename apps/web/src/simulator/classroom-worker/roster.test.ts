@@ -84,13 +84,49 @@ describe("the students of a class", () => {
     expect(roster.takeChanges().changed).toMatchObject([{ student: 2, tile: { line: 1 } }]);
   });
 
-  it("have bumps counted once, where the robot was", () => {
+  it("have their bumps counted where the robots were, also those before the dashboard opened", () => {
     const roster = rosterOf(1, 2);
-    const bumped: Tile = { ...tile, state: "bumped", bumps: 1 };
     expect(roster.takeBumps()).toBeNull();
-    for (const student of [1, 1, 2]) roster.show([{ student, connected: true, tile: bumped }]);
-    expect(roster.takeBumps()).toEqual([{ task: 1, maze: "g1", column: 1, row: 2, count: 2 }]);
+    const opened = { kind: "opened", lesson: "0123456ab", task: 1 } as const;
+    const place = { maze: "g1", column: 1, row: 2 };
+    const run = (...bumpPlaces: (typeof place)[]) =>
+      ({
+        kind: "run",
+        task: 1,
+        changed: true,
+        bumps: bumpPlaces.length,
+        bumpPlaces,
+        mistakes: 0,
+        failure: null,
+      }) as const;
+    const progress = [record(1, 1_000, opened), record(2, 2_000, run(place, place))];
+    roster.replace(
+      classView([
+        { ...studentView(1), progress },
+        { ...studentView(2), progress },
+      ]),
+    );
+    expect(roster.takeBumps()).toEqual([{ task: 1, ...place, count: 4 }]);
     expect(roster.takeBumps()).toBeNull();
+    const other = { ...place, maze: "g2" };
+    const next = record(3, 3_000, run(other));
+    roster.follow({ type: "student", n: 5, student: studentView(1), progress: next });
+    expect(roster.takeBumps()).toEqual([
+      { task: 1, ...place, count: 4 },
+      { task: 1, ...other, count: 1 },
+    ]);
+    // A record that arrives again changes nothing.
+    roster.follow({ type: "student", n: 6, student: studentView(1), progress: next });
+    expect(roster.takeBumps()).toBeNull();
+    // One student opens the next lesson of the class, whose tasks have the same numbers.
+    const lesson = record(3, 4_000, { ...opened, lesson: "0123456cd" });
+    roster.follow({ type: "student", n: 7, student: studentView(2), progress: lesson });
+    expect(roster.takeBumps()).toEqual([]);
+    roster.follow({ type: "removed", n: 8, student: 2 });
+    expect(roster.takeBumps()).toEqual([
+      { task: 1, ...place, count: 2 },
+      { task: 1, ...other, count: 1 },
+    ]);
   });
 
   it("ignore tiles of students who were removed", () => {

@@ -1,5 +1,4 @@
 /** The students of a class, from its stored state, its events and the tiles. */
-import { CELL } from "@corridor/maze";
 import type {
   ClassEvent,
   ClassView,
@@ -9,7 +8,7 @@ import type {
   StudentTile,
 } from "@corridor/protocol";
 import type { CountedBump, SeenStudent } from "../protocol/classroom-messages.ts";
-import { noWork, withRecord, type Work } from "./student-work.ts";
+import { noBumps, noWork, withRecord, type Work } from "./student-work.ts";
 
 interface Entry {
   view: StudentView;
@@ -31,7 +30,6 @@ export class Roster {
   readonly #entries = new Map<number, Entry>();
   readonly #changed = new Set<number>();
   readonly #removed = new Set<number>();
-  readonly #bumps = new Map<string, CountedBump>();
   #hasNewBumps = false;
   #watched: number | null = null;
 
@@ -87,7 +85,6 @@ export class Roster {
       const entry = { ...before, isConnected: connected, tile: tile ?? before.tile };
       this.#entries.set(student, entry);
       if (!isSame) this.#changed.add(student);
-      if (tile !== null) this.#countBump(before.tile, tile);
       shown.push(student);
     }
     return shown;
@@ -114,22 +111,21 @@ export class Roster {
     return { changed, removed };
   }
 
-  /** The bumps so far; null: none since the last call */
+  /** All bumps in the lesson that was opened last; null: the same as at the last call */
   takeBumps(): CountedBump[] | null {
     if (!this.#hasNewBumps) return null;
     this.#hasNewBumps = false;
-    return [...this.#bumps.values()];
-  }
-
-  /** A bump counts where the robot is when its page reports it. */
-  #countBump(before: Tile | null, { task, maze, state, bumps, pose: [x, y] }: Tile): void {
-    const hasBumped = state === "bumped" && (before?.state !== "bumped" || before.bumps < bumps);
-    if (!hasBumped || maze === null) return;
-    const [column, row] = [Math.floor(x / CELL), Math.floor(y / CELL)];
-    const key = `${task} ${maze} ${column} ${row}`;
-    const count = (this.#bumps.get(key)?.count ?? 0) + 1;
-    this.#bumps.set(key, { task, maze, column, row, count });
-    this.#hasNewBumps = true;
+    const all = new Map<string, CountedBump>();
+    const works = [...this.#entries.values()].map(({ work }) => work);
+    const newest = works.toSorted((a, b) => b.lessonAt - a.lessonAt)[0]?.lesson;
+    for (const { bumped } of works) {
+      for (const { lesson, ...bump } of bumped) {
+        if (lesson !== newest) continue;
+        const key = `${bump.task} ${bump.maze} ${bump.column} ${bump.row}`;
+        all.set(key, { ...bump, count: bump.count + (all.get(key)?.count ?? 0) });
+      }
+    }
+    return [...all.values()];
   }
 
   #joined(view: StudentView): Entry {
@@ -139,12 +135,18 @@ export class Roster {
 
   #set(entry: Entry): void {
     const { student } = entry.view;
+    const before = this.#entries.get(student)?.work;
+    const isSame =
+      (before?.bumped ?? noBumps) === entry.work.bumped &&
+      (before === undefined || before.lesson === entry.work.lesson);
+    if (!isSame) this.#hasNewBumps = true;
     this.#entries.set(student, entry);
     this.#removed.delete(student);
     this.#changed.add(student);
   }
 
   #remove(student: number): void {
+    if ((this.#entries.get(student)?.work.bumped.length ?? 0) > 0) this.#hasNewBumps = true;
     this.#entries.delete(student);
     this.#changed.delete(student);
     this.#removed.add(student);

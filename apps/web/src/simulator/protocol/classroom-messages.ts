@@ -116,7 +116,7 @@ export type ToClassroom =
   /** the path of a student whose solution passes is green */
   | { type: "verified"; student: number; tasks: readonly number[] };
 
-/** How often robots bumped in a cell, since this dashboard opened. */
+/** How often robots bumped in a cell. */
 export interface CountedBump {
   task: number;
   maze: string;
