@@ -79,6 +79,12 @@ function newPage(tab = new VolatileStorage()) {
       const event = { kind: "bump", tick, bumps: 1, line: "default", driver: "program" };
       for (const listener of listeners) listener({ type: "event", event } as FromWorker);
     },
+    /** The robot has driven by hand. */
+    drive: (tick: number) => {
+      const frame = { snapshot: { state: "paused", bumps: 0 }, view: "now", nowDriver: "me" };
+      const message = { type: "frame", frame: { ...frame, nowTick: tick } } as FromWorker;
+      for (const listener of listeners) listener(message);
+    },
     meet: () => {
       const figures = { ticks: 300, bumps: 0, lines: 0 };
       challenge.setState({ result: { state: "met", driver: "program", ...figures } });
@@ -105,6 +111,18 @@ describe("the reports of a student's work", () => {
     const reloaded = newPage(tab);
     reloaded.openTask(1);
     expect(reloaded.progress).toEqual([]);
+  });
+
+  it("contain that the student drives by hand, until the program is edited", () => {
+    const { openTask, drive, edit, place } = newPage();
+    openTask(0);
+    expect(place()).toMatchObject({ isByHand: false });
+    drive(30);
+    expect(place()).toMatchObject({ isByHand: true });
+    edit();
+    expect(place()).toMatchObject({ isByHand: false });
+    drive(60);
+    expect(place()).toMatchObject({ isByHand: true });
   });
 
   it("contain runs, and whether the program has changed since the last one", () => {
@@ -151,7 +169,13 @@ describe("the reports of a student's work", () => {
   it("say where the student is, and nothing of other work", () => {
     const { openTask, challenge, place, bump, edit, wait, progress, programs } = newPage();
     openTask(0);
-    expect(place()).toEqual({ task: 1, maze: "g1", passes: null, isSolved: false });
+    expect(place()).toEqual({
+      task: 1,
+      maze: "g1",
+      passes: null,
+      isSolved: false,
+      isByHand: false,
+    });
     challenge.setState({ ...noChallenge });
     expect(place()).toBeNull();
     const before = progress.length;
