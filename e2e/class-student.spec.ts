@@ -48,7 +48,7 @@ test("a student asks for help, and the teacher receives it", async ({ page, rela
   const helpSince = async () => (await teacher.read()).students[0]?.helpSince;
   expect(await helpSince()).toBeNull();
   await item(page, "I need help").click();
-  await expect(menu.getByText("Your teacher sees that you need help.")).toBeVisible();
+  await expect(menu.getByText("You asked for help. Your teacher sees it.")).toBeVisible();
   await expect.poll(helpSince).not.toBeNull();
   await menu.getByText("What my teacher sees").click();
   await expect(menu.getByText("Deleted when the lesson ends.")).toBeVisible();

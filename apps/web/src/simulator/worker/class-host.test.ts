@@ -196,6 +196,18 @@ describe("a student's connection in the worker", () => {
 });
 
 describe("a request for help", () => {
+  it("ends when the teacher shows a hint", () => {
+    const { host, receive, sent, session, passSecond } = inClass();
+    host.handle({ kind: "help", wanted: true });
+    receive({ type: "hint", task: 1, hint: 1 });
+    expect(session()?.student?.helpWanted).toBe(false);
+    passSecond();
+    expect(sent()).toEqual([
+      { type: "help", wanted: true },
+      { type: "help", wanted: false },
+    ]);
+  });
+
   it("is sent at once", () => {
     const { host, sent, session } = inClass();
     host.handle({ kind: "help", wanted: true });
