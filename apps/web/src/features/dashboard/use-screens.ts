@@ -2,7 +2,11 @@
 import { useEffect } from "react";
 import { summaryOf } from "../../model/classroom/class-summary.ts";
 import { racersOf } from "../../model/classroom/racers.ts";
-import type { Dashboard, DashboardState } from "../../model/classroom/dashboard.ts";
+import {
+  resultsTask,
+  type Dashboard,
+  type DashboardState,
+} from "../../model/classroom/dashboard.ts";
 import type { ScreenNumbers } from "@corridor/protocol";
 
 /** @param student whose run is on the big screens; null: none */
@@ -19,17 +23,18 @@ export function useScreens(dashboard: Dashboard, student: number | null): void {
         state.verifications === before.verifications &&
         state.bumps === before.bumps &&
         state.classroom === before.classroom &&
-        state.lesson === before.lesson;
+        state.lesson === before.lesson &&
+        state.chosenTask === before.chosenTask;
       if (!isSame) send();
     });
   }, [dashboard, student]);
 }
 
-/** Of the newest open task. */
+/** Of the task that the dashboard shows, too. */
 function numbersOf(state: DashboardState): ScreenNumbers | null {
   const { classroom, lesson, students, shown, verifications, bumps } = state;
   if (classroom === null || lesson === null) return null;
-  const task = Math.min(classroom.settings.paceTo ?? 1, lesson.tasks.length);
+  const task = resultsTask(state);
   const summary = summaryOf(task, students, shown, verifications, classroom.expected);
   const cells = bumps.filter((bump) => bump.task === task && bump.maze === "g1");
   return {
