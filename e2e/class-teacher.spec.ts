@@ -81,13 +81,13 @@ test("a teacher starts a class, and a student joins with the letters on the boar
   await student.getByRole("textbox", { name: "Letters on the board" }).fill(letters ?? "");
   await student.getByRole("button", { name: "Join" }).click();
   await expect(cards(page)).toHaveCount(1);
-  await expect(page.getByText("1 of 1 have joined. The class is locked.")).toBeVisible();
+  await expect(page.getByText("1 of 1 joined: locked.")).toBeVisible();
   await student.getByRole("link", { name: "Start" }).click();
   const corridor = new CorridorPage(student);
   await corridor.waitUntilReady();
   await student.getByRole("button", { name: /, in class/ }).click();
   await student.getByRole("button", { name: "I need help" }).click();
-  await expect(cards(page)).toHaveAccessibleName(/Asks for help, Task 1/);
+  await expect(cards(page)).toHaveAccessibleName(/Asked for help, Task 1/);
   // A closed tab loses no lesson.
   await page.goto("/teach");
   await page.getByRole("link", { name: "Open", exact: true }).click();
@@ -104,7 +104,7 @@ test("a solution counts after the teacher's page has run it", async ({ page, rel
   cheat.show({ state: "solved" });
   cheat.report(claim(wrong.attempt));
   await expect(cardOf(page, honest)).toHaveAccessibleName(/, Solved, 0 minutes, 1 line,/);
-  await expect(cardOf(page, cheat)).toHaveAccessibleName(/, Does not pass,/);
+  await expect(cardOf(page, cheat)).toHaveAccessibleName(/, Reported solved, does not pass,/);
   await expect(page.getByRole("region", { name: "Results" })).toContainText("1 of 2 students");
   honest.close();
   cheat.close();
@@ -128,7 +128,7 @@ test("students who need help come first, but no card moves under the focus", asy
   await expect(page.getByText("2 need help now.")).toBeVisible();
   await expect(cards(page).first()).toHaveAccessibleName(/Stuck/);
   await page.getByRole("button", { name: "Sort" }).click();
-  await expect(cards(page).first()).toHaveAccessibleName(/Asks for help/);
+  await expect(cards(page).first()).toHaveAccessibleName(/Asked for help/);
   // N moves to the next student who needs help.
   await page.getByRole("heading", { name: "One line" }).click();
   await page.keyboard.press("n");

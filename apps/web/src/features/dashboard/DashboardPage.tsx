@@ -131,6 +131,7 @@ function LostNote({ dashboard }: { dashboard: Dashboard }) {
       <p>{t("lost.title")}</p>
       {/* Announced once, without the time. */}
       <p aria-hidden="true">{t("lost.age", { seconds })}</p>
+      <p>{t("lost.continue")}</p>
     </ProblemNote>
   );
 }

@@ -2,12 +2,13 @@
 import { KeyRound, Lightbulb, Monitor, UserX, X } from "lucide";
 import { useEffect, useRef, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
+import { shownCode } from "../../model/classes/shown-code.ts";
 import { verificationOf } from "../../model/classroom/dashboard.ts";
 import { openTask, openWork } from "../../model/classroom/standing.ts";
 import type { CountedFailure, SeenStudent } from "../../simulator/protocol/classroom-messages.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { Icon } from "../../ui/Icon.tsx";
-import { clockText, codeText } from "./clock-text.ts";
+import { clockText } from "./clock-text.ts";
 import { useContent, useDashboard, useStudentName } from "./dashboard-context.ts";
 import { ProgramText } from "./ProgramText.tsx";
 import { StandingChip } from "./StandingChip.tsx";
@@ -82,7 +83,8 @@ function SheetHead({ student, onClose }: { student: SeenStudent; onClose: () => 
       <h2 id="watched-student" className={styles["name"]} dir="auto">
         {nameOf(student)}
       </h2>
-      <StandingChip state={state} />
+      {/* The sheet has its own sentence for it. */}
+      {state !== "unverified" && <StandingChip state={state} />}
       <span className={styles["time"]}>{clockText(seconds * 1_000)}</span>
       <IconButton label={t("close")} size="medium" onClick={onClose}>
         <Icon of={X} />
@@ -182,7 +184,7 @@ function Actions({ student, label, children }: ActionsProps) {
           <p>
             {t("watch.returnText")}{" "}
             <strong className={styles["letters"]} dir="ltr">
-              {codeText(code)}
+              {shownCode(code)}
             </strong>
           </p>
         )}
