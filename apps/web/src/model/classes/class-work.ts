@@ -101,7 +101,9 @@ export class ClassWork {
       words,
       lesson: mark,
       isPaused: () => isPaused(classes),
+      isDriving: () => run.getState().snapshot?.state === "running",
       onLesson: () => this.#changed(),
+      onNext: () => this.#reporter.update(),
       onHint: (hint) => this.#reporter.hint(hint),
       later,
     });

@@ -37,6 +37,7 @@ function newPage(tab = new VolatileStorage()) {
   const programs: { task: number; link: string }[] = [];
   const places: (ClassPlace | null)[] = [];
   let surveys = 0;
+  const lesson = new ClassLessonMark(mark);
   const reporter = new LessonReporter({
     challenge,
     workspace,
@@ -49,7 +50,7 @@ function newPage(tab = new VolatileStorage()) {
         return () => listeners.delete(listener);
       },
     },
-    lesson: new ClassLessonMark(mark),
+    lesson,
     reported: new ReportedWork(tab),
     add: (event) => progress.push(event),
     setProgram: (task, link) => programs.push({ task, link }),
@@ -62,6 +63,7 @@ function newPage(tab = new VolatileStorage()) {
   });
   return {
     tab,
+    lesson,
     reporter,
     challenge,
     workspace,
@@ -111,6 +113,17 @@ describe("the reports of a student's work", () => {
     const reloaded = newPage(tab);
     reloaded.openTask(1);
     expect(reloaded.progress).toEqual([]);
+  });
+
+  it("have no place in a lesson that the teacher has replaced, but still contain its runs", () => {
+    const { openTask, lesson, reporter, place, bump, reset, progress } = newPage();
+    openTask(0);
+    lesson.isReplaced = true;
+    reporter.update();
+    expect(place()).toBeNull();
+    bump(100);
+    reset();
+    expect(progress.at(-1)).toMatchObject({ kind: "run", task: 1 });
   });
 
   it("contain that the student drives by hand, until the program is edited", () => {

@@ -234,7 +234,8 @@ export class LessonReporter {
     const { challenge, workspace } = this.#ports;
     const state = challenge.getState();
     const task = openTask(state);
-    if (this.#index === null || task === null) return null;
+    // The dashboard shows the mazes of the newest lesson.
+    if (this.#index === null || task === null || this.#ports.lesson.isReplaced) return null;
     const maze = mazeIndex(task, workspace.getState().maze);
     return {
       task: this.#index + 1,
