@@ -11,6 +11,7 @@ import { ErrorBoundary } from "../../ui/ErrorBoundary.tsx";
 import { ProblemNote } from "../../ui/ProblemNote.tsx";
 import { Announcements } from "./Announcements.tsx";
 import { ClassHead } from "./ClassHead.tsx";
+import { ClassUnreached } from "./ClassUnreached.tsx";
 import { DashboardProvider } from "./dashboard-context.ts";
 import { DashboardBar, DashboardBarEnd } from "./DashboardBar.tsx";
 import { DashboardFrame } from "./DashboardFrame.tsx";
@@ -89,6 +90,7 @@ export function DashboardPage({ dashboard, calls, room, onLabel, tools }: Dashbo
           ) : (
             <div className={styles["content"]}>
               <LostNote dashboard={dashboard} />
+              <ClassUnreached />
               {refusal !== null && (
                 <ProblemNote>
                   <p>{t(`refusals.${refusal}`)}</p>
