@@ -9,7 +9,7 @@ import { useContent, useDashboard } from "./dashboard-context.ts";
 import styles from "./pause-control.module.css";
 
 const MINUTES = [1, 2, 5, 10, 30] as const;
-/** Long enough for an explanation, and too short to be forgotten. */
+/** Long enough for an explanation. The clock ends a pause that the teacher does not end. */
 const DEFAULT_MINUTES = 5;
 
 export function PauseControl({ isSmall }: { isSmall: boolean }) {

@@ -35,7 +35,7 @@ export function groupOf(standing: Standing, isSolved: boolean): StudentGroup {
   }
 }
 
-/** Whoever needs help is found, also if it is in a later task. */
+/** A student who needs help is in that group in any case, also because of a later task. */
 export function isIn(filter: Filter, standing: Standing, isSolved: boolean): boolean {
   const group = groupOf(standing, isSolved);
   switch (filter) {
