@@ -12,6 +12,7 @@ import { ErrorBoundary } from "../../ui/ErrorBoundary.tsx";
 import { ProblemNote } from "../../ui/ProblemNote.tsx";
 import { Announcements } from "./Announcements.tsx";
 import { ClassHead } from "./ClassHead.tsx";
+import { ClassUnreached } from "./ClassUnreached.tsx";
 import { DashboardProvider } from "./dashboard-context.ts";
 import { DashboardBar, DashboardBarEnd } from "./DashboardBar.tsx";
 import { DashboardFrame } from "./DashboardFrame.tsx";
@@ -91,6 +92,7 @@ export function DashboardPage({ dashboard, calls, room, onLabel, tools }: Dashbo
           ) : (
             <div className={styles["content"]}>
               <LostNote dashboard={dashboard} />
+              <ClassUnreached />
               {refusal !== null && (
                 <ProblemNote>
                   <p>{t(`refusals.${refusal}`)}</p>
@@ -133,6 +135,7 @@ function LostNote({ dashboard }: { dashboard: Dashboard }) {
       <p>{t("lost.title")}</p>
       {/* Announced once, without the time. */}
       <p aria-hidden="true">{t("lost.age", { seconds })}</p>
+      <p>{t("lost.continue")}</p>
     </ProblemNote>
   );
 }
