@@ -1,5 +1,8 @@
-/** The class in the bar: the student's name, which opens the menu, and an eye while the teacher watches. */
-import { ChevronDown, Eye, School } from "lucide";
+/**
+ * The class in the bar: the student's name, which opens the menu, a hand while the student asks for
+ * help, and an eye while the teacher watches.
+ */
+import { ChevronDown, Eye, Hand, School } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import type { ClassWork } from "../../model/classes/class-work.ts";
@@ -30,8 +33,10 @@ export function ClassMenu({ joined, work }: ClassMenuProps) {
   const { status, student } = useStore(joined.session);
   const name = studentNameText(tNames, student?.name ?? joined.name);
   const isWatched = status.kind === "connected" && student?.watched === true;
+  const hasAsked = status.kind === "connected" && student?.helpWanted === true;
   const text = t("inClass.button", { name });
   const watched = isWatched ? t("inClass.watched") : null;
+  const notes = [...(hasAsked ? [t("inClass.helpWanted")] : []), ...(watched ? [watched] : [])];
   useAnnouncement(watched, "class watched");
   return (
     <>
@@ -40,12 +45,18 @@ export function ClassMenu({ joined, work }: ClassMenuProps) {
         className={styles["trigger"]}
         icon={<Icon of={isWatched ? Eye : School} />}
         aria-label={
-          watched === null ? text : joinSentences(tShared, [asSentence(tShared, text), watched])
+          notes.length === 0 ? text : joinSentences(tShared, [asSentence(tShared, text), ...notes])
         }
-        title={watched ?? undefined}
+        title={notes.length === 0 ? undefined : joinSentences(tShared, notes)}
         {...menu.trigger}
       >
         <span className={styles["name"]}>{isNarrow ? name : text}</span>
+        {hasAsked && (
+          <span className={styles["asked"]}>
+            <Icon of={Hand} size={14} />
+            {!isNarrow && t("inClass.asked")}
+          </span>
+        )}
         <Icon of={ChevronDown} />
       </Button>
       <Popover {...menu.panel} label={t("inClass.menu")} align="end" className={styles["panel"]}>

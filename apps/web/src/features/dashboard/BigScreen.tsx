@@ -4,6 +4,7 @@ import { CELL, sizeOf } from "@corridor/maze";
 import { MAX_RACERS, type ScreenContent, type ScreenRun } from "@corridor/protocol";
 import { useEffect, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
+import { shownCode } from "../../model/classes/shown-code.ts";
 import { useStore } from "zustand";
 import type { StoreApi } from "zustand/vanilla";
 import { countRacers } from "../../model/classroom/racers.ts";
@@ -16,7 +17,7 @@ import { QrCode } from "../../ui/QrCode.tsx";
 import { qrPath } from "../../ui/qr-path.ts";
 import type { BigScreenState } from "./big-screen-state.ts";
 import { BumpMaze } from "./BumpMaze.tsx";
-import { clockText, codeText } from "./clock-text.ts";
+import { clockText } from "./clock-text.ts";
 import { LazyRaceView } from "./lazy-race-view.ts";
 import { taskMaze } from "./task-maze.ts";
 import styles from "./big-screen.module.css";
@@ -70,7 +71,7 @@ function Join({ code }: { code: string }) {
           {location.host}/join
         </p>
         <p className={styles["letters"]} dir="ltr">
-          {codeText(code)}
+          {shownCode(code)}
         </p>
       </div>
       {qr !== null && (

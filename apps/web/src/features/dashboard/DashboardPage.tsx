@@ -13,6 +13,7 @@ import { ErrorBoundary } from "../../ui/ErrorBoundary.tsx";
 import { ProblemNote } from "../../ui/ProblemNote.tsx";
 import { Announcements } from "./Announcements.tsx";
 import { ClassHead } from "./ClassHead.tsx";
+import { ClassUnreached } from "./ClassUnreached.tsx";
 import { DashboardProvider } from "./dashboard-context.ts";
 import { DashboardBar, DashboardBarEnd } from "./DashboardBar.tsx";
 import { DashboardFrame } from "./DashboardFrame.tsx";
@@ -92,6 +93,7 @@ export function DashboardPage(props: DashboardPageProps) {
           ) : (
             <div className={styles["content"]}>
               <LostNote dashboard={dashboard} />
+              <ClassUnreached />
               {refusal !== null && (
                 <ProblemNote>
                   <p>{t(`refusals.${refusal}`)}</p>
@@ -140,6 +142,7 @@ function LostNote({ dashboard }: { dashboard: Dashboard }) {
       <p>{t("lost.title")}</p>
       {/* Announced once, without the time. */}
       <p aria-hidden="true">{t("lost.age", { seconds })}</p>
+      <p>{t("lost.continue")}</p>
     </ProblemNote>
   );
 }

@@ -1,16 +1,17 @@
 /** What the class has done in a task: solved, times, lines, attempts, and where robots bump. */
 import type { LessonDocument } from "@corridor/challenge";
-import { useMemo, useState, type ReactNode } from "react";
+import { useMemo, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import type { Bar, ClassSummary } from "../../model/classroom/class-summary.ts";
 import { mostBumped } from "../../model/classroom/most-bumped.ts";
 import { summaryOf } from "../../model/classroom/class-summary.ts";
+import { resultsTask } from "../../model/classroom/dashboard.ts";
 import { chosenMaze, raceField, type RaceChoice } from "../../model/classroom/racers.ts";
 import { localNumber } from "../../text/numbers.ts";
 import { Select } from "../../ui/Select.tsx";
 import { BumpMaze } from "./BumpMaze.tsx";
 import { clockText } from "./clock-text.ts";
-import { useDashboard } from "./dashboard-context.ts";
+import { useContent, useDashboard } from "./dashboard-context.ts";
 import { RaceButton } from "./RaceButton.tsx";
 import { taskMaze } from "./task-maze.ts";
 import styles from "./summaries.module.css";
@@ -27,10 +28,9 @@ export function Summaries({ raceChoice, onRaceChoice }: SummariesProps) {
   const shown = useDashboard((state) => state.shown);
   const verifications = useDashboard((state) => state.verifications);
   const expected = useDashboard(({ classroom }) => classroom?.expected ?? null);
-  const pace = useDashboard(({ classroom }) => classroom?.settings.paceTo ?? null);
-  const [chosen, setChosen] = useState<number | null>(null);
+  const { dashboard } = useContent();
+  const task = useDashboard(resultsTask);
   const tasks = lesson?.tasks.length ?? 1;
-  const task = Math.min(chosen ?? pace ?? 1, tasks);
   const summary = useMemo(
     () => summaryOf(task, students, shown, verifications, expected),
     [task, students, shown, verifications, expected],
@@ -54,7 +54,7 @@ export function Summaries({ raceChoice, onRaceChoice }: SummariesProps) {
               value: String(at + 1),
               label: t("summary.taskOf", { task: at + 1, tasks }),
             }))}
-            onChange={(value) => setChosen(Number(value))}
+            onChange={(value) => dashboard.chooseTask(Number(value))}
           />
         )}
         <Shares summary={summary} />

@@ -1,9 +1,13 @@
 /** Sends the numbers of the class to its big screens, whenever they change. */
 import { useEffect } from "react";
 import { summaryOf } from "../../model/classroom/class-summary.ts";
+import {
+  resultsTask,
+  type Dashboard,
+  type DashboardState,
+} from "../../model/classroom/dashboard.ts";
 import { mostBumped } from "../../model/classroom/most-bumped.ts";
 import { chosenMaze, raceField, type RaceChoice } from "../../model/classroom/racers.ts";
-import type { Dashboard, DashboardState } from "../../model/classroom/dashboard.ts";
 import type { ScreenNumbers } from "@corridor/protocol";
 
 /**
@@ -27,17 +31,18 @@ export function useScreens(
         state.verifications === before.verifications &&
         state.bumps === before.bumps &&
         state.classroom === before.classroom &&
-        state.lesson === before.lesson;
+        state.lesson === before.lesson &&
+        state.chosenTask === before.chosenTask;
       if (!isSame) send();
     });
   }, [dashboard, student, choice]);
 }
 
-/** Of the newest open task. */
+/** Of the task that the dashboard shows, too. */
 function numbersOf(state: DashboardState, choice: RaceChoice | null): ScreenNumbers | null {
   const { classroom, lesson, students, shown, verifications, bumps } = state;
   if (classroom === null || lesson === null) return null;
-  const task = Math.min(classroom.settings.paceTo ?? 1, lesson.tasks.length);
+  const task = resultsTask(state);
   const summary = summaryOf(task, students, shown, verifications, classroom.expected);
   const { maze, cells } = mostBumped(task, bumps);
   const { racers, missing } = raceField(task, verifications);

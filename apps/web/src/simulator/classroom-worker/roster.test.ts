@@ -19,7 +19,12 @@ const tile: Tile = {
 
 /** A roster with these students, whose first changes were taken. */
 function rosterOf(...students: number[]): Roster {
-  const roster = new Roster(() => NOW);
+  return rosterAt(() => NOW, ...students);
+}
+
+/** @param activeMs the active time now */
+function rosterAt(activeMs: () => number, ...students: number[]): Roster {
+  const roster = new Roster(activeMs);
   roster.replace(classView(students.map((each) => ({ ...studentView(each), progress: [] }))));
   roster.takeChanges();
   return roster;
@@ -61,6 +66,51 @@ describe("the students of a class", () => {
     const student = studentView(1, { programs: 1 });
     roster.follow({ type: "student", n: 5, student, progress: null });
     expect(roster.takeChanges().changed).toMatchObject([{ busyAt: NOW }]);
+  });
+
+  it("are busy while their robots drive, which the page learns every 5 s", () => {
+    let now = NOW;
+    const roster = rosterAt(() => now, 1);
+    const busyAt: number[] = [];
+    for (let second = 0; second <= 300; second += 1) {
+      now = NOW + second * 1_000;
+      const driven: Tile = { ...tile, seq: second + 1, tick: second * 60 };
+      roster.show([{ student: 1, connected: true, tile: driven }]);
+      busyAt.push(...roster.takeChanges().changed.map((each) => each.busyAt));
+    }
+    expect(busyAt).toEqual(Array.from({ length: 61 }, (_, at) => NOW + at * 5_000));
+  });
+
+  it("start all counts again with the tile of another task, before its record arrives", () => {
+    let now = NOW;
+    const roster = rosterAt(() => now, 1);
+    roster.show([{ student: 1, connected: true, tile }]);
+    now += 600_000;
+    roster.show([{ student: 1, connected: true, tile: { ...tile, seq: 2, task: 2 } }]);
+    expect(roster.takeChanges().changed).toMatchObject([{ busyAt: now, bestAt: now, repeats: 0 }]);
+  });
+
+  it("start all counts again with another lesson, also if the class is read again", () => {
+    let now = NOW;
+    const roster = rosterAt(() => now, 1);
+    const bumped = (seq: number) =>
+      record(seq, 60_000, {
+        kind: "run",
+        task: 1,
+        changed: true,
+        bumps: 1,
+        mistakes: 0,
+        failure: { code: "bump", line: 0 },
+      });
+    const view = classView([{ ...studentView(1), progress: [1, 2, 3, 4].map(bumped) }]);
+    roster.replace(view);
+    expect(roster.takeChanges().changed).toMatchObject([{ repeats: 4 }]);
+    now += 200_000;
+    roster.restart();
+    const fresh = [{ busyAt: now, bestAt: now, repeats: 0 }];
+    expect(roster.takeChanges().changed).toMatchObject(fresh);
+    roster.replace(view);
+    expect(roster.takeChanges().changed).toMatchObject(fresh);
   });
 
   it("change on the page only if the words of the card do", () => {

@@ -52,14 +52,18 @@ export function noWork(joinedAt: number): Work {
   };
 }
 
+/** Starts the counts of the open task again. @param at active time */
+export function withRestart(work: Work, at: number): Work {
+  return { ...work, busyAt: at, bestAt: at, best: 0, repeats: 0, failure: null };
+}
+
 /** Adds the next record. */
 export function withRecord(work: Work, { event, activeMs: at }: ProgressRecord): Work {
   switch (event.kind) {
     case "opened": {
       const inLesson = withLesson(work, event.lesson, at);
       const { openedAt } = taskOf(inLesson, event.task);
-      const opened = withTask(inLesson, event.task, { openedAt: openedAt ?? at });
-      return { ...opened, busyAt: at, bestAt: at, best: 0, repeats: 0, failure: null };
+      return withRestart(withTask(inLesson, event.task, { openedAt: openedAt ?? at }), at);
     }
     case "run":
     case "check":
@@ -77,7 +81,9 @@ export function withRecord(work: Work, { event, activeMs: at }: ProgressRecord):
         claims: isKnown ? claims : [...claims, claim],
         openedAt: openedAt ?? at,
       };
-      return { ...withTask(work, event.task, change), busyAt: at, bestAt: at };
+      // The solution ends a row of failures.
+      const ended = { busyAt: at, bestAt: at, repeats: 0, failure: null };
+      return { ...withTask(work, event.task, change), ...ended };
     }
     case "survey":
       return {
