@@ -129,10 +129,19 @@ test("asks for the name of a new lesson first", async ({ page }) => {
   await page.goto("/teach#make");
   await page.getByRole("button", { name: /^An empty maze/ }).click();
   await expect(editor.field("Name of the lesson")).toBeFocused();
+  await expect(page.getByText("This lesson has no name yet.")).toBeVisible();
   await page.keyboard.type("Round the corner");
+  await expect(page.getByText("This lesson has no name yet.")).toBeHidden();
   await expect(editor.name).toHaveText("Round the corner");
   await editor.button("Next: the task").click();
   await expect(editor.field("Name")).toHaveValue("Task 1");
+  // Students may drive by hand too, and what decides that is in sight.
+  const byHand = page.getByRole("checkbox", { name: "the student, by hand" });
+  await expect(byHand).toBeChecked();
+  await expect(byHand).toBeInViewport();
+  await expect(page.getByRole("textbox", { name: "Lines" }).first()).toHaveAccessibleDescription(
+    /“Otherwise” does not count as a line/,
+  );
 });
 
 test("typed text goes into the field that a button adds, and blank ones are not shared", async ({

@@ -1,5 +1,5 @@
-/** The texts of the open task: name, task, the line above the maze, and hints. */
-import { MAX_HINTS, MAX_SHORT_LENGTH, MAX_TASK_LENGTH, type LessonTask } from "@corridor/challenge";
+/** The texts of the open task: its name, what to do, and hints. */
+import { MAX_HINTS, MAX_TASK_LENGTH, type LessonTask } from "@corridor/challenge";
 import { MAX_NAME_LENGTH } from "@corridor/program";
 import { Plus, Trash2 } from "lucide";
 import { useTranslation } from "react-i18next";
@@ -55,14 +55,6 @@ export function TaskWords({ isNew, onNamed }: TaskWordsProps) {
         lang={lang}
         dir="auto"
         onChange={(task) => edit({ task }, "task")}
-      />
-      <TextField
-        label={t("lessonEditor:words.short")}
-        value={words.short}
-        maxLength={MAX_SHORT_LENGTH}
-        lang={lang}
-        dir="auto"
-        onChange={(short) => edit({ short }, "short")}
       />
       {words.hints.map((hint, at) => (
         // oxlint-disable-next-line react/no-array-index-key -- hints have no other identity

@@ -9,7 +9,6 @@ import {
   type LessonTask,
 } from "@corridor/challenge";
 import type { MazeDocument } from "@corridor/maze";
-import { TICKS_PER_SECOND } from "@corridor/simulation";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import {
   contentMark,
@@ -17,6 +16,7 @@ import {
   type Solution,
   type Solutions,
 } from "../../../model/teaching/solution.ts";
+import { displayedSeconds } from "../../../text/numbers.ts";
 import {
   insertMaze,
   insertTasks,
@@ -160,7 +160,7 @@ export class LessonDraft {
     this.store.setState({ solutions: withSolution(state.solutions, task, solution) });
     if (solution.program === null) return;
     const mark = contentMark(task);
-    const par = { lines: solution.lines, seconds: secondsOf(solution.ticks) };
+    const par = { lines: solution.lines, seconds: displayedSeconds(solution.ticks) };
     const tasks = state.lesson.tasks.map((each) =>
       contentMark(each) === mark ? { ...each, par } : each,
     );
@@ -211,9 +211,4 @@ export function openTaskOf({ lesson, task }: Pick<Version, "lesson" | "task">): 
   const open = lesson.tasks[task] ?? lesson.tasks[0];
   if (open === undefined) throw new RangeError("A lesson has at least one task.");
   return open;
-}
-
-/** Simulated seconds with one decimal. */
-export function secondsOf(ticks: number): number {
-  return Math.round((10 * ticks) / TICKS_PER_SECOND) / 10;
 }

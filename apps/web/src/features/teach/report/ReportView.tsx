@@ -1,5 +1,5 @@
 /** Shows the figures of a class from its tables, as the thesis of 2013 does. */
-import { reportOf, studyCsv, type Report } from "@corridor/report";
+import { reportOf, studyCsv, type Report, type Work } from "@corridor/report";
 import { FileDown, FolderOpen, Printer } from "lucide";
 import { useMemo, useState } from "react";
 import { useTranslation } from "react-i18next";
@@ -10,6 +10,7 @@ import type { KeyValueStorage } from "../../../model/storage/key-value-storage.t
 import { chooseFiles, type TextFile } from "../../../ui/incoming-files.ts";
 import { saveFile } from "../../../ui/save-file.ts";
 import { REPORT_HASH, SavedReports } from "../../../model/teaching/saved-reports.ts";
+import { StudentTable } from "./StudentTable.tsx";
 import { SavedReportList } from "./SavedReportList.tsx";
 import { SavedLessons } from "../../../model/teaching/saved-lessons.ts";
 import { questionTexts, type QuestionText } from "./question-texts.ts";
@@ -85,6 +86,7 @@ export function ReportView({ device, saved }: ReportViewProps) {
       {!isEmpty && (
         <ReportContent
           report={report}
+          work={study.work}
           texts={texts}
           onMistakes={(id, students) => {
             const next = new Map(mistakes);
@@ -110,6 +112,7 @@ function openFirst(reports: SavedReports, id: string | null) {
 
 interface ReportContentProps {
   report: Report;
+  work: readonly Work[];
   /** the texts of the questions, by their ids */
   texts: ReadonlyMap<string, QuestionText>;
   /** @param students null: not counted */
@@ -117,7 +120,7 @@ interface ReportContentProps {
   onSave: () => void;
 }
 
-function ReportContent({ report, texts, onMistakes, onSave }: ReportContentProps) {
+function ReportContent({ report, work, texts, onMistakes, onSave }: ReportContentProps) {
   const { t } = useTranslation("report", { useSuspense: false });
   const { students, tasks, questions } = report;
   return (
@@ -127,6 +130,7 @@ function ReportContent({ report, texts, onMistakes, onSave }: ReportContentProps
       </output>
       {tasks.length > 0 && <TaskTables tasks={tasks} />}
       {tasks.length > 0 && <TaskFigures tasks={tasks} />}
+      <StudentTable work={work} tasks={tasks.map(({ task }) => task)} />
       {questions.length > 0 && (
         <SurveyTable
           questions={questions}
@@ -138,9 +142,11 @@ function ReportContent({ report, texts, onMistakes, onSave }: ReportContentProps
       <section className={styles["definitions"]} aria-label={t("definitions.title")}>
         <h3 className={styles["heading"]}>{t("definitions.title")}</h3>
         <ul>
-          {(["time", "lines", "attempts", "mistakes", "deviation", "few"] as const).map((each) => (
-            <li key={each}>{t(`definitions.${each}`)}</li>
-          ))}
+          {(["time", "lines", "attempts", "mistakes", "deviation", "few", "unknown"] as const).map(
+            (each) => (
+              <li key={each}>{t(`definitions.${each}`)}</li>
+            ),
+          )}
         </ul>
       </section>
       <div className={styles["buttons"]}>
