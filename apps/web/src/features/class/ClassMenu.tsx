@@ -43,7 +43,9 @@ export function ClassMenu({ joined, work }: ClassMenuProps) {
       <Button
         kind="quiet"
         className={styles["trigger"]}
-        icon={isNarrow && hasAsked ? <Asked /> : <Icon of={isWatched ? Eye : School} />}
+        icon={
+          isNarrow && hasAsked && !isWatched ? <Asked /> : <Icon of={isWatched ? Eye : School} />
+        }
         aria-label={
           notes.length === 0 ? text : joinSentences(tShared, [asSentence(tShared, text), ...notes])
         }
