@@ -43,7 +43,9 @@ export function ClassMenu({ joined, work }: ClassMenuProps) {
       <Button
         kind="quiet"
         className={styles["trigger"]}
-        icon={<Icon of={isWatched ? Eye : School} />}
+        icon={
+          isNarrow && hasAsked && !isWatched ? <Asked /> : <Icon of={isWatched ? Eye : School} />
+        }
         aria-label={
           notes.length === 0 ? text : joinSentences(tShared, [asSentence(tShared, text), ...notes])
         }
@@ -51,12 +53,7 @@ export function ClassMenu({ joined, work }: ClassMenuProps) {
         {...menu.trigger}
       >
         <span className={styles["name"]}>{isNarrow ? name : text}</span>
-        {hasAsked && (
-          <span className={styles["asked"]}>
-            <Icon of={Hand} size={14} />
-            {!isNarrow && t("inClass.asked")}
-          </span>
-        )}
+        {!isNarrow && hasAsked && <Asked text={t("inClass.asked")} />}
         <Icon of={ChevronDown} />
       </Button>
       <Popover {...menu.panel} label={t("inClass.menu")} align="end" className={styles["panel"]}>
@@ -64,5 +61,15 @@ export function ClassMenu({ joined, work }: ClassMenuProps) {
       </Popover>
       {work !== null && <SurveyDialog work={work} />}
     </>
+  );
+}
+
+/** The hand stands out, because a student waits. A narrow bar has no room for its words. */
+function Asked({ text }: { text?: string }) {
+  return (
+    <span className={styles["asked"]}>
+      <Icon of={Hand} size={14} />
+      {text}
+    </span>
   );
 }

@@ -1,7 +1,7 @@
-import { CLASS_CODE_LENGTH } from "@corridor/protocol";
+/** Two halves of letters. Without an import of the schemas, which not every page of a code loads. */
+const COMPLETE = /^(\w{3})(\w{3})$/;
 
 /** A code as on the board: BCD FGH. Other texts stay as they are. */
 export function shownCode(code: string): string {
-  const half = CLASS_CODE_LENGTH / 2;
-  return code.length === CLASS_CODE_LENGTH ? `${code.slice(0, half)} ${code.slice(half)}` : code;
+  return code.replace(COMPLETE, "$1 $2");
 }
