@@ -262,6 +262,7 @@ test("warns of a maze that nobody can solve, and of a lesson that was not solved
   await editor.button("Share lesson").click();
   const dialog = page.getByRole("dialog");
   await expect(dialog).toContainText("You have not solved this lesson yet.");
+  await expect(dialog).toContainText("This lesson has no name yet.");
   await dialog.getByRole("button", { name: "Share anyway" }).click();
   await expect(dialog.getByRole("textbox", { name: "Link" })).toHaveValue(/\/#\S+$/);
 });
