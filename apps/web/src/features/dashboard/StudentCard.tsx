@@ -41,7 +41,6 @@ export const StudentCard = memo(function StudentCard(props: StudentCardProps) {
       className={classNames(
         styles["card"],
         (state === "help" || state === "stuck") && styles["urgent"],
-        awaySeconds !== null && styles["old"],
       )}
     >
       <button
@@ -52,7 +51,7 @@ export const StudentCard = memo(function StudentCard(props: StudentCardProps) {
         aria-expanded={isWatched}
         onClick={() => onWatch(number)}
       />
-      <StudentPicture student={number} />
+      <StudentPicture student={number} isOld={awaySeconds !== null} />
       <div className={styles["words"]} aria-hidden="true">
         <span className={styles["name"]} dir="auto">
           {name}

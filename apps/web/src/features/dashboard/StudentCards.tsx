@@ -11,6 +11,7 @@ import { useMediaQuery } from "../../ui/use-media-query.ts";
 import { useContent, useDashboard } from "./dashboard-context.ts";
 import { StudentCard } from "./StudentCard.tsx";
 import { StandingChip } from "./StandingChip.tsx";
+import { PictureArea } from "./StudentPicture.tsx";
 import styles from "./student-cards.module.css";
 
 const filters = ["all", "help", "working", "solved", "away"] as const;
@@ -95,22 +96,24 @@ export function StudentCards({ watched, onWatch }: StudentCardsProps) {
           </>
         )}
       </output>
-      <ul ref={list} className={styles["cards"]}>
-        {students.map((student) => (
-          <StudentCard
-            key={student}
-            student={student}
-            isWatched={student === watched}
-            onWatch={onWatch}
-          />
-        ))}
-        {missing > 0 && isIn(filter, "not-here") && (
-          <li className={styles["missing"]}>
-            <span>{t("card.missing", { count: missing })}</span>
-            <StandingChip state="not-here" />
-          </li>
-        )}
-      </ul>
+      <PictureArea>
+        <ul ref={list} className={styles["cards"]}>
+          {students.map((student) => (
+            <StudentCard
+              key={student}
+              student={student}
+              isWatched={student === watched}
+              onWatch={onWatch}
+            />
+          ))}
+          {missing > 0 && isIn(filter, "not-here") && (
+            <li className={styles["missing"]}>
+              <span>{t("card.missing", { count: missing })}</span>
+              <StandingChip state="not-here" />
+            </li>
+          )}
+        </ul>
+      </PictureArea>
       {students.length === 0 && !(missing > 0 && isIn(filter, "not-here")) && (
         <p className={styles["none"]}>{t("filter.none")}</p>
       )}
