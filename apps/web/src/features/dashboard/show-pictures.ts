@@ -71,6 +71,7 @@ export function showPictures(area: HTMLElement, dashboard: Dashboard, id: string
   // Students come, leave and change places.
   const changes = new MutationObserver(updateSoon);
   changes.observe(area, { childList: true, subtree: true, attributeFilter: ["data-old"] });
+  // Calls at once, too: the first update.
   const stopPixelRatio = observePixelRatio(updateSoon);
   const stopPrints = copyForPrint(area, parts);
   return () => {
