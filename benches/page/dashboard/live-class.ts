@@ -41,7 +41,7 @@ export async function openDashboard(
   await page.goto(`${origin}/class/${created.id}#${created.teacherKey}`);
   await page.waitForFunction((count) => {
     const cards = document.querySelectorAll("[data-student]").length;
-    return cards === count && document.querySelector("[data-student] ~ * canvas") !== null;
+    return cards === count && document.querySelector("main canvas") !== null;
   }, students);
   return page;
 }

@@ -1,6 +1,7 @@
 /** A number with its label above, and its error and an optional note below. */
 import { useId } from "react";
 import { FieldError } from "./FieldError.tsx";
+import { FieldNote } from "./FieldNote.tsx";
 import styles from "./field.module.css";
 import { NumberInput } from "./NumberInput.tsx";
 import type { NumberBounds } from "./number-text.ts";
@@ -32,11 +33,7 @@ export function NumberField(props: NumberFieldProps) {
         aria-describedby={note === undefined ? undefined : `${id}-note`}
       />
       {draft.hasErrorRoom && <FieldError id={`${id}-error`}>{error}</FieldError>}
-      {note !== undefined && (
-        <p id={`${id}-note`} className={styles["note"]}>
-          {note}
-        </p>
-      )}
+      {note !== undefined && <FieldNote id={`${id}-note`}>{note}</FieldNote>}
     </div>
   );
 }

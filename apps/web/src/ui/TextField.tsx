@@ -1,6 +1,7 @@
 /** One line of text with its label above, and an optional note below. */
 import { useId, type ComponentProps } from "react";
 import { classNames } from "./class-names.ts";
+import { FieldNote } from "./FieldNote.tsx";
 import styles from "./field.module.css";
 
 interface TextFieldProps extends Omit<ComponentProps<"input">, "onChange" | "className"> {
@@ -26,11 +27,7 @@ export function TextField({ label, note, onChange, ...rest }: TextFieldProps) {
         className={classNames(styles["field"], styles["text"])}
         onChange={(event) => onChange(event.target.value)}
       />
-      {note !== undefined && (
-        <p id={`${id}-note`} className={styles["note"]}>
-          {note}
-        </p>
-      )}
+      {note !== undefined && <FieldNote id={`${id}-note`}>{note}</FieldNote>}
     </div>
   );
 }

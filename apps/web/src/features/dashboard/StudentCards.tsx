@@ -12,6 +12,7 @@ import { useMediaQuery } from "../../ui/use-media-query.ts";
 import { useContent, useDashboard } from "./dashboard-context.ts";
 import { StudentCard } from "./StudentCard.tsx";
 import { StandingChip } from "./StandingChip.tsx";
+import { PictureArea } from "./StudentPicture.tsx";
 import styles from "./student-cards.module.css";
 
 /** A phone has room for these. */
@@ -90,22 +91,24 @@ export function StudentCards({ watched, onWatch }: StudentCardsProps) {
           </>
         )}
       </output>
-      <ul ref={list} className={styles["cards"]}>
-        {students.map((student) => (
-          <StudentCard
-            key={student}
-            student={student}
-            isWatched={student === watched}
-            onWatch={onWatch}
-          />
-        ))}
-        {hasMissing(filter) && (
-          <li className={styles["missing"]}>
-            <span>{t("card.missing", { count: missing })}</span>
-            <StandingChip state="not-here" />
-          </li>
-        )}
-      </ul>
+      <PictureArea>
+        <ul ref={list} className={styles["cards"]}>
+          {students.map((student) => (
+            <StudentCard
+              key={student}
+              student={student}
+              isWatched={student === watched}
+              onWatch={onWatch}
+            />
+          ))}
+          {hasMissing(filter) && (
+            <li className={styles["missing"]}>
+              <span>{t("card.missing", { count: missing })}</span>
+              <StandingChip state="not-here" />
+            </li>
+          )}
+        </ul>
+      </PictureArea>
       {students.length === 0 && !hasMissing(filter) && (
         <p className={styles["none"]}>{t("filter.none")}</p>
       )}

@@ -13,7 +13,7 @@ import { clockText } from "./clock-text.ts";
 import { useContent, useDashboard, useStudentName } from "./dashboard-context.ts";
 import { ProgramText } from "./ProgramText.tsx";
 import { StandingChip } from "./StandingChip.tsx";
-import { StudentPicture } from "./StudentPicture.tsx";
+import { PictureArea, StudentPicture } from "./StudentPicture.tsx";
 import { cardSeconds, cardState } from "./use-card.ts";
 import styles from "./watch-sheet.module.css";
 
@@ -59,9 +59,9 @@ export function WatchSheet(props: WatchSheetProps) {
       }}
     >
       <SheetHead student={student} onClose={onClose} />
-      <div className={styles["stage"]}>
+      <PictureArea className={styles["stage"]}>
         <StudentPicture student={number} />
-      </div>
+      </PictureArea>
       <Unverified student={student} />
       <ProgramText student={student} />
       <Attempts student={student} />

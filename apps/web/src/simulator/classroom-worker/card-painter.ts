@@ -1,24 +1,32 @@
-/** Draws the pictures of the students' cards: maze, path and robot. */
+/** Draws the pictures of the students when they change. All cards in view share a canvas. */
 import type { LessonDocument } from "@corridor/challenge";
-import { CELL, sizeOf, type MazeDocument } from "@corridor/maze";
+import type { MazeDocument } from "@corridor/maze";
 import type { Tile } from "@corridor/protocol";
-import { DirtyRects } from "../../stage/drawing/dirty-rects.ts";
 import type { Palette } from "../../stage/drawing/palette.ts";
-import { drawRobot, type Face } from "../../stage/layers/robot.ts";
-import { blocksPath, edgesPath } from "../../ui/maze-outline.ts";
+import type { PictureBox } from "../protocol/classroom-messages.ts";
 import { tileMaze } from "../protocol/tile-maze.ts";
-import { TileMotion, type ShownTile } from "./tile-motion.ts";
+import { drawFloor, drawRun, fade, viewOf } from "./draw-picture.ts";
+import { TileMotion } from "./tile-motion.ts";
 
-/** The robot is larger than in the maze, so that its face can be seen. */
-const ROBOT_SIZE = 1.5;
 /** Pictures of mazes without a robot that are stored besides those in use. */
 const MAX_FLOORS = 32;
 /** One for each student of the largest class. */
 const MAX_MAZES = 200;
 
+/** A canvas of the page. */
 interface Place {
-  student: number;
   canvas: OffscreenCanvas;
+  width: number;
+  height: number;
+  /** by student */
+  pictures: Map<number, Picture>;
+  /** boxes of pictures that are not there any more */
+  erased: PictureBox[];
+}
+
+interface Picture {
+  place: Place;
+  box: PictureBox;
   /** null: none was drawn yet */
   floor: Floor | null;
 }
@@ -39,7 +47,7 @@ export interface CardPainterPorts {
 export class CardPainter {
   readonly #ports: CardPainterPorts;
   readonly #places = new Map<string, Place>();
-  readonly #dirty = new Set<string>();
+  readonly #dirty = new Set<Picture>();
   readonly #floors = new Map<string, Floor>();
   /** by task and name, because an unseen maze is generated; null: there is no such maze */
   readonly #mazes = new Map<string, MazeDocument | null>();
@@ -49,7 +57,6 @@ export class CardPainter {
   #palette: Palette | null = null;
   #isCalm = false;
   #isWaiting = false;
-  readonly #erased = new DirtyRects();
 
   constructor(ports: CardPainterPorts) {
     this.#ports = ports;
@@ -83,22 +90,40 @@ export class CardPainter {
     return this.#verified.get(student)?.has(task) === true;
   }
 
-  place(place: string, student: number, canvas: OffscreenCanvas): void {
-    this.#places.set(place, { student, canvas, floor: null });
-    this.#drawSoon(place);
+  place(place: string, canvas: OffscreenCanvas): void {
+    const { width, height } = canvas;
+    this.#places.set(place, { canvas, width, height, pictures: new Map(), erased: [] });
   }
 
-  resize(place: string, width: number, height: number): void {
-    const canvas = this.#places.get(place)?.canvas;
-    if (canvas === undefined) return;
-    canvas.width = width;
-    canvas.height = height;
-    this.#drawSoon(place);
+  /** Replaces the pictures of a canvas. @param width of the canvas, in device pixels */
+  arrange(name: string, width: number, height: number, boxes: readonly PictureBox[]): void {
+    const place = this.#places.get(name);
+    if (place === undefined) return;
+    const isResized = place.width !== width || place.height !== height;
+    const before = place.pictures;
+    place.pictures = new Map();
+    place.width = width;
+    place.height = height;
+    for (const box of boxes) {
+      const known = before.get(box.student);
+      const isSame = !isResized && known !== undefined && isSameBox(known.box, box);
+      const picture = isSame ? known : { place, box, floor: known?.floor ?? null };
+      place.pictures.set(box.student, picture);
+      if (isSame) before.delete(box.student);
+      else this.#drawSoon(picture);
+    }
+    for (const picture of before.values()) {
+      place.erased.push(picture.box);
+      this.#dirty.delete(picture);
+    }
+    this.#paintSoon();
   }
 
-  remove(place: string): void {
-    this.#places.delete(place);
-    this.#dirty.delete(place);
+  remove(name: string): void {
+    for (const picture of this.#places.get(name)?.pictures.values() ?? []) {
+      this.#dirty.delete(picture);
+    }
+    this.#places.delete(name);
   }
 
   /** These students have new tiles. */
@@ -115,77 +140,67 @@ export class CardPainter {
   }
 
   #drawStudents(students: readonly number[]): void {
-    const all = new Set(students);
-    for (const [place, { student }] of this.#places) if (all.has(student)) this.#drawSoon(place);
+    for (const { pictures } of this.#places.values()) {
+      for (const student of students) {
+        const picture = pictures.get(student);
+        if (picture !== undefined) this.#drawSoon(picture);
+      }
+    }
+  }
+
+  *#pictures(): Generator<Picture> {
+    for (const { pictures } of this.#places.values()) yield* pictures.values();
   }
 
   #removeFloors(): void {
     this.#floors.clear();
-    for (const place of this.#places.values()) place.floor = null;
+    for (const picture of this.#pictures()) picture.floor = null;
   }
 
   #drawAll(): void {
-    for (const place of this.#places.keys()) this.#drawSoon(place);
+    for (const picture of this.#pictures()) this.#drawSoon(picture);
   }
 
-  #drawSoon(place: string): void {
-    this.#dirty.add(place);
+  #drawSoon(picture: Picture): void {
+    this.#dirty.add(picture);
+    this.#paintSoon();
+  }
+
+  #paintSoon(): void {
     if (this.#isWaiting) return;
     this.#isWaiting = true;
     this.#ports.requestFrame(() => {
       this.#isWaiting = false;
-      const places = [...this.#dirty];
+      for (const place of this.#places.values()) erase(place);
+      const pictures = [...this.#dirty];
       this.#dirty.clear();
       const now = this.#ports.now();
-      for (const each of places) this.#draw(each, now);
+      for (const each of pictures) this.#draw(each, now);
     });
   }
 
   /** While the robot moves, each frame requests the next one. */
-  #draw(name: string, now: number): void {
-    const found = this.#places.get(name);
+  #draw(picture: Picture, now: number): void {
+    const { place, box } = picture;
     const palette = this.#palette;
-    const context = found?.canvas.getContext("2d") ?? null;
-    if (found === undefined || palette === null || context === null) return;
-    const { student, canvas } = found;
-    context.clearRect(0, 0, canvas.width, canvas.height);
-    const motion = this.#motions.get(student);
+    const context = place.canvas.getContext("2d");
+    if (palette === null || context === null) return;
+    context.clearRect(box.x, box.y, box.width, box.height);
+    const motion = this.#motions.get(box.student);
     const shown = (this.#isCalm ? motion?.newest() : motion?.shown(now)) ?? null;
-    if (motion?.isMoving === true) this.#drawSoon(name);
+    if (motion?.isMoving === true) this.#drawSoon(picture);
     const task = shown?.tile.task ?? 1;
     // Before the first tile, the first maze of the lesson.
     const mazeName = shown === null ? "g1" : shown.tile.maze;
     const maze = this.#mazeOf(task, mazeName);
     if (maze === null) return;
-    context.drawImage(this.#floorOf(found, `${task} ${mazeName}`, maze, palette), 0, 0);
-    if (shown === null) return;
-    const view = viewOf(maze, canvas);
-    const isSolved = this.isVerified(student, shown.tile.task);
-    drawPath(context, view, shown, isSolved ? palette.good : palette.live);
-    this.#drawRobot(context, view, shown, palette, isSolved);
-  }
-
-  #drawRobot(
-    context: OffscreenCanvasRenderingContext2D,
-    { cell, x, y, columns, rows }: CardView,
-    { pose, tile: { state } }: ShownTile,
-    palette: Palette,
-    isSolved: boolean,
-  ): void {
-    const scale = (cell / CELL) * ROBOT_SIZE;
-    const box = { x: 0, y: 0, width: 0, height: 0 };
-    const centre = { x: x + (pose.x / CELL) * cell, y: y + (pose.y / CELL) * cell };
-    const viewport = {
-      scale,
-      originX: centre.x - pose.x * scale,
-      originY: centre.y - pose.y * scale,
-      port: box,
-      view: box,
-      columns,
-      rows,
-    };
-    const face: Face = isSolved ? "solved" : state === "bumped" ? "bumped" : "driving";
-    drawRobot(context, viewport, palette, pose, face, this.#erased);
+    const view = viewOf(maze, box);
+    context.drawImage(this.#floorOf(picture, `${task} ${mazeName}`, maze, palette), box.x, box.y);
+    if (shown !== null) {
+      const isSolved = this.isVerified(box.student, shown.tile.task);
+      drawRun(context, box, view, shown, palette, isSolved);
+    }
+    if (box.isOld) fade(context, box, view);
   }
 
   #mazeOf(task: number, name: string | null): MazeDocument | null {
@@ -201,91 +216,42 @@ export class CardPainter {
   }
 
   /** @param mazeKey names the maze in this lesson */
-  #floorOf(place: Place, mazeKey: string, maze: MazeDocument, palette: Palette): OffscreenCanvas {
-    const { width, height } = place.canvas;
+  #floorOf(
+    picture: Picture,
+    mazeKey: string,
+    maze: MazeDocument,
+    palette: Palette,
+  ): OffscreenCanvas {
+    const { width, height } = picture.box;
     const key = `${width} ${height} ${mazeKey}`;
-    if (place.floor?.key !== key) {
-      place.floor = this.#floors.get(key) ?? newFloor(key, maze, place.canvas, palette);
+    if (picture.floor?.key !== key) {
+      picture.floor = this.#floors.get(key) ?? {
+        key,
+        picture: drawFloor(maze, width, height, palette),
+      };
       if (this.#floors.size >= MAX_FLOORS) this.#floors.clear();
-      this.#floors.set(key, place.floor);
+      this.#floors.set(key, picture.floor);
     }
-    return place.floor.picture;
+    return picture.floor.picture;
   }
 }
 
-function newFloor(
-  key: string,
-  maze: MazeDocument,
-  { width, height }: OffscreenCanvas,
-  palette: Palette,
-): Floor {
-  const picture = new OffscreenCanvas(width, height);
-  const context = picture.getContext("2d");
-  if (context !== null) drawFloor(context, viewOf(maze, picture), maze, palette);
-  return { key, picture };
+function isSameBox(one: PictureBox, other: PictureBox): boolean {
+  const { x, y, width, height, isOld } = one;
+  const isPlaced = x === other.x && y === other.y;
+  return isPlaced && width === other.width && height === other.height && isOld === other.isOld;
 }
 
-/** Position of the maze in a picture, in device pixels. */
-interface CardView {
-  cell: number;
-  x: number;
-  y: number;
-  columns: number;
-  rows: number;
-}
-
-function viewOf(maze: MazeDocument, { width, height }: OffscreenCanvas): CardView {
-  const { columns, rows } = sizeOf(maze);
-  const cell = Math.min((width - 2) / columns, (height - 2) / rows);
-  return { cell, x: (width - cell * columns) / 2, y: (height - cell * rows) / 2, columns, rows };
-}
-
-function drawFloor(
-  context: OffscreenCanvasRenderingContext2D,
-  { cell, x, y, columns, rows }: CardView,
-  maze: MazeDocument,
-  palette: Palette,
-): void {
-  const mark = 0.26;
-  context.translate(x, y);
-  context.scale(cell, cell);
-  context.lineWidth = 1.25 / cell;
-  context.fillStyle = palette.floor;
-  context.fillRect(0, 0, columns, rows);
-  context.fillStyle = palette.wall;
-  context.fill(new Path2D(blocksPath(maze)));
-  context.strokeStyle = palette.wallEdge;
-  context.stroke(new Path2D(edgesPath(maze)));
-  context.strokeRect(0, 0, columns, rows);
-  context.fillStyle = palette.good;
-  for (const { column, row } of maze.goals) {
-    context.fillRect(column + 0.5 - mark, row + 0.5 - mark, 2 * mark, 2 * mark);
+/** Erases what is not there any more. A new size erases everything. */
+function erase(place: Place): void {
+  const { canvas, width, height } = place;
+  const boxes = place.erased.splice(0);
+  if (canvas.width !== width || canvas.height !== height) {
+    canvas.width = width;
+    canvas.height = height;
+    return;
   }
-  context.beginPath();
-  context.arc(maze.start.column + 0.5, maze.start.row + 0.5, mark, 0, 2 * Math.PI);
-  context.fillStyle = palette.surface;
-  context.fill();
-  context.stroke();
-}
-
-function drawPath(
-  context: OffscreenCanvasRenderingContext2D,
-  { cell, x, y, columns, rows }: CardView,
-  { trail }: ShownTile,
-  colour: string,
-): void {
-  context.save();
-  context.beginPath();
-  context.rect(x, y, columns * cell, rows * cell);
-  context.clip();
-  context.beginPath();
-  for (const point of trail) {
-    context.lineTo(x + (point.x / CELL) * cell, y + (point.y / CELL) * cell);
-  }
-  context.strokeStyle = colour;
-  context.lineWidth = Math.max(1.5, cell * 0.14);
-  context.lineJoin = "round";
-  context.lineCap = "round";
-  context.stroke();
-  context.restore();
+  if (boxes.length === 0) return;
+  const context = canvas.getContext("2d");
+  for (const box of boxes) context?.clearRect(box.x, box.y, box.width, box.height);
 }

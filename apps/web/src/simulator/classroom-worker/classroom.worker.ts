@@ -66,9 +66,9 @@ worker.onmessage = ({ data }: MessageEvent<ToClassroom>) => {
     case "calm":
       return painter.setCalm(data.isCalm);
     case "canvas":
-      return painter.place(data.place, data.student, data.canvas);
-    case "canvas-size":
-      return painter.resize(data.place, data.width, data.height);
+      return painter.place(data.place, data.canvas);
+    case "pictures":
+      return painter.arrange(data.place, data.width, data.height, data.pictures);
     case "canvas-gone":
       return painter.remove(data.place);
     case "verified":

@@ -60,7 +60,7 @@ export interface SeenStudent {
   programs: number;
   isConnected: boolean;
   /** the newest one, without what only the picture needs; null: none yet */
-  tile: Pick<Tile, "task" | "state" | "line" | "bumps" | "passes" | "maze"> | null;
+  tile: Pick<Tile, "task" | "state" | "line"> | null;
   /** the last edit, or the last time the robot drove; up to 5 s old while it drives on */
   busyAt: number;
   /** the last new best result, or the opening of the task or the lesson */
@@ -96,6 +96,17 @@ export interface ClassroomState {
   time: ClassTime;
 }
 
+/** The place of a student's picture on a canvas, in device pixels. */
+export interface PictureBox {
+  student: number;
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+  /** out of date: grey */
+  isOld: boolean;
+}
+
 export type ToClassroom =
   | { type: "open"; room: Classroom }
   /** reconnects at once */
@@ -108,10 +119,16 @@ export type ToClassroom =
   | { type: "colours"; palette: Palette }
   /** whether robots jump from tile to tile instead of moving */
   | { type: "calm"; isCalm: boolean }
-  /** a canvas for a student's picture, or another one in its place */
-  | { type: "canvas"; place: string; student: number; canvas: OffscreenCanvas }
-  /** its size in device pixels */
-  | { type: "canvas-size"; place: string; width: number; height: number }
+  /** a canvas for pictures of students */
+  | { type: "canvas"; place: string; canvas: OffscreenCanvas }
+  /** its size in device pixels, and all pictures on it */
+  | {
+      type: "pictures";
+      place: string;
+      width: number;
+      height: number;
+      pictures: readonly PictureBox[];
+    }
   | { type: "canvas-gone"; place: string }
   /** the path of a student whose solution passes is green */
   | { type: "verified"; student: number; tasks: readonly number[] };
