@@ -115,12 +115,11 @@ export class Dashboard {
         const students = new Map(this.store.getState().students);
         for (const student of message.removed) students.delete(student);
         for (const each of message.changed) students.set(each.student, each);
-        this.store.setState({ students });
+        this.#update(students);
         if (message.changed.some(({ programs }) => programs > 0)) {
           this.#ports.readPrograms(students);
         }
-        this.#verify();
-        return this.tick();
+        return this.#verify();
       }
       case "bumps":
         return this.store.setState({ bumps: message.bumps });
@@ -159,9 +158,13 @@ export class Dashboard {
 
   /** Follows the time, once a second and after changes. */
   tick(): void {
+    this.#update(this.store.getState().students);
+  }
+
+  #update(students: DashboardState["students"]): void {
     const now = this.#ports.now();
-    const { students, classroom, verifications } = this.store.getState();
     const before = this.store.getState();
+    const { classroom, verifications } = before;
     const active = classroom === null ? 0 : activeMsAt(classroom.time, now);
     const shown = new Map<number, ShownStanding>();
     const awaySince = new Map<number, number>();
@@ -176,6 +179,7 @@ export class Dashboard {
     const next = {
       ...before,
       now,
+      students,
       shown: isSameMap(before.shown, shown) ? before.shown : shown,
       awaySince: isSameMap(before.awaySince, awaySince) ? before.awaySince : awaySince,
     };
@@ -183,9 +187,7 @@ export class Dashboard {
     const isHeld = this.#held.size > 0;
     // One update of the store, because every card looks at each.
     this.store.setState({
-      now,
-      shown: next.shown,
-      awaySince: next.awaySince,
+      ...next,
       order: followOrder(before.order, order, helped, { isHeld, now }),
     });
   }

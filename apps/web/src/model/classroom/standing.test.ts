@@ -4,7 +4,7 @@ import { settle, standingOf, type JudgedStudent, type Standing } from "./standin
 const MINUTE = 60_000;
 const NOW = 20 * MINUTE;
 
-const tile = { task: 1, state: "writing", line: null, bumps: 0, passes: null, maze: "g1" } as const;
+const tile = { task: 1, state: "writing", line: null } as const;
 const working: JudgedStudent["student"] = {
   helpSince: null,
   isConnected: true,

@@ -14,7 +14,7 @@ const none: Box = { x: 0, y: 0, width: 0, height: 0 };
 const dirty = new DirtyRects();
 
 /** Position of the maze in a picture, in device pixels. */
-export interface PictureView {
+interface PictureView {
   cell: number;
   x: number;
   y: number;

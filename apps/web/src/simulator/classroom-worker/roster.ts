@@ -170,14 +170,7 @@ function withView(
 
 /** Whether two tiles have the same words on the card. */
 function isSameState(one: Tile | null, other: Tile | null): boolean {
-  if (one === null || other === null) return one === other;
-  return (
-    one.task === other.task &&
-    one.state === other.state &&
-    one.bumps === other.bumps &&
-    one.passes === other.passes &&
-    one.maze === other.maze
-  );
+  return one?.task === other?.task && one?.state === other?.state;
 }
 
 function seenOf({ view, work, isConnected, tile }: Entry): SeenStudent {
@@ -198,6 +191,6 @@ function seenOf({ view, work, isConnected, tile }: Entry): SeenStudent {
   };
 }
 
-function seenTile({ task, state, line, bumps, passes, maze }: Tile): SeenStudent["tile"] {
-  return { task, state, line, bumps, passes, maze };
+function seenTile({ task, state, line }: Tile): SeenStudent["tile"] {
+  return { task, state, line };
 }

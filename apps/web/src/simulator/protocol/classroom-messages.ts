@@ -60,7 +60,7 @@ export interface SeenStudent {
   programs: number;
   isConnected: boolean;
   /** the newest one, without what only the picture needs; null: none yet */
-  tile: Pick<Tile, "task" | "state" | "line" | "bumps" | "passes" | "maze"> | null;
+  tile: Pick<Tile, "task" | "state" | "line"> | null;
   /** the last edit or run */
   busyAt: number;
   /** the last new best result, or the opening of the task */
