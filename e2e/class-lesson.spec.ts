@@ -211,25 +211,25 @@ test("a lesson with eight students, until no byte of it is left", async ({
       driver.runWith("turn 180", "1×"),
       solver.runWith("forward"),
     ]);
-    await dashboard.expectState(nameOf(helper), "Asks for help");
+    await dashboard.expectState(nameOf(helper), "Asked for help");
     await dashboard.expectState(nameOf(bumper), "Bumped");
     await dashboard.expectState(nameOf(driver), "Driving");
     await dashboard.expectState(nameOf(solver), "Solved");
     // A state lasts 20 s at least.
     await page.clock.fastForward(20_000);
-    await dashboard.expectState(nameOf(wanderer), "Offline");
+    await dashboard.expectState(nameOf(wanderer), "Disconnected");
     await page.clock.pauseAt(idleSince + STUCK_MS);
     await dashboard.expectState(nameOf(idle), "Stuck");
     await expect
       .poll(async () => (await dashboard.states()).map(asOrdered))
       .toEqual([
-        "Asks for help",
+        "Asked for help",
         "Stuck",
         "Bumped",
         "Working",
         "Working",
         "Working",
-        "Offline",
+        "Disconnected",
         "Solved",
       ]);
     await expect(page.getByText("2 students have not joined yet")).toBeVisible();
@@ -248,7 +248,7 @@ test("a lesson with eight students, until no byte of it is left", async ({
   });
 
   await test.step("a pause stops everyone, also after a reload", async () => {
-    await dashboard.choose("Pause everyone", "5 minutes");
+    await dashboard.page.getByRole("button", { name: "Pause everyone" }).click();
     await Promise.all(all.map((each) => expect(each.band).toBeVisible()));
     await expect(driver.page.locator("button[data-does]")).not.toHaveAttribute(
       "data-does",

@@ -79,7 +79,7 @@ test("teacher and student work over plain HTTPS where WebSockets are blocked", a
   await Promise.all(longPolls);
   await expect(dashboard.cards).toHaveAccessibleName(/, Writing, 0 minutes/);
   const band = studentPage.getByText(PAUSED, { exact: true });
-  await dashboard.choose("Pause everyone", "5 minutes");
+  await dashboard.page.getByRole("button", { name: "Pause everyone" }).click();
   await expect(band).toBeVisible();
   await page.getByRole("button", { name: "End the pause" }).click();
   await expect(band).toBeHidden();
@@ -112,7 +112,7 @@ test("teacher and student use two relays, of which one is killed", async ({
   await student.run.click();
   await expect(dashboard.cards).toHaveAccessibleName(/, Bumped, .+, 1 attempt$/);
   const band = student.page.getByText(PAUSED, { exact: true });
-  await dashboard.choose("Pause everyone", "5 minutes");
+  await dashboard.page.getByRole("button", { name: "Pause everyone" }).click();
   await expect(band).toBeVisible();
 
   await second.killAndRestart();

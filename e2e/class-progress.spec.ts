@@ -1,7 +1,7 @@
 /** The work of a student on the lesson of a class, as the teacher receives it. */
 import { lessonMark, type LessonDocument, type LessonTask } from "@corridor/challenge";
 import { decodeLink } from "@corridor/link";
-import { studentProgramSchema } from "@corridor/protocol";
+import { studentProgramSchema, type DriverName } from "@corridor/protocol";
 import type { Locator, Page } from "playwright/test";
 import { SeededRandom } from "../apps/relay/src/testing/faults/seeded-random.ts";
 import { FaultProxy } from "./faults/net/fault-proxy.ts";
@@ -12,6 +12,8 @@ import { ClassTeacher } from "./support/class-teacher.ts";
 import { classButton, enterClass } from "./support/enter-class.ts";
 import { horizontalOverflow } from "./support/layout.ts";
 import { lessonTask, straight } from "./support/lesson-task.ts";
+import { phone, tab } from "./support/phone.ts";
+import { centreOf, TouchInput } from "./support/touch-input.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
 
 const NAMES = ["Team 1", "Team 2"];
@@ -89,6 +91,7 @@ test("the lesson opens when a student joins, and the teacher receives each step 
         task: 1,
         changed: true,
         bumps: 1,
+        bumpPlaces: [{ maze: "g1", column: expect.any(Number), row: expect.any(Number) }],
         mistakes: expect.any(Number),
         failure: { code: "bump", line: "default" },
       },
@@ -288,6 +291,43 @@ test("the teacher shows a hint", async ({ page, relay }) => {
   await corridor.messages.getByRole("button", { name: "Open task 2" }).click();
   await expectTask(page, 2);
   await expect(cardOf(page)).toContainText("Look ahead.");
+  dashboard.close();
+});
+
+test("the hint of the teacher is in every tab of the phone, and the robot can be reset", async ({
+  openWindow,
+  relay,
+}) => {
+  const tasks = lesson.tasks.map((task) => ({
+    ...task,
+    allowed: { ...task.allowed, drivers: ["me", "program"] satisfies DriverName[] },
+  }));
+  const teacher = await ClassTeacher.start(relay, NAMES, { ...lesson, tasks });
+  const dashboard = await teacher.connect();
+  const corridor = await openWindow(phone);
+  const { page } = corridor;
+  await enterClass(page, teacher.code, relay);
+  await expectTask(page, 1);
+  await tab(page, "Drive").tap();
+  dashboard.send({ type: "hint", student: 1, task: 1, hint: 2 });
+  const hint = page.getByText("Hint 2 Drive on.");
+  for (const name of ["Drive", "Presets", "Program"] as const) {
+    await tab(page, name).tap();
+    await expect(hint).toBeInViewport();
+  }
+  await tab(page, "Drive").tap();
+  const touch = await TouchInput.of(page);
+  await touch.down(await centreOf(corridor.driveKey("forward")));
+  await expect.poll(async () => corridor.robotX()).toBeGreaterThan(160);
+  await touch.lift();
+  await corridor.waitForRobotToStop();
+  await page.getByRole("button", { name: "Reset" }).tap();
+  await expect.poll(async () => corridor.robotX()).toBeLessThan(160);
+  // A hint that was read makes room, and stays in the card of the task.
+  await page.getByRole("button", { name: "Close the hint" }).tap();
+  await expect(hint).toBeHidden();
+  await tab(page, "Program").tap();
+  await expect(hint).toBeVisible();
   dashboard.close();
 });
 

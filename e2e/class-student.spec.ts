@@ -48,13 +48,35 @@ test("a student asks for help, and the teacher receives it", async ({ page, rela
   const helpSince = async () => (await teacher.read()).students[0]?.helpSince;
   expect(await helpSince()).toBeNull();
   await item(page, "I need help").click();
-  await expect(menu.getByText("Your teacher sees that you need help.")).toBeVisible();
+  await expect(menu.getByText("You asked for help. Your teacher sees it.")).toBeVisible();
   await expect.poll(helpSince).not.toBeNull();
   await menu.getByText("What my teacher sees").click();
   await expect(menu.getByText("Deleted when the lesson ends.")).toBeVisible();
   await expectNoAxeViolations(page, "class menu");
   await item(page, "I do not need help now").click();
   await expect.poll(helpSince).toBeNull();
+});
+
+test("a request for help stays in the bar until the teacher shows a hint", async ({
+  page,
+  relay,
+}) => {
+  const teacher = await ClassTeacher.start(relay, NAMES);
+  await enterClass(page, teacher.code);
+  await openMenu(page);
+  await item(page, "I need help").click();
+  await page.keyboard.press("Escape");
+  await expect(classButton(page)).toHaveAccessibleName(
+    /, in class\. You asked for help\. Your teacher sees it\.$/,
+  );
+  await expect(classButton(page)).toContainText("Asked for help");
+  const helpSince = async () => (await teacher.read()).students[0]?.helpSince;
+  await expect.poll(helpSince).not.toBeNull();
+  const dashboard = await teacher.connect();
+  dashboard.send({ type: "hint", student: 1, task: 1, hint: 1 });
+  await expect(classButton(page)).toHaveAccessibleName(/, in class$/);
+  await expect.poll(helpSince).toBeNull();
+  dashboard.close();
 });
 
 test("a student gets another name twice, also after a reload", async ({ page, relay }) => {
@@ -223,6 +245,9 @@ test("the page reconnects after the network was lost", async ({ browser, relay }
 test("a long name fits every width of the bar", async ({ page, relay }) => {
   const teacher = await ClassTeacher.start(relay, ["A name of 24 characters."]);
   await enterClass(page, teacher.code);
+  await openMenu(page);
+  await item(page, "I need help").click();
+  await page.keyboard.press("Escape");
   for (const width of [1440, 1200, 1024, 900, 768, 600]) {
     await page.setViewportSize({ width, height: 800 });
     await expect(classButton(page)).toBeVisible();

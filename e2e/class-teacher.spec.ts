@@ -81,13 +81,13 @@ test("a teacher starts a class, and a student joins with the letters on the boar
   await student.getByRole("textbox", { name: "Letters on the board" }).fill(letters ?? "");
   await student.getByRole("button", { name: "Join" }).click();
   await expect(cards(page)).toHaveCount(1);
-  await expect(page.getByText("1 of 1 have joined. The class is locked.")).toBeVisible();
+  await expect(page.getByText("1 of 1 joined: locked.")).toBeVisible();
   await student.getByRole("link", { name: "Start" }).click();
   const corridor = new CorridorPage(student);
   await corridor.waitUntilReady();
   await student.getByRole("button", { name: /, in class/ }).click();
   await student.getByRole("button", { name: "I need help" }).click();
-  await expect(cards(page)).toHaveAccessibleName(/Asks for help, Task 1/);
+  await expect(cards(page)).toHaveAccessibleName(/Asked for help, Task 1/);
   // A closed tab loses no lesson.
   await page.goto("/teach");
   await page.getByRole("link", { name: "Open", exact: true }).click();
@@ -104,7 +104,7 @@ test("a solution counts after the teacher's page has run it", async ({ page, rel
   cheat.show({ state: "solved" });
   cheat.report(claim(wrong.attempt));
   await expect(cardOf(page, honest)).toHaveAccessibleName(/, Solved, 0 minutes, 1 line,/);
-  await expect(cardOf(page, cheat)).toHaveAccessibleName(/, Does not pass,/);
+  await expect(cardOf(page, cheat)).toHaveAccessibleName(/, Reported solved, does not pass,/);
   await expect(page.getByRole("region", { name: "Results" })).toContainText("1 of 2 students");
   honest.close();
   cheat.close();
@@ -128,7 +128,7 @@ test("students who need help come first, but no card moves under the focus", asy
   await expect(page.getByText("2 need help now.")).toBeVisible();
   await expect(cards(page).first()).toHaveAccessibleName(/Stuck/);
   await page.getByRole("button", { name: "Sort" }).click();
-  await expect(cards(page).first()).toHaveAccessibleName(/Asks for help/);
+  await expect(cards(page).first()).toHaveAccessibleName(/Asked for help/);
   // N moves to the next student who needs help.
   await page.getByRole("heading", { name: "One line" }).click();
   await page.keyboard.press("n");
@@ -145,8 +145,14 @@ test("a pause, the lock, new letters and a removal reach the students", async ({
   const teacher = await openDashboard(page, relay);
   const student = await ScriptedStudent.join(relay, teacher.code);
   await expect(cards(page)).toHaveCount(1);
-  await choose(page, "Pause everyone", "5 minutes");
-  await expect.poll(() => student.received.at(-1)).toMatchObject({ type: "pause" });
+  await page.getByRole("button", { name: "Pause everyone" }).click();
+  const minutesLeft = (): number | null => {
+    const newest = student.received.at(-1);
+    return newest?.type === "pause" ? Math.ceil((newest.endsInMs ?? 0) / 60_000) : null;
+  };
+  await expect.poll(minutesLeft).toBe(5);
+  await choose(page, "How long to pause", "10 minutes");
+  await expect.poll(minutesLeft).toBe(10);
   await page.getByRole("button", { name: "End the pause" }).click();
   await expect.poll(() => student.received.at(-1)).toEqual({ type: "pause", endsInMs: null });
   await choose(page, "Who can join", "Lock the class");
@@ -157,6 +163,8 @@ test("a pause, the lock, new letters and a removal reach the students", async ({
   await cardOf(page, student).click();
   const sheet = page.getByRole("complementary");
   await expect.poll(() => student.has("watched")).toBe(true);
+  // The teacher reads the hint before the student does.
+  await expect(sheet.getByText("Hint 1 Look at front.")).toBeVisible();
   await sheet.getByRole("button", { name: "Show hint 1" }).click();
   await expect.poll(() => student.received.at(-1)).toEqual({ type: "hint", task: 1, hint: 1 });
   await sheet.getByRole("button", { name: "Return code" }).click();
@@ -311,6 +319,23 @@ test("the lesson ends with a report, and then nothing is left", async ({ page, r
   const stored = await page.evaluate(() => Object.keys(localStorage).join());
   expect(stored).not.toContain("corridor.classroom");
   student.close();
+});
+
+test("a second device of the teacher opens the big screen, too", async ({ openWindow, relay }) => {
+  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
+  const { id, teacherKey, screenKey } = teacher.created;
+  const { page } = await openWindow();
+  await page.goto(`${relay}/class/${id}#${teacherKey}.${screenKey}`);
+  const screen = page.getByRole("link", { name: "Big screen" });
+  await expect(screen).toHaveAttribute("href", `${relay}/class/${id}#${screenKey}`);
+  expect(new URL(page.url()).hash).toBe("");
+  // A device that has only the teacher's key says where the button is.
+  const { page: other } = await openWindow();
+  await other.goto(`${relay}/class/${id}#${teacherKey}`);
+  await other.getByRole("button", { name: "More" }).click();
+  const item = other.getByRole("dialog").getByRole("button", { name: /^Big screen/ });
+  await expect(item).toBeDisabled();
+  await expect(item).toContainText("on the device that started the class");
 });
 
 test("a second tab without the key shows what to do", async ({ page, relay }) => {

@@ -76,7 +76,7 @@ test("each refusal says what to do, and the letters stay in the field", async ({
   await expect(page.getByRole("heading", { name: "You are Only one" })).toBeVisible();
   await page.goto(`/join#${teacher.code}`);
   await page.getByRole("button", { name: "Join" }).click();
-  await expect(alert).toHaveText("This class is full. Ask your teacher.");
+  await expect(alert).toHaveText("This class is full. It has 1 student.");
   await teacher.direct("DELETE");
   await join(page, teacher.code);
   await expect(alert).toHaveText("No class has these letters now. Look at the board again.");

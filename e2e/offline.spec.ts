@@ -2,6 +2,7 @@
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
+import { ClassTeacher } from "./support/class-teacher.ts";
 import { RelayProxy, NEWER_BUILD } from "./support/relay-proxy.ts";
 import { RelayProcess } from "../tests/support/relay-process.ts";
 
@@ -65,6 +66,26 @@ test("drives, programs, builds and shares offline after one visit", async ({ bro
 
   await corridor.selectDriver("Remote");
   await expect(page.getByRole("region", { name: "Remote" })).toContainText(OFFLINE);
+  await context.close();
+});
+
+test("says that a class needs the network, and opens it when the network is back", async ({
+  browser,
+  relay,
+}) => {
+  const teacher = await ClassTeacher.start(relay);
+  const context = await browser.newContext({ baseURL: relay, serviceWorkers: "allow" });
+  const page = await context.newPage();
+  await page.goto("/teach");
+  await waitForServiceWorker(page);
+  await context.setOffline(true);
+  await page.goto(teacher.address());
+  await expect(page.getByRole("heading", { name: "Your class needs the network" })).toBeVisible();
+  await page.getByRole("button", { name: "Try again" }).click();
+  await expect(page.getByRole("heading", { name: "Your class needs the network" })).toBeVisible();
+  await context.setOffline(false);
+  await expect(page.getByRole("heading", { name: "Sensors" })).toBeVisible();
+  await expect(page.getByRole("heading", { name: "Your class needs the network" })).toBeHidden();
   await context.close();
 });
 

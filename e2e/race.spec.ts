@@ -5,15 +5,18 @@ import { Recording, type RunDocument } from "@corridor/recording";
 import { expect, test } from "./fixtures.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 
-/** A link to a run in which a preset algorithm drives through a preset maze to its goal. */
-function runLink(mazeId: string): { link: string; run: RunDocument } {
+/**
+ * A link to a run in which a preset algorithm drives through a preset maze to its goal.
+ * @param ticks the run ends at this tick, if the robot has not reached the goal before
+ */
+function runLink(mazeId: string, ticks = 36_000): { link: string; run: RunDocument } {
   const preset = mazePresets.find(({ id }) => id === mazeId);
   const program = programPresets.find(({ id }) => id === "right-wall")?.program;
   if (preset === undefined || program === undefined) throw new Error(mazeId);
   const recording = new Recording({ ...preset.maze, name: mazeId }, program);
-  while (recording.run.goalTick === null && recording.run.tick < 36_000) recording.step();
+  while (recording.run.goalTick === null && recording.run.tick < ticks) recording.step();
   const written = recording.toDocument(mazeId);
-  if (!written.ok || recording.run.goalTick === null) throw new Error("no run to the goal");
+  if (!written.ok) throw new Error(written.reason);
   const encoded = encodeLink({ run: written.run });
   if (!encoded.ok) throw new Error(encoded.code);
   return { link: `/#${encoded.text}`, run: written.run };
@@ -73,6 +76,32 @@ test("races a friend's linked run on one clock, and compares time, bumps and lin
   await dialog.getByRole("button", { name: "Remove ghost A" }).click();
   await expect(dialog).toBeHidden();
   await expect(page.getByRole("button", { name: "Race against 1 ghost" })).toBeHidden();
+});
+
+test("races eight robots, and says that a ninth has no room", async ({ openWindow }) => {
+  const corridor = await openWindow({ viewport: { width: 320, height: 700 } });
+  const { page } = corridor;
+  await corridor.open(runLink("tree").link);
+  await page.getByRole("button", { name: "Race this run" }).click();
+  await expect(corridor.message(/^Ghost A is ready\./)).toBeVisible();
+  await corridor.dismissMessages();
+  await page.getByRole("button", { name: "Race against 1 ghost" }).click();
+  const dialog = corridor.dialog("Race");
+  const field = dialog.getByRole("textbox", { name: "Link of a run" });
+  for (const [at, badge] of ["B", "C", "D", "E", "F", "G"].entries()) {
+    await field.fill(`http://localhost${runLink("tree", 120 + at * 60).link}`);
+    await field.press("Enter");
+    await expect(dialog.getByRole("button", { name: `Remove ghost ${badge}` })).toBeVisible();
+  }
+  await field.fill(`http://localhost${runLink("tree", 600).link}`);
+  await field.press("Enter");
+  await expect(dialog.getByRole("alert")).toHaveText(
+    "A race has room for 8 robots: yours and 7 ghosts. Remove a ghost first.",
+  );
+  await expect(dialog.getByRole("row")).toHaveCount(9);
+  const overflow = await dialog.evaluate((each) => each.scrollWidth - each.clientWidth);
+  expect(overflow).toBe(0);
+  await expectNoAxeViolations(page, "the table of a race of eight robots");
 });
 
 test("offers the race on a phone too, and ends it when the maze changes", async ({

@@ -128,7 +128,7 @@ test("a dashboard is usable at 400 %", async ({ openWindow, relay }) => {
   await check("nobody has joined");
   const student = await ScriptedStudent.join(relay, teacher.code);
   student.askForHelp();
-  await expect(dashboard.cards).toHaveAccessibleName(/Asks for help/);
+  await expect(dashboard.cards).toHaveAccessibleName(/Asked for help/);
   await check("a card");
   const sorting = page.getByRole("combobox", { name: "Sort by" });
   for (const control of [sorting, button("Who can join"), dashboard.cards]) {
@@ -159,12 +159,12 @@ test("shows the cards of a dashboard in forced colours", async ({ page, relay })
   await page.goto(teacher.address());
   const student = await ScriptedStudent.join(relay, teacher.code);
   student.askForHelp();
-  await expect(cards).toHaveAccessibleName(/Asks for help/);
+  await expect(cards).toHaveAccessibleName(/Asked for help/);
   await page.keyboard.press("n");
   await expect(cards).toBeFocused();
   const drawn = await cards.evaluate((card) => {
     const chip = [...(card.parentElement?.querySelectorAll("span") ?? [])].find(
-      (each) => each.textContent === "Asks for help" && each.querySelector("svg") !== null,
+      (each) => each.textContent === "Asked for help" && each.querySelector("svg") !== null,
     );
     const borders = [card.parentElement, chip].map((each) =>
       each ? Number.parseFloat(getComputedStyle(each).borderTopWidth) : 0,

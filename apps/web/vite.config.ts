@@ -10,8 +10,8 @@ import { licenses } from "./build/licenses.ts";
 import { precompress } from "./build/precompress.ts";
 import { publish } from "./build/publish.ts";
 
-/** Paths of the page that work offline. The relay serves all others. */
-const PAGE = /^\/(?:(?:teach|join)\/?)?(\?.*)?$/;
+/** Paths of the page that open offline. The relay serves all others. */
+const PAGE = /^\/(?:(?:teach|join|class\/[\w-]{22})\/?)?(\?.*)?$/;
 
 const thirdParty = licenses();
 

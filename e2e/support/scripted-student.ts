@@ -81,7 +81,9 @@ export class ScriptedStudent {
   /** Reports a run that bumped, of a changed program. */
   bump(line: number, task = 1): void {
     const failure = { code: "bump", line };
-    this.report({ kind: "run", task, changed: true, bumps: 1, mistakes: 0, failure });
+    const bumpPlaces = [{ maze: "g1", column: 3, row: 1 }];
+    const run = { task, changed: true, bumps: 1, bumpPlaces, mistakes: 0, failure } as const;
+    this.report({ kind: "run", ...run });
   }
 
   close(): void {

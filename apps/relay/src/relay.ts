@@ -167,7 +167,9 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   };
   try {
     if (config.metricsPort !== null) {
-      metrics.observeGauges(() => registry.connectionCounts());
+      metrics.observeGauges(async () =>
+        Promise.all([registry.connectionCounts(), classes.connectionCounts()]),
+      );
       await listen(metricsHttp, config.metricsPort, config.metricsHost);
     }
     await listen(server, config.port, config.host);

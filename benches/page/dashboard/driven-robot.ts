@@ -17,7 +17,7 @@ export class DrivenRobot {
   constructor(ms: number) {
     this.#loop = new RunLoop(dashboardMaze(), benchProgram(), () => this.#time);
     this.#tiles = new TileFeed({ run: () => this.#loop, now: () => this.#time });
-    this.#tiles.place({ task: 1, maze: "g1", passes: null, isSolved: false });
+    this.#tiles.place({ task: 1, maze: "g1", passes: null, isSolved: false, isByHand: false });
     this.#loop.run();
     while (this.#time < ms) this.#step(STEP_MS);
   }

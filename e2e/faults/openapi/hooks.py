@@ -52,6 +52,7 @@ LESSON = {
 CODE = r"[ -]*(?:[BCDFGHJKLMNPQRSTVWXZbcdfghjklmnpqrstvwxz][ -]*){8}"
 CLASS_CODE = CODE.replace("{8}", "{6}")
 MAX_TYPED = 32
+MAX_EMBEDDED = 300
 LINK = r"[BCDFGHJKLMNPQRSTVWXZbcdfghjklmnpqrstvwxz]{4,6}|[A-Za-z0-9_-]{12}"
 # By role, the field of a class with the key.
 ROLES = {"teach": "teacherKey", "show": "screenKey", "learn": "studentKey"}
@@ -143,6 +144,8 @@ class Keys:
         path = case.path_parameters
         if "/mazes/{id}" in case.operation.path:
             self.document(case, operation)
+        elif operation == "describeEmbedding":
+            self.embedding(case)
         elif "/classes/{id}" in case.operation.path:
             self.school_class(case, operation, schemes)
         elif operation == "joinClass" and isinstance(case.body, dict) and CHANCE.random() > MISSES:
@@ -175,6 +178,13 @@ class Keys:
         case.path_parameters["id"] = stored["id"]
         if operation == "deleteDocument":
             case.headers["Authorization"] = f"Bearer {stored['deleteKey']}"
+
+    def embedding(self, case):
+        url = case.query.get("url")
+        if not isinstance(url, str) or not 0 < len(url) <= MAX_EMBEDDED or CHANCE.random() < MISSES:
+            return
+        stored = call("/api/v1/mazes", MAZE | {"name": f"Hall {CHANCE.random()}"})
+        case.query["url"] = stored["address"]
 
     def school_class(self, case, operation, schemes):
         """Each call has its own class, because many calls end it, or remove its student."""

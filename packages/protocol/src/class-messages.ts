@@ -39,7 +39,7 @@ const heartbeat = z.strictObject({ type: z.literal("heartbeat") });
 const seen = z.strictObject({ type: z.literal("seen"), seq: countSchema });
 const refused = z.strictObject({ type: z.literal("problem"), problem: problemSchema });
 
-const classRoles = ["teach", "show", "learn"] as const;
+export const classRoles = ["teach", "show", "learn"] as const;
 export type ClassRole = (typeof classRoles)[number];
 
 /** The first message of every connection, at most 1 KiB: the client's role and key. */

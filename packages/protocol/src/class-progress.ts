@@ -10,6 +10,7 @@ import {
   taskNumberSchema,
   wholeNumber,
 } from "./class-quantities.ts";
+import { tileSchema } from "./class-tile.ts";
 import { lineSchema } from "./snapshot.ts";
 
 /** Records of one student. At most one in two seconds, so they last for almost three hours. */
@@ -17,6 +18,9 @@ export const MAX_PROGRESS = 5_000;
 const MAX_QUESTIONS = 8;
 const MAX_LINES = 200;
 const MAX_COUNT = 1_000_000;
+const MAX_CELL = 999;
+/** Bumps of one run whose places are stored. */
+export const MAX_BUMP_PLACES = 20;
 
 function numberTo(max: number, min: 0 | 1) {
   return wholeNumber(`a whole number from ${min} to ${max}`, min, max);
@@ -46,6 +50,17 @@ const changed = z
   .boolean({ error: "true or false" })
   .describe("whether the program differs from that of the last run or check");
 
+const cell = numberTo(MAX_CELL, 0);
+const placesError = `a list of at most ${MAX_BUMP_PLACES} places`;
+const bumpPlaceSchema = z.strictObject(
+  {
+    maze: tileSchema.shape.maze.unwrap().describe("as in tiles"),
+    column: cell,
+    row: cell,
+  },
+  { error: "a place: a maze, a column and a row" },
+);
+
 const questionError = "the id of a question";
 const answerError = "an answer from 1 (no help) to 5 (very helpful), or null";
 export const surveyAnswerSchema = z.strictObject({
@@ -72,6 +87,11 @@ export const progressSchema = z.discriminatedUnion(
       task,
       changed,
       bumps: count,
+      bumpPlaces: z
+        .array(bumpPlaceSchema, { error: placesError })
+        .max(MAX_BUMP_PLACES, { error: placesError })
+        .optional()
+        .describe("cells of the first bumps in mazes of the task"),
       /** mistakes that the diagnosis found */
       mistakes: count,
       failure,

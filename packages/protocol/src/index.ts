@@ -42,6 +42,7 @@ export {
 } from "./class.ts";
 export {
   classHelloSchema,
+  classRoles,
   relayToScreenSchema,
   relayToStudentSchema,
   relayToTeacherSchema,
@@ -61,6 +62,7 @@ export {
 } from "./class-messages.ts";
 export {
   attemptFailureSchema,
+  MAX_BUMP_PLACES,
   progressRecordSchema,
   progressSchema,
   surveyAnswerSchema,

@@ -39,8 +39,11 @@ export const screenContentSchema = z.strictObject({
   maze: tileSchema.shape.maze,
   bumps: z.array(z.strictObject({ column: count, row: count, count })).max(MAX_CELLS),
   run: runSchema.nullable(),
-  /** the verified programs of the task */
+  /** the verified programs of the task, and the maze in which they race, as in tiles */
   racers: z.array(racerSchema).max(MAX_RACERS),
+  raceMaze: tileSchema.shape.maze.unwrap(),
+  /** students whose programs have no room in the race */
+  missing: count,
 });
 export type ScreenContent = z.infer<typeof screenContentSchema>;
 

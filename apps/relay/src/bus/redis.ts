@@ -110,7 +110,7 @@ export class RedisBus implements Bus {
 
   private constructor(options: RedisBusOptions) {
     this.#options = options;
-    this.#script = new Script(options.redis, "page-holders.lua", [options.relay]);
+    this.#script = new Script(options.redis, ["page-holders.lua"], [options.relay]);
     this.#ownPresence = JSON.stringify({ kind: "here", from: options.relay }).slice(0, -1);
     this.#post = new SnapshotPost(options.clock, (relay, post) => {
       // Lost posts need no retry, because the next one is newer.

@@ -4,10 +4,12 @@
  */
 import {
   PROTOCOL_VERSION,
+  type ClassRole,
   type RelayToScreen,
   type RelayToStudent,
   type RelayToTeacher,
   type StudentTile,
+  type StudentToRelay,
   type Tile,
 } from "@corridor/protocol";
 import type { ClassMessage, ClassPresence } from "../bus/class-message.ts";
@@ -44,7 +46,8 @@ interface Dashboard {
 }
 
 export interface StudentMember {
-  readonly rates: StudentRates;
+  /** Counts a message of the student. @throws Refusal too-fast */
+  count(kind: StudentToRelay["type"]): void;
   tile(tile: Tile): void;
   leave(): void;
 }
@@ -91,8 +94,14 @@ export class ClassConnections {
     });
   }
 
+  /** Connections at this relay, by role. */
+  get counts(): Record<ClassRole, number> {
+    const [learn, teach] = [this.#students.size, this.#dashboards.size];
+    return { learn, teach, show: this.#screens.size };
+  }
+
   get isEmpty(): boolean {
-    return this.#students.size === 0 && this.#dashboards.size === 0 && this.#screens.size === 0;
+    return Object.values(this.counts).every((count) => count === 0);
   }
 
   // --- students ---
@@ -127,7 +136,10 @@ export class ClassConnections {
     this.#showTile(number);
     this.#others.announce();
     return {
-      rates,
+      count: (kind) => {
+        const isWatchedTile = kind === "tile" && this.#isWatched(number);
+        rates.count(isWatchedTile ? "watched tile" : kind);
+      },
       tile: (tile) => {
         this.#tiles.set(number, tile);
         this.#showTile(number);

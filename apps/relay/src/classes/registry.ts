@@ -2,7 +2,12 @@
  * All classes of this relay: creates, finds and deletes them, and admits students. A class is held
  * in memory while it is in use. The store holds the rest.
  */
-import type { CreatedClass, JoinedClass } from "@corridor/protocol";
+import {
+  classRoles,
+  type ClassRole,
+  type CreatedClass,
+  type JoinedClass,
+} from "@corridor/protocol";
 import type { Logger } from "pino";
 import type { ClassBus } from "../bus/class-bus.ts";
 import { canBeKey, hashKey, mintClassCode, mintId, mintKey, mintStream } from "../platform/keys.ts";
@@ -11,7 +16,7 @@ import { CheckQueue } from "../platform/limits/check-queue.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { TokenBucket } from "../platform/limits/token-bucket.ts";
 import type { Clock } from "../platform/time/clock.ts";
-import type { ClassRow, ClassStore } from "../store/class-store.ts";
+import type { ClassRow, ClassStore, FoundCode } from "../store/class-store.ts";
 import { checkClassRight, wrongClassKey, type ClassVerb, type Member } from "./access.ts";
 import { LiveClass } from "./live-class.ts";
 import { joinStep, returnStep, wrongCode } from "./student-steps.ts";
@@ -25,6 +30,14 @@ export interface ClassRequest {
   expected: number | null;
   /** the document as JSON */
   lesson: string;
+}
+
+/** What is connected to this relay. */
+export interface ClassCounts {
+  /** classes with a connection */
+  classes: number;
+  /** connections by role */
+  members: Record<ClassRole, number>;
 }
 
 export interface ClassGrant {
@@ -101,9 +114,7 @@ export class ClassRegistry {
   async join(code: string, from: string): Promise<JoinedClass> {
     if (this.#isClosing) throw restarting();
     const hash = hashKey(code);
-    const found = await this.#checks.run(from, hash, async () =>
-      this.#store.findCode(hash, this.#clock.now()),
-    );
+    const found = await this.#checks.run(from, hash, async () => this.#validCode(hash));
     if (found === null) throw wrongCode();
     this.#limitRate(this.#joins, limits.joinRate, from, "Too many students joined");
     const joinedClass = await this.#find(found.id);
@@ -135,6 +146,18 @@ export class ClassRegistry {
     return { found, member };
   }
 
+  async connectionCounts(): Promise<ClassCounts> {
+    const members = { learn: 0, teach: 0, show: 0 };
+    let classes = 0;
+    for (const pending of this.#classes.values()) {
+      const found = await pending.catch(() => null);
+      if (found === null || found.connections.isEmpty) continue;
+      classes += 1;
+      for (const role of classRoles) members[role] += found.connections.counts[role];
+    }
+    return { classes, members };
+  }
+
   /** Deletes a class with all its stored data. */
   async remove(ended: LiveClass): Promise<void> {
     this.#classes.delete(ended.id);
@@ -149,6 +172,12 @@ export class ClassRegistry {
     const classes = [...this.#classes.values()];
     this.#classes.clear();
     for (const each of classes) (await each.catch(() => null))?.leave();
+  }
+
+  async #validCode(hash: string): Promise<FoundCode | null> {
+    const found = await this.#store.findCode(hash);
+    const hasEnded = found !== null && found.endsAt !== null && found.endsAt <= this.#clock.now();
+    return hasEnded ? null : found;
   }
 
   async #find(id: string): Promise<LiveClass | null> {

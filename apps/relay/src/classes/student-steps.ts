@@ -29,7 +29,7 @@ export function joinStep(key: string, code: string): Step<Joined> {
     if (hashKey(row.code) !== code) throw wrongCode();
     if (row.isLocked) throw classLocked();
     const name = freeName(state, context);
-    if (students.size >= MAX_STUDENTS || name === null) throw classFull();
+    if (students.size >= MAX_STUDENTS || name === null) throw classFull(students.size);
     const student: StudentRow = {
       student: row.lastStudent + 1,
       name,
@@ -146,8 +146,12 @@ function classLocked(): Refusal {
   );
 }
 
-function classFull(): Refusal {
-  return new Refusal("class-full", "The class has no free place. Ask the teacher.");
+/** @param size number of students */
+function classFull(size: number): Refusal {
+  const expected = `fewer than ${size}`;
+  return new Refusal("class-full", "The class has no free place. Ask the teacher.", {
+    errors: [{ path: "students", found: String(size), expected }],
+  });
 }
 
 function noOtherName(why: string): Refusal {

@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { completed } from "../platform/testing/messages.ts";
+import { ClassAtRelay } from "../testing/class-at-relay.ts";
 import { startTestRelay, type TestRelay } from "../testing/test-relay.ts";
 import { TestSocket } from "../testing/test-socket.ts";
 import { Metrics } from "./metrics.ts";
@@ -63,6 +64,30 @@ describe("/metrics", () => {
     }
     stop.abort();
     await events.text().catch(() => undefined);
+  });
+
+  it("counts the connections to classes by role, without identifying them", async () => {
+    const relay = await startTestRelay({ config });
+    const [room, other] = [await ClassAtRelay.create(relay), await ClassAtRelay.create(relay)];
+    const [ada, bo] = [await room.join(), await room.join()];
+    await other.join();
+    await Promise.all([room.student(ada), room.student(bo), room.teacher(), room.screen()]);
+    await room.screen();
+    const text = await scrape(relay);
+    const expected = {
+      corridor_classes: 1,
+      'corridor_class_members{role="learn"}': 2,
+      'corridor_class_members{role="teach"}': 1,
+      'corridor_class_members{role="show"}': 2,
+    };
+    const found = Object.keys(expected).map((name) => [name, valueOf(text, name)]);
+    expect(Object.fromEntries(found)).toEqual(expected);
+    const { id, code, teacherKey, screenKey } = room.created;
+    for (const secret of [id, code, teacherKey, screenKey, ada.key]) {
+      expect(text).not.toContain(secret);
+    }
+    await room.direct("DELETE");
+    await expect.poll(async () => valueOf(await scrape(relay), "corridor_classes")).toBe(0);
   });
 
   it("is not served on the public port", async () => {

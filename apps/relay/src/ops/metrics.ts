@@ -5,6 +5,7 @@
 import { closeReasons, type CommandRecord } from "@corridor/protocol";
 import { collectDefaultMetrics, Counter, Gauge, Histogram, Registry } from "prom-client";
 import type { ProblemKind } from "../platform/errors/problem-kinds.ts";
+import type { ClassCounts } from "../classes/registry.ts";
 import type { ConnectionCounts } from "../robots/registry.ts";
 import type { CommandObserver } from "../robots/delivery/command-observer.ts";
 
@@ -33,6 +34,17 @@ export class Metrics implements CommandObserver {
     name: "corridor_readers",
     help: "Scripts that read a robot, by transport.",
     labelNames: ["transport"] as const,
+    registers: [this.#registry],
+  });
+  readonly #classes = new Gauge({
+    name: "corridor_classes",
+    help: "Classes with a connection.",
+    registers: [this.#registry],
+  });
+  readonly #members = new Gauge({
+    name: "corridor_class_members",
+    help: "Connections to classes, by role.",
+    labelNames: ["role"] as const,
     registers: [this.#registry],
   });
   readonly #ended = new Counter({
@@ -66,7 +78,7 @@ export class Metrics implements CommandObserver {
     "Steps of the store that end in a commit.",
   );
 
-  #readGauges: (() => Promise<ConnectionCounts>) | null = null;
+  #readGauges: (() => Promise<[ConnectionCounts, ClassCounts]>) | null = null;
 
   stored(seconds: number): void {
     this.#stored.observe(seconds);
@@ -93,18 +105,23 @@ export class Metrics implements CommandObserver {
   }
 
   /** Enables the metrics with a cost of their own: process metrics and gauges of connections. */
-  observeGauges(readGauges: () => Promise<ConnectionCounts>): void {
+  observeGauges(readGauges: () => Promise<[ConnectionCounts, ClassCounts]>): void {
     collectDefaultMetrics({ register: this.#registry });
     this.#readGauges = readGauges;
   }
 
   /** All metrics in the text format of Prometheus. */
   async report(): Promise<{ type: string; text: string }> {
-    const connectionCounts = await this.#readGauges?.();
-    if (connectionCounts !== undefined) {
-      this.#pages.set(connectionCounts.pages);
-      for (const [transport, number] of Object.entries(connectionCounts.readers)) {
+    const counts = await this.#readGauges?.();
+    if (counts !== undefined) {
+      const [robots, classes] = counts;
+      this.#pages.set(robots.pages);
+      for (const [transport, number] of Object.entries(robots.readers)) {
         this.#readers.set({ transport }, number);
+      }
+      this.#classes.set(classes.classes);
+      for (const [role, number] of Object.entries(classes.members)) {
+        this.#members.set({ role }, number);
       }
     }
     return { type: this.#registry.contentType, text: await this.#registry.metrics() };

@@ -95,9 +95,8 @@ export interface NewClass {
 export type ClassCommitResult = "committed" | "conflict" | "code-taken" | "no-class";
 
 /** The class that a code admits to, and the student who returns with it. */
-export interface FoundCode {
+export interface FoundCode extends Pick<CodeRow, "student" | "endsAt"> {
   id: string;
-  student: number | null;
 }
 
 export interface ClassStore {
@@ -114,8 +113,8 @@ export interface ClassStore {
     changes: ClassChanges,
     message: string,
   ): Promise<ClassCommitResult>;
-  /** @param hash of the code */
-  findCode(hash: string, now: number): Promise<FoundCode | null>;
+  /** Finds a code, which may have expired. @param hash of the code */
+  findCode(hash: string): Promise<FoundCode | null>;
   lesson(id: string): Promise<string | null>;
   /** The newest program of a student, as JSON. */
   program(id: string, student: number): Promise<string | null>;

@@ -5,6 +5,10 @@
  * Equal texts have the same id. Each person who stores a text gets a delete key. The document is
  * deleted with its last key, so that nobody deletes a document that others share.
  *
+ * Both rules are in each store, because they must hold while several relays add and delete: a
+ * version, as robots and classes have, would mean that each step rewrites a set of keys that has no
+ * limit. Times and ids come from the caller.
+ *
  * Each method is one atomic step. Every implementation passes `cases/document-store.cases.ts`.
  */
 export interface NewDocument {

@@ -8,6 +8,7 @@ import { CardDock } from "../features/cards/CardDock.tsx";
 import { LazyDriveTab } from "../features/drive/lazy-drive-tab.ts";
 import type { HoldStore } from "../features/drive/hold-store.ts";
 import { MissionPlace } from "../features/lessons/OpenChallenge.tsx";
+import { hasNewHint } from "../model/challenge/challenge-store.ts";
 import { useRights, useTool } from "../model/use-rights.ts";
 import { LazyPresetsPanel } from "../features/presets/lazy-presets-panel.ts";
 import { ProgramEditor } from "../features/program-editor/ProgramEditor.tsx";
@@ -40,6 +41,7 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
   const hasPresets = useTool("presets");
   const isThere = hasPresets || chosenTab !== "presets";
   const tab = (isThere ? chosenTab : null) ?? tabFor(rights);
+  const [chosen, setPosition] = useState<SheetPosition>("half");
   useEffect(
     () =>
       challenge.subscribe((next, before) => {
@@ -47,18 +49,20 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
           next.mission === null
             ? next.lesson === before.lesson && next.index === before.index
             : next.mission === before.mission;
-        if (next.lesson === null || isSame) return;
-        screen.setState({ sheetTab: null });
+        if (next.lesson === null) return;
+        // A hint of the teacher must be readable.
+        if (next.hints !== before.hints) setPosition((at) => (at === "closed" ? "half" : at));
+        if (!isSame) screen.setState({ sheetTab: null });
       }),
     [challenge, screen],
   );
-  const [chosen, setPosition] = useState<SheetPosition>("half");
   // An explanation of the run must be readable: it opens the sheet, whose own position is restored
   // after it.
   const need = useStore(cardDock, (state) => state.need);
   const isOwn = need === null || chosen === "open";
   const position = isOwn ? chosen : "half";
   const isDriving = tab === "drive" && position !== "closed";
+  const hasHint = useStore(challenge, hasNewHint);
   useLayoutEffect(() => {
     camera.setState({ isDriving });
     return () => camera.setState({ isDriving: false });
@@ -69,6 +73,7 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
       data-position={isOwn ? chosen : need}
       data-driving={isDriving}
       data-mission={isMission}
+      data-hint={hasHint}
       aria-label={t("shell.panel")}
     >
       <Deferred until="early-sheet">
@@ -104,7 +109,12 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
               <ProgramEditor />
             </>
           )}
-          {tab === "presets" && <LazyPresetsPanel algorithms={algorithms} />}
+          {tab === "presets" && (
+            <>
+              <MissionPlace look="hint" />
+              <LazyPresetsPanel algorithms={algorithms} />
+            </>
+          )}
         </Tabs>
       </Deferred>
     </aside>

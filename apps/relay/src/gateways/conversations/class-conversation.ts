@@ -172,7 +172,7 @@ function studentHandler(
   return {
     received: (text) => {
       const message = valueOf(readStudentMessage(text));
-      member.rates.count(message.type);
+      member.count(message.type);
       if (message.type !== "tile") return store(message);
       member.tile(message.tile);
       return undefined;

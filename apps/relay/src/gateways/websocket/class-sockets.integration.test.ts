@@ -208,6 +208,34 @@ describe("a dashboard's socket", () => {
     expect(await other.socket.next("watched")).toMatchObject({ watched: false });
   });
 
+  it("watches a student, who can then send 5 tiles a second instead of 2", async () => {
+    const { clock, room, ada } = await classWith(1);
+    const student = await room.student(ada);
+    const { socket } = await room.teacher();
+    const { tile: unwatched, "watched tile": whileWatched } = limits.studentRates;
+    const sendTiles = (count: number): void => {
+      for (let n = 1; n <= count; n++) student.socket.send({ type: "tile", tile });
+    };
+    const expectRefusal = async (perSecond: number): Promise<void> => {
+      sendTiles(1);
+      const { problem } = await student.socket.next("problem");
+      expect(problem).toMatchObject({ detail: expect.stringContaining(`${perSecond} a second`) });
+    };
+    sendTiles(unwatched.burst);
+    await expectRefusal(2);
+    socket.send({ type: "watch", student: 1 });
+    await student.socket.next("watched");
+    sendTiles(whileWatched.burst);
+    await expectRefusal(5);
+    await clock.pass(1_000);
+    sendTiles(whileWatched.perSecond);
+    await expectRefusal(5);
+    socket.send({ type: "watch", student: null });
+    await student.socket.next("watched");
+    sendTiles(unwatched.perSecond);
+    await expectRefusal(2);
+  });
+
   it("shows a hint to one student", async () => {
     const { room, ada } = await classWith(1);
     const student = await room.student(ada);

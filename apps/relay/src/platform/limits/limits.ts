@@ -63,9 +63,10 @@ export const limits = {
   classConnectionsPerAddress: 2_000,
   /** connections of dashboards and big screens of one class together */
   teacherConnections: 4,
-  /** messages of one student; a tile at most 5 times a second, while a teacher watches */
+  /** messages of one student; tiles are more frequent while a dashboard watches the student */
   studentRates: {
-    tile: { perSecond: 5, burst: 10 },
+    tile: { perSecond: 2, burst: 10 },
+    "watched tile": { perSecond: 5, burst: 10 },
     progress: { perSecond: 0.5, burst: 10 },
     program: { perSecond: 0.5, burst: 10 },
     help: { perSecond: 1, burst: 5 },

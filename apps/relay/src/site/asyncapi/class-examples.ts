@@ -53,6 +53,7 @@ const record: ProgressRecord = {
     task,
     changed: true,
     bumps: 1,
+    bumpPlaces: [{ maze: "g1", column: 3, row: 1 }],
     mistakes: 1,
     failure: { code: "bump", line: 1 },
   },

@@ -1,5 +1,5 @@
 -- Classes. Each step is one run of this script.
--- KEYS: 1 classes by last use, 2 classes by creation. The script builds the names of the other keys.
+-- Follows expiry.lua. KEYS: 1 classes by last use, 2 classes by creation. The script builds the names of the other keys.
 local step, given = ARGV[1], cjson.decode(ARGV[2])
 local USES, BIRTHS = KEYS[1], KEYS[2]
 
@@ -96,14 +96,6 @@ function steps.commit()
   return '"committed"'
 end
 
-function steps.findCode()
-  local found = redis.call('GET', byCode(given.hash))
-  if not found then return 'null' end
-  local id, student, ends = string.match(found, '^(%S+) (%S+) (%S+)$')
-  if ends ~= '-' and tonumber(ends) <= given.now then return 'null' end
-  return cjson.encode({ id = id, student = student })
-end
-
 function steps.progress()
   local lists = {}
   for _, student in ipairs(fields(given.id, 'student:')) do
@@ -124,16 +116,7 @@ function steps.remove()
 end
 
 function steps.removeExpired()
-  local gone, seen = {}, {}
-  for index, before in pairs({ [USES] = given.lastUsedAt, [BIRTHS] = given.createdAt }) do
-    local ids = redis.call('ZRANGE', index, '-inf', '(' .. before, 'BYSCORE', 'LIMIT', 0, given.most)
-    for _, id in ipairs(ids) do
-      if not seen[id] then gone[#gone + 1] = cjson.encode(id) end
-      seen[id] = true
-      remove(id)
-    end
-  end
-  return '[' .. table.concat(gone, ',') .. ']'
+  return removeExpired({ [USES] = given.lastUsedAt, [BIRTHS] = given.createdAt }, given.most, remove)
 end
 
 return steps[step]()

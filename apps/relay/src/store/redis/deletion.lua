@@ -1,5 +1,5 @@
 -- Deletes robots with all of their keys.
--- KEYS: 1 sessions by last use, 2 sessions by creation
+-- Follows expiry.lua. KEYS: 1 sessions by last use, 2 sessions by creation
 local step, given, relay = ARGV[1], cjson.decode(ARGV[2]), ARGV[3]
 local USES, BIRTHS = unpack(KEYS)
 
@@ -23,16 +23,7 @@ function steps.remove()
 end
 
 function steps.removeExpired()
-  local gone, seen = {}, {}
-  for index, before in pairs({ [USES] = given.lastUsedAt, [BIRTHS] = given.createdAt }) do
-    local ids = redis.call('ZRANGE', index, '-inf', '(' .. before, 'BYSCORE', 'LIMIT', 0, given.most)
-    for _, id in ipairs(ids) do
-      if not seen[id] then gone[#gone + 1] = cjson.encode(id) end
-      seen[id] = true
-      delete(id)
-    end
-  end
-  return '[' .. table.concat(gone, ',') .. ']'
+  return removeExpired({ [USES] = given.lastUsedAt, [BIRTHS] = given.createdAt }, given.most, delete)
 end
 
 return steps[step]()

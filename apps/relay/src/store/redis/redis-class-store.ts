@@ -12,16 +12,13 @@ import type {
 } from "../class-store.ts";
 import { asked, type Redis } from "./connection.ts";
 import type { DeletedBytes } from "./deleted-bytes.ts";
-import { CLASS_BIRTHS, CLASS_USES, classKeyOf } from "./redis-keys.ts";
+import { CLASS_BIRTHS, CLASS_USES, classCodeKeyOf, classKeyOf } from "./redis-keys.ts";
+import { removeExpired } from "./remove-expired.ts";
 import { Script } from "./script.ts";
-
-/** Classes to delete per step, because each step blocks Redis. */
-const MOST_AT_ONCE = 100;
 
 const commitAnswer = z.enum(["committed", "conflict", "code-taken", "no-class"]);
 /** `students` is the inside of a JSON array, because Lua has one type for lists and objects. */
 const loadAnswer = z.object({ row: z.string(), students: z.string() }).nullable();
-const findAnswer = z.object({ id: z.string(), student: z.string() }).nullable();
 const progressAnswer = z.array(
   z.object({ student: z.coerce.number(), texts: z.array(z.string()) }),
 );
@@ -34,7 +31,7 @@ export class RedisClassStore implements ClassStore {
   /** @param redis closed by the caller */
   constructor(redis: Redis, deletedBytes: DeletedBytes) {
     this.#redis = redis;
-    this.#script = new Script(redis, "classes.lua");
+    this.#script = new Script(redis, ["expiry.lua", "classes.lua"]);
     this.#deletedBytes = deletedBytes;
   }
 
@@ -87,10 +84,11 @@ export class RedisClassStore implements ClassStore {
     return answer;
   }
 
-  async findCode(hash: string, now: number): Promise<FoundCode | null> {
-    const found = findAnswer.parse(await this.#step("findCode", { hash, now }));
+  async findCode(hash: string): Promise<FoundCode | null> {
+    const found = await asked(this.#redis.get(classCodeKeyOf(hash)));
     if (found === null) return null;
-    return { id: found.id, student: found.student === "-" ? null : Number(found.student) };
+    const [id = "", student, endsAt] = found.split(" ");
+    return { id, student: numberOf(student), endsAt: numberOf(endsAt) };
   }
 
   async lesson(id: string): Promise<string | null> {
@@ -119,13 +117,7 @@ export class RedisClassStore implements ClassStore {
   }
 
   async removeExpired(before: { lastUsedAt: number; createdAt: number }): Promise<string[]> {
-    const all: string[] = [];
-    for (;;) {
-      const values = { ...before, most: MOST_AT_ONCE };
-      const ids = z.array(z.string()).parse(await this.#step("removeExpired", values));
-      all.push(...ids);
-      if (ids.length < MOST_AT_ONCE) break;
-    }
+    const all = await removeExpired(before, async (values) => this.#step("removeExpired", values));
     if (all.length > 0) await this.#deletedBytes.sweep();
     return all;
   }
@@ -133,6 +125,11 @@ export class RedisClassStore implements ClassStore {
   async #step(name: string, values: unknown): Promise<unknown> {
     return this.#script.run(name, [CLASS_USES, CLASS_BIRTHS], values);
   }
+}
+
+/** A part of the value of a code: `-` is no number. */
+function numberOf(text = "-"): number | null {
+  return text === "-" ? null : Number(text);
 }
 
 /** A null of JSON is not nil in Lua. */

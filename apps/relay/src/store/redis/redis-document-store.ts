@@ -20,7 +20,7 @@ export class RedisDocumentStore implements DocumentStore {
   /** @param redis closed by the caller */
   constructor(redis: Redis, deletedBytes: DeletedBytes) {
     this.#redis = redis;
-    this.#script = new Script(redis, "documents.lua");
+    this.#script = new Script(redis, ["documents.lua"]);
     this.#deletedBytes = deletedBytes;
   }
 

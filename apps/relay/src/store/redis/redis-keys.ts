@@ -63,6 +63,11 @@ export function classKeyOf(id: string): string {
   return `corridor:class:{${id}}`;
 }
 
+/** What a code admits to: ID STUDENT ENDS, where STUDENT and ENDS may be `-`. @param hash */
+export function classCodeKeyOf(hash: string): string {
+  return `corridor:class-code:${hash}`;
+}
+
 /** The channel of a class. */
 export function classChannelOf(id: string): string {
   return `${classKeyOf(id)}:channel`;

@@ -41,7 +41,7 @@ export class RedisPairingStore implements PairingStore {
 
   /** @param redis closed by the caller */
   constructor(redis: Redis, deletedBytes: DeletedBytes) {
-    this.#script = new Script(redis, "pairings.lua");
+    this.#script = new Script(redis, ["pairings.lua"]);
     this.#deletedBytes = deletedBytes;
   }
 

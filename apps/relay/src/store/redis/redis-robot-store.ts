@@ -14,12 +14,10 @@ import { lookUp, storedAfter, storedOpen, storedRow } from "./ended-commands.ts"
 import type { DeletedBytes } from "./deleted-bytes.ts";
 import { keyMember, nothingFound, type Found } from "./loaded-robot.ts";
 import { BIRTHS, madeAt, robotKeyOf, usedAt, USES } from "./redis-keys.ts";
+import { removeExpired } from "./remove-expired.ts";
 import { RobotCommits } from "./robot-commits.ts";
 import { Script } from "./script.ts";
 import { keyTimesIn, robotIn, usesIn } from "./stored-robots.ts";
-
-/** Robots to delete per step, because each step blocks Redis. */
-const MOST_AT_ONCE = 200;
 
 export class RedisRobotStore implements RobotStore {
   readonly #redis: Redis;
@@ -39,9 +37,9 @@ export class RedisRobotStore implements RobotStore {
     this.#redis = redis;
     this.#relay = relay;
     this.#robots = new RobotCommits(redis, relay, most);
-    this.#read = new Script(redis, "read.lua");
-    this.#holders = new Script(redis, "page-holders.lua", [relay]);
-    this.#deletion = new Script(redis, "deletion.lua", [relay]);
+    this.#read = new Script(redis, ["read.lua"]);
+    this.#holders = new Script(redis, ["page-holders.lua"], [relay]);
+    this.#deletion = new Script(redis, ["expiry.lua", "deletion.lua"], [relay]);
     this.#deletedBytes = deletedBytes;
   }
 
@@ -137,13 +135,9 @@ export class RedisRobotStore implements RobotStore {
   }
 
   async removeExpired(before: { lastUsedAt: number; createdAt: number }): Promise<string[]> {
-    const all: string[] = [];
-    for (;;) {
-      const values = { ...before, most: MOST_AT_ONCE };
-      const ids = z.array(z.string()).parse(await this.#delete("removeExpired", values));
-      all.push(...ids);
-      if (ids.length < MOST_AT_ONCE) break;
-    }
+    const all = await removeExpired(before, async (values) =>
+      this.#delete("removeExpired", values),
+    );
     this.#robots.drop(all);
     if (all.length > 0) await this.#deletedBytes.sweep();
     return all;

@@ -24,7 +24,7 @@ export class RobotCommits {
   /** @param most robots to keep in memory */
   constructor(redis: Redis, relay: string, most = MOST_ROBOTS) {
     this.#most = most;
-    this.#script = new Script(redis, "commit.lua");
+    this.#script = new Script(redis, ["commit.lua"]);
     this.#relay = relay;
   }
 

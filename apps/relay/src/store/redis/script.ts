@@ -12,13 +12,14 @@ export class Script {
   readonly #always: readonly string[];
 
   /**
-   * @param file in the folder of this module
+   * @param files in the folder of this module, joined in this order
    * @param always additional arguments of every step
    */
-  constructor(redis: Redis, file: string, always: readonly string[] = []) {
+  constructor(redis: Redis, files: readonly string[], always: readonly string[] = []) {
     this.#always = always;
     this.#redis = redis;
-    this.#text = readFileSync(join(import.meta.dirname, file), "utf8");
+    const texts = files.map((file) => readFileSync(join(import.meta.dirname, file), "utf8"));
+    this.#text = texts.join("\n");
     this.#hash = createHash("sha1").update(this.#text).digest("hex");
   }
 

@@ -58,13 +58,16 @@ export class SqliteClassStore implements ClassStore {
     return this.#file.remove(work, (result) => result === "committed");
   }
 
-  async findCode(hash: string, now: number): Promise<FoundCode | null> {
-    const sql = `SELECT class, student FROM class_codes
-      WHERE hash = ? AND (ends_at IS NULL OR ends_at > ?)`;
-    const [found] = this.#file.reading.all(sql, [hash, now]);
+  async findCode(hash: string): Promise<FoundCode | null> {
+    const sql = "SELECT class, student, ends_at FROM class_codes WHERE hash = ?";
+    const [found] = this.#file.reading.all(sql, [hash]);
     if (found === undefined) return null;
-    const { student } = found;
-    return { id: textIn(found, "class"), student: typeof student === "number" ? student : null };
+    const { student, ends_at: endsAt } = found;
+    return {
+      id: textIn(found, "class"),
+      student: typeof student === "number" ? student : null,
+      endsAt: typeof endsAt === "number" ? endsAt : null,
+    };
   }
 
   async lesson(id: string): Promise<string | null> {

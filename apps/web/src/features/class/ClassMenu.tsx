@@ -1,5 +1,8 @@
-/** The class in the bar: the student's name, which opens the menu, and an eye while the teacher watches. */
-import { ChevronDown, Eye, School } from "lucide";
+/**
+ * The class in the bar: the student's name, which opens the menu, a hand while the student asks for
+ * help, and an eye while the teacher watches.
+ */
+import { ChevronDown, Eye, Hand, School } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import type { ClassWork } from "../../model/classes/class-work.ts";
@@ -30,22 +33,27 @@ export function ClassMenu({ joined, work }: ClassMenuProps) {
   const { status, student } = useStore(joined.session);
   const name = studentNameText(tNames, student?.name ?? joined.name);
   const isWatched = status.kind === "connected" && student?.watched === true;
+  const hasAsked = status.kind === "connected" && student?.helpWanted === true;
   const text = t("inClass.button", { name });
   const watched = isWatched ? t("inClass.watched") : null;
+  const notes = [...(hasAsked ? [t("inClass.helpWanted")] : []), ...(watched ? [watched] : [])];
   useAnnouncement(watched, "class watched");
   return (
     <>
       <Button
         kind="quiet"
         className={styles["trigger"]}
-        icon={<Icon of={isWatched ? Eye : School} />}
-        aria-label={
-          watched === null ? text : joinSentences(tShared, [asSentence(tShared, text), watched])
+        icon={
+          isNarrow && hasAsked && !isWatched ? <Asked /> : <Icon of={isWatched ? Eye : School} />
         }
-        title={watched ?? undefined}
+        aria-label={
+          notes.length === 0 ? text : joinSentences(tShared, [asSentence(tShared, text), ...notes])
+        }
+        title={notes.length === 0 ? undefined : joinSentences(tShared, notes)}
         {...menu.trigger}
       >
         <span className={styles["name"]}>{isNarrow ? name : text}</span>
+        {!isNarrow && hasAsked && <Asked text={t("inClass.asked")} />}
         <Icon of={ChevronDown} />
       </Button>
       <Popover {...menu.panel} label={t("inClass.menu")} align="end" className={styles["panel"]}>
@@ -53,5 +61,15 @@ export function ClassMenu({ joined, work }: ClassMenuProps) {
       </Popover>
       {work !== null && <SurveyDialog work={work} />}
     </>
+  );
+}
+
+/** The hand stands out, because a student waits. A narrow bar has no room for its words. */
+function Asked({ text }: { text?: string }) {
+  return (
+    <span className={styles["asked"]}>
+      <Icon of={Hand} size={14} />
+      {text}
+    </span>
   );
 }

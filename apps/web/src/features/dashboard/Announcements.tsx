@@ -1,10 +1,9 @@
-/** Announces who needs help now: at most once in 10 s. */
+/** Announces who needs help now. */
 import { useEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { helpedOfState } from "../../model/classroom/dashboard.ts";
+import { HelpAnnouncer } from "../../model/classroom/help-announcer.ts";
 import { useContent, useStudentName } from "./dashboard-context.ts";
-
-const INTERVAL_MS = 10_000;
 
 export function Announcements() {
   const { t } = useTranslation("dashboard", { useSuspense: false });
@@ -19,18 +18,28 @@ export function Announcements() {
         const student = students.get(number);
         return student === undefined ? [] : [nameOf(student)];
       });
-      return t("announce", { count: names.length, names: names.join(", ") });
+      return names.length === 0
+        ? ""
+        : t("announce", { count: names.length, names: names.join(", ") });
     };
   });
   useEffect(() => {
-    let known: ReadonlySet<number> = new Set();
-    const timer = setInterval(() => {
-      const helped = helpedOfState(dashboard.store.getState());
-      const added = [...helped].filter((student) => !known.has(student));
-      known = helped;
-      setText(added.length === 0 ? "" : say.current(added));
-    }, INTERVAL_MS);
-    return () => clearInterval(timer);
+    const announcer = new HelpAnnouncer({
+      announce: (students) => setText(say.current(students)),
+      now: () => performance.now(),
+      later: (call, ms) => {
+        const timer = setTimeout(call, ms);
+        return () => clearTimeout(timer);
+      },
+    });
+    announcer.follow(helpedOfState(dashboard.store.getState()));
+    const unsubscribe = dashboard.store.subscribe((state, before) => {
+      if (state.shown !== before.shown) announcer.follow(helpedOfState(state));
+    });
+    return () => {
+      unsubscribe();
+      announcer.stop();
+    };
   }, [dashboard]);
   return <output className="visually-hidden">{text}</output>;
 }

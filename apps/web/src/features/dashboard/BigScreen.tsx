@@ -1,9 +1,10 @@
 /** The big screen of a class: how students join, and what the class has done. No names. */
 import type { LessonDocument } from "@corridor/challenge";
 import { CELL, sizeOf } from "@corridor/maze";
-import type { ScreenContent, ScreenRun } from "@corridor/protocol";
+import { MAX_RACERS, type ScreenContent, type ScreenRun } from "@corridor/protocol";
 import { useEffect, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
+import { shownCode } from "../../model/classes/shown-code.ts";
 import { useStore } from "zustand";
 import type { StoreApi } from "zustand/vanilla";
 import { countRacers } from "../../model/classroom/racers.ts";
@@ -16,7 +17,7 @@ import { QrCode } from "../../ui/QrCode.tsx";
 import { qrPath } from "../../ui/qr-path.ts";
 import type { BigScreenState } from "./big-screen-state.ts";
 import { BumpMaze } from "./BumpMaze.tsx";
-import { clockText, codeText } from "./clock-text.ts";
+import { clockText } from "./clock-text.ts";
 import { LazyRaceView } from "./lazy-race-view.ts";
 import { taskMaze } from "./task-maze.ts";
 import styles from "./big-screen.module.css";
@@ -70,7 +71,7 @@ function Join({ code }: { code: string }) {
           {location.host}/join
         </p>
         <p className={styles["letters"]} dir="ltr">
-          {codeText(code)}
+          {shownCode(code)}
         </p>
       </div>
       {qr !== null && (
@@ -84,7 +85,7 @@ function Join({ code }: { code: string }) {
 
 function Results({ lesson, content }: { lesson: LessonDocument; content: ScreenContent }) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
-  const { task, solved, all, medianMs, lines, bumps, run, racers } = content;
+  const { task, solved, all, medianMs, lines, bumps, run, racers, raceMaze, missing } = content;
   const [isRacing, setRacing] = useState(false);
   const count = countRacers(racers);
   const maze = taskMaze(lesson, task, content.maze ?? "g1");
@@ -108,10 +109,12 @@ function Results({ lesson, content }: { lesson: LessonDocument; content: ScreenC
       </div>
       {isRacing ? (
         <LazyRaceView
-          key={task}
+          key={`${task} ${raceMaze}`}
           lesson={lesson}
           task={task}
+          maze={raceMaze}
           racers={racers}
+          note={missing === 0 ? null : t("race.missing", { count: missing, most: MAX_RACERS })}
           onClose={() => setRacing(false)}
         />
       ) : run === null ? (

@@ -2,6 +2,7 @@
 import { ChevronDown, Lock, LockOpen, QrCode as QrIcon, RefreshCw } from "lucide";
 import { useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
+import { shownCode } from "../../model/classes/shown-code.ts";
 import { CopyButton } from "../../ui/CopyButton.tsx";
 import { IconButton } from "../../ui/Button.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
@@ -9,7 +10,6 @@ import { Icon } from "../../ui/Icon.tsx";
 import { MenuItem, Popover, usePopover } from "../../ui/Popover.tsx";
 import { QrCode } from "../../ui/QrCode.tsx";
 import { qrPath } from "../../ui/qr-path.ts";
-import { codeText } from "./clock-text.ts";
 import { useContent, useDashboard } from "./dashboard-context.ts";
 import styles from "./class-code.module.css";
 
@@ -30,7 +30,7 @@ export function ClassCode({ isLarge }: { isLarge: boolean }) {
           {location.host}/join
         </span>
         <strong ref={letters} className={styles["letters"]} dir="ltr">
-          {codeText(code)}
+          {shownCode(code)}
         </strong>
         {isLocked && <span className={styles["locked"]}>{t("code.locked")}</span>}
         <span className={styles["buttons"]}>
@@ -66,7 +66,7 @@ export function ClassCode({ isLarge }: { isLarge: boolean }) {
             {location.host}/join
           </p>
           <p className={styles["letters"]} dir="ltr">
-            {codeText(code)}
+            {shownCode(code)}
           </p>
           {qr !== null && <QrCode code={qr} />}
         </div>

@@ -39,11 +39,12 @@ function Joined() {
   const joined = useDashboard(({ students }) => students.size);
   const expected = useDashboard(({ classroom }) => classroom?.expected ?? null);
   const isLocked = useDashboard(({ classroom }) => classroom?.settings.locked === true);
-  const count =
-    expected === null ? t("joined", { count: joined }) : t("joinedOf", { joined, expected });
+  if (expected !== null) {
+    return <span>{t(isLocked ? "joinedOfLocked" : "joinedOf", { joined, expected })}</span>;
+  }
   return (
     <span>
-      {count} {isLocked && t("isLocked")}
+      {t("joined", { count: joined })} {isLocked && t("isLocked")}
     </span>
   );
 }

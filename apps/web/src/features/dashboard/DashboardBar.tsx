@@ -2,7 +2,7 @@
 import { ChevronDown, Ellipsis, Eye, EyeOff, Link2, LogOut, Monitor, Send } from "lucide";
 import { useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
-import { classAddress } from "../../model/classroom/class-address.ts";
+import { classAddress, secondDeviceAddress } from "../../model/classroom/class-address.ts";
 import { MAX_CLASS_LABEL, type OwnClass } from "../../model/classroom/own-classes.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { ButtonLink } from "../../ui/ButtonLink.tsx";
@@ -116,6 +116,16 @@ export function DashboardBarEnd({
             {t("screen.open")}
           </MenuItem>
         )}
+        {room.screenKey === null && (
+          <MenuItem
+            icon={<Icon of={Monitor} />}
+            disabled
+            note={t("screen.elsewhere")}
+            onSelect={() => undefined}
+          >
+            {t("screen.open")}
+          </MenuItem>
+        )}
         <MenuItem icon={<Icon of={Link2} />} onSelect={() => setJoining(true)}>
           {t("device.open")}
         </MenuItem>
@@ -149,7 +159,7 @@ function DeviceDialog({
   onClose: () => void;
 }) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
-  const code = isOpen ? qrPath(classAddress(location.origin, room.id, room.key)) : null;
+  const code = isOpen ? qrPath(secondDeviceAddress(location.origin, room)) : null;
   return (
     <Dialog isOpen={isOpen} onClose={onClose} title={t("device.title")} width="narrow" isText>
       <p>{t("device.text")}</p>

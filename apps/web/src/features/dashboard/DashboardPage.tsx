@@ -5,12 +5,14 @@ import { useStore } from "zustand";
 import type { ClassCalls, ClassRefusal } from "../../model/classroom/class-calls.ts";
 import type { Dashboard } from "../../model/classroom/dashboard.ts";
 import type { OwnClass } from "../../model/classroom/own-classes.ts";
+import type { RaceChoice } from "../../model/classroom/racers.ts";
 import { lessonName } from "../../model/lessons/lesson-name.ts";
 import { Button } from "../../ui/Button.tsx";
 import { ErrorBoundary } from "../../ui/ErrorBoundary.tsx";
 import { ProblemNote } from "../../ui/ProblemNote.tsx";
 import { Announcements } from "./Announcements.tsx";
 import { ClassHead } from "./ClassHead.tsx";
+import { ClassUnreached } from "./ClassUnreached.tsx";
 import { DashboardProvider } from "./dashboard-context.ts";
 import { DashboardBar, DashboardBarEnd } from "./DashboardBar.tsx";
 import { DashboardFrame } from "./DashboardFrame.tsx";
@@ -41,7 +43,8 @@ export function DashboardPage({ dashboard, calls, room, onLabel, tools }: Dashbo
   const [isSending, setSending] = useState(false);
   /** whose run is on the big screens */
   const [screened, setScreened] = useState<number | null>(null);
-  useScreens(dashboard, screened);
+  const [raceChoice, setRaceChoice] = useState<RaceChoice | null>(null);
+  useScreens(dashboard, screened, raceChoice);
   const [refusal, report] = useState<ClassRefusal | null>(null);
   const status = useStore(dashboard.store, (state) => state.status.kind);
   const lesson = useStore(dashboard.store, (state) => state.lesson);
@@ -89,6 +92,7 @@ export function DashboardPage({ dashboard, calls, room, onLabel, tools }: Dashbo
           ) : (
             <div className={styles["content"]}>
               <LostNote dashboard={dashboard} />
+              <ClassUnreached />
               {refusal !== null && (
                 <ProblemNote>
                   <p>{t(`refusals.${refusal}`)}</p>
@@ -98,7 +102,7 @@ export function DashboardPage({ dashboard, calls, room, onLabel, tools }: Dashbo
                 </ProblemNote>
               )}
               <ClassHead name={lesson === null ? "" : lessonName(lesson) || t("unnamed")} />
-              <Summaries />
+              <Summaries raceChoice={raceChoice} onRaceChoice={setRaceChoice} />
               <StudentCards onWatch={setWatched} watched={watched} />
               <Announcements />
             </div>
@@ -131,6 +135,7 @@ function LostNote({ dashboard }: { dashboard: Dashboard }) {
       <p>{t("lost.title")}</p>
       {/* Announced once, without the time. */}
       <p aria-hidden="true">{t("lost.age", { seconds })}</p>
+      <p>{t("lost.continue")}</p>
     </ProblemNote>
   );
 }

@@ -1,13 +1,16 @@
-/** Pauses everyone for a chosen time, or ends the pause. */
-import { Pause, Play } from "lucide";
+/** Pauses everyone at once, or for a chosen time, and ends the pause. */
+import { ChevronDown, Pause, Play } from "lucide";
 import { useTranslation } from "react-i18next";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { Icon } from "../../ui/Icon.tsx";
 import { MenuItem, Popover, usePopover } from "../../ui/Popover.tsx";
 import { clockText } from "./clock-text.ts";
 import { useContent, useDashboard } from "./dashboard-context.ts";
+import styles from "./pause-control.module.css";
 
 const MINUTES = [1, 2, 5, 10, 30] as const;
+/** Long enough for an explanation. The clock ends a pause that the teacher does not end. */
+const DEFAULT_MINUTES = 5;
 
 export function PauseControl({ isSmall }: { isSmall: boolean }) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
@@ -17,37 +20,60 @@ export function PauseControl({ isSmall }: { isSmall: boolean }) {
     const endsAt = classroom?.time.pauseEndsAt ?? null;
     return endsAt === null || endsAt <= now ? null : endsAt - now;
   });
-  if (leftMs !== null) {
-    const left = clockText(leftMs + 999);
-    return (
-      <Button
-        kind="primary"
-        icon={<Icon of={Play} />}
-        aria-label={t("pause.end")}
-        onClick={() => void calls.resume().then(report)}
-      >
-        {isSmall ? left : t("pause.endLeft", { left })}
-      </Button>
-    );
-  }
+  const pause = (minutes: number) => void calls.pause(minutes * 60).then(report);
   return (
-    <>
-      {isSmall ? (
-        <IconButton label={t("pause.start")} kind="outline" size="medium" {...menu.trigger}>
-          <Icon of={Pause} />
-        </IconButton>
+    <div className={styles["control"]}>
+      {leftMs === null ? (
+        <PauseButton isSmall={isSmall} onPause={() => pause(DEFAULT_MINUTES)} />
       ) : (
-        <Button icon={<Icon of={Pause} />} {...menu.trigger}>
-          {t("pause.start")}
+        <Button
+          kind="primary"
+          icon={<Icon of={Play} />}
+          aria-label={t("pause.end")}
+          onClick={() => void calls.resume().then(report)}
+        >
+          {isSmall
+            ? clockText(leftMs + 999)
+            : t("pause.endLeft", { left: clockText(leftMs + 999) })}
         </Button>
       )}
-      <Popover {...menu.panel} label={t("pause.start")} align="end">
+      <IconButton
+        label={t("pause.length")}
+        kind="outline"
+        size="medium"
+        className={styles["more"]}
+        {...menu.trigger}
+      >
+        <Icon of={ChevronDown} />
+      </IconButton>
+      <Popover {...menu.panel} label={t("pause.heading")} align="end">
+        <h2 className={styles["heading"]}>{t("pause.heading")}</h2>
         {MINUTES.map((minutes) => (
-          <MenuItem key={minutes} onSelect={() => void calls.pause(minutes * 60).then(report)}>
+          <MenuItem key={minutes} onSelect={() => pause(minutes)}>
             {t("pause.minutes", { count: minutes })}
           </MenuItem>
         ))}
       </Popover>
-    </>
+    </div>
+  );
+}
+
+function PauseButton({ isSmall, onPause }: { isSmall: boolean; onPause: () => void }) {
+  const { t } = useTranslation("dashboard", { useSuspense: false });
+  if (isSmall) {
+    return (
+      <IconButton label={t("pause.start")} kind="outline" size="medium" onClick={onPause}>
+        <Icon of={Pause} />
+      </IconButton>
+    );
+  }
+  return (
+    <Button
+      icon={<Icon of={Pause} />}
+      title={t("pause.minutes", { count: DEFAULT_MINUTES })}
+      onClick={onPause}
+    >
+      {t("pause.start")}
+    </Button>
   );
 }

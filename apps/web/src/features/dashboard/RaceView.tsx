@@ -1,7 +1,5 @@
 /** A race of the verified programs of a task, together in one maze. Robots have numbers, no names. */
-import type { LessonDocument } from "@corridor/challenge";
 import { CELL, sizeOf, type MazeDocument } from "@corridor/maze";
-import type { Racer } from "@corridor/protocol";
 import { TICKS_PER_SECOND } from "@corridor/simulation";
 import { useEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
@@ -12,7 +10,7 @@ import { Button } from "../../ui/Button.tsx";
 import { MazeDrawing } from "../../ui/MazePicture.tsx";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
 import { lastTick, poseAt, raceSpeed, type RacePose } from "./race-motion.ts";
-import { startRace, type RaceRobot } from "./start-race.ts";
+import { startRace, type RaceRobot, type RaceStart } from "./start-race.ts";
 import { taskMaze } from "./task-maze.ts";
 import styles from "./race-view.module.css";
 
@@ -21,23 +19,21 @@ const TICKS_PER_TENTH = TICKS_PER_SECOND / 10;
 /** Rows of the list of results. */
 const MOST_RESULTS = 3;
 
-export interface RaceViewProps {
-  lesson: LessonDocument;
-  /** from 1 */
-  task: number;
-  racers: readonly Racer[];
+export interface RaceViewProps extends RaceStart {
+  /** which students are not in the race, and why; null: all are */
+  note: string | null;
   onClose: () => void;
 }
 
 /** Later solutions take part in the next race. */
-export function RaceView({ lesson, task, racers, onClose }: RaceViewProps) {
+export function RaceView({ note, onClose, ...start }: RaceViewProps) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
-  const [starters] = useState({ lesson, task, racers });
+  const [starters] = useState(start);
   const [robots, setRobots] = useState<RaceRobot[] | "failed" | null>(null);
   useEffect(() => {
     const pool = createWorkerPool();
     let isShown = true;
-    startRace(pool, starters.lesson, starters.task, starters.racers).then(
+    startRace(pool, starters).then(
       (found) => isShown && setRobots(found ?? "failed"),
       () => isShown && setRobots("failed"),
     );
@@ -46,13 +42,14 @@ export function RaceView({ lesson, task, racers, onClose }: RaceViewProps) {
       pool.close();
     };
   }, [starters]);
-  const maze = taskMaze(starters.lesson, starters.task, "g1");
+  const maze = taskMaze(starters.lesson, starters.task, starters.maze);
   const isIncomplete = Array.isArray(robots) && robots.length < starters.racers.length;
   return (
     <figure className={styles["race"]}>
       <figcaption className="visually-hidden">{t("race.title")}</figcaption>
       {robots === "failed" && <p role="alert">{t("race.failed")}</p>}
       {isIncomplete && <p role="alert">{t("race.unreadable")}</p>}
+      {note !== null && <p>{note}</p>}
       {Array.isArray(robots) && robots.length > 0 && maze !== null ? (
         <Track maze={maze} robots={robots} onClose={onClose} />
       ) : (

@@ -1,5 +1,5 @@
 /** The card of a student: picture, name, state and numbers. */
-import { Clock, List, RotateCcw } from "lucide";
+import { Clock, List, RotateCcw, TriangleAlert } from "lucide";
 import { memo } from "react";
 import { useTranslation } from "react-i18next";
 import { useShallow } from "zustand/react/shallow";
@@ -56,7 +56,7 @@ export const StudentCard = memo(function StudentCard(props: StudentCardProps) {
         <span className={styles["name"]} dir="auto">
           {name}
         </span>
-        <StandingChip state={state} />
+        {state === "unverified" ? <Unverified /> : <StandingChip state={state} />}
         <span className={styles["numbers"]}>
           {hasTasks && <span>{t("card.task", { task })}</span>}
           <span>
@@ -79,3 +79,16 @@ export const StudentCard = memo(function StudentCard(props: StudentCardProps) {
     </li>
   );
 });
+
+/** Too long for a chip. The card opens the student's run. */
+function Unverified() {
+  const { t } = useTranslation("dashboard", { useSuspense: false });
+  return (
+    <span className={styles["unverified"]}>
+      <Icon of={TriangleAlert} size={14} />
+      <span>
+        {t("watch.unverified")} <span className={styles["link"]}>{t("card.watch")}</span>
+      </span>
+    </span>
+  );
+}

@@ -1,8 +1,9 @@
 /** The students, by what they need. */
 import { useEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
-import { needsHelp, type Standing } from "../../model/classroom/standing.ts";
-import { helpedOfState } from "../../model/classroom/dashboard.ts";
+import type { Standing } from "../../model/classroom/standing.ts";
+import { helpedOfState, resultsTask } from "../../model/classroom/dashboard.ts";
+import { filters, hasSolved, isIn, type Filter } from "../../model/classroom/student-group.ts";
 import { nextHelped, sortKeys } from "../../model/classroom/student-order.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Segmented } from "../../ui/Segmented.tsx";
@@ -14,25 +15,8 @@ import { StandingChip } from "./StandingChip.tsx";
 import { PictureArea } from "./StudentPicture.tsx";
 import styles from "./student-cards.module.css";
 
-const filters = ["all", "help", "working", "solved", "away"] as const;
-type Filter = (typeof filters)[number];
 /** A phone has room for these. */
 const phoneFilters: readonly Filter[] = ["help", "all", "solved"];
-
-function isIn(filter: Filter, standing: Standing): boolean {
-  switch (filter) {
-    case "all":
-      return true;
-    case "help":
-      return needsHelp(standing);
-    case "working":
-      return standing === "working" || standing === "bumped";
-    case "solved":
-      return standing === "solved";
-    case "away":
-      return standing === "disconnected" || standing === "not-here";
-  }
-}
 
 interface StudentCardsProps {
   /** number of the student whose sheet is open */
@@ -47,6 +31,9 @@ export function StudentCards({ watched, onWatch }: StudentCardsProps) {
   const order = useDashboard((state) => state.order);
   const sorting = useDashboard((state) => state.sorting);
   const shown = useDashboard((state) => state.shown);
+  const verifications = useDashboard((state) => state.verifications);
+  const task = useDashboard(resultsTask);
+  const hasTasks = useDashboard(({ lesson }) => (lesson?.tasks.length ?? 1) > 1);
   const missing = useDashboard(({ classroom, students }) =>
     Math.max(0, (classroom?.expected ?? 0) - students.size),
   );
@@ -56,10 +43,18 @@ export function StudentCards({ watched, onWatch }: StudentCardsProps) {
   useNextKey(list);
   useHold(list, isEmpty);
   const standingOf = (student: number): Standing => shown.get(student)?.standing ?? "working";
-  const count = (each: Filter): number =>
-    order.order.filter((student) => isIn(each, standingOf(student))).length +
-    (isIn(each, "not-here") ? missing : 0);
-  const students = order.order.filter((student) => isIn(filter, standingOf(student)));
+  const filtered = (each: Filter): number[] =>
+    order.order.filter((student) =>
+      isIn(each, standingOf(student), hasSolved(verifications, student, task)),
+    );
+  const hasMissing = (each: Filter): boolean => missing > 0 && isIn(each, "not-here", false);
+  const labelOf = (each: Filter): string => {
+    const number = filtered(each).length + (hasMissing(each) ? missing : 0);
+    return each === "solved" && hasTasks
+      ? t("filter.solvedTask", { number, task })
+      : t(`filter.${each}`, { number });
+  };
+  const students = filtered(filter);
   if (isEmpty) return null;
   return (
     <section className={styles["students"]} aria-label={t("students")}>
@@ -71,7 +66,7 @@ export function StudentCards({ watched, onWatch }: StudentCardsProps) {
             value={filter}
             options={(isPhone ? phoneFilters : filters).map((value) => ({
               value,
-              label: t(`filter.${value}`, { number: count(value) }),
+              label: labelOf(value),
             }))}
             onChange={setFilter}
           />
@@ -106,7 +101,7 @@ export function StudentCards({ watched, onWatch }: StudentCardsProps) {
               onWatch={onWatch}
             />
           ))}
-          {missing > 0 && isIn(filter, "not-here") && (
+          {hasMissing(filter) && (
             <li className={styles["missing"]}>
               <span>{t("card.missing", { count: missing })}</span>
               <StandingChip state="not-here" />
@@ -114,7 +109,7 @@ export function StudentCards({ watched, onWatch }: StudentCardsProps) {
           )}
         </ul>
       </PictureArea>
-      {students.length === 0 && !(missing > 0 && isIn(filter, "not-here")) && (
+      {students.length === 0 && !hasMissing(filter) && (
         <p className={styles["none"]}>{t("filter.none")}</p>
       )}
     </section>

@@ -1,30 +1,36 @@
 /** What the class has done in a task: solved, times, lines, attempts, and where robots bump. */
 import type { LessonDocument } from "@corridor/challenge";
-import { useMemo, useState, type ReactNode } from "react";
+import { useMemo, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import type { Bar, ClassSummary } from "../../model/classroom/class-summary.ts";
+import { mostBumped } from "../../model/classroom/most-bumped.ts";
 import { summaryOf } from "../../model/classroom/class-summary.ts";
-import { racersOf } from "../../model/classroom/racers.ts";
-import type { CountedBump } from "../../simulator/protocol/classroom-messages.ts";
+import { resultsTask } from "../../model/classroom/dashboard.ts";
+import { chosenMaze, raceField, type RaceChoice } from "../../model/classroom/racers.ts";
 import { localNumber } from "../../text/numbers.ts";
 import { Select } from "../../ui/Select.tsx";
 import { BumpMaze } from "./BumpMaze.tsx";
 import { clockText } from "./clock-text.ts";
-import { useDashboard } from "./dashboard-context.ts";
+import { useContent, useDashboard } from "./dashboard-context.ts";
 import { RaceButton } from "./RaceButton.tsx";
+import { taskMaze } from "./task-maze.ts";
 import styles from "./summaries.module.css";
 
-export function Summaries() {
+interface SummariesProps {
+  raceChoice: RaceChoice | null;
+  onRaceChoice: (choice: RaceChoice) => void;
+}
+
+export function Summaries({ raceChoice, onRaceChoice }: SummariesProps) {
   const { t, i18n } = useTranslation("dashboard", { useSuspense: false });
   const lesson = useDashboard((state) => state.lesson);
   const students = useDashboard((state) => state.students);
   const shown = useDashboard((state) => state.shown);
   const verifications = useDashboard((state) => state.verifications);
   const expected = useDashboard(({ classroom }) => classroom?.expected ?? null);
-  const pace = useDashboard(({ classroom }) => classroom?.settings.paceTo ?? null);
-  const [chosen, setChosen] = useState<number | null>(null);
+  const { dashboard } = useContent();
+  const task = useDashboard(resultsTask);
   const tasks = lesson?.tasks.length ?? 1;
-  const task = Math.min(chosen ?? pace ?? 1, tasks);
   const summary = useMemo(
     () => summaryOf(task, students, shown, verifications, expected),
     [task, students, shown, verifications, expected],
@@ -48,12 +54,18 @@ export function Summaries() {
               value: String(at + 1),
               label: t("summary.taskOf", { task: at + 1, tasks }),
             }))}
-            onChange={(value) => setChosen(Number(value))}
+            onChange={(value) => dashboard.chooseTask(Number(value))}
           />
         )}
         <Shares summary={summary} />
         {lesson !== null && (
-          <RaceButton lesson={lesson} task={task} racers={racersOf(task, verifications)} />
+          <RaceButton
+            lesson={lesson}
+            task={task}
+            field={raceField(task, verifications)}
+            maze={chosenMaze(lesson, task, raceChoice)}
+            onMaze={(maze) => onRaceChoice({ task, maze })}
+          />
         )}
       </div>
       <Part
@@ -154,12 +166,9 @@ function Part({ name, figure, note, bars, most = null }: PartProps): ReactNode {
 function Bumps({ lesson, task }: { lesson: LessonDocument; task: number }) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
   const bumps = useDashboard((state) => state.bumps);
-  // Unseen mazes have too few bumps each.
-  const own = bumps.filter((bump) => bump.task === task && bump.maze.startsWith("g"));
-  const name = mostBumped(own) ?? "g1";
-  const maze = lesson.tasks[task - 1]?.mazes[Number(name.slice(1)) - 1];
-  const cells = own.filter((bump) => bump.maze === name);
-  if (maze === undefined) return null;
+  const { maze: name, cells } = mostBumped(task, bumps);
+  const maze = taskMaze(lesson, task, name);
+  if (maze === null) return null;
   return (
     <div className={styles["part"]}>
       <h2 className={styles["name"]}>{t("summary.bumps")}</h2>
@@ -173,11 +182,4 @@ function Bumps({ lesson, task }: { lesson: LessonDocument; task: number }) {
       </div>
     </div>
   );
-}
-
-/** The maze with most bumps; null without bumps. */
-function mostBumped(bumps: readonly CountedBump[]): string | null {
-  const sums = new Map<string, number>();
-  for (const { maze, count } of bumps) sums.set(maze, (sums.get(maze) ?? 0) + count);
-  return [...sums].toSorted((a, b) => b[1] - a[1])[0]?.[0] ?? null;
 }

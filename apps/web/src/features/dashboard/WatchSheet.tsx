@@ -2,12 +2,14 @@
 import { KeyRound, Lightbulb, Monitor, UserX, X } from "lucide";
 import { useEffect, useRef, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
+import { shownCode } from "../../model/classes/shown-code.ts";
 import { verificationOf } from "../../model/classroom/dashboard.ts";
 import { openTask, openWork } from "../../model/classroom/standing.ts";
 import type { CountedFailure, SeenStudent } from "../../simulator/protocol/classroom-messages.ts";
+import { directionOf } from "../../text/direction.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { Icon } from "../../ui/Icon.tsx";
-import { clockText, codeText } from "./clock-text.ts";
+import { clockText } from "./clock-text.ts";
 import { useContent, useDashboard, useStudentName } from "./dashboard-context.ts";
 import { ProgramText } from "./ProgramText.tsx";
 import { StandingChip } from "./StandingChip.tsx";
@@ -82,7 +84,8 @@ function SheetHead({ student, onClose }: { student: SeenStudent; onClose: () => 
       <h2 id="watched-student" className={styles["name"]} dir="auto">
         {nameOf(student)}
       </h2>
-      <StandingChip state={state} />
+      {/* The sheet has its own sentence for it. */}
+      {state !== "unverified" && <StandingChip state={state} />}
       <span className={styles["time"]}>{clockText(seconds * 1_000)}</span>
       <IconButton label={t("close")} size="medium" onClick={onClose}>
         <Icon of={X} />
@@ -134,6 +137,20 @@ function failureKey(code: string): "goal" | "rules" {
   return goalFailures.has(code) ? "goal" : "rules";
 }
 
+/** What the student will read, before the teacher shows it. */
+function NextHint({ hint, text }: { hint: number; text: string }) {
+  const { t } = useTranslation("dashboard", { useSuspense: false });
+  const language = useDashboard(({ lesson }) => lesson?.language ?? null);
+  return (
+    <p id="next-hint" className={styles["hint"]}>
+      <strong>{t("watch.hintNext", { hint })}</strong>{" "}
+      <span lang={language ?? undefined} dir={directionOf(language)}>
+        {text}
+      </span>
+    </p>
+  );
+}
+
 interface ActionsProps {
   student: SeenStudent;
   label: string;
@@ -146,11 +163,13 @@ function Actions({ student, label, children }: ActionsProps) {
   const { dashboard, calls, report } = useContent();
   const nameOf = useStudentName();
   const task = openTask(student);
-  const hints = useDashboard(({ lesson }) => lesson?.tasks[task - 1]?.words.hints.length ?? 0);
+  const hints = useDashboard(({ lesson }) => lesson?.tasks[task - 1]?.words.hints);
   const [shown, setShown] = useState<ReadonlyMap<number, number>>(new Map());
   const [code, setCode] = useState<string | null>(null);
   const [isRemoving, setRemoving] = useState(false);
-  const next = Math.min(hints, Math.max(openWork(student)?.hints ?? 0, shown.get(task) ?? 0) + 1);
+  const count = hints?.length ?? 0;
+  const seen = Math.max(openWork(student)?.hints ?? 0, shown.get(task) ?? 0);
+  const next = Math.min(count, seen + 1);
   const showHint = (): void => {
     dashboard.send({ type: "hint", student: student.student, task, hint: next });
     setShown(new Map(shown).set(task, next));
@@ -162,10 +181,16 @@ function Actions({ student, label, children }: ActionsProps) {
   };
   return (
     <section className={styles["part"]} aria-label={label}>
+      {count > 0 && <NextHint hint={next} text={hints?.[next - 1] ?? ""} />}
       <div className={styles["actions"]}>
-        {hints > 0 && (
-          <Button icon={<Icon of={Lightbulb} />} disabled={!student.isConnected} onClick={showHint}>
-            {t("watch.hint", { hint: next })}
+        {count > 0 && (
+          <Button
+            icon={<Icon of={Lightbulb} />}
+            disabled={!student.isConnected}
+            aria-describedby="next-hint"
+            onClick={showHint}
+          >
+            {t(seen < count ? "watch.hint" : "watch.hintAgain", { hint: next })}
           </Button>
         )}
         {children}
@@ -182,7 +207,7 @@ function Actions({ student, label, children }: ActionsProps) {
           <p>
             {t("watch.returnText")}{" "}
             <strong className={styles["letters"]} dir="ltr">
-              {codeText(code)}
+              {shownCode(code)}
             </strong>
           </p>
         )}

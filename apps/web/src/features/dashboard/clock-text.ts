@@ -6,8 +6,3 @@ export function clockText(ms: number): string {
   if (minutes < 60) return `${minutes}:${rest}`;
   return `${Math.floor(minutes / 60)}:${String(minutes % 60).padStart(2, "0")}:${rest}`;
 }
-
-/** A code as on the board: BCD FGH. */
-export function codeText(code: string): string {
-  return `${code.slice(0, code.length / 2)} ${code.slice(code.length / 2)}`;
-}

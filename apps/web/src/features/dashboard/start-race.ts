@@ -7,6 +7,15 @@ import type { RacedRun } from "../../simulator/protocol/pool-messages.ts";
 import type { WorkerPool } from "../../simulator/worker-pool.ts";
 import { taskMaze } from "./task-maze.ts";
 
+export interface RaceStart {
+  lesson: LessonDocument;
+  /** from 1 */
+  task: number;
+  /** in which the robots race, as in tiles */
+  maze: string;
+  racers: readonly Racer[];
+}
+
 export interface RaceRobot {
   /** students with its program */
   count: number;
@@ -15,18 +24,16 @@ export interface RaceRobot {
 }
 
 /**
- * @param task from 1; the robots race in its first maze
+ * @param task from 1
  * @returns the robots in the order of `racers`, without those whose code is unreadable; null if the
  *   workers do not load
  */
 export async function startRace(
   pool: Pick<WorkerPool, "run">,
-  lesson: LessonDocument,
-  task: number,
-  racers: readonly Racer[],
+  { lesson, task, maze: name, racers }: RaceStart,
 ): Promise<RaceRobot[] | null> {
   const document = lesson.tasks[task - 1];
-  const maze = taskMaze(lesson, task, "g1");
+  const maze = taskMaze(lesson, task, name);
   const starters = racers.flatMap(({ code, count }) => {
     const program = programOf(code, lesson);
     return program === null ? [] : [{ program, count }];

@@ -1,15 +1,27 @@
 /** Sends the numbers of the class to its big screens, whenever they change. */
 import { useEffect } from "react";
 import { summaryOf } from "../../model/classroom/class-summary.ts";
-import { racersOf } from "../../model/classroom/racers.ts";
-import type { Dashboard, DashboardState } from "../../model/classroom/dashboard.ts";
+import {
+  resultsTask,
+  type Dashboard,
+  type DashboardState,
+} from "../../model/classroom/dashboard.ts";
+import { mostBumped } from "../../model/classroom/most-bumped.ts";
+import { chosenMaze, raceField, type RaceChoice } from "../../model/classroom/racers.ts";
 import type { ScreenNumbers } from "@corridor/protocol";
 
-/** @param student whose run is on the big screens; null: none */
-export function useScreens(dashboard: Dashboard, student: number | null): void {
+/**
+ * @param student whose run is on the big screens; null: none
+ * @param choice the maze of the race
+ */
+export function useScreens(
+  dashboard: Dashboard,
+  student: number | null,
+  choice: RaceChoice | null,
+): void {
   useEffect(() => {
     const send = (): void => {
-      const numbers = numbersOf(dashboard.store.getState());
+      const numbers = numbersOf(dashboard.store.getState(), choice);
       if (numbers !== null) dashboard.send({ type: "screens", numbers, student });
     };
     send();
@@ -19,27 +31,31 @@ export function useScreens(dashboard: Dashboard, student: number | null): void {
         state.verifications === before.verifications &&
         state.bumps === before.bumps &&
         state.classroom === before.classroom &&
-        state.lesson === before.lesson;
+        state.lesson === before.lesson &&
+        state.chosenTask === before.chosenTask;
       if (!isSame) send();
     });
-  }, [dashboard, student]);
+  }, [dashboard, student, choice]);
 }
 
-/** Of the newest open task. */
-function numbersOf(state: DashboardState): ScreenNumbers | null {
+/** Of the task that the dashboard shows, too. */
+function numbersOf(state: DashboardState, choice: RaceChoice | null): ScreenNumbers | null {
   const { classroom, lesson, students, shown, verifications, bumps } = state;
   if (classroom === null || lesson === null) return null;
-  const task = Math.min(classroom.settings.paceTo ?? 1, lesson.tasks.length);
+  const task = resultsTask(state);
   const summary = summaryOf(task, students, shown, verifications, classroom.expected);
-  const cells = bumps.filter((bump) => bump.task === task && bump.maze === "g1");
+  const { maze, cells } = mostBumped(task, bumps);
+  const { racers, missing } = raceField(task, verifications);
   return {
     task,
     solved: summary.solved,
     all: summary.all,
     medianMs: summary.medianMs,
     lines: summary.commonLines,
-    maze: "g1",
+    maze,
     bumps: cells.slice(0, 400).map(({ column, row, count }) => ({ column, row, count })),
-    racers: racersOf(task, verifications),
+    racers,
+    raceMaze: chosenMaze(lesson, task, choice),
+    missing: missing.length,
   };
 }

@@ -1,12 +1,12 @@
 /**
  * The Drive tab of the phone: readings in a row, big keys under the thumbs, and the current driver.
  */
-import { Pause, Play } from "lucide";
+import { Pause, Play, RotateCcw } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
 import { Icon } from "../../ui/Icon.tsx";
-import { Button } from "../../ui/Button.tsx";
+import { Button, IconButton } from "../../ui/Button.tsx";
 import { useRights } from "../../model/use-rights.ts";
 import { runButton } from "../../model/run/run-button.ts";
 import { DrivePad } from "./DrivePad.tsx";
@@ -39,9 +39,26 @@ export function DriveTab({ hold }: { hold: HoldStore }) {
       <div className={styles["foot"]}>
         <p className={styles["status"]}>{t(`drive.status.${status}`)}</p>
         {/* The transport has its own button in the past; some missions refuse the program. */}
+        {isNow && <Reset />}
         {isNow && rights?.drivers.includes("program") !== false && <RunProgram />}
       </div>
     </div>
+  );
+}
+
+/** A student who drives by hand starts again here, too. */
+function Reset() {
+  const { t } = useTranslation();
+  const { simulator } = useServices();
+  return (
+    <IconButton
+      label={t("shell.run.reset")}
+      kind="outline"
+      size="large"
+      onClick={() => simulator.send({ type: "reset" })}
+    >
+      <Icon of={RotateCcw} />
+    </IconButton>
   );
 }
 

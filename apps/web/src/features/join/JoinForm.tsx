@@ -2,10 +2,11 @@
 import type { JoinedClass } from "@corridor/protocol";
 import { useEffect, useId, useRef, useState, type SubmitEvent } from "react";
 import { useTranslation } from "react-i18next";
+import { shownCode } from "../../model/classes/shown-code.ts";
 import { Button } from "../../ui/Button.tsx";
 import { FieldError } from "../../ui/FieldError.tsx";
 import { TextField } from "../../ui/TextField.tsx";
-import { joinClass, shownCode, type JoinProblem } from "./join-class.ts";
+import { joinClass, type JoinProblem } from "./join-class.ts";
 import styles from "./join.module.css";
 
 /** Longest text that the relay reads. */

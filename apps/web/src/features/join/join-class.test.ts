@@ -1,6 +1,7 @@
 import type { JoinedClass } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { joinClass, shownCode } from "./join-class.ts";
+import type { ProblemDocument } from "@corridor/protocol";
+import { joinClass } from "./join-class.ts";
 
 const joined: JoinedClass = {
   class: "A".repeat(22),
@@ -9,8 +10,13 @@ const joined: JoinedClass = {
   key: `stu_${"B".repeat(22)}`,
 };
 
-function problem(status: number, kind: string, headers: Record<string, string> = {}): Response {
-  const body = { type: `/problems/${kind}`, title: "Title", status, detail: "Why", errors: [] };
+function problem(
+  status: number,
+  kind: string,
+  headers: Record<string, string> = {},
+  errors: ProblemDocument["errors"] = [],
+): Response {
+  const body = { type: `/problems/${kind}`, title: "Title", status, detail: "Why", errors };
   return new Response(JSON.stringify(body), { status, headers });
 }
 
@@ -46,7 +52,13 @@ describe("joining a class", () => {
   it.each([
     { answer: problem(404, "no-class"), expected: { kind: "wrong" } },
     { answer: problem(409, "class-locked"), expected: { kind: "locked" } },
-    { answer: problem(409, "class-full"), expected: { kind: "full" } },
+    { answer: problem(409, "class-full"), expected: { kind: "full", count: 200 } },
+    {
+      answer: problem(409, "class-full", {}, [
+        { path: "students", found: "24", expected: "fewer than 24" },
+      ]),
+      expected: { kind: "full", count: 24 },
+    },
     {
       answer: problem(429, "too-many-requests", { "Retry-After": "7" }),
       expected: { kind: "tooFast", seconds: 7 },
@@ -64,12 +76,5 @@ describe("joining a class", () => {
   it("says that the page is offline", async () => {
     const result = await joinClass("BCDFGH", () => Promise.reject(new TypeError("no network")));
     expect(result).toEqual({ ok: false, problem: { kind: "offline" } });
-  });
-});
-
-describe("the code of an address", () => {
-  it("appears as on the board", () => {
-    expect(shownCode("BCDFGH")).toBe("BCD FGH");
-    expect(shownCode("BCD")).toBe("BCD");
   });
 });

@@ -1,14 +1,15 @@
 /** Joins a class with the letters that the teacher shows. */
 import {
-  CLASS_CODE_LENGTH,
   joinedClassSchema,
   joinRequestSchema,
+  MAX_STUDENTS,
   PAIRING_LENGTH,
   PAIRING_LETTERS,
   problemSchema,
   readJson,
   readValue,
   type JoinedClass,
+  type ProblemDocument,
 } from "@corridor/protocol";
 
 const MAX_ANSWER = 4_096;
@@ -18,7 +19,9 @@ const PAIRING_CODE = new RegExp(`^[${PAIRING_LETTERS}]{${PAIRING_LENGTH}}$`);
 
 export type JoinProblem =
   /** `wrong`: no class has this code; `robot`: a pairing code; `old`: the page is too old */
-  | { kind: "wrong" | "robot" | "locked" | "full" | "old" | "offline" }
+  | { kind: "wrong" | "robot" | "locked" | "old" | "offline" }
+  /** number of students in the class */
+  | { kind: "full"; count: number }
   | { kind: "tooFast"; seconds: number };
 
 export type JoinResult = { ok: true; value: JoinedClass } | { ok: false; problem: JoinProblem };
@@ -53,12 +56,6 @@ export async function joinClass(typed: string, ask: Ask): Promise<JoinResult> {
   }
 }
 
-/** A code as on the board: BCD FGH. */
-export function shownCode(code: string): string {
-  const half = CLASS_CODE_LENGTH / 2;
-  return code.length === CLASS_CODE_LENGTH ? `${code.slice(0, half)} ${code.slice(half)}` : code;
-}
-
 function refused(answer: Response, text: string): JoinResult {
   const problem = readJson(problemSchema, text, MAX_ANSWER);
   // A static host has no relay: its responses are web pages.
@@ -69,7 +66,7 @@ function refused(answer: Response, text: string): JoinResult {
     case "/problems/class-locked":
       return failed("locked");
     case "/problems/class-full":
-      return failed("full");
+      return full(problem.value);
     default:
       return answer.status === 429 ? tooFast(answer) : failed("old");
   }
@@ -84,7 +81,13 @@ function tooFast(answer: Response): JoinResult {
   };
 }
 
-function failed(kind: Exclude<JoinProblem["kind"], "tooFast">): JoinResult {
+/** A class with pseudonyms of the teacher has as many places as names. */
+function full({ errors }: ProblemDocument): JoinResult {
+  const count = Number(errors.find(({ path }) => path === "students")?.found);
+  return { ok: false, problem: { kind: "full", count: count > 0 ? count : MAX_STUDENTS } };
+}
+
+function failed(kind: Exclude<JoinProblem["kind"], "tooFast" | "full">): JoinResult {
   return { ok: false, problem: { kind } };
 }
 

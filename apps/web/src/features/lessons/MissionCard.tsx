@@ -23,6 +23,7 @@ import { HintButton, HintList } from "./MissionHints.tsx";
 import { MissionMazes } from "./MissionMazes.tsx";
 import { MissionOutcome } from "./MissionOutcome.tsx";
 import { BonusOutcome } from "./BonusOutcome.tsx";
+import { TeacherHint } from "./TeacherHint.tsx";
 import { TeacherText } from "./TeacherText.tsx";
 import styles from "./mission-card.module.css";
 import shared from "./mission-text.module.css";
@@ -33,8 +34,11 @@ import { useTask } from "./use-task.ts";
 const CompletionCode = lazyPart(async () => (await import("./CompletionCode.tsx")).CompletionCode);
 
 export interface MissionCardProps {
-  /** `slim` shows only the task and the next step, where the drive keys need the space */
-  look?: "full" | "slim";
+  /**
+   * `slim` shows only the task, the newest hint of the teacher and the next step, where the drive
+   * keys need the space; `hint` only the hint
+   */
+  look?: "full" | "slim" | "hint";
 }
 
 /** Renders nothing while no lesson is open. */
@@ -49,6 +53,7 @@ export function MissionCard({ look = "full" }: MissionCardProps) {
     if (isOpen) void lessons.load().then(setService, () => undefined);
   }, [isOpen, lessons]);
   if (!isOpen || service === null) return null;
+  if (look === "hint") return <TeacherHint />;
   return look === "full" ? (
     <OpenMission key={task} service={service} />
   ) : (
@@ -202,6 +207,7 @@ function SlimMission({ service }: { service: LessonsService }) {
         <RunningCheck service={service} />
         <NextStep service={service} />
       </div>
+      <TeacherHint />
     </section>
   );
 }

@@ -8,10 +8,11 @@ import { ChallengeLine, MissionCard } from "./lazy-lessons.ts";
 import { LessonsInvitation } from "./LessonsInvitation.tsx";
 
 /** Top of the panel: the mission, or the invitation to the first one. */
-export function MissionPlace({ look = "full" }: { look?: "full" | "slim" }) {
+export function MissionPlace({ look = "full" }: { look?: "full" | "slim" | "hint" }) {
   const { challenge } = useServices();
   const isOpen = useStore(challenge, (state) => state.lesson !== null);
-  return isOpen ? <MissionCard look={look} /> : <LessonsInvitation />;
+  if (isOpen) return <MissionCard look={look} />;
+  return look === "full" ? <LessonsInvitation /> : null;
 }
 
 /** The task in the strip above the maze. */

@@ -36,31 +36,37 @@ export function Messages({ children }: { children?: ReactNode }) {
       data-past={isPast || undefined}
     >
       <div className={styles["lists"]}>
-        <div role="alert" className={styles["list"]}>
-          {messages
-            .filter(({ tone }) => tone === "bad")
-            .map((message) => (
-              <MessageCard key={message.id} message={message} />
-            ))}
-        </div>
-        <div className={styles["list"]}>
-          {messages
-            .filter(({ tone }) => tone === "info")
-            .map((message) => (
-              <MessageCard key={message.id} message={message} />
-            ))}
-        </div>
+        <Lists messages={messages.filter((message) => !staysOf(message))} />
       </div>
+      <Lists messages={messages.filter(staysOf)} />
       {children}
     </section>
   );
+}
+
+function Lists({ messages }: { messages: readonly Message[] }) {
+  return (["bad", "info"] as const).map((tone) => (
+    <div key={tone} role={tone === "bad" ? "alert" : undefined} className={styles["list"]}>
+      {messages
+        .filter((message) => message.tone === tone)
+        .map((message) => (
+          <MessageCard key={message.id} message={message} />
+        ))}
+    </div>
+  ));
+}
+
+/** Whether the message remains until the user dismisses it. */
+function staysOf({ tone, stays = tone === "bad" }: Message): boolean {
+  return stays;
 }
 
 function MessageCard({ message }: { message: Message }) {
   const { t } = useTranslation();
   const { screen, speech } = useServices();
   const [isHeld, setIsHeld] = useState(false);
-  const { id, tone, text, part, action, stays = tone === "bad" } = message;
+  const { id, tone, text, part, action } = message;
+  const stays = staysOf(message);
   const spoken = action === undefined ? text : joinSentences(t, [text, action.label]);
   useAnnouncement(tone === "bad" ? null : spoken, `message ${id}`);
   useEffect(() => () => speech.announceState(`message ${id}`, null), [speech, id]);

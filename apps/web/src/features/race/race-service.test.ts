@@ -89,18 +89,21 @@ describe("a race", () => {
     expect(await service.add(runOf({ maze: { ...firstMaze, name: "Mine" } }))).toBeNull();
   });
 
-  it("has room for four, and gives a free letter again", async () => {
+  it("has room for seven ghosts, and gives a free letter again", async () => {
     const { service, race } = bench();
-    for (const digest of "1234") expect(await service.add(runOf({ digest }))).toBeNull();
-    expect(await service.add(runOf({ digest: "5" }))).toBe("full");
+    for (const digest of "1234567") expect(await service.add(runOf({ digest }))).toBeNull();
+    expect(await service.add(runOf({ digest: "8" }))).toBe("full");
     const [, second] = race.getState().ghosts;
     service.remove(second?.id ?? 0);
-    expect(await service.add(runOf({ digest: "5" }))).toBeNull();
+    expect(await service.add(runOf({ digest: "8" }))).toBeNull();
     expect(race.getState().ghosts.map(({ badge, digest }) => badge + digest)).toEqual([
       "A1 600",
-      "B5 600",
+      "B8 600",
       "C3 600",
       "D4 600",
+      "E5 600",
+      "F6 600",
+      "G7 600",
     ]);
   });
 

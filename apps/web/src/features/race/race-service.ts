@@ -11,9 +11,9 @@ import type { Services } from "../../model/services.ts";
 import { storageOrNone, type KeyValueStorage } from "../../model/storage/key-value-storage.ts";
 import type { RaceGhost } from "../../model/run/race-store.ts";
 import { showMessage } from "../../model/screen/screen-store.ts";
+import { GHOST_BADGES, MAX_GHOSTS } from "../../stage/drawing/frame.ts";
 import { readGhosts, storeGhosts } from "./race-storage.ts";
 import {
-  MAX_GHOSTS,
   type AddedGhost,
   type Finish,
   type FromWorker,
@@ -77,7 +77,7 @@ export class RaceService {
   async add(run: RunDocument): Promise<RaceRefusal | null> {
     const refused = this.#refusalOf(run);
     if (refused !== null) return refused;
-    const badge = "ABCD".split("").find((each) => !this.#isIn(each));
+    const badge = GHOST_BADGES.find((each) => !this.#isIn(each));
     if (badge === undefined) return "full";
     const refusal = await this.#load(badge, run);
     if (refusal === null && this.#isIn(badge)) {
@@ -146,6 +146,7 @@ export class RaceService {
   refusalText(refusal: RaceRefusal, run: RunDocument | null): string {
     return this.#words.t(`race:refused.${refusal}`, {
       most: MAX_GHOSTS,
+      robots: MAX_GHOSTS + 1,
       name: run?.maze.name ?? "",
     });
   }

@@ -4,7 +4,7 @@ import type { KeyValueStorage } from "../../model/storage/key-value-storage.ts";
 import { RACE_KEY } from "../../model/run/race-store.ts";
 
 export interface StoredGhost {
-  /** A to D */
+  /** A to G */
   badge: string;
   run: RunDocument;
 }

@@ -1,5 +1,5 @@
 /** The button of the theme in the top bar, which opens the choice. */
-import { Monitor, Moon, Sun } from "lucide";
+import { Contrast, Moon, Sun } from "lucide";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import type { ScreenStore } from "../../model/screen/screen-store.ts";
@@ -11,7 +11,7 @@ import { Popover, usePopover } from "../../ui/Popover.tsx";
 const ThemeChoice = lazyPart(async () => (await import("./ThemeChoice.tsx")).ThemeChoice);
 
 const themeIcons = {
-  system: <Icon of={Monitor} />,
+  system: <Icon of={Contrast} />,
   light: <Icon of={Sun} />,
   dark: <Icon of={Moon} />,
 };

@@ -70,6 +70,8 @@ export interface ChallengeState {
   openTo?: number | undefined;
   /** hints that the teacher shows: how many of a task, by its index */
   hints?: Readonly<Record<number, number>> | undefined;
+  /** the same hints, as far as the student has closed them */
+  hintsRead?: Readonly<Record<number, number>> | undefined;
   /** whether a first-time user is asked to start with mission 1 */
   isInvited: boolean;
   /** whether the dialog with all missions is open */
@@ -109,6 +111,15 @@ export function openTask({
   index,
 }: Pick<ChallengeState, "lesson" | "index">): LessonTask | null {
   return lesson?.tasks[index] ?? null;
+}
+
+/** Whether the student has not closed the newest hint of the teacher yet. */
+export function hasNewHint({
+  hints,
+  hintsRead,
+  index,
+}: Pick<ChallengeState, "hints" | "hintsRead" | "index">): boolean {
+  return (hints?.[index] ?? 0) > (hintsRead?.[index] ?? 0);
 }
 
 /** State of the open task; null while none is open. */

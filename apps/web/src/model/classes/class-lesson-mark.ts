@@ -3,6 +3,8 @@ import { lessonMark, type LessonDocument } from "@corridor/challenge";
 import type { ChallengeState } from "../challenge/challenge-store.ts";
 
 export class ClassLessonMark {
+  /** whether the teacher has sent another lesson, which is not open yet */
+  isReplaced = false;
   /** null: the lesson of the class is not known yet */
   #mark: string | null;
   readonly #marks = new WeakMap<LessonDocument, string>();

@@ -25,6 +25,8 @@ function newPage(tab = new VolatileStorage()) {
   const opened: string[] = [];
   let result: ClassLessonResult = { ok: true, lesson: sampleLesson };
   let isPaused = false;
+  let isDriving = false;
+  let changes = 0;
   const resume = (document: LessonDocument): void => {
     opened.push(document.name);
     const lessonId = lessonMark(document);
@@ -40,7 +42,9 @@ function newPage(tab = new VolatileStorage()) {
     words,
     lesson: new ClassLessonMark(storedLesson(tab)?.mark ?? null),
     isPaused: () => isPaused,
-    onLesson: () => undefined,
+    isDriving: () => isDriving,
+    onLesson: () => (changes += 1),
+    onNext: () => undefined,
     onHint: (hint) => hints.push(hint),
     later: (call, ms) => {
       timers.set(call, ms);
@@ -55,6 +59,8 @@ function newPage(tab = new VolatileStorage()) {
     hints,
     opened,
     setPaused: (paused: boolean) => (isPaused = paused),
+    setDriving: (driving: boolean) => (isDriving = driving),
+    changes: () => changes,
     texts: () => screen.getState().messages.map(({ text }) => text),
     press: async (label: string) => {
       const { messages } = screen.getState();
@@ -118,6 +124,76 @@ describe("the lesson of a class", () => {
     await press("Open");
     await wait(60_000);
     expect(opened).toEqual(["Sensors", "Long way round"]);
+  });
+
+  it("opens after the end of a run, or 30 s later", async () => {
+    const { receive, setDriving, opened, wait } = await joinedPage();
+    setDriving(true);
+    await receive(other, "second");
+    await wait(10_000);
+    await wait(1_000);
+    expect(opened).toEqual(["Sensors"]);
+    setDriving(false);
+    await wait(1_000);
+    expect(opened).toEqual(["Sensors", "Long way round"]);
+    setDriving(true);
+    await receive(sampleLesson, "third");
+    await wait(10_000);
+    for (let second = 0; second < 30; second++) {
+      expect(opened).toHaveLength(2);
+      await wait(1_000);
+    }
+    expect(opened).toHaveLength(3);
+  });
+
+  it("is offered to a student whose robot already drives when the page joins", async () => {
+    const { receive, setDriving, opened, texts, press } = newPage();
+    setDriving(true);
+    await receive(sampleLesson, "first");
+    expect(texts()).toEqual([expect.stringContaining("Your teacher sent: Sensors.")]);
+    await press("Open");
+    expect(opened).toEqual(["Sensors"]);
+  });
+
+  it("leaves the pace and the hints to the one before it until it opens", async () => {
+    const { receive, pace, lesson, challenge, changes, press, hints } = await joinedPage();
+    pace(2, "first");
+    lesson.showHint({ task: 1, hint: 2 });
+    expect(changes()).toBe(1);
+    await receive(other, "second");
+    pace(2, "second");
+    expect(challenge.getState()).toMatchObject({ openTo: 2, hints: { 0: 2 } });
+    expect(lesson.state.getState().isOpen).toBe(false);
+    // The page still works on the lesson before it, and reports that.
+    expect(changes()).toBe(1);
+    // The teacher sees the new lesson: this hint is of its task.
+    lesson.showHint({ task: 1, hint: 1 });
+    expect(hints).toEqual([2]);
+    expect(challenge.getState().hints).toEqual({ 0: 2 });
+    await press("Open");
+    expect(changes()).toBe(2);
+    expect(challenge.getState()).toMatchObject({ openTo: 2, hints: { 0: 1 } });
+    expect(lesson.state.getState().isOpen).toBe(true);
+  });
+
+  it("is the lesson of the class at once if the student leaves the one before it", async () => {
+    const { receive, challenge, lesson, changes, wait, opened } = await joinedPage();
+    await receive(other, "second");
+    challenge.setState({ lesson: null, lessonId: null });
+    expect(changes()).toBe(2);
+    expect(lesson.state.getState().document?.name).toBe("Long way round");
+    await wait(10_000);
+    expect(opened).toEqual(["Sensors", "Long way round"]);
+  });
+
+  it("is not offered any more after the teacher has sent the one before it again", async () => {
+    const { receive, texts, lesson, opened, wait } = await joinedPage();
+    await receive(other, "second");
+    await receive(sampleLesson, "first");
+    expect(texts()).toEqual([]);
+    expect(lesson.state.getState().isOpen).toBe(true);
+    await wait(60_000);
+    expect(opened).toEqual(["Sensors"]);
   });
 
   it("does not open while the class is paused", async () => {

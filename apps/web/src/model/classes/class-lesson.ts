@@ -1,7 +1,7 @@
 /**
  * The lesson of the class: it opens when the student joins, and is offered when the teacher sends
  * another one. It opens beside the student's work. The pace closes tasks, and hints of the teacher
- * appear in the task.
+ * appear in the task. Until another lesson opens, the one before it has all of this further on.
  */
 import { lessonMark, type LessonDocument } from "@corridor/challenge";
 import type { i18n } from "i18next";
@@ -17,6 +17,8 @@ import { LESSON_KEY } from "./stored-keys.ts";
 
 /** Time until a lesson that the teacher sent opens by itself, in ms. */
 const OFFER_MS = 10_000;
+/** Longest time that a lesson waits for the end of a run, after it is due, in s. */
+const RUN_SECONDS = 30;
 /** Time until the page asks again for a lesson that it did not receive, in ms. */
 const RETRY_MS = 5_000;
 
@@ -31,8 +33,12 @@ export interface ClassLessonPorts {
   lesson: ClassLessonMark;
   /** Whether the class is paused: nothing opens meanwhile. */
   isPaused: () => boolean;
+  /** Whether the robot drives: a lesson that opens would end the run. */
+  isDriving: () => boolean;
   /** The page knows the lesson of the class, or it is another one. */
   onLesson: () => void;
+  /** The teacher has sent another lesson, which is not open yet. */
+  onNext: () => void;
   /** A hint of the teacher appears in the open task. */
   onHint: (hint: number) => void;
   /** @returns a function that cancels the call */
@@ -53,8 +59,17 @@ export function storedLesson(tab: KeyValueStorage): OpenedLesson | null {
 interface ClassLessonState {
   /** null: not received yet */
   document: LessonDocument | null;
-  /** whether the student works on it */
+  /** whether the student works on it, and the teacher has not sent another one */
   isOpen: boolean;
+}
+
+type Hints = Readonly<Record<number, number>>;
+
+/** A lesson that the teacher has sent while the student works on the one before it. */
+interface NextLesson {
+  document: LessonDocument;
+  mark: string;
+  hints: Hints;
 }
 
 export class ClassLesson {
@@ -63,7 +78,8 @@ export class ClassLesson {
   /** version that was requested last */
   #version: string | null = null;
   #openTo: number | undefined;
-  #hints: Readonly<Record<number, number>> = {};
+  #hints: Hints = {};
+  #next: NextLesson | null = null;
   /** id of the message about a lesson that the teacher sent; null: none */
   #offer: number | null = null;
   #cancel: () => void = () => undefined;
@@ -91,9 +107,10 @@ export class ClassLesson {
     const { challenge, lesson, screen, words, onHint } = this.#ports;
     const { t } = words;
     const index = task - 1;
-    this.#hints = { ...this.#hints, [index]: Math.max(hint, this.#hints[index] ?? 0) };
+    if (this.#next === null) this.#hints = withHint(this.#hints, index, hint);
+    else this.#next.hints = withHint(this.#next.hints, index, hint);
     this.#apply();
-    if (lesson.openIndex(challenge.getState()) === index) {
+    if (this.#next === null && lesson.openIndex(challenge.getState()) === index) {
       onHint(hint);
       showMessage(screen, { tone: "info", text: t("join:inClass.hint", { hint }) });
       return;
@@ -108,14 +125,15 @@ export class ClassLesson {
 
   /** Opens the lesson beside the student's work. One that is already open stays as it is. */
   async open(): Promise<void> {
-    const { document } = this.state.getState();
+    const document = this.#newest();
     if (document === null || this.#isClosed) return;
     this.#endOffer();
     const { challenge, lesson, lessons, screen, words } = this.#ports;
-    if (lesson.openIndex(challenge.getState()) !== null) return;
+    if (this.#next === null && lesson.openIndex(challenge.getState()) !== null) return;
     try {
       const { navigation } = await lessons.load();
-      if (document !== this.state.getState().document || this.#isClosed) return;
+      if (document !== this.#newest() || this.#isClosed) return;
+      this.#replace();
       // The lesson begins with a task that is open in the class.
       challenge.setState({ openTo: this.#openTo });
       navigation.resume(document);
@@ -131,7 +149,7 @@ export class ClassLesson {
     this.#isClosed = true;
     this.#endOffer();
     this.#unsubscribe();
-    this.#ports.challenge.setState({ openTo: undefined, hints: undefined });
+    this.#ports.challenge.setState({ openTo: undefined, hints: undefined, hintsRead: undefined });
   }
 
   async #load(version: string): Promise<void> {
@@ -149,18 +167,44 @@ export class ClassLesson {
   }
 
   #received(version: string, document: LessonDocument): void {
-    const { tab, lesson, onLesson } = this.#ports;
+    const { challenge, tab, lesson, isDriving, onNext } = this.#ports;
     const opened = storedLesson(tab);
     const mark = lessonMark(document);
-    if (lesson.mark !== mark) this.#hints = {};
+    const isOther = lesson.mark !== mark;
+    this.#next = { document, mark, hints: isOther ? {} : this.#hints };
+    // The student has time to finish in the lesson before it.
+    const stays = isOther && lesson.openIndex(challenge.getState()) !== null;
+    if (stays) {
+      lesson.isReplaced = true;
+      this.#apply();
+      onNext();
+    } else this.#replace();
+    if (opened?.version === version) return this.#endOffer();
+    if (this.state.getState().isOpen) {
+      this.#endOffer();
+      this.#storeOpened();
+    } else if (opened === null && !isDriving()) this.#openSoon(0);
+    else this.#offerLesson(document);
+  }
+
+  /** The lesson that the teacher has sent last. */
+  #newest(): LessonDocument | null {
+    return this.#next?.document ?? this.state.getState().document;
+  }
+
+  /** The newest lesson is the lesson of the class from now on. */
+  #replace(): void {
+    const { challenge, lesson, onLesson } = this.#ports;
+    if (this.#next === null) return;
+    const { document, mark, hints } = this.#next;
+    this.#next = null;
+    lesson.isReplaced = false;
+    this.#hints = hints;
+    if (lesson.mark !== mark) challenge.setState({ hintsRead: undefined });
     lesson.set(mark);
     this.state.setState({ document });
     this.#apply();
     onLesson();
-    if (opened?.version === version) return;
-    if (this.state.getState().isOpen) this.#storeOpened();
-    else if (opened === null) this.#openSoon(0);
-    else this.#offerLesson(document);
   }
 
   #storeOpened(): void {
@@ -184,12 +228,17 @@ export class ClassLesson {
     this.#openSoon(OFFER_MS);
   }
 
-  /** Opens the lesson after this time, but not during a pause of the class. */
-  #openSoon(ms: number): void {
-    const { later, isPaused } = this.#ports;
+  /**
+   * Opens the lesson after this time, but not during a pause of the class, and after the end of a
+   * run.
+   * @param waits how often to wait for the end of a run, for 1 s each
+   */
+  #openSoon(ms: number, waits = RUN_SECONDS): void {
+    const { later, isPaused, isDriving } = this.#ports;
     this.#cancel();
     this.#cancel = later(() => {
-      if (isPaused()) this.#openSoon(1_000);
+      if (isPaused()) this.#openSoon(1_000, waits);
+      else if (isDriving() && waits > 0) this.#openSoon(1_000, waits - 1);
       else void this.open();
     }, ms);
   }
@@ -222,10 +271,18 @@ export class ClassLesson {
   #apply(): void {
     const { challenge, lesson } = this.#ports;
     const state = challenge.getState();
-    const isOpen = lesson.openIndex(state) !== null;
+    const isThere = lesson.openIndex(state) !== null;
+    // The student has left the lesson before it: nothing of it can be lost any more.
+    if (!isThere && this.#next !== null) return this.#replace();
+    const isOpen = isThere && this.#next === null;
     if (isOpen !== this.state.getState().isOpen) this.state.setState({ isOpen });
-    const openTo = isOpen ? this.#openTo : undefined;
-    const hints = isOpen ? this.#hints : undefined;
+    const openTo = isThere ? this.#openTo : undefined;
+    const hints = isThere ? this.#hints : undefined;
     if (openTo !== state.openTo || hints !== state.hints) challenge.setState({ openTo, hints });
   }
+}
+
+/** The teacher shows a hint, and all hints before it. */
+function withHint(hints: Hints, index: number, hint: number): Hints {
+  return { ...hints, [index]: Math.max(hint, hints[index] ?? 0) };
 }

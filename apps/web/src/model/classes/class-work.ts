@@ -82,7 +82,11 @@ export class ClassWork {
       simulator,
       lesson: mark,
       reported: this.#reported,
-      add: (event) => this.#outbox.add(event),
+      add: (event) => {
+        this.#outbox.add(event);
+        // Who has solved the task needs no help with it.
+        if (event.kind === "solved") request({ kind: "help", wanted: false });
+      },
       setProgram: (task, link) => this.#programs.set(task, link),
       setPlace: (place) => request({ kind: "place", place }),
       onAllSolved: () => this.#askSurvey(),
@@ -97,7 +101,9 @@ export class ClassWork {
       words,
       lesson: mark,
       isPaused: () => isPaused(classes),
+      isDriving: () => run.getState().snapshot?.state === "running",
       onLesson: () => this.#changed(),
+      onNext: () => this.#reporter.update(),
       onHint: (hint) => this.#reporter.hint(hint),
       later,
     });

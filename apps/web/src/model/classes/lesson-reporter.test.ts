@@ -37,6 +37,7 @@ function newPage(tab = new VolatileStorage()) {
   const programs: { task: number; link: string }[] = [];
   const places: (ClassPlace | null)[] = [];
   let surveys = 0;
+  const lesson = new ClassLessonMark(mark);
   const reporter = new LessonReporter({
     challenge,
     workspace,
@@ -49,7 +50,7 @@ function newPage(tab = new VolatileStorage()) {
         return () => listeners.delete(listener);
       },
     },
-    lesson: new ClassLessonMark(mark),
+    lesson,
     reported: new ReportedWork(tab),
     add: (event) => progress.push(event),
     setProgram: (task, link) => programs.push({ task, link }),
@@ -62,6 +63,7 @@ function newPage(tab = new VolatileStorage()) {
   });
   return {
     tab,
+    lesson,
     reporter,
     challenge,
     workspace,
@@ -76,8 +78,15 @@ function newPage(tab = new VolatileStorage()) {
     },
     edit: () => setProgram(workspace, reverse, []),
     bump: (tick: number) => {
-      const event = { kind: "bump", tick, bumps: 1, line: "default", driver: "program" };
+      const pose = { x: 310, y: 150, heading: 90 };
+      const event = { kind: "bump", tick, bumps: 1, line: "default", driver: "program", pose };
       for (const listener of listeners) listener({ type: "event", event } as FromWorker);
+    },
+    /** The robot has driven by hand. */
+    drive: (tick: number) => {
+      const frame = { snapshot: { state: "paused", bumps: 0 }, view: "now", nowDriver: "me" };
+      const message = { type: "frame", frame: { ...frame, nowTick: tick } } as FromWorker;
+      for (const listener of listeners) listener(message);
     },
     meet: () => {
       const figures = { ticks: 300, bumps: 0, lines: 0 };
@@ -107,6 +116,29 @@ describe("the reports of a student's work", () => {
     expect(reloaded.progress).toEqual([]);
   });
 
+  it("have no place in a lesson that the teacher has replaced, but still contain its runs", () => {
+    const { openTask, lesson, reporter, place, bump, reset, progress } = newPage();
+    openTask(0);
+    lesson.isReplaced = true;
+    reporter.update();
+    expect(place()).toBeNull();
+    bump(100);
+    reset();
+    expect(progress.at(-1)).toMatchObject({ kind: "run", task: 1 });
+  });
+
+  it("contain that the student drives by hand, until the program is edited", () => {
+    const { openTask, drive, edit, place } = newPage();
+    openTask(0);
+    expect(place()).toMatchObject({ isByHand: false });
+    drive(30);
+    expect(place()).toMatchObject({ isByHand: true });
+    edit();
+    expect(place()).toMatchObject({ isByHand: false });
+    drive(60);
+    expect(place()).toMatchObject({ isByHand: true });
+  });
+
   it("contain runs, and whether the program has changed since the last one", () => {
     const { openTask, bump, reset, edit, progress } = newPage();
     openTask(0);
@@ -117,7 +149,11 @@ describe("the reports of a student's work", () => {
     }
     const runs = progress.filter(({ kind }) => kind === "run");
     expect(runs.map((run) => "changed" in run && run.changed)).toEqual([true, false, true]);
-    expect(runs[0]).toMatchObject({ bumps: 1, failure: { code: "bump", line: "default" } });
+    expect(runs[0]).toMatchObject({
+      bumps: 1,
+      bumpPlaces: [{ maze: "g1", column: 3, row: 1 }],
+      failure: { code: "bump", line: "default" },
+    });
   });
 
   it("contain a solution after its run, and not again", () => {
@@ -151,7 +187,13 @@ describe("the reports of a student's work", () => {
   it("say where the student is, and nothing of other work", () => {
     const { openTask, challenge, place, bump, edit, wait, progress, programs } = newPage();
     openTask(0);
-    expect(place()).toEqual({ task: 1, maze: "g1", passes: null, isSolved: false });
+    expect(place()).toEqual({
+      task: 1,
+      maze: "g1",
+      passes: null,
+      isSolved: false,
+      isByHand: false,
+    });
     challenge.setState({ ...noChallenge });
     expect(place()).toBeNull();
     const before = progress.length;

@@ -23,6 +23,7 @@ import type { RunStore } from "../run/run-store.ts";
 import type { WorkspaceStore } from "../workspace/workspace-store.ts";
 import { completionText, programText } from "./attempt-text.ts";
 import type { ClassLessonMark } from "./class-lesson-mark.ts";
+import { HandDriving } from "./hand-driving.ts";
 import type { ReportedWork } from "./reported-work.ts";
 import { RunAttempts, type AttemptFailure, type FinishedRun } from "./run-attempts.ts";
 
@@ -48,6 +49,7 @@ export interface LessonReporterPorts {
 export class LessonReporter {
   readonly #ports: LessonReporterPorts;
   readonly #attempts: RunAttempts;
+  readonly #hand = new HandDriving();
   readonly #ends: (() => void)[];
   /** index of the open task; null: the lesson of the class is not open */
   #index: number | null = null;
@@ -61,18 +63,26 @@ export class LessonReporter {
     this.#attempts = new RunAttempts(
       {
         program: () => programText(workspace.getState().program) ?? "",
+        maze: () => this.#placeNow()?.maze ?? null,
         onFinished: (finished) => this.#finished(finished),
         later,
       },
       { tick: nowTick, bumps: snapshot?.bumps ?? 0 },
     );
     this.#ends = [
-      simulator.listen((message) => this.#attempts.receive(message)),
+      simulator.listen((message) => {
+        this.#attempts.receive(message);
+        if (message.type !== "frame") return;
+        const { nowDriver, nowTick } = message.frame;
+        if (this.#hand.follow(nowDriver, nowTick)) this.#setPlace();
+      }),
       challenge.subscribe((next, before) => this.#follow(next, before)),
       workspace.subscribe((next, before) => {
         if (next.maze !== before.maze) this.#setPlace();
         if (next.program === before.program) return;
         this.#attempts.edited();
+        this.#hand.edited();
+        this.#setPlace();
         this.#programSoon();
       }),
     ];
@@ -225,13 +235,15 @@ export class LessonReporter {
     const { challenge, workspace } = this.#ports;
     const state = challenge.getState();
     const task = openTask(state);
-    if (this.#index === null || task === null) return null;
+    // The dashboard shows the mazes of the newest lesson.
+    if (this.#index === null || task === null || this.#ports.lesson.isReplaced) return null;
     const maze = mazeIndex(task, workspace.getState().maze);
     return {
       task: this.#index + 1,
       maze: maze === null ? null : `g${maze + 1}`,
       passes: state.checked && passesOf(task, state.checked),
       isSolved: state.result.state === "met",
+      isByHand: this.#hand.isOn || !task.allowed.drivers.includes("program"),
     };
   }
 }

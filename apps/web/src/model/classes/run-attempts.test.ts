@@ -8,9 +8,11 @@ function newAttempts(start = { tick: 0, bumps: 0 }) {
   const runs: FinishedRun[] = [];
   const timers = new Set<() => void>();
   let program = "a";
+  let maze: string | null = "g1";
   const attempts = new RunAttempts(
     {
       program: () => program,
+      maze: () => maze,
       onFinished: (run) => runs.push(run),
       later: (call) => {
         timers.add(call);
@@ -30,6 +32,13 @@ function newAttempts(start = { tick: 0, bumps: 0 }) {
     edit: (text: string): void => {
       program = text;
       attempts.edited();
+    },
+    /** Opens another maze; null: none of the task. */
+    open: (name: string | null): void => void (maze = name),
+    bump: (tick: number, bumps: number, driver: "me" | "program" = "program"): void => {
+      const pose = { x: 350 + bumps * 100, y: 150, heading: 90 };
+      const event = { kind: "bump", tick, bumps, line: "default", driver, pose };
+      attempts.receive({ type: "event", event } as FromWorker);
     },
     drive: (tick: number) => frame(tick),
     driveByHand: (tick: number, bumps = 0) => frame(tick, { nowDriver: "me", ...bumped(bumps) }),
@@ -118,13 +127,29 @@ describe("the runs of a student", () => {
   });
 
   it("have the reason of a bump that arrives before its frame", () => {
-    const { attempts, runs, end, wait } = newAttempts();
-    const event = { kind: "bump", tick: 300, bumps: 1, line: "default", driver: "program" };
-    attempts.receive({ type: "event", event } as FromWorker);
+    const { runs, bump, end, wait } = newAttempts();
+    bump(300, 1);
     end(300, 1);
     wait();
     const failure = { code: "bump", line: "default" };
-    expect(runs).toEqual([{ program: "a", bumps: 1, mistakes: 0, failure }]);
+    const bumpPlaces = [{ maze: "g1", column: 4, row: 1 }];
+    expect(runs).toEqual([{ program: "a", bumps: 1, bumpPlaces, mistakes: 0, failure }]);
+  });
+
+  it("have the places of their first 20 bumps in mazes of the task", () => {
+    const { runs, bump, open, driveByHand, reset } = newAttempts();
+    driveByHand(10);
+    open(null);
+    bump(11, 1, "me");
+    open("g2");
+    for (let bumps = 2; bumps <= 30; bumps++) bump(10 + bumps, bumps, "me");
+    reset();
+    expect(runs[0]?.bumps).toBe(30);
+    expect(runs[0]?.bumpPlaces).toHaveLength(20);
+    expect(runs[0]?.bumpPlaces?.[0]).toEqual({ maze: "g2", column: 5, row: 1 });
+    driveByHand(5);
+    reset();
+    expect(runs[1]).toEqual({ program: null, ...passed });
   });
 
   it("end with the time of the task, also before the next frame", () => {

@@ -3,13 +3,17 @@
  * and why it failed. A run ends at a bump that stops the program, at the goal, when the time is over,
  * when the robot is reset, or when the past replaces it. Pause and resume belong to one run.
  */
-import type { DriverName, Progress } from "@corridor/protocol";
+import { CELL } from "@corridor/maze";
+import { MAX_BUMP_PLACES, type DriverName, type Pose, type Progress } from "@corridor/protocol";
 import type { FromWorker } from "../../simulator/protocol/worker-messages.ts";
 
 type RunRecord = Extract<Progress, { kind: "run" }>;
 export type AttemptFailure = RunRecord["failure"];
 
-export interface FinishedRun extends Pick<RunRecord, "bumps" | "mistakes" | "failure"> {
+export interface FinishedRun extends Pick<
+  RunRecord,
+  "bumps" | "bumpPlaces" | "mistakes" | "failure"
+> {
   /** the program that drove, as a text to compare; null: a manual drive */
   program: string | null;
 }
@@ -17,6 +21,8 @@ export interface FinishedRun extends Pick<RunRecord, "bumps" | "mistakes" | "fai
 export interface RunAttemptsPorts {
   /** the newest program as a text to compare */
   program: () => string;
+  /** the displayed maze of the task, as in tiles; null: another one */
+  maze: () => string | null;
   onFinished: (run: FinishedRun) => void;
   /** @returns a function that cancels the call */
   later: (call: () => void, ms: number) => () => void;
@@ -61,8 +67,9 @@ export class RunAttempts {
       this.#isOpened = true;
     } else if (message.type === "event") {
       // It may arrive before the frame of its tick.
-      const { kind, driver, line, tick, bumps } = message.event;
+      const { kind, driver, line, tick, bumps, pose } = message.event;
       this.#advance(tick, bumps, driver);
+      if (kind === "bump") this.#bumped(pose);
       if (kind === "bump" && driver === "program") this.failed({ code: "bump", line }, 0, tick);
     }
   }
@@ -133,6 +140,14 @@ export class RunAttempts {
     if (bumps === null) return;
     if (this.#run !== null) this.#run.bumps += Math.max(0, bumps - (this.#bumps ?? bumps));
     this.#bumps = bumps;
+  }
+
+  #bumped({ x, y }: Pick<Pose, "x" | "y">): void {
+    const maze = this.#ports.maze();
+    const places = this.#run?.bumpPlaces ?? [];
+    if (this.#run === null || maze === null || places.length >= MAX_BUMP_PLACES) return;
+    const place = { maze, column: Math.floor(x / CELL), row: Math.floor(y / CELL) };
+    this.#run.bumpPlaces = [...places, place];
   }
 
   #endSoon(): void {

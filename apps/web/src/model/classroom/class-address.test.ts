@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { MemoryStorage } from "../storage/testing/memory-storage.ts";
-import { takeClassVisit } from "./class-address.ts";
+import { hasClassKey, secondDeviceAddress, takeClassVisit } from "./class-address.ts";
 import { OwnClasses } from "./own-classes.ts";
 
 const NOW = Date.UTC(2026, 0, 1);
@@ -40,6 +40,25 @@ it("a link does not change the label that the device has", () => {
   expect(visit(`#${teacherKey}`)).toMatchObject({ room: { label: "8B", screenKey } });
 });
 
+it("a second device can open the big screen, too", () => {
+  const { visit } = device();
+  const address = secondDeviceAddress("https://a.example", { id, key: teacherKey, screenKey });
+  expect(address).toBe(`https://a.example/class/${id}#${teacherKey}.${screenKey}`);
+  const { hash } = new URL(address);
+  expect(hasClassKey(hash)).toBe(true);
+  expect(visit(hash)).toMatchObject({ room: { key: teacherKey, screenKey } });
+  expect(visit("")).toMatchObject({ kind: "teach", room: { key: teacherKey, screenKey } });
+});
+
+it("a second device that has only the teacher's key gets the other one later", () => {
+  const { visit } = device();
+  const known = { id, key: teacherKey, screenKey: null };
+  expect(secondDeviceAddress("https://a.example", known)).toMatch(/#tea_[^.]*$/);
+  visit(`#${teacherKey}`);
+  visit(`#${teacherKey}.${screenKey}`);
+  expect(visit("")).toMatchObject({ room: { screenKey } });
+});
+
 it("a wrong link does not replace the key that the device has", () => {
   const { visit } = device();
   const wrong = `tea_${"D".repeat(22)}`;
@@ -57,6 +76,8 @@ it("the key of a big screen is stored in the tab", () => {
 
 it.each([
   { hash: `#stu_${"B".repeat(22)}`, pathname: `/class/${id}` },
+  { hash: `#${teacherKey}.${teacherKey}`, pathname: `/class/${id}` },
+  { hash: `#${screenKey}.${teacherKey}`, pathname: `/class/${id}` },
   { hash: "#tea_short", pathname: `/class/${id}` },
   { hash: `#${teacherKey}`, pathname: "/class/short" },
 ])("$hash at $pathname opens nothing", ({ hash, pathname }) => {

@@ -23,7 +23,9 @@ export interface ClassAddressPorts {
 
 const SCREEN_KEY = "corridor.screen";
 const PATH = /^\/class\/([A-Za-z0-9_-]{22})\/?$/;
-const KEY = /^(?:tea|scr)_[A-Za-z0-9_-]{22}$/;
+const SCREEN = /^scr_[A-Za-z0-9_-]{22}$/;
+/** The key of a teacher; a second device also gets the key of the big screens. */
+const TEACHER = /^(tea_[A-Za-z0-9_-]{22})(?:\.(scr_[A-Za-z0-9_-]{22}))?$/;
 
 /** Reads the address and removes the key from it. */
 export function takeClassVisit(ports: ClassAddressPorts): ClassVisit {
@@ -32,16 +34,17 @@ export function takeClassVisit(ports: ClassAddressPorts): ClassVisit {
   const given = location.hash.slice(1);
   if (given !== "") replaceAddress(pathname + search);
   const id = PATH.exec(pathname)?.[1];
-  if (id === undefined || (given !== "" && !KEY.test(given))) return { kind: "broken" };
+  if (id === undefined || (given !== "" && !isKey(given))) return { kind: "broken" };
   const stored = classes.read(id);
-  if (given.startsWith("tea_")) {
+  const [, key, screenKey = null] = TEACHER.exec(given) ?? [];
+  if (key !== undefined) {
     const known = stored ?? { id, screenKey: null, label: "", startedAt: now() };
-    const room = { ...known, key: given };
+    const room = { ...known, key, screenKey: known.screenKey ?? screenKey };
     // A wrong link must not replace the right key. The dashboard stores another key that works.
-    if (stored === null) classes.store(room);
+    if (stored === null || stored.key === key) classes.store(room);
     return { kind: "teach", room };
   }
-  if (given.startsWith("scr_")) {
+  if (given !== "") {
     storeScreen(tab, id, given);
     return { kind: "show", id, key: given };
   }
@@ -52,7 +55,22 @@ export function takeClassVisit(ports: ClassAddressPorts): ClassVisit {
 
 /** Whether the address has a key. @param hash of the address, with # */
 export function hasClassKey(hash: string): boolean {
-  return KEY.test(hash.slice(1));
+  return isKey(hash.slice(1));
+}
+
+function isKey(text: string): boolean {
+  return TEACHER.test(text) || SCREEN.test(text);
+}
+
+/**
+ * The address of the dashboard for a second device of the teacher. The teacher's key permits more
+ * than the key of the big screens, so the second one adds no permission.
+ */
+export function secondDeviceAddress(
+  origin: string,
+  { id, key, screenKey }: Pick<OwnClass, "id" | "key" | "screenKey">,
+): string {
+  return classAddress(origin, id, screenKey === null ? key : `${key}.${screenKey}`);
 }
 
 /** The address of the dashboard or the big screen of a class, with its key. */
@@ -71,5 +89,5 @@ function storeScreen(tab: ClassAddressPorts["tab"], id: string, key: string): vo
 
 function storedScreen(tab: ClassAddressPorts["tab"], id: string): string | null {
   const [storedId, key = ""] = (tab.getItem(SCREEN_KEY) ?? "").split(" ");
-  return storedId === id && KEY.test(key) ? key : null;
+  return storedId === id && SCREEN.test(key) ? key : null;
 }

@@ -1,6 +1,7 @@
 /** The numbers above the cards, of one task. Pure. */
 import type { SeenStudent } from "../../simulator/protocol/classroom-messages.ts";
 import type { Standing } from "./standing.ts";
+import { groupOf, hasSolved, type StudentGroup } from "./student-group.ts";
 import type { Verifications } from "./verifier.ts";
 
 export interface Bar {
@@ -47,12 +48,10 @@ export function summaryOf(
     const work = tasks.find((each) => each.task === task);
     return found?.kind === "passes" ? [{ claim: found.claim, openedAt: work?.openedAt ?? 0 }] : [];
   });
-  const others = [...students.values()].filter(
-    ({ student }) => verifications.get(student)?.get(task)?.kind !== "passes",
+  const groups = [...students.keys()].map((student) =>
+    groupOf(shown.get(student)?.standing ?? "working", hasSolved(verifications, student, task)),
   );
-  const count = (...wanted: Standing[]): number =>
-    others.filter(({ student }) => wanted.includes(shown.get(student)?.standing ?? "working"))
-      .length;
+  const count = (wanted: StudentGroup): number => groups.filter((each) => each === wanted).length;
   const times = solutions.map(({ claim, openedAt }) => Math.max(0, claim.activeAt - openedAt));
   const lines = solutions.flatMap(({ claim }) => claim.lines ?? []);
   const attempts = [...students.values()].flatMap(({ tasks }) => {
@@ -61,12 +60,12 @@ export function summaryOf(
   });
   const all = Math.max(expected ?? 0, students.size);
   return {
-    solved: solutions.length,
+    solved: count("solved"),
     all,
-    working: count("working", "solved"),
+    working: count("working"),
     bumped: count("bumped"),
-    needHelp: count("help", "stuck"),
-    away: count("disconnected") + all - students.size,
+    needHelp: count("needHelp"),
+    away: count("away") + all - students.size,
     medianMs: median(times),
     times: barsOf(times.map((ms) => Math.max(1, Math.ceil(ms / MINUTE_MS)))),
     commonLines: mostCommon(lines),

@@ -47,6 +47,8 @@ export interface DashboardState {
   programs: Programs;
   order: ShownOrder;
   sorting: Sorting;
+  /** number of the task of the results; null: the teacher has chosen none */
+  chosenTask: number | null;
   /** ms since 1970, once a second */
   now: number;
 }
@@ -87,6 +89,7 @@ export class Dashboard {
       programs: nothing,
       order: { order: [], changedAt: 0, waiting: 0 },
       sorting: "help",
+      chosenTask: null,
       now: ports.now(),
     }));
   }
@@ -147,6 +150,11 @@ export class Dashboard {
   setSorting(sorting: Sorting): void {
     this.store.setState({ sorting });
     this.sortNow();
+  }
+
+  /** Shows the results of another task, also on the big screens. */
+  chooseTask(task: number): void {
+    this.store.setState({ chosenTask: task });
   }
 
   /** Puts the cards in order at once, because the teacher asks for it. */
@@ -213,6 +221,16 @@ export class Dashboard {
     );
     if (lesson !== null && hasClaims) this.#ports.verify(lesson, students);
   }
+}
+
+/** The task of the results: the chosen one, or the newest that students may open. */
+export function resultsTask({
+  classroom,
+  lesson,
+  chosenTask,
+}: Pick<DashboardState, "classroom" | "lesson" | "chosenTask">): number {
+  const task = chosenTask ?? classroom?.settings.paceTo ?? 1;
+  return Math.min(task, lesson?.tasks.length ?? 1);
 }
 
 /** The active time now, in ms. */

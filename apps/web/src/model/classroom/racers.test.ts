@@ -1,7 +1,8 @@
 import { programPresets } from "@corridor/program";
 import { MAX_RACERS } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { racersOf } from "./racers.ts";
+import { raceField, raceMazes } from "./racers.ts";
+import { firstMaze } from "../../simulator/protocol/first-project.ts";
 import type { Verification } from "./verifier.ts";
 
 const [preset] = programPresets;
@@ -21,12 +22,16 @@ function verifications(...all: Verification[]) {
 
 describe("the racers of a task", () => {
   it("are the verified programs, each with the number of its students", () => {
-    const found = racersOf(2, verifications(passes("b"), passes("a"), passes("b"), passes("c")));
+    const { racers: found, missing } = raceField(
+      2,
+      verifications(passes("b"), passes("a"), passes("b"), passes("c")),
+    );
     expect(found).toEqual([
       { code: "b", count: 2 },
       { code: "a", count: 1 },
       { code: "c", count: 1 },
     ]);
+    expect(missing).toEqual([]);
   });
 
   it.each<[string, Verification]>([
@@ -34,19 +39,36 @@ describe("the racers of a task", () => {
     ["a claim that fails", { kind: "fails", claim: claimOf("a"), attempt: program }],
     ["a manual drive", { kind: "passes", claim: claimOf("a"), attempt: [] }],
   ])("do not include %s", (_, verification) => {
-    expect(racersOf(2, verifications(verification))).toEqual([]);
+    expect(raceField(2, verifications(verification)).racers).toEqual([]);
   });
 
   it("do not include solutions of other tasks", () => {
-    expect(racersOf(1, verifications(passes("a")))).toEqual([]);
+    expect(raceField(1, verifications(passes("a"))).racers).toEqual([]);
   });
 
-  it("are limited in number and in characters", () => {
-    const many = Array.from({ length: 60 }, (_, at) => passes(`1Zz${at}`));
-    expect(racersOf(2, verifications(...many))).toHaveLength(MAX_RACERS);
+  it("are limited in number and in characters, and the others are missing", () => {
+    const many = Array.from({ length: 42 }, (_, at) => passes(`1Zz${10 + at}`));
+    const field = raceField(2, verifications(...many, passes("1Zz51")));
+    expect(field.racers).toHaveLength(MAX_RACERS);
+    expect(field.racers[0]).toEqual({ code: "1Zz51", count: 2 });
+    expect(field.missing).toEqual([40, 41]);
     const long = Array.from({ length: 30 }, (_, at) => passes(`${at}`.padStart(4_000, "x")));
-    const codes = racersOf(2, verifications(...long)).map(({ code }) => code);
+    const { racers, missing } = raceField(2, verifications(...long));
+    const codes = racers.map(({ code }) => code);
     expect(codes.join("").length).toBeLessThanOrEqual(32_768);
     expect(codes).toHaveLength(8);
+    expect(missing).toHaveLength(22);
   });
+});
+
+it("a task races in its given mazes, or in the first ten unseen ones", () => {
+  const maze = firstMaze;
+  const unseen = { kind: "tree", columns: 11, rows: 11, seed: 7, count: 50, pass: 45 } as const;
+  expect(raceMazes({ mazes: [maze, maze], unseen: null })).toEqual(["g1", "g2"]);
+  expect(raceMazes({ mazes: [maze], unseen: { ...unseen, count: 2, pass: 1 } })).toEqual([
+    "g1",
+    "u1",
+    "u2",
+  ]);
+  expect(raceMazes({ mazes: [maze], unseen })).toHaveLength(11);
 });

@@ -10,7 +10,7 @@ export const RACE_KEY = "corridor.race";
 
 export interface RaceGhost {
   id: number;
-  /** A to D */
+  /** A to G */
   badge: string;
   /** name of the program at the start of its run */
   program: string;

@@ -151,6 +151,10 @@ export class ClassroomHost {
     this.#time = withPause(this.#time, this.#ports.now(), settings.pauseEndsInMs);
     this.#ports.post({ type: "state", state: this.#state(settings) });
     if (settings.lesson === this.#lesson) return;
+    if (this.#lesson !== null) {
+      this.roster.restart();
+      this.#postSoon();
+    }
     this.#lesson = settings.lesson;
     void this.#readLesson(settings.lesson);
   }

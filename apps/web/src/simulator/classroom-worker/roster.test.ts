@@ -19,7 +19,12 @@ const tile: Tile = {
 
 /** A roster with these students, whose first changes were taken. */
 function rosterOf(...students: number[]): Roster {
-  const roster = new Roster(() => NOW);
+  return rosterAt(() => NOW, ...students);
+}
+
+/** @param activeMs the active time now */
+function rosterAt(activeMs: () => number, ...students: number[]): Roster {
+  const roster = new Roster(activeMs);
   roster.replace(classView(students.map((each) => ({ ...studentView(each), progress: [] }))));
   roster.takeChanges();
   return roster;
@@ -63,6 +68,51 @@ describe("the students of a class", () => {
     expect(roster.takeChanges().changed).toMatchObject([{ busyAt: NOW }]);
   });
 
+  it("are busy while their robots drive, which the page learns every 5 s", () => {
+    let now = NOW;
+    const roster = rosterAt(() => now, 1);
+    const busyAt: number[] = [];
+    for (let second = 0; second <= 300; second += 1) {
+      now = NOW + second * 1_000;
+      const driven: Tile = { ...tile, seq: second + 1, tick: second * 60 };
+      roster.show([{ student: 1, connected: true, tile: driven }]);
+      busyAt.push(...roster.takeChanges().changed.map((each) => each.busyAt));
+    }
+    expect(busyAt).toEqual(Array.from({ length: 61 }, (_, at) => NOW + at * 5_000));
+  });
+
+  it("start all counts again with the tile of another task, before its record arrives", () => {
+    let now = NOW;
+    const roster = rosterAt(() => now, 1);
+    roster.show([{ student: 1, connected: true, tile }]);
+    now += 600_000;
+    roster.show([{ student: 1, connected: true, tile: { ...tile, seq: 2, task: 2 } }]);
+    expect(roster.takeChanges().changed).toMatchObject([{ busyAt: now, bestAt: now, repeats: 0 }]);
+  });
+
+  it("start all counts again with another lesson, also if the class is read again", () => {
+    let now = NOW;
+    const roster = rosterAt(() => now, 1);
+    const bumped = (seq: number) =>
+      record(seq, 60_000, {
+        kind: "run",
+        task: 1,
+        changed: true,
+        bumps: 1,
+        mistakes: 0,
+        failure: { code: "bump", line: 0 },
+      });
+    const view = classView([{ ...studentView(1), progress: [1, 2, 3, 4].map(bumped) }]);
+    roster.replace(view);
+    expect(roster.takeChanges().changed).toMatchObject([{ repeats: 4 }]);
+    now += 200_000;
+    roster.restart();
+    const fresh = [{ busyAt: now, bestAt: now, repeats: 0 }];
+    expect(roster.takeChanges().changed).toMatchObject(fresh);
+    roster.replace(view);
+    expect(roster.takeChanges().changed).toMatchObject(fresh);
+  });
+
   it("change on the page only if the words of the card do", () => {
     const roster = rosterOf(1);
     roster.show([{ student: 1, connected: true, tile }]);
@@ -84,13 +134,49 @@ describe("the students of a class", () => {
     expect(roster.takeChanges().changed).toMatchObject([{ student: 2, tile: { line: 1 } }]);
   });
 
-  it("have bumps counted once, where the robot was", () => {
+  it("have their bumps counted where the robots were, also those before the dashboard opened", () => {
     const roster = rosterOf(1, 2);
-    const bumped: Tile = { ...tile, state: "bumped", bumps: 1 };
     expect(roster.takeBumps()).toBeNull();
-    for (const student of [1, 1, 2]) roster.show([{ student, connected: true, tile: bumped }]);
-    expect(roster.takeBumps()).toEqual([{ task: 1, maze: "g1", column: 1, row: 2, count: 2 }]);
+    const opened = { kind: "opened", lesson: "0123456ab", task: 1 } as const;
+    const place = { maze: "g1", column: 1, row: 2 };
+    const run = (...bumpPlaces: (typeof place)[]) =>
+      ({
+        kind: "run",
+        task: 1,
+        changed: true,
+        bumps: bumpPlaces.length,
+        bumpPlaces,
+        mistakes: 0,
+        failure: null,
+      }) as const;
+    const progress = [record(1, 1_000, opened), record(2, 2_000, run(place, place))];
+    roster.replace(
+      classView([
+        { ...studentView(1), progress },
+        { ...studentView(2), progress },
+      ]),
+    );
+    expect(roster.takeBumps()).toEqual([{ task: 1, ...place, count: 4 }]);
     expect(roster.takeBumps()).toBeNull();
+    const other = { ...place, maze: "g2" };
+    const next = record(3, 3_000, run(other));
+    roster.follow({ type: "student", n: 5, student: studentView(1), progress: next });
+    expect(roster.takeBumps()).toEqual([
+      { task: 1, ...place, count: 4 },
+      { task: 1, ...other, count: 1 },
+    ]);
+    // A record that arrives again changes nothing.
+    roster.follow({ type: "student", n: 6, student: studentView(1), progress: next });
+    expect(roster.takeBumps()).toBeNull();
+    // One student opens the next lesson of the class, whose tasks have the same numbers.
+    const lesson = record(3, 4_000, { ...opened, lesson: "0123456cd" });
+    roster.follow({ type: "student", n: 7, student: studentView(2), progress: lesson });
+    expect(roster.takeBumps()).toEqual([]);
+    roster.follow({ type: "removed", n: 8, student: 2 });
+    expect(roster.takeBumps()).toEqual([
+      { task: 1, ...place, count: 2 },
+      { task: 1, ...other, count: 1 },
+    ]);
   });
 
   it("ignore tiles of students who were removed", () => {

@@ -1,5 +1,4 @@
 /** The students of a class, from its stored state, its events and the tiles. */
-import { CELL } from "@corridor/maze";
 import type {
   ClassEvent,
   ClassView,
@@ -9,7 +8,10 @@ import type {
   StudentTile,
 } from "@corridor/protocol";
 import type { CountedBump, SeenStudent } from "../protocol/classroom-messages.ts";
-import { noWork, withRecord, type Work } from "./student-work.ts";
+import { noBumps, noWork, withRecord, withRestart, type Work } from "./student-work.ts";
+
+/** The page learns of a robot that drives on at most this often, in ms. */
+const BUSY_STEP_MS = 5_000;
 
 interface Entry {
   view: StudentView;
@@ -18,6 +20,10 @@ interface Entry {
   progress: number;
   isConnected: boolean;
   tile: Tile | null;
+  /** active time at which its newest tile drove; no record has it */
+  drivenAt: number;
+  /** `work.busyAt` as the page last received it */
+  sentBusyAt: number;
 }
 
 /** What the page has not received yet. */
@@ -31,8 +37,9 @@ export class Roster {
   readonly #entries = new Map<number, Entry>();
   readonly #changed = new Set<number>();
   readonly #removed = new Set<number>();
-  readonly #bumps = new Map<string, CountedBump>();
   #hasNewBumps = false;
+  /** active time at which the class got another lesson */
+  #restartedAt = Number.NEGATIVE_INFINITY;
   #watched: number | null = null;
 
   /** @param activeMs the active time now */
@@ -47,15 +54,21 @@ export class Roster {
     for (const { progress, ...view } of students) {
       const before = this.#entries.get(view.student);
       const joinedAt = before?.work.busyAt ?? this.#activeMs();
-      const work = progress.reduce(withRecord, noWork(progress[0]?.activeMs ?? joinedAt));
+      const stored = progress.reduce(withRecord, noWork(progress[0]?.activeMs ?? joinedAt));
+      const isOld = (progress.at(-1)?.activeMs ?? 0) < this.#restartedAt;
+      const work = isOld ? withRestart(stored, this.#restartedAt) : stored;
+      const drivenAt = before?.drivenAt ?? Number.NEGATIVE_INFINITY;
       // When programs were edited is not stored: the student may have edited one just now.
-      const busyAt = view.programs > 0 ? Math.max(work.busyAt, joinedAt) : work.busyAt;
+      const editedAt = view.programs > 0 ? joinedAt : Number.NEGATIVE_INFINITY;
+      const busyAt = Math.max(work.busyAt, drivenAt, editedAt);
       this.#set({
         view,
         work: { ...work, busyAt },
         progress: progress.at(-1)?.seq ?? 0,
         isConnected: before?.isConnected ?? false,
         tile: before?.tile ?? null,
+        drivenAt,
+        sentBusyAt: busyAt,
       });
     }
   }
@@ -66,6 +79,14 @@ export class Roster {
     const { student: view, progress } = event;
     const before = this.#entries.get(view.student) ?? this.#joined(view);
     this.#set(withView(before, view, progress, this.#activeMs()));
+  }
+
+  /** The class has another lesson: nobody has had the time to open it yet. */
+  restart(): void {
+    this.#restartedAt = this.#activeMs();
+    for (const entry of this.#entries.values()) {
+      this.#set({ ...entry, work: withRestart(entry.work, this.#restartedAt) });
+    }
   }
 
   /** The page shows the running line of this student; null: of nobody. */
@@ -80,14 +101,18 @@ export class Roster {
     for (const { student, connected, tile } of tiles) {
       const before = this.#entries.get(student);
       if (before === undefined) continue;
+      const hasDriven = tile !== null && before.tile !== null && tile.tick !== before.tile.tick;
+      const drivenAt = hasDriven ? this.#activeMs() : before.drivenAt;
+      const work = withTile(before, tile, drivenAt, this.#activeMs());
       const isSame =
         before.isConnected === connected &&
         isSameState(before.tile, tile) &&
+        busyStep(work.busyAt) === busyStep(before.sentBusyAt) &&
         (student !== this.#watched || before.tile?.line === tile?.line);
-      const entry = { ...before, isConnected: connected, tile: tile ?? before.tile };
+      const next = { isConnected: connected, tile: tile ?? before.tile, work, drivenAt };
+      const entry = { ...before, ...next };
       this.#entries.set(student, entry);
       if (!isSame) this.#changed.add(student);
-      if (tile !== null) this.#countBump(before.tile, tile);
       shown.push(student);
     }
     return shown;
@@ -106,7 +131,9 @@ export class Roster {
   takeChanges(): RosterChanges {
     const changed = [...this.#changed].flatMap((student) => {
       const entry = this.#entries.get(student);
-      return entry === undefined ? [] : [seenOf(entry)];
+      if (entry === undefined) return [];
+      entry.sentBusyAt = entry.work.busyAt;
+      return [seenOf(entry)];
     });
     const removed = [...this.#removed];
     this.#changed.clear();
@@ -114,37 +141,44 @@ export class Roster {
     return { changed, removed };
   }
 
-  /** The bumps so far; null: none since the last call */
+  /** All bumps in the lesson that was opened last; null: the same as at the last call */
   takeBumps(): CountedBump[] | null {
     if (!this.#hasNewBumps) return null;
     this.#hasNewBumps = false;
-    return [...this.#bumps.values()];
-  }
-
-  /** A bump counts where the robot is when its page reports it. */
-  #countBump(before: Tile | null, { task, maze, state, bumps, pose: [x, y] }: Tile): void {
-    const hasBumped = state === "bumped" && (before?.state !== "bumped" || before.bumps < bumps);
-    if (!hasBumped || maze === null) return;
-    const [column, row] = [Math.floor(x / CELL), Math.floor(y / CELL)];
-    const key = `${task} ${maze} ${column} ${row}`;
-    const count = (this.#bumps.get(key)?.count ?? 0) + 1;
-    this.#bumps.set(key, { task, maze, column, row, count });
-    this.#hasNewBumps = true;
+    const all = new Map<string, CountedBump>();
+    const works = [...this.#entries.values()].map(({ work }) => work);
+    const newest = works.toSorted((a, b) => b.lessonAt - a.lessonAt)[0]?.lesson;
+    for (const { bumped } of works) {
+      for (const { lesson, ...bump } of bumped) {
+        if (lesson !== newest) continue;
+        const key = `${bump.task} ${bump.maze} ${bump.column} ${bump.row}`;
+        all.set(key, { ...bump, count: bump.count + (all.get(key)?.count ?? 0) });
+      }
+    }
+    return [...all.values()];
   }
 
   #joined(view: StudentView): Entry {
     const work = noWork(this.#activeMs());
-    return { view, work, progress: 0, isConnected: false, tile: null };
+    const drivenAt = Number.NEGATIVE_INFINITY;
+    const still = { progress: 0, isConnected: false, tile: null, drivenAt };
+    return { view, work, ...still, sentBusyAt: work.busyAt };
   }
 
   #set(entry: Entry): void {
     const { student } = entry.view;
+    const before = this.#entries.get(student)?.work;
+    const isSame =
+      (before?.bumped ?? noBumps) === entry.work.bumped &&
+      (before === undefined || before.lesson === entry.work.lesson);
+    if (!isSame) this.#hasNewBumps = true;
     this.#entries.set(student, entry);
     this.#removed.delete(student);
     this.#changed.add(student);
   }
 
   #remove(student: number): void {
+    if ((this.#entries.get(student)?.work.bumped.length ?? 0) > 0) this.#hasNewBumps = true;
     this.#entries.delete(student);
     this.#changed.delete(student);
     this.#removed.add(student);
@@ -166,6 +200,26 @@ function withView(
     work: hasEdited ? { ...work, busyAt: Math.max(work.busyAt, now) } : work,
     progress: isNew ? progress.seq : before.progress,
   };
+}
+
+/**
+ * A robot that drives is a run, also before its record arrives. Tiles are faster than records: the
+ * tile of another task starts its counts, so that nobody is stuck in a task that has just opened.
+ */
+function withTile(
+  { work, tile: before }: Pick<Entry, "work" | "tile">,
+  tile: Tile | null,
+  drivenAt: number,
+  now: number,
+): Work {
+  const isOther = tile !== null && before !== null && tile.task !== before.task;
+  if (isOther) return withRestart(work, now);
+  return drivenAt > work.busyAt ? { ...work, busyAt: drivenAt } : work;
+}
+
+/** The same for all students, so that the page learns of all in one message. */
+function busyStep(busyAt: number): number {
+  return Math.floor(busyAt / BUSY_STEP_MS);
 }
 
 /** Whether two tiles have the same words on the card. */

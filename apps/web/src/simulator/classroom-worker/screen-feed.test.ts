@@ -11,6 +11,8 @@ const numbers = {
   maze: "g1",
   bumps: [{ column: 1, row: 1, count: 4 }],
   racers: [],
+  raceMaze: "g1",
+  missing: 0,
 };
 
 function newFeed() {

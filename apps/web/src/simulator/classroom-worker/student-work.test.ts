@@ -53,6 +53,7 @@ describe("the work of a student", () => {
     { what: "a failure of another line", events: [run(0), run(0), run(1)], repeats: 1 },
     { what: "an attempt that did not fail", events: [run(0), run(0), run(null)], repeats: 0 },
     { what: "the same program again", events: [run(0), run(0, { changed: false })], repeats: 1 },
+    { what: "a solution", events: [run(0), run(0), solved("a")], repeats: 0 },
     { what: "another task", events: [run(0), run(0), { ...opened, task: 2 }], repeats: 0 },
   ] as { what: string; events: Progress[]; repeats: number }[])(
     "has $repeats repeats after $what",

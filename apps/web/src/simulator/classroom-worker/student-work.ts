@@ -1,6 +1,11 @@
 /** What a student has done, from the stored progress records. Pure. */
 import type { ProgressRecord } from "@corridor/protocol";
-import type { CountedFailure, SeenStudent, TaskWork } from "../protocol/classroom-messages.ts";
+import type {
+  CountedBump,
+  CountedFailure,
+  SeenStudent,
+  TaskWork,
+} from "../protocol/classroom-messages.ts";
 
 /** More claims of one task are not run again. */
 const MAX_CLAIMS = 20;
@@ -13,9 +18,22 @@ export type Work = Pick<SeenStudent, "busyAt" | "bestAt" | "repeats" | "tasks" |
   best: number;
   /** mark of the open lesson; null: none opened yet */
   lesson: string | null;
+  /** active time at which it was opened */
+  lessonAt: number;
   /** the tasks of lessons that were open before, by their marks */
   earlier: ReadonlyMap<string, readonly TaskWork[]>;
+  /** where the robot bumped, in all lessons */
+  bumped: readonly PlacedBumps[];
 };
+
+/** The bumps of a student in one cell of a lesson. */
+export interface PlacedBumps extends CountedBump {
+  /** its mark; null: before the first one was opened */
+  lesson: string | null;
+}
+
+/** Equal for all students without bumps. */
+export const noBumps: readonly PlacedBumps[] = [];
 
 /** @param joinedAt active time at which the student joined */
 export function noWork(joinedAt: number): Work {
@@ -28,18 +46,24 @@ export function noWork(joinedAt: number): Work {
     failure: null,
     best: 0,
     lesson: null,
+    lessonAt: 0,
     earlier: new Map(),
+    bumped: noBumps,
   };
+}
+
+/** Starts the counts of the open task again. @param at active time */
+export function withRestart(work: Work, at: number): Work {
+  return { ...work, busyAt: at, bestAt: at, best: 0, repeats: 0, failure: null };
 }
 
 /** Adds the next record. */
 export function withRecord(work: Work, { event, activeMs: at }: ProgressRecord): Work {
   switch (event.kind) {
     case "opened": {
-      const inLesson = withLesson(work, event.lesson);
+      const inLesson = withLesson(work, event.lesson, at);
       const { openedAt } = taskOf(inLesson, event.task);
-      const opened = withTask(inLesson, event.task, { openedAt: openedAt ?? at });
-      return { ...opened, busyAt: at, bestAt: at, best: 0, repeats: 0, failure: null };
+      return withRestart(withTask(inLesson, event.task, { openedAt: openedAt ?? at }), at);
     }
     case "run":
     case "check":
@@ -57,7 +81,9 @@ export function withRecord(work: Work, { event, activeMs: at }: ProgressRecord):
         claims: isKnown ? claims : [...claims, claim],
         openedAt: openedAt ?? at,
       };
-      return { ...withTask(work, event.task, change), busyAt: at, bestAt: at };
+      // The solution ends a row of failures.
+      const ended = { busyAt: at, bestAt: at, repeats: 0, failure: null };
+      return { ...withTask(work, event.task, change), ...ended };
     }
     case "survey":
       return {
@@ -68,12 +94,15 @@ export function withRecord(work: Work, { event, activeMs: at }: ProgressRecord):
 }
 
 /** Tasks of two lessons have equal numbers: each lesson has its own work. */
-function withLesson(work: Work, lesson: string): Work {
+function withLesson(work: Work, lesson: string, lessonAt: number): Work {
   if (work.lesson === lesson) return work;
   // Work before the first opening belongs to the lesson that opens.
-  if (work.lesson === null) return { ...work, lesson };
+  if (work.lesson === null) {
+    const bumped = work.bumped.map((each) => ({ ...each, lesson }));
+    return { ...work, lesson, lessonAt, bumped: bumped.length === 0 ? noBumps : bumped };
+  }
   const earlier = new Map(work.earlier).set(work.lesson, work.tasks);
-  return { ...work, lesson, earlier, tasks: earlier.get(lesson) ?? [] };
+  return { ...work, lesson, lessonAt, earlier, tasks: earlier.get(lesson) ?? [] };
 }
 
 type AttemptEvent = Extract<ProgressRecord["event"], { kind: "run" | "check" }>;
@@ -98,13 +127,32 @@ function withAttempt(work: Work, event: AttemptEvent, at: number): Work {
   // The same program again is the same attempt.
   const counted = event.changed ? 1 : 0;
   const repeats = failure === null ? 0 : isSame ? work.repeats + counted : 1;
+  const places = event.kind === "run" ? (event.bumpPlaces ?? []) : [];
   return {
     ...next,
     busyAt: at,
+    bumped: places.reduce(
+      (bumped, place) => withBump(bumped, { lesson: work.lesson, task: event.task, ...place }),
+      work.bumped,
+    ),
     ...(isBest && event.kind === "check" && { best: event.passes, bestAt: at }),
     repeats,
     failure,
   };
+}
+
+function withBump(
+  bumped: readonly PlacedBumps[],
+  place: Omit<PlacedBumps, "count">,
+): readonly PlacedBumps[] {
+  const isSame = (each: PlacedBumps): boolean =>
+    each.lesson === place.lesson &&
+    each.task === place.task &&
+    each.maze === place.maze &&
+    each.column === place.column &&
+    each.row === place.row;
+  const count = bumped.find(isSame)?.count ?? 0;
+  return [...bumped.filter((each) => !isSame(each)), { ...place, count: count + 1 }];
 }
 
 /** The work on a task, which may not have begun. */

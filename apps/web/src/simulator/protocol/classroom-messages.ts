@@ -61,9 +61,9 @@ export interface SeenStudent {
   isConnected: boolean;
   /** the newest one, without what only the picture needs; null: none yet */
   tile: Pick<Tile, "task" | "state" | "line"> | null;
-  /** the last edit or run */
+  /** the last edit, or the last time the robot drove; up to 5 s old while it drives on */
   busyAt: number;
-  /** the last new best result, or the opening of the task */
+  /** the last new best result, or the opening of the task or the lesson */
   bestAt: number;
   /** number of newest attempts in a row that failed with the same code and line */
   repeats: number;
@@ -133,7 +133,7 @@ export type ToClassroom =
   /** the path of a student whose solution passes is green */
   | { type: "verified"; student: number; tasks: readonly number[] };
 
-/** How often robots bumped in a cell, since this dashboard opened. */
+/** How often robots bumped in a cell. */
 export interface CountedBump {
   task: number;
   maze: string;

@@ -28,9 +28,6 @@ import type { StageFromWorker, StageToWorker } from "../../stage/stage-messages.
 export const speeds = [0.25, 0.5, 1, 2, 4, 8, 16, "max"] as const;
 export type Speed = (typeof speeds)[number];
 
-/** Ghosts of one race: more would hide each other. */
-export const MAX_GHOSTS = 4;
-
 /** How far Step goes: to the next change of decision, or one tick. */
 export type StepLength = "decision" | "tick";
 

@@ -173,7 +173,10 @@ describe("a student's connection in the worker", () => {
     const { host, sent, accept, close } = inClass();
     const event = { kind: "opened", lesson: "0a1b2c3d4", task: 1 } as const;
     const report = { type: "progress", seq: 1, event } as const;
-    host.handle({ kind: "place", place: { task: 1, maze: "g1", passes: null, isSolved: false } });
+    host.handle({
+      kind: "place",
+      place: { task: 1, maze: "g1", passes: null, isSolved: false, isByHand: false },
+    });
     host.handle({ kind: "send", report });
     host.update(false);
     expect(sent()).toEqual([report, { type: "tile", tile: expect.objectContaining({ seq: 1 }) }]);
@@ -193,6 +196,18 @@ describe("a student's connection in the worker", () => {
 });
 
 describe("a request for help", () => {
+  it("ends when the teacher shows a hint", () => {
+    const { host, receive, sent, session, passSecond } = inClass();
+    host.handle({ kind: "help", wanted: true });
+    receive({ type: "hint", task: 1, hint: 1 });
+    expect(session()?.student?.helpWanted).toBe(false);
+    passSecond();
+    expect(sent()).toEqual([
+      { type: "help", wanted: true },
+      { type: "help", wanted: false },
+    ]);
+  });
+
   it("is sent at once", () => {
     const { host, sent, session } = inClass();
     host.handle({ kind: "help", wanted: true });

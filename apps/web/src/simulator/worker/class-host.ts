@@ -149,6 +149,9 @@ export class ClassHost {
       case "pace":
         return this.#change({ paceTo: message.to });
       case "hint":
+        // The teacher has seen the request, and helps.
+        this.#change({ helpWanted: false });
+        this.#sendHelp();
         return this.#ports.onHint({ task: message.task, hint: message.hint });
       case "stored": {
         const { what, seq } = message;

@@ -4,8 +4,8 @@ import { describe, expect, it } from "vitest";
 import { firstMaze, firstProgram } from "../protocol/first-project.ts";
 import { Race } from "./race.ts";
 import { Bench } from "./testing/bench.ts";
-import { MAX_GHOSTS, type AddedGhost, type Speed } from "../protocol/worker-messages.ts";
-import type { GhostPose } from "../../stage/drawing/frame.ts";
+import type { AddedGhost, Speed } from "../protocol/worker-messages.ts";
+import { GHOST_BADGES, type GhostPose } from "../../stage/drawing/frame.ts";
 
 /** A run of the first maze that lasts so many seconds. */
 function recorded(seconds: number, program = firstProgram): RunDocument {
@@ -91,17 +91,17 @@ describe("the ghosts of a race", () => {
     expect(race.posesAt(0)).toEqual([]);
   });
 
-  it("are four at most, and can be taken out, also while they are loading", () => {
+  it("are seven at most, and can be taken out, also while they are loading", () => {
     const { race, answers, settle } = raceOf();
-    for (let id = 0; id < MAX_GHOSTS; id++) {
-      race.add({ type: "add-ghost", id, badge: "ABCD".charAt(id), run: straight });
+    for (const [id, badge] of GHOST_BADGES.entries()) {
+      race.add({ type: "add-ghost", id, badge, run: straight });
     }
-    race.add({ type: "add-ghost", id: 9, badge: "E", run: straight });
+    race.add({ type: "add-ghost", id: 9, badge: "H", run: straight });
     expect(answers.get(9)).toEqual({ ok: false, problems: [] });
     race.remove(2);
     settle();
     race.remove(0);
-    expect(race.posesAt(10).map(({ badge }) => badge)).toEqual(["B", "D"]);
+    expect(race.posesAt(10).map(({ badge }) => badge)).toEqual(["B", "D", "E", "F", "G"]);
   });
 
   it("are displayed at the displayed tick after any run, pause, seek, speed and Reset", () => {

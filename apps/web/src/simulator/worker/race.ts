@@ -5,13 +5,8 @@
  */
 import { countLines } from "@corridor/program";
 import { Replay, type Playback } from "@corridor/recording";
-import {
-  MAX_GHOSTS,
-  type AddedGhost,
-  type AddGhost,
-  type FromWorker,
-} from "../protocol/worker-messages.ts";
-import type { GhostPose } from "../../stage/drawing/frame.ts";
+import { type AddedGhost, type AddGhost, type FromWorker } from "../protocol/worker-messages.ts";
+import { MAX_GHOSTS, type GhostPose } from "../../stage/drawing/frame.ts";
 
 /** Longest slice of loading, in milliseconds, so that a driving robot does not stutter. */
 const SLICE_MS = 8;

@@ -5,7 +5,7 @@ import { firstMaze, firstProgram } from "../protocol/first-project.ts";
 import { RunLoop } from "./run-loop.ts";
 import { TileFeed } from "./tile-feed.ts";
 
-const place: ClassPlace = { task: 2, maze: "g1", passes: null, isSolved: false };
+const place: ClassPlace = { task: 2, maze: "g1", passes: null, isSolved: false, isByHand: false };
 
 /** The tiles of a student at the first project. */
 function newFeed() {
@@ -86,6 +86,16 @@ describe("the tile of a student", () => {
     const { feed } = newFeed();
     feed.place({ ...place, passes: 50, isSolved: true });
     expect(feed.take(false)).toMatchObject({ state: "solved", passes: 50 });
+  });
+
+  it("shows that the student drives by hand, also between two keys", () => {
+    const { loop, feed, wait } = newFeed();
+    feed.place({ ...place, isByHand: true });
+    loop.hold("forward");
+    wait(500);
+    loop.hold("stop");
+    wait(500);
+    expect(feed.take(false)).toMatchObject({ state: "driving", bumps: 0 });
   });
 
   it("shows nothing of other work", () => {

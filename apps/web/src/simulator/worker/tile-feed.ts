@@ -93,10 +93,8 @@ function elsewhere(task: number): Shown {
   return { ...still, task, maze: null, state: "writing", pose: [...still.pose] };
 }
 
-function tileOf(
-  { task, maze, passes, isSolved }: ClassPlace,
-  { recording, isRunning }: TileRun,
-): Shown {
+function tileOf(place: ClassPlace, { recording, isRunning }: TileRun): Shown {
+  const { task, maze, passes } = place;
   const { run, corners } = recording;
   const { x, y, heading } = run.pose;
   const count = corners.countUpTo(run.tick);
@@ -104,7 +102,7 @@ function tileOf(
   return {
     task,
     maze,
-    state: stateOf(run, isRunning, isSolved),
+    state: stateOf(run, isRunning, place),
     pose: [rounded(x), rounded(y), rounded(heading) % 360],
     path: cellPath([...places, run.x, run.y]),
     line: run.line,
@@ -114,12 +112,13 @@ function tileOf(
   };
 }
 
-function stateOf(run: Run, isRunning: boolean, isSolved: boolean): Tile["state"] {
+function stateOf(run: Run, isRunning: boolean, { isSolved, isByHand }: ClassPlace): Tile["state"] {
   if (isSolved) return "solved";
   if (isRunning) return "driving";
   // After an edit, no line has driven the last tick.
   const isEdited = run.driver === "program" && run.drivenBy === null;
-  return run.isStopped && run.bumps > 0 && !isEdited ? "bumped" : "writing";
+  if (run.isStopped && run.bumps > 0 && !isEdited) return "bumped";
+  return isByHand ? "driving" : "writing";
 }
 
 function rounded(value: number): number {

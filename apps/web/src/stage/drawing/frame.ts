@@ -40,6 +40,11 @@ export interface Frame {
   ghosts?: readonly GhostPose[];
 }
 
+/** The letters of a race's ghosts. With the student's robot, a race has up to eight robots. */
+export const GHOST_BADGES = ["A", "B", "C", "D", "E", "F", "G"];
+/** More ghosts would hide each other. */
+export const MAX_GHOSTS = GHOST_BADGES.length;
+
 /** A ghost of a race: its letter, its centre in units and its heading in degrees. */
 export interface GhostPose {
   badge: string;

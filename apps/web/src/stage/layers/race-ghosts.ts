@@ -1,10 +1,10 @@
 /**
  * The ghosts of a race: the robot's outline without a face, filled like the floor, and a round
- * badge with a letter. Each letter has its own corner, so that ghosts at one position can be
- * distinguished.
+ * badge with a letter. Each letter has its own place beside the body, so that ghosts at one
+ * position can be distinguished without colours.
  */
 import { ROBOT_RADIUS } from "@corridor/simulation";
-import type { GhostPose } from "../drawing/frame.ts";
+import { GHOST_BADGES, type GhostPose } from "../drawing/frame.ts";
 import type { DrawingContext } from "../drawing/drawing-context.ts";
 import type { DirtyRects } from "../drawing/dirty-rects.ts";
 import type { Palette } from "../drawing/palette.ts";
@@ -16,14 +16,16 @@ export const BADGE_RADIUS = 9;
 const OUTLINE = 2;
 /** Units from the centre to the corner of the body, including its outline. */
 const REACH = 28;
-/** For the letters A to D: right (1) or left (-1), down (1) or up (-1). */
+/** Pixels between the centres of two badges beside each other. */
+const BADGE_PITCH = 2 * BADGE_RADIUS + 1;
+const DIAGONAL = Math.SQRT1_2;
+/** For the letters A to D, and again for E to G: right (1) or left (-1), down (1) or up (-1). */
 const corners = [
   { x: 1, y: -1 },
   { x: -1, y: -1 },
   { x: 1, y: 1 },
   { x: -1, y: 1 },
 ] as const;
-const DIAGONAL = Math.SQRT1_2;
 
 /** Draws the ghosts below the robot, and their badges beside it. */
 export function drawRaceGhosts(
@@ -34,6 +36,7 @@ export function drawRaceGhosts(
   dirty: DirtyRects,
 ): void {
   for (const ghost of ghosts) drawBody(context, viewport, palette, ghost, dirty);
+  for (const ghost of ghosts) drawLeader(context, viewport, palette, ghost);
   for (const ghost of ghosts) drawBadge(context, viewport, palette, ghost, dirty);
 }
 
@@ -70,6 +73,26 @@ function drawBody(
   context.restore();
 }
 
+/** From the body to a badge that does not touch it. */
+function drawLeader(
+  context: DrawingContext,
+  viewport: Viewport,
+  palette: Palette,
+  { badge, x, y }: GhostPose,
+): void {
+  if (!isOuter(badge)) return;
+  const beside = badgeOffset(badge, viewport.scale);
+  const inside = (ROBOT_RADIUS * viewport.scale) / Math.hypot(beside.x, beside.y);
+  const atX = viewX(viewport, x);
+  const atY = viewY(viewport, y);
+  context.strokeStyle = palette.ink;
+  context.lineWidth = 1.5;
+  context.beginPath();
+  context.moveTo(atX + inside * beside.x, atY + inside * beside.y);
+  context.lineTo(atX + beside.x, atY + beside.y);
+  context.stroke();
+}
+
 function drawBadge(
   context: DrawingContext,
   viewport: Viewport,
@@ -80,7 +103,8 @@ function drawBadge(
   const beside = badgeOffset(badge, viewport.scale);
   const atX = viewX(viewport, x) + beside.x;
   const atY = viewY(viewport, y) + beside.y;
-  const reach = BADGE_RADIUS + 1;
+  // The badge, and its line to the body.
+  const reach = BADGE_RADIUS + 1 + (isOuter(badge) ? BADGE_PITCH : 0);
   dirty.add(atX - reach, atY - reach, 2 * reach, 2 * reach);
   context.fillStyle = palette.ink;
   context.strokeStyle = palette.floor;
@@ -97,11 +121,18 @@ function drawBadge(
 }
 
 /**
- * Offset in pixels of a badge from the ghost's centre. The badge touches the body and covers none
- * of it.
+ * Offset in pixels of a badge from the ghost's centre. A to D touch the body; E to G are behind A to
+ * C. No badge covers the body, another badge or a sensor's reading, which are straight ahead.
  */
 export function badgeOffset(badge: string, scale: number): { x: number; y: number } {
-  const corner = corners[badge.charCodeAt(0) - "A".charCodeAt(0)] ?? corners[0];
-  const away = (ROBOT_RADIUS * scale + BADGE_RADIUS) * DIAGONAL;
-  return { x: corner.x * away, y: corner.y * away };
+  const at = Math.max(0, GHOST_BADGES.indexOf(badge));
+  const { x, y } = corners[at % corners.length] ?? corners[0];
+  // A tiny robot has no room for four badges around it: they touch each other instead.
+  const inner = Math.max(ROBOT_RADIUS * scale + BADGE_RADIUS, BADGE_PITCH * DIAGONAL);
+  const away = (inner + (isOuter(badge) ? BADGE_PITCH : 0)) * DIAGONAL;
+  return { x: x * away, y: y * away };
+}
+
+function isOuter(badge: string): boolean {
+  return GHOST_BADGES.indexOf(badge) >= corners.length;
 }

@@ -191,6 +191,15 @@ describe("a class", () => {
     expect(await problemOf(tryJoin(code))).toBe("404 no-class");
   });
 
+  it("lets no student return after the 10 minutes of the code", async () => {
+    const { clock, created, join, tryJoin, direct, problemOf } = await relayWithClass();
+    const first = await join(created.code);
+    const answer = await direct("POST", `/students/${first.student}/return`);
+    const { code, endsInSeconds } = returnCodeSchema.parse(await answer.json());
+    await clock.pass(endsInSeconds * 1_000);
+    expect(await problemOf(tryJoin(code))).toBe("404 no-class");
+  });
+
   it("removes a student, whose key and number are invalid from then on", async () => {
     const { created, join, ask, direct, view, problemOf } = await relayWithClass();
     const { key } = await join(created.code);
