@@ -34,19 +34,21 @@ export function DriveTab({ hold }: { hold: HoldStore }) {
       {isRefused ? (
         <p className={styles["refused"]}>{t("runDetails:hand.refused")}</p>
       ) : (
-        <DrivePad hold={hold} caps="words" />
+        <div className={styles["pad"]}>
+          <DrivePad hold={hold} caps="words" />
+          {isNow && <Reset />}
+        </div>
       )}
       <div className={styles["foot"]}>
         <p className={styles["status"]}>{t(`drive.status.${status}`)}</p>
         {/* The transport has its own button in the past; some missions refuse the program. */}
-        {isNow && <Reset />}
         {isNow && rights?.drivers.includes("program") !== false && <RunProgram />}
       </div>
     </div>
   );
 }
 
-/** A student who drives by hand starts again here, too. */
+/** A student who drives by hand starts again here, too: in a corner that has no key. */
 function Reset() {
   const { t } = useTranslation();
   const { simulator } = useServices();
@@ -55,6 +57,7 @@ function Reset() {
       label={t("shell.run.reset")}
       kind="outline"
       size="large"
+      className={styles["reset"]}
       onClick={() => simulator.send({ type: "reset" })}
     >
       <Icon of={RotateCcw} />
