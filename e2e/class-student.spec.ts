@@ -188,6 +188,9 @@ test("a pause stops the robot and its keys until the teacher ends it, also after
   await page.keyboard.press("Space");
   expect(await runButton.evaluate((button) => button.closest("[inert]") !== null)).toBe(true);
   await expectNoAxeViolations(page, "paused");
+  // The slider behind the timeline is invisible also where the rest is dimmed.
+  const slider = page.getByRole("slider", { name: "Timeline", includeHidden: true });
+  await expect(slider).toHaveCSS("clip-path", "inset(50%)");
   await page.reload();
   await expect(band).toBeVisible();
   await expect(runButton).not.toHaveAttribute("data-does", "pause");

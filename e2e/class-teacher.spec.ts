@@ -314,10 +314,35 @@ test("the lesson ends with a report, and then nothing is left", async ({ page, r
     "\uFEFFstudent,task,seconds,lines,attempts,runs,bumps,failed_checks,hints,mistakes",
     expect.stringMatching(new RegExp(`^${nameOf(student)},One line,\\d+,1,1,1,1,0,0,0$`)),
   ]);
+  await expect(page.getByText("The report is saved on this device, under Reports.")).toBeVisible();
   await page.getByRole("button", { name: "End", exact: true }).click();
   await expect(page.getByRole("heading", { name: "The lesson is over" })).toBeVisible();
+  await expectNoAxeViolations(page, "the lesson is over");
   const stored = await page.evaluate(() => Object.keys(localStorage).join());
   expect(stored).not.toContain("corridor.classroom");
+
+  await page.getByRole("button", { name: "Open the report" }).click();
+  await expect(page.getByRole("row", { name: /^One line 1 of 1/ })).toBeVisible();
+  await page.goto("/teach#report");
+  await page.getByRole("button", { name: /^Delete the report/ }).click();
+  await expect(page.getByRole("link", { name: /^Open the report/ })).toHaveCount(0);
+  await page.getByRole("button", { name: "Undo" }).click();
+  await page.getByRole("link", { name: /^Open the report/ }).click();
+  await expect(page.getByRole("row", { name: /^One line 1 of 1/ })).toBeVisible();
+  student.close();
+});
+
+test("a lesson that ended without a saved report still leads to it", async ({ page, relay }) => {
+  const teacher = await openDashboard(page, relay);
+  const student = await ScriptedStudent.join(relay, teacher.code);
+  student.report(opened);
+  student.report(claim(solution));
+  await expect(cardOf(page, student)).toHaveAccessibleName(/Solved/);
+  await choose(page, "More", "End lesson");
+  await page.getByRole("button", { name: "End", exact: true }).click();
+  await page.getByRole("button", { name: "Open the report" }).click();
+  await expect(page).toHaveURL(/\/teach#report=\w+$/);
+  await expect(page.getByRole("row", { name: /^One line 1 of 1/ })).toBeVisible();
   student.close();
 });
 

@@ -176,3 +176,16 @@ test("reports that a part did not load, and loads it with Try again", async ({
   await expect(corridor.program.name).toHaveValue("Retained");
   await context.close();
 });
+
+test("says that the zoom did not load, and the rest works", async ({ browser, relay }) => {
+  // Not an openWindow fixture: the browser logs an error for the missing file, as expected.
+  const context = await browser.newContext({ baseURL: relay, serviceWorkers: "block" });
+  const corridor = new CorridorPage(await context.newPage());
+  await corridor.page.route(/assets\/zoom-gestures-/, (route) => route.abort());
+  await corridor.open();
+  await corridor.maze.grid.hover();
+  await expect(corridor.messages).toContainText("A part of Corridor did not load.");
+  await corridor.maze.click({ column: 4, row: 6 });
+  await expect(corridor.maze.button("Undo")).toBeEnabled();
+  await context.close();
+});

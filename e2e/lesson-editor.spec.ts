@@ -31,6 +31,15 @@ class LessonEditor {
     this.maze = new MazeGrid(page);
   }
 
+  /** Opens a task in the form. @param number from 1 */
+  async openTask(number: number): Promise<void> {
+    await this.tasks
+      .nth(number - 1)
+      .getByRole("button")
+      .first()
+      .click();
+  }
+
   field(name: string) {
     return this.page.getByRole("textbox", { name, exact: true });
   }
@@ -44,12 +53,13 @@ class LessonEditor {
     await this.button(item).click();
   }
 
-  /** Begins with an empty maze of 11 by 7 squares. */
+  /** Begins with an empty maze of 11 by 7 squares, and opens its task. */
   async beginEmpty(): Promise<void> {
     await this.page.goto("/teach");
     await this.page.getByRole("link", { name: /^Make a lesson/ }).click();
     await this.page.getByRole("button", { name: /^An empty maze/ }).click();
     await expect(this.maze.grid).toBeVisible();
+    await this.openTask(1);
   }
 }
 
@@ -61,9 +71,9 @@ test("opens the lesson of a link, and saves what the teacher changes", async ({ 
   await expect(editor.tasks).toHaveCount(2);
 
   await editor.button("Lesson").click();
-  await editor.field("Name").fill("Sensors");
+  await editor.field("Name of the lesson").fill("Sensors");
   await expect(editor.name).toHaveText("Sensors");
-  await editor.tasks.nth(1).getByRole("button").first().click();
+  await editor.openTask(2);
   await editor.field("Task").fill("Find the door.");
   await expect(editor.status).toBeVisible();
   await page.reload();
@@ -111,14 +121,95 @@ test("begins with the 2013 study, or with a maze that a student shares", async (
   await expect(editor.tasks).toHaveText([/Task 1/]);
 });
 
+test("asks for the name of a new lesson first", async ({ page }) => {
+  const editor = new LessonEditor(page);
+  await page.goto("/teach#make");
+  await page.getByRole("button", { name: /^Your maze Long way round/ }).click();
+  await expect(editor.name).toHaveText("Long way round");
+  await page.goto("/teach#make");
+  await page.getByRole("button", { name: /^An empty maze/ }).click();
+  await expect(editor.field("Name of the lesson")).toBeFocused();
+  await expect(page.getByText("This lesson has no name yet.")).toBeVisible();
+  await page.keyboard.type("Round the corner");
+  await expect(page.getByText("This lesson has no name yet.")).toBeHidden();
+  await expect(editor.name).toHaveText("Round the corner");
+  await editor.button("Next: the task").click();
+  await expect(editor.field("Name")).toHaveValue("Task 1");
+  // Students may drive by hand too, and what decides that is in sight.
+  const byHand = page.getByRole("checkbox", { name: "the student, by hand" });
+  await expect(byHand).toBeChecked();
+  await expect(byHand).toBeInViewport();
+  await expect(page.getByRole("textbox", { name: "Lines" }).first()).toHaveAccessibleDescription(
+    /“Otherwise” does not count as a line/,
+  );
+});
+
+test("typed text goes into the field that a button adds, and blank ones are not shared", async ({
+  page,
+}) => {
+  const editor = new LessonEditor(page);
+  await editor.beginEmpty();
+  await editor.button("Hint").press("Space");
+  await expect(editor.field("Hint 1")).toBeFocused();
+  await page.keyboard.type("Look to the right");
+  await editor.button("Hint").click();
+  await expect(editor.field("Hint 2")).toBeFocused();
+  // There is already a blank one.
+  await editor.button("Hint").click();
+  await expect(editor.field("Hint 2")).toBeFocused();
+  await expect(editor.field("Hint 3")).toHaveCount(0);
+
+  await editor.button("Survey").click();
+  await editor.button("Question").press("Enter");
+  await expect(editor.field("Question 1")).toBeFocused();
+  await page.keyboard.type("How was it?");
+  await editor.button("Question").click();
+  await expect(editor.field("Question 2")).toBeFocused();
+  await expect(editor.status).toBeVisible();
+  await page.reload();
+  await editor.button("Survey: 1 question").click();
+  await expect(editor.field("Question 1")).toHaveValue("How was it?");
+  await editor.openTask(1);
+  await expect(editor.field("Hint 1")).toHaveValue("Look to the right");
+  await expect(editor.field("Hint 2")).toHaveCount(0);
+});
+
+test("a further task begins with a mission, a maze or a link, and its name has the focus", async ({
+  page,
+}) => {
+  const editor = new LessonEditor(page);
+  await editor.beginEmpty();
+  await editor.button("Task").click();
+  const dialog = page.getByRole("dialog", { name: "Add a task" });
+  await expect(dialog.getByRole("button", { name: /^Your maze/ })).toBeVisible();
+  await expectNoAxeViolations(page, "add a task");
+  await dialog.getByRole("button", { name: "Follow the right wall" }).click();
+  await expect(editor.tasks).toHaveText([/Task 1/, /Follow the right wall/]);
+  await expect(editor.field("Name")).toBeFocused();
+  await expect(editor.field("Task")).not.toHaveValue("");
+
+  await editor.button("Task").click();
+  const link = dialog.getByRole("textbox", { name: "Link or short link of a lesson or a maze" });
+  await link.fill("nonsense");
+  await page.keyboard.press("Enter");
+  await expect(dialog.getByRole("alert")).toContainText("This is not a link of Corridor");
+  await link.fill(lessonAddress);
+  await page.keyboard.press("Enter");
+  await expect(editor.tasks).toHaveText([/Task 1/, /Follow the right/, /Two mazes/, /One maze/]);
+  await editor.button("Undo").click();
+  await expect(editor.tasks).toHaveCount(2);
+});
+
 test("undoes edits of the form, the tasks and the maze in one history", async ({ page }) => {
   const editor = new LessonEditor(page);
   await editor.beginEmpty();
   await editor.field("Name").fill("Round the corner");
   await editor.maze.click({ column: 4, row: 6 });
   await editor.button("Task").click();
+  await page.getByRole("button", { name: /^An empty maze/ }).click();
   await expect(editor.tasks).toHaveCount(2);
-  await page.keyboard.press("Control+z");
+  // The name of the new task has the focus, and text fields undo their own text.
+  await editor.button("Undo").click();
   await expect(editor.tasks).toHaveCount(1);
   await page.keyboard.press("Control+z");
   await page.keyboard.press("Control+z");
@@ -171,6 +262,7 @@ test("warns of a maze that nobody can solve, and of a lesson that was not solved
   await editor.button("Share lesson").click();
   const dialog = page.getByRole("dialog");
   await expect(dialog).toContainText("You have not solved this lesson yet.");
+  await expect(dialog).toContainText("This lesson has no name yet.");
   await dialog.getByRole("button", { name: "Share anyway" }).click();
   await expect(dialog.getByRole("textbox", { name: "Link" })).toHaveValue(/\/#\S+$/);
 });
@@ -246,7 +338,7 @@ test("keeps both versions if two tabs change a lesson", async ({ page, context }
     [editor, "Mine"],
   ] as const) {
     await each.button("Lesson").click();
-    await each.field("Name").fill(name);
+    await each.field("Name of the lesson").fill(name);
     await each.page.waitForTimeout(600);
   }
   await expect(page.getByText("This one is now a copy.")).toBeVisible();

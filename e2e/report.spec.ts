@@ -95,6 +95,11 @@ test("saves one table, and opens it again with the same report", async ({ page }
 test("explains an invalid table, and keeps the open report", async ({ page }) => {
   await choose(page, [csv("one.csv", "student,task,seconds\nJuniper,1,60\n")]);
   await expect(page.getByText("1 student: too few for a mean.")).toBeVisible();
+  // Few students have a name and a time beside their bars, and a row each.
+  await expect(
+    page.getByRole("list", { name: "Time of each student: 1" }).getByRole("listitem"),
+  ).toHaveText(["Juniper1:00"]);
+  await expect(page.getByRole("row", { name: "Juniper 1:00" })).toBeVisible();
   await choose(page, [
     csv("text.csv", "hello world\n"),
     csv("six.csv", "navigation\n5\n6\n"),

@@ -63,7 +63,9 @@ test("leads from the lessons to the hand-ins, and checks hand-ins of every kind"
 }) => {
   await new CorridorPage(page).open();
   await new LessonsPanel(page).openPath();
-  await page.getByRole("link", { name: "For teachers" }).click();
+  const forTeachers = page.getByRole("link", { name: "For teachers" });
+  await expect(forTeachers).toBeInViewport();
+  await forTeachers.click();
   await expect(page).toHaveTitle("For teachers – Corridor");
   await page.getByRole("link", { name: /^Check hand-ins/ }).click();
   await expect(page).toHaveTitle("Check hand-ins – Corridor");
@@ -200,6 +202,20 @@ test("works by keyboard alone", async ({ page }) => {
   await page.keyboard.insertText(linkOf({ program: comet }));
   await keyboard.press(teach.check());
   await keyboard.tabTo(teach.rows.getByRole("link", { name: "Watch the failure of hand-in 1" }));
+});
+
+test("a phone has the links for teachers in sight, without scrolling", async ({ openWindow }) => {
+  const { page } = await openWindow(phone);
+  await new CorridorPage(page).open();
+  await page.getByRole("banner").getByRole("button", { name: "More" }).click();
+  await page.getByRole("dialog", { name: "More" }).getByRole("button", { name: "Lessons" }).click();
+  for (const name of ["Join a class", "For teachers"]) {
+    await expect(page.getByRole("link", { name })).toBeInViewport({ ratio: 1 });
+  }
+  await page.keyboard.press("Escape");
+  await page.getByRole("banner").getByRole("button", { name: "Share" }).click();
+  const link = page.getByRole("link", { name: "Teaching? Make a lesson of this" });
+  await expect(link).toBeInViewport({ ratio: 1 });
 });
 
 test("fits a phone and 320 px, also in a right-to-left language", async ({ openWindow }) => {

@@ -56,6 +56,19 @@ test("scrubs back to the bump and shows the robot, sensors, truth values and lin
   await expect(corridor.clock).toHaveText(/^Time 0:01\./);
 });
 
+test("an edit before a run leaves no mark over the sentence that says how to start", async ({
+  corridor,
+}) => {
+  await turnSomeTimes(corridor);
+  await corridor.reset.click();
+  await corridor.program.number(1).fill("70");
+  await expect(corridor.page.getByText("Run starts the program.")).toBeVisible();
+  await expect(corridor.timeline.slider).toBeAttached();
+  for (const kind of ["edit", "turn"] as const) {
+    await expect(corridor.timeline.mark(kind)).toHaveCount(0);
+  }
+});
+
 test("hides the scale completely beside the button that returns to now", async ({ openWindow }) => {
   const corridor = await openWindow({ viewport: { width: 1024, height: 768 } });
   await corridor.open();

@@ -34,7 +34,12 @@ export function formatClock(tick: number, language = "en"): string {
   return localNumber(`${minutes}:${seconds.toFixed(1).padStart(4, "0")}`, language);
 }
 
+/** Simulated time in seconds as the page displays it: rounded down to a tenth. */
+export function displayedSeconds(tick: number): number {
+  return Math.floor((tick * 10) / TICKS_PER_SECOND) / 10;
+}
+
 /** Simulated time in seconds with one decimal, rounded down: "39.2". */
 export function formatSeconds(tick: number, language = "en"): string {
-  return localNumber((Math.floor((tick * 10) / TICKS_PER_SECOND) / 10).toFixed(1), language);
+  return localNumber(displayedSeconds(tick).toFixed(1), language);
 }

@@ -1,8 +1,8 @@
 /** The HTML code that shows the shared content in a frame of another site. */
 import { frameMarkup, frameSizes, type FrameSize } from "@corridor/protocol";
-import { useId, useRef, useState } from "react";
+import { useState } from "react";
 import { useTranslation } from "react-i18next";
-import { CopyButton } from "./CopyButton.tsx";
+import { CopyField } from "./CopyField.tsx";
 import styles from "./embed-code.module.css";
 import { Segmented } from "./Segmented.tsx";
 
@@ -17,10 +17,7 @@ interface EmbedCodeProps {
 
 export function EmbedCode({ address, name }: EmbedCodeProps) {
   const { t, ready } = useTranslation("embed", { useSuspense: false });
-  const id = useId();
-  const field = useRef<HTMLInputElement>(null);
   const [size, setSize] = useState<FrameSize>("medium");
-  const [isByHand, setByHand] = useState(false);
   if (!ready) return null;
   const code = frameMarkup({ address, title: name || "Corridor", ...frameSizes[size] });
   return (
@@ -34,32 +31,14 @@ export function EmbedCode({ address, name }: EmbedCodeProps) {
           onChange={setSize}
         />
       </div>
-      <div className={styles["row"]}>
-        <label className="visually-hidden" htmlFor={id}>
-          {t("code.field")}
-        </label>
-        <input
-          id={id}
-          ref={field}
-          dir="ltr"
-          className={styles["code"]}
-          readOnly
-          value={code}
-          onFocus={(event) => event.target.select()}
-        />
-        <CopyButton
-          text={code}
-          label={t("code.copy")}
-          done={t("code.copied")}
-          kind="quiet"
-          onRefused={() => {
-            field.current?.focus();
-            field.current?.select();
-            setByHand(true);
-          }}
-        />
-      </div>
-      <output className={styles["note"]}>{isByHand ? t("code.byHand") : ""}</output>
+      <CopyField
+        look="code"
+        label={t("code.field")}
+        text={code}
+        copy={t("code.copy")}
+        copied={t("code.copied")}
+        byHand={t("code.byHand")}
+      />
     </section>
   );
 }

@@ -1,4 +1,4 @@
-/** A number with its label above, and its error below. */
+/** A number with its label above, and its error and an optional note below. */
 import { useId } from "react";
 import { FieldError } from "./FieldError.tsx";
 import styles from "./field.module.css";
@@ -8,6 +8,7 @@ import { useNumberDraft } from "./use-number-draft.ts";
 
 interface NumberFieldProps {
   label: string;
+  note?: string;
   value: number;
   bounds: NumberBounds;
   /** how to fix a number out of bounds */
@@ -15,7 +16,8 @@ interface NumberFieldProps {
   onChange: (value: number) => void;
 }
 
-export function NumberField({ label, value, bounds, error, onChange }: NumberFieldProps) {
+export function NumberField(props: NumberFieldProps) {
+  const { label, note, value, bounds, error, onChange } = props;
   const id = useId();
   const draft = useNumberDraft(value, bounds, onChange);
   return (
@@ -23,8 +25,18 @@ export function NumberField({ label, value, bounds, error, onChange }: NumberFie
       <label className={styles["label"]} htmlFor={id}>
         {label}
       </label>
-      <NumberInput id={id} draft={draft} errorId={`${id}-error`} />
+      <NumberInput
+        id={id}
+        draft={draft}
+        errorId={`${id}-error`}
+        aria-describedby={note === undefined ? undefined : `${id}-note`}
+      />
       {draft.hasErrorRoom && <FieldError id={`${id}-error`}>{error}</FieldError>}
+      {note !== undefined && (
+        <p id={`${id}-note`} className={styles["note"]}>
+          {note}
+        </p>
+      )}
     </div>
   );
 }

@@ -22,7 +22,7 @@ export function NumberInput({ draft, errorId, className, onBlur, ...rest }: Numb
       className={classNames(styles["field"], styles["number"], className)}
       value={draft.text}
       aria-invalid={draft.isInvalid}
-      aria-describedby={draft.isInvalid ? errorId : undefined}
+      aria-describedby={draft.isInvalid ? errorId : rest["aria-describedby"]}
       onChange={(event) => draft.type(event.target.value)}
       onBlur={(event) => {
         draft.leave();

@@ -1,15 +1,16 @@
-/** One line of text with its label above. */
+/** One line of text with its label above, and an optional note below. */
 import { useId, type ComponentProps } from "react";
 import { classNames } from "./class-names.ts";
 import styles from "./field.module.css";
 
 interface TextFieldProps extends Omit<ComponentProps<"input">, "onChange" | "className"> {
   label: string;
+  note?: string;
   value: string;
   onChange: (value: string) => void;
 }
 
-export function TextField({ label, onChange, ...rest }: TextFieldProps) {
+export function TextField({ label, note, onChange, ...rest }: TextFieldProps) {
   const id = useId();
   return (
     <div className={styles["stack"]}>
@@ -17,6 +18,7 @@ export function TextField({ label, onChange, ...rest }: TextFieldProps) {
         {label}
       </label>
       <input
+        aria-describedby={note === undefined ? undefined : `${id}-note`}
         {...rest}
         id={id}
         type="text"
@@ -24,6 +26,11 @@ export function TextField({ label, onChange, ...rest }: TextFieldProps) {
         className={classNames(styles["field"], styles["text"])}
         onChange={(event) => onChange(event.target.value)}
       />
+      {note !== undefined && (
+        <p id={`${id}-note`} className={styles["note"]}>
+          {note}
+        </p>
+      )}
     </div>
   );
 }

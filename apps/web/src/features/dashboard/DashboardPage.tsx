@@ -7,6 +7,7 @@ import type { Dashboard } from "../../model/classroom/dashboard.ts";
 import type { OwnClass } from "../../model/classroom/own-classes.ts";
 import type { RaceChoice } from "../../model/classroom/racers.ts";
 import { lessonName } from "../../model/lessons/lesson-name.ts";
+import type { SavedReports } from "../../model/teaching/saved-reports.ts";
 import { Button } from "../../ui/Button.tsx";
 import { ErrorBoundary } from "../../ui/ErrorBoundary.tsx";
 import { ProblemNote } from "../../ui/ProblemNote.tsx";
@@ -17,9 +18,11 @@ import { DashboardProvider } from "./dashboard-context.ts";
 import { DashboardBar, DashboardBarEnd } from "./DashboardBar.tsx";
 import { DashboardFrame } from "./DashboardFrame.tsx";
 import { EndDialog } from "./EndDialog.tsx";
+import { LessonOver } from "./LessonOver.tsx";
 import { SendLesson } from "./lazy-send-lesson.ts";
 import { StudentCards } from "./StudentCards.tsx";
 import { Summaries } from "./Summaries.tsx";
+import type { ReportPlace } from "./use-report.ts";
 import { useScreens } from "./use-screens.ts";
 import { WatchSheet } from "./WatchSheet.tsx";
 import styles from "./dashboard.module.css";
@@ -27,6 +30,8 @@ import styles from "./dashboard.module.css";
 interface DashboardPageProps {
   dashboard: Dashboard;
   calls: ClassCalls;
+  /** on this device */
+  reports: SavedReports;
   room: OwnClass;
   /** stores the label of the class on the device */
   onLabel: (label: string) => void;
@@ -34,12 +39,14 @@ interface DashboardPageProps {
   tools: ReactNode;
 }
 
-export function DashboardPage({ dashboard, calls, room, onLabel, tools }: DashboardPageProps) {
+export function DashboardPage(props: DashboardPageProps) {
+  const { dashboard, calls, reports, room, onLabel, tools } = props;
   const { t, i18n } = useTranslation("dashboard", { useSuspense: false });
   const [label, setLabel] = useState(room.label);
   const [hidesNames, setHidesNames] = useState(false);
   const [isEnding, setEnding] = useState(false);
   const [watched, setWatched] = useState<number | null>(null);
+  const [saved, setSaved] = useState<ReportPlace | null>(null);
   const [isSending, setSending] = useState(false);
   /** whose run is on the big screens */
   const [screened, setScreened] = useState<number | null>(null);
@@ -52,8 +59,8 @@ export function DashboardPage({ dashboard, calls, room, onLabel, tools }: Dashbo
     document.title = t("title");
   }, [t, i18n.language]);
   const content = useMemo(
-    () => ({ dashboard, calls, hidesNames, report }),
-    [dashboard, calls, hidesNames],
+    () => ({ dashboard, calls, reports, hidesNames, report }),
+    [dashboard, calls, reports, hidesNames],
   );
   const isOver = status === "over" || status === "refused";
   return (
@@ -82,13 +89,7 @@ export function DashboardPage({ dashboard, calls, room, onLabel, tools }: Dashbo
           }
         >
           {isOver ? (
-            <output className={styles["ended"]}>
-              <h1>{t(`${status}.title`)}</h1>
-              <p>{t(`${status}.text`)}</p>
-              <p>
-                <a href="/teach">{t("toTeach")}</a>
-              </p>
-            </output>
+            <LessonOver kind={status} label={label} saved={saved} />
           ) : (
             <div className={styles["content"]}>
               <LostNote dashboard={dashboard} />
@@ -117,7 +118,13 @@ export function DashboardPage({ dashboard, calls, room, onLabel, tools }: Dashbo
             />
           )}
           <SendLesson isOpen={isSending && !isOver} onClose={() => setSending(false)} />
-          <EndDialog isOpen={isEnding && !isOver} onClose={() => setEnding(false)} label={label} />
+          <EndDialog
+            isOpen={isEnding && !isOver}
+            onClose={() => setEnding(false)}
+            label={label}
+            saved={saved}
+            onSaved={setSaved}
+          />
         </DashboardFrame>
       </DashboardProvider>
     </ErrorBoundary>

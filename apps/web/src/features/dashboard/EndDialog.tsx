@@ -5,8 +5,9 @@ import { useTranslation } from "react-i18next";
 import { Button } from "../../ui/Button.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
 import { Icon } from "../../ui/Icon.tsx";
+import { reportAddress } from "../../model/teaching/saved-reports.ts";
 import { useContent } from "./dashboard-context.ts";
-import { useReport } from "./use-report.ts";
+import { useReport, type ReportPlace } from "./use-report.ts";
 import styles from "./dashboard.module.css";
 
 interface EndDialogProps {
@@ -14,13 +15,17 @@ interface EndDialogProps {
   onClose: () => void;
   /** of the class; may be empty */
   label: string;
+  /** where the teacher saved the report; null: nowhere yet */
+  saved: ReportPlace | null;
+  onSaved: (place: ReportPlace | null) => void;
 }
 
-export function EndDialog({ isOpen, onClose, label }: EndDialogProps) {
+export function EndDialog({ isOpen, onClose, label, saved, onSaved }: EndDialogProps) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
   const { calls, report } = useContent();
-  const saveReport = useReport(label);
-  const [isSaved, setSaved] = useState(false);
+  const classReport = useReport(label);
+  const [isFailed, setFailed] = useState(false);
+  const isSaved = saved !== null;
   const end = async (): Promise<void> => {
     const refusal = await calls.end();
     if (refusal !== null) onClose();
@@ -30,7 +35,9 @@ export function EndDialog({ isOpen, onClose, label }: EndDialogProps) {
     <Dialog
       isOpen={isOpen}
       onClose={() => {
-        setSaved(false);
+        // The class goes on: the report that was saved is not its last one.
+        onSaved(null);
+        setFailed(false);
         onClose();
       }}
       title={t("end.title")}
@@ -42,7 +49,15 @@ export function EndDialog({ isOpen, onClose, label }: EndDialogProps) {
           <Button
             kind={isSaved ? "outline" : "primary"}
             icon={<Icon of={Download} />}
-            onClick={() => void saveReport().then(() => setSaved(true))}
+            onClick={() =>
+              void classReport.save().then(
+                (place) => {
+                  onSaved(place);
+                  setFailed(place === null);
+                },
+                () => setFailed(true),
+              )
+            }
           >
             {t("end.save")}
           </Button>
@@ -50,7 +65,17 @@ export function EndDialog({ isOpen, onClose, label }: EndDialogProps) {
             {t("end.end")}
           </Button>
         </div>
-        <output className={styles["note"]}>{isSaved && t("end.saved")}</output>
+        <output className={styles["note"]}>
+          {isFailed && t("end.failed")}
+          {isSaved && t(saved.id === null ? "end.savedFile" : "end.saved")}
+        </output>
+        {typeof saved?.id === "string" && (
+          <p>
+            <a href={reportAddress(saved.id)} target="_blank" rel="noreferrer">
+              {t("over.report")}
+            </a>
+          </p>
+        )}
       </div>
     </Dialog>
   );

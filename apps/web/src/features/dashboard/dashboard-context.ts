@@ -5,6 +5,7 @@ import { useStore } from "zustand";
 import type { ClassCalls, ClassRefusal } from "../../model/classroom/class-calls.ts";
 import type { Dashboard, DashboardState } from "../../model/classroom/dashboard.ts";
 import { studentNameText } from "../../model/classes/student-name.ts";
+import type { SavedReports } from "../../model/teaching/saved-reports.ts";
 import type { SeenStudent } from "../../simulator/protocol/classroom-messages.ts";
 
 export interface DashboardContent {
@@ -12,6 +13,8 @@ export interface DashboardContent {
   calls: ClassCalls;
   /** whether students are numbers */
   hidesNames: boolean;
+  /** on this device */
+  reports: SavedReports;
   /** Shows why a call had no effect. */
   report: (refusal: ClassRefusal | null) => void;
 }

@@ -11,6 +11,7 @@ import { OwnClasses } from "../../model/classroom/own-classes.ts";
 import { LanguageProvider } from "../../model/language-context.ts";
 import type { PageParts } from "../../model/page-parts.ts";
 import { storageOrNone } from "../../model/storage/key-value-storage.ts";
+import { SavedReports } from "../../model/teaching/saved-reports.ts";
 import { BrokenAddress } from "./BrokenAddress.tsx";
 
 export async function openPage(parts: PageParts): Promise<void> {
@@ -44,11 +45,18 @@ export async function openPage(parts: PageParts): Promise<void> {
   );
 }
 
-async function pageOf(visit: ClassVisit, { words, tools }: PageParts, classes: OwnClasses) {
+async function pageOf(visit: ClassVisit, parts: PageParts, classes: OwnClasses) {
+  const { words, tools, device } = parts;
   switch (visit.kind) {
     case "teach": {
       const { openDashboard } = await import("./open-dashboard.tsx");
-      return openDashboard({ room: visit.room, classes, words, tools });
+      return openDashboard({
+        room: visit.room,
+        classes,
+        reports: new SavedReports(device),
+        words,
+        tools,
+      });
     }
     case "show": {
       const { openBigScreen } = await import("./open-big-screen.tsx");

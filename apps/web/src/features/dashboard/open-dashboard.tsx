@@ -6,6 +6,7 @@ import { Dashboard } from "../../model/classroom/dashboard.ts";
 import type { OwnClass, OwnClasses } from "../../model/classroom/own-classes.ts";
 import type { ProgramReader } from "../../model/classroom/program-reader.ts";
 import type { SolutionVerifier } from "../../model/classroom/verifier.ts";
+import type { SavedReports } from "../../model/teaching/saved-reports.ts";
 import { studentNameText } from "../../model/classes/student-name.ts";
 import type {
   ClassroomStatus,
@@ -20,12 +21,13 @@ const SECOND_MS = 1_000;
 interface DashboardParts {
   room: OwnClass;
   classes: OwnClasses;
+  reports: SavedReports;
   words: i18n;
   /** the buttons for theme and language */
   tools: ReactNode;
 }
 
-export function openDashboard({ room, classes, words, tools }: DashboardParts): ReactNode {
+export function openDashboard({ room, classes, reports, words, tools }: DashboardParts): ReactNode {
   const worker = new Worker(
     new URL("../../simulator/classroom-worker/classroom.worker.ts", import.meta.url),
     { type: "module" },
@@ -93,6 +95,7 @@ export function openDashboard({ room, classes, words, tools }: DashboardParts): 
     <DashboardPage
       dashboard={dashboard}
       calls={calls}
+      reports={reports}
       room={room}
       onLabel={(label) => classes.store({ ...room, label })}
       tools={tools}

@@ -1,18 +1,34 @@
-/** Saves what the class has done as a table that `/teach#report` opens. */
+/** The report of the class: on this device, where the pages for teachers list it, and as a file. */
 import { useTranslation } from "react-i18next";
+import { lessonName } from "../../model/lessons/lesson-name.ts";
+import { newTextId } from "../../model/storage/new-text-id.ts";
+import type { SavedReport } from "../../model/teaching/saved-reports.ts";
 import { fileName } from "../../ui/file-name.ts";
 import { saveFile } from "../../ui/save-file.ts";
 import { useContent, useStudentName } from "./dashboard-context.ts";
 
-/** @param label of the class; may be empty @returns a function that saves the table */
-export function useReport(label: string): () => Promise<void> {
+/** Where a report was saved. `id`: of the report on the device; null: the device stores only the file. */
+export interface ReportPlace {
+  id: string | null;
+}
+
+interface ClassReport {
+  /** saves the report on the device and as a file; null if the lesson is not known */
+  save: () => Promise<ReportPlace | null>;
+  /** saves the report on the device, or as a file where the device stores nothing */
+  saveOnDevice: () => Promise<ReportPlace | null>;
+}
+
+/** @param label of the class; may be empty */
+export function useReport(label: string): ClassReport {
   const { t } = useTranslation("dashboard", { useSuspense: false });
-  const { dashboard } = useContent();
+  const { dashboard, reports } = useContent();
   const nameOf = useStudentName();
-  return async () => {
+
+  async function makeReport(): Promise<SavedReport | null> {
     const { reportCsv } = await import("./report-csv.ts");
     const { lesson, students, verifications } = dashboard.store.getState();
-    if (lesson === null) return;
+    if (lesson === null) return null;
     const csv = reportCsv({
       lesson,
       students: [...students.values()],
@@ -20,9 +36,21 @@ export function useReport(label: string): () => Promise<void> {
       nameOf,
       taskName: (task) => t("card.task", { task }),
     });
-    saveFile(
-      new Blob([csv], { type: "text/csv" }),
-      `${fileName(`${t("class")} ${label}`, "class")}.csv`,
-    );
-  };
+    return { id: newTextId(), savedAt: Date.now(), label, lesson: lessonName(lesson), csv };
+  }
+
+  function writeFile({ csv }: SavedReport): void {
+    const name = fileName(`${t("class")} ${label}`, "class");
+    saveFile(new Blob([csv], { type: "text/csv" }), `${name}.csv`);
+  }
+
+  async function saveReport(isAlsoFile: boolean): Promise<ReportPlace | null> {
+    const report = await makeReport();
+    if (report === null) return null;
+    const isStored = reports.write(report);
+    if (isAlsoFile || !isStored) writeFile(report);
+    return { id: isStored ? report.id : null };
+  }
+
+  return { save: async () => saveReport(true), saveOnDevice: async () => saveReport(false) };
 }

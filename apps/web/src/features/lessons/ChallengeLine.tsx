@@ -52,7 +52,11 @@ export function ChallengeLine() {
     <p className={styles["line"]} dir="auto">
       <Icon of={Target} size={18} />
       {bonus === null && id === undefined ? (
-        <TeacherText className={styles["short"]} language={language} text={task.words.short} />
+        <TeacherText
+          className={styles["short"]}
+          language={language}
+          text={task.words.short || task.name}
+        />
       ) : (
         <span className={styles["short"]}>
           {bonus === null

@@ -41,6 +41,17 @@ export function LessonsDialog({ isOpen, onClose }: LessonsDialogProps) {
       onClose={onClose}
       title={t("path.title")}
       subtitle={t("path.subtitle")}
+      footer={
+        // Always in sight: the list of missions scrolls above it.
+        <nav className={styles["otherPages"]} aria-label={t("path.more")}>
+          <a className={styles["otherPage"]} href="/join">
+            {t("path.join")}
+          </a>
+          <a className={styles["otherPage"]} href="/teach">
+            {t("path.teachers")}
+          </a>
+        </nav>
+      }
     >
       {service !== null && <MissionPath service={service} onClose={onClose} />}
     </Dialog>
@@ -87,12 +98,6 @@ function MissionPath({ service, onClose }: { service: LessonsService; onClose: (
         >
           {t("path.reset")}
         </Button>
-        <a className={styles["otherPage"]} href="/join">
-          {t("path.join")}
-        </a>
-        <a className={styles["otherPage"]} href="/teach">
-          {t("path.teachers")}
-        </a>
       </div>
     </>
   );

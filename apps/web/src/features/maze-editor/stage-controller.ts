@@ -191,6 +191,12 @@ export class StageController {
    */
   #listenToZoom(scroller: HTMLElement): () => void {
     const { camera } = this.#services;
+    const failed = (): void => {
+      showMessage(this.#services.screen, {
+        tone: "bad",
+        text: this.#words.t("offline.partFailed"),
+      });
+    };
     const zoom: CameraState["zoom"] = (by, at) => {
       void import("../../stage/page/stage-zoom.ts").then(({ zoomStage }) => {
         const room = this.#room();
@@ -198,14 +204,14 @@ export class StageController {
         this.#pointer.cancel();
         if (by === "fit" && camera.getState().isDriving) camera.setState({ isWhole: true });
         else zoomStage(this.view, room, by, at, this.#pose());
-      });
+      }, failed);
     };
     camera.setState({ zoom });
     const load = (): void => {
       stop = startLater(async () => {
         const { listenToZoom } = await import("./zoom-gestures.ts");
         return listenToZoom(scroller, zoom);
-      });
+      }, failed);
     };
     scroller.addEventListener("pointerenter", load, { once: true });
     let stop = (): void => scroller.removeEventListener("pointerenter", load);
@@ -221,6 +227,7 @@ export class StageController {
     let stop = screen.subscribe(({ messages }) => {
       if (messages.length === 0) return;
       stop();
+      // Without it messages stay on one side. Another message would replace the first one.
       stop = startLater(async () => {
         const { publishRobotSide } = await import("./robot-side.ts");
         return publishRobotSide(this.view, run);

@@ -5,11 +5,14 @@ import { startLater } from "./start-later.ts";
 function start() {
   const loaded = Promise.withResolvers<void>();
   const story: string[] = [];
-  const stop = startLater(async () => {
-    await loaded.promise;
-    story.push("started");
-    return () => story.push("ended");
-  });
+  const stop = startLater(
+    async () => {
+      await loaded.promise;
+      story.push("started");
+      return () => story.push("ended");
+    },
+    () => story.push("failed"),
+  );
   const settle = () => new Promise((resolve) => setTimeout(resolve, 0));
   return { story, load: loaded.resolve, fail: loaded.reject, stop, settle };
 }
@@ -34,12 +37,20 @@ it("what loads on demand can be ended before it has started, and ends then", asy
   expect(story).toEqual(["started", "ended"]);
 });
 
-it("what does not load, because there is no network, is left out", async () => {
+it("what does not load, because there is no network, is reported and left out", async () => {
   const { story, fail, stop, settle } = start();
   fail(new TypeError("Failed to fetch dynamically imported module"));
   // A rejection that nothing handles fails the test.
   await settle();
   stop();
+  await settle();
+  expect(story).toEqual(["failed"]);
+});
+
+it("what does not load after it has ended is not reported", async () => {
+  const { story, fail, stop, settle } = start();
+  stop();
+  fail(new TypeError("Failed to fetch dynamically imported module"));
   await settle();
   expect(story).toEqual([]);
 });

@@ -1,8 +1,9 @@
 /**
- * Adds a line at the end. It is disabled, with the reason, where a challenge allows no more lines.
- * Where a challenge fixes the lines, a short note replaces the button. Undo and redo are beside it
- * in a challenge, which has no program header.
+ * Adds a line at the end, and counts the lines where a challenge limits them. It is disabled, with
+ * the reason, where a challenge allows no more lines. Where a challenge fixes the lines, a short note
+ * replaces the button. Undo and redo are beside it in a challenge, which has no program header.
  */
+import { MAX_RULES } from "@corridor/program";
 import { Plus } from "lucide";
 import { useId } from "react";
 import { useTranslation } from "react-i18next";
@@ -22,6 +23,7 @@ export function AddLine({ onAdd }: { onAdd: () => void }) {
   const rights = useRights();
   const reasonId = useId();
   const isOff = rights !== null && count >= rights.maxLines;
+  const isLimited = rights !== null && rights.maxLines < MAX_RULES;
   if (rights?.edits.has("lines") === false) {
     return (
       <div className={classNames(styles["foot"], styles["given"])}>
@@ -40,11 +42,16 @@ export function AddLine({ onAdd }: { onAdd: () => void }) {
         count === 0 && rights === null && styles["first"],
       )}
       disabled={isOff}
-      aria-describedby={isOff ? reasonId : undefined}
+      aria-describedby={isLimited ? reasonId : undefined}
       onClick={onAdd}
     >
       <Icon of={Plus} size={18} />
       {t("program.addLine")}
+      {isLimited && (
+        <span id={isOff ? undefined : reasonId} className={styles["used"]} aria-hidden="true">
+          {t("lessons.linesUsed", { used: count, all: rights.maxLines })}
+        </span>
+      )}
     </button>
   );
   return (

@@ -303,4 +303,20 @@ describe("in a challenge", () => {
     await action(1).selectOptions("turn 180");
     await expect.element(line(1)).toHaveAccessibleName(/turn 180/);
   });
+
+  it("the lines are counted where they are limited, and the limit says what counts", async () => {
+    const { challenge } = await renderEditor();
+    await expect.element(button("Add line")).not.toHaveAccessibleDescription(/Lines/);
+    challenge.setState({
+      rights: rightsOf({ allowed: { ...allowed, lines: 4, edits: ["lines"] } }),
+    });
+    await expect.element(button("Add line")).toHaveAccessibleDescription("Lines: 2 of 4");
+    await button("Add line").click();
+    await expect.element(page.getByText("Lines: 3 of 4")).toBeVisible();
+    await button("Add line").click();
+    await expect.element(button("Add line")).toBeDisabled();
+    await expect
+      .element(button("Add line"))
+      .toHaveAccessibleDescription("You can use 4 lines here. “Otherwise” does not count.");
+  });
 });

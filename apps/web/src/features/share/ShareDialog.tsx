@@ -172,6 +172,7 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
           )}
           <RunChoice isChosen={withRun} onChange={setWithRun} saved={saved} />
         </fieldset>
+        {result.ok && <TeachLink text={result.text} />}
         {embedded !== false && !isTooLong && (
           <EmbedCode address={embedded} name={shared?.name || maze.name} />
         )}
@@ -180,7 +181,6 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
             <PrintButton content={printed} />
           </div>
         )}
-        {result.ok && <TeachLink text={result.text} />}
       </div>
       {shown !== null && !isTooLong && <QrCard link={shown} name={maze.name} />}
     </div>

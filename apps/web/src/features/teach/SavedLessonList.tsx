@@ -5,6 +5,7 @@ import { useTranslation } from "react-i18next";
 import type { KeyValueStorage } from "../../model/storage/key-value-storage.ts";
 import { newTextId } from "../../model/storage/new-text-id.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
+import { classNames } from "../../ui/class-names.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { MazePicture } from "../../ui/MazePicture.tsx";
 import { MenuItem, Popover, usePopover } from "../../ui/Popover.tsx";
@@ -17,6 +18,7 @@ import { printedLesson } from "./share/printed-lesson.ts";
 import { ShareLessonDialog } from "./share/lazy-share-lesson-dialog.ts";
 import { StartClassDialog } from "./start/lazy-start-class-dialog.ts";
 import { handInsHash, lessonHash } from "./frame/teach-view.ts";
+import entries from "./frame/device-list.module.css";
 import styles from "./saved-lesson-list.module.css";
 
 export function SavedLessonList({ device }: { device: KeyValueStorage }) {
@@ -51,8 +53,8 @@ export function SavedLessonList({ device }: { device: KeyValueStorage }) {
 
   if (list.length === 0 && deleted === null) return null;
   return (
-    <section className={styles["saved"]} aria-labelledby="saved-lessons">
-      <h3 id="saved-lessons" className={styles["heading"]}>
+    <section className={entries["section"]} aria-labelledby="saved-lessons">
+      <h3 id="saved-lessons" className={entries["heading"]}>
         {t("saved.heading")}
       </h3>
       {isBlocked && (
@@ -60,7 +62,7 @@ export function SavedLessonList({ device }: { device: KeyValueStorage }) {
           <p>{t("saved.blocked")}</p>
         </ProblemNote>
       )}
-      <output className={styles["deleted"]}>
+      <output className={entries["deleted"]}>
         {deleted !== null && (
           <>
             {t("saved.deleted", { name: lessonName(deleted.lesson) || t("lesson.unnamed") })}
@@ -70,7 +72,7 @@ export function SavedLessonList({ device }: { device: KeyValueStorage }) {
           </>
         )}
       </output>
-      <ul className={styles["list"]}>
+      <ul className={entries["list"]}>
         {list.map((saved) => (
           <SavedLessonRow
             key={saved.id}
@@ -150,9 +152,9 @@ function SavedLessonRow(props: RowProps) {
     ...(lesson.survey.length === 0 ? [] : [t("saved.questions", { count: lesson.survey.length })]),
   ];
   return (
-    <li className={styles["row"]}>
+    <li className={entries["row"]}>
       <span className={styles["picture"]}>{maze !== undefined && <MazePicture maze={maze} />}</span>
-      <div className={styles["words"]}>
+      <div className={entries["words"]}>
         <a
           className={styles["name"]}
           href={lessonHash(id)}
@@ -161,14 +163,14 @@ function SavedLessonRow(props: RowProps) {
         >
           {name}
         </a>
-        <span className={styles["facts"]}>
+        <span className={classNames(entries["note"], styles["facts"])}>
           {facts.map((fact) => (
             <span key={fact}>{fact}</span>
           ))}
           {isSolved(saved) && <span className={styles["solved"]}>{t("saved.solved")}</span>}
         </span>
       </div>
-      <div className={styles["actions"]}>
+      <div className={entries["actions"]}>
         <Button size="small" icon={<Icon of={Users} />} onClick={onStart}>
           {t("class.startShort")}
         </Button>

@@ -7,7 +7,8 @@ import { Icon } from "../../ui/Icon.tsx";
 import { SavedLessonList } from "./SavedLessonList.tsx";
 import { RunningClasses } from "./start/RunningClasses.tsx";
 import { StartClassDialog } from "./start/lazy-start-class-dialog.ts";
-import { HAND_INS_HASH, MAKE_HASH, REPORT_HASH } from "./frame/teach-view.ts";
+import { REPORT_HASH } from "../../model/teaching/saved-reports.ts";
+import { HAND_INS_HASH, MAKE_HASH } from "./frame/teach-view.ts";
 import styles from "./teach-home.module.css";
 
 /** Texts of `teach:home.entries`, icon and address of each entry. */

@@ -73,7 +73,7 @@ function View({ view, device }: ViewProps) {
     case "hand-ins":
       return <HandIns device={device} saved={view.lesson} />;
     case "report":
-      return <ReportView device={device} />;
+      return <ReportView key={view.report} device={device} saved={view.report} />;
   }
 }
 
@@ -92,7 +92,8 @@ function useFocusOnChange(key: unknown) {
       isFirst.current = false;
       return;
     }
-    main.current?.focus();
+    // A field of the view may already have the focus.
+    if (main.current?.contains(document.activeElement) !== true) main.current?.focus();
   }, [key, first]);
   return main;
 }

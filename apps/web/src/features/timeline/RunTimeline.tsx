@@ -140,12 +140,15 @@ export function RunTimeline() {
           {picture !== null && (
             <>
               <Ribbon picture={picture} isNow={isNow} />
-              <EventMarks marks={picture.marks} />
+              {/* Before the run, a sentence is in the place of the marks. */}
               {picture.endTick > 0 && (
-                <Playhead
-                  scale={picture.scale}
-                  event={eventKind === "goal" || eventKind === "bump" ? eventKind : null}
-                />
+                <>
+                  <EventMarks marks={picture.marks} />
+                  <Playhead
+                    scale={picture.scale}
+                    event={eventKind === "goal" || eventKind === "bump" ? eventKind : null}
+                  />
+                </>
               )}
               {pointed !== null ? (
                 <TimelineTip {...pointed} width={picture.scale.width} />

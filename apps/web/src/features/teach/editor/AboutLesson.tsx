@@ -3,17 +3,28 @@ import { MAX_TASK_LENGTH } from "@corridor/challenge";
 import { MAX_NAME_LENGTH } from "@corridor/program";
 import { useTranslation } from "react-i18next";
 import { languages } from "../../../text/languages.ts";
+import { Button } from "../../../ui/Button.tsx";
 import { Select } from "../../../ui/Select.tsx";
 import { TextArea } from "../../../ui/TextArea.tsx";
 import { TextField } from "../../../ui/TextField.tsx";
 import { useDraft, useLesson } from "./draft-context.ts";
 import { FormSection } from "./FormSection.tsx";
 import styles from "./form.module.css";
+import { useNameFocus } from "./use-name-focus.ts";
 
-export function AboutLesson() {
+interface AboutLessonProps {
+  /** whether the lesson is new: its name takes the focus */
+  isNew: boolean;
+  onNamed: () => void;
+  /** opens the task */
+  onNext: () => void;
+}
+
+export function AboutLesson({ isNew, onNamed, onNext }: AboutLessonProps) {
   const { t } = useTranslation("lessonEditor", { useSuspense: false });
   const draft = useDraft();
   const { name, intro, language } = useLesson();
+  const nameField = useNameFocus(isNew, onNamed);
   const known: { value: string; label: string }[] = languages.map((each) => ({
     value: each.tag,
     label: each.name,
@@ -23,7 +34,8 @@ export function AboutLesson() {
   return (
     <FormSection title={t("about.title")}>
       <TextField
-        label={t("words.name")}
+        ref={nameField}
+        label={t("about.name")}
         value={name}
         maxLength={MAX_NAME_LENGTH}
         lang={language ?? undefined}
@@ -53,6 +65,9 @@ export function AboutLesson() {
           onChange={(tag) => draft.edit({ language: tag === "" ? null : tag })}
         />
       </div>
+      <Button size="small" className={styles["add"]} onClick={onNext}>
+        {t("about.next")}
+      </Button>
     </FormSection>
   );
 }

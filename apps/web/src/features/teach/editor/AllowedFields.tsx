@@ -1,4 +1,4 @@
-/** What students may do and see in the open task. */
+/** What students may do and see in the open task, apart from who drives. */
 import {
   conditionNames,
   editKinds,
@@ -16,7 +16,6 @@ import { useDraft, useOpenTask } from "./draft-context.ts";
 import styles from "./form.module.css";
 import { toggled } from "./task-edits.ts";
 
-const drivers = ["me", "program", "remote"] as const;
 /** Changes that solve the task are shown only where a task lists them. */
 const usualHelp = helpKinds.filter((kind) => kind !== "fixes");
 
@@ -30,6 +29,7 @@ export function AllowedFields() {
     <>
       <BoundedNumber
         label={t("lessonEditor:allowed.lines")}
+        note={t("lessonEditor:allowed.linesNote")}
         value={allowed.lines}
         min={0}
         max={MAX_RULES}
@@ -39,14 +39,6 @@ export function AllowedFields() {
         label={t("lessonEditor:allowed.maze")}
         checked={allowed.maze}
         onChange={(maze) => edit({ maze })}
-      />
-      <Choices
-        label={t("words:drive.who")}
-        all={drivers}
-        chosen={allowed.drivers}
-        fewest={1}
-        nameOf={(driver) => t(`words:drive.${driver}`)}
-        onToggle={(driver) => edit({ drivers: toggled(drivers, allowed.drivers, driver) })}
       />
       <Choices
         label={t("lessonEditor:allowed.edits")}
@@ -119,8 +111,6 @@ interface ChoicesProps<Name extends string> {
   label: string;
   all: readonly Name[];
   chosen: readonly Name[];
-  /** minimum number of chosen entries */
-  fewest?: number;
   nameOf: (name: Name) => string;
   onToggle: (name: Name) => void;
 }
@@ -128,7 +118,7 @@ interface ChoicesProps<Name extends string> {
 /** Entries to tick, folded under their number. */
 function Choices<Name extends string>(props: ChoicesProps<Name>) {
   const { t } = useTranslation("lessonEditor", { useSuspense: false });
-  const { label, all, chosen, fewest = 0, nameOf, onToggle } = props;
+  const { label, all, chosen, nameOf, onToggle } = props;
   return (
     <details className={styles["choices"]}>
       <summary className={styles["summary"]}>
@@ -139,18 +129,14 @@ function Choices<Name extends string>(props: ChoicesProps<Name>) {
       </summary>
       <fieldset className={styles["list"]}>
         <legend className="visually-hidden">{label}</legend>
-        {all.map((name) => {
-          const isChosen = chosen.includes(name);
-          return (
-            <Checkbox
-              key={name}
-              label={nameOf(name)}
-              checked={isChosen}
-              disabled={isChosen && chosen.length <= fewest}
-              onChange={() => onToggle(name)}
-            />
-          );
-        })}
+        {all.map((name) => (
+          <Checkbox
+            key={name}
+            label={nameOf(name)}
+            checked={chosen.includes(name)}
+            onChange={() => onToggle(name)}
+          />
+        ))}
       </fieldset>
     </details>
   );

@@ -3,6 +3,7 @@ import { NumberField } from "../../../ui/NumberField.tsx";
 
 interface BoundedNumberProps {
   label: string;
+  note?: string;
   value: number;
   min: number;
   max: number;
@@ -10,15 +11,9 @@ interface BoundedNumberProps {
 }
 
 /** A whole number, whose error names its bounds. */
-export function BoundedNumber({ label, value, min, max, onChange }: BoundedNumberProps) {
+export function BoundedNumber({ min, max, ...field }: BoundedNumberProps) {
   const { t } = useTranslation("lessonEditor", { useSuspense: false });
   return (
-    <NumberField
-      label={label}
-      value={value}
-      bounds={{ min, max, whole: true }}
-      error={t("number", { min, max })}
-      onChange={onChange}
-    />
+    <NumberField {...field} bounds={{ min, max, whole: true }} error={t("number", { min, max })} />
   );
 }

@@ -1,12 +1,13 @@
 /** The lesson editor: tasks, stage and form side by side, or the same in tabs on a phone. */
 import type { LessonDocument } from "@corridor/challenge";
 import { emptyProgram, type ProgramDocument } from "@corridor/program";
-import { useEffect, useState, type ReactNode, type RefObject } from "react";
+import { useEffect, useMemo, useRef, useState, type ReactNode, type RefObject } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import type { KeyValueStorage } from "../../../model/storage/key-value-storage.ts";
 import { useMediaQuery } from "../../../ui/use-media-query.ts";
 import type { LessonAutosave } from "./lesson-autosave.ts";
+import { withoutBlankTexts } from "../../../model/teaching/blank-texts.ts";
 import { lessonName } from "../../../model/lessons/lesson-name.ts";
 import { solutionOf } from "../../../model/teaching/solution.ts";
 import { StartClassDialog } from "../start/lazy-start-class-dialog.ts";
@@ -17,7 +18,9 @@ import { EditorBar, EditorBarEnd } from "./EditorBar.tsx";
 import { EditorPanels } from "./EditorPanels.tsx";
 import type { LessonDraft } from "./lesson-draft.ts";
 import { PhoneEditor } from "./PhoneEditor.tsx";
+import { AddTaskDialog } from "./lazy-add-task-dialog.ts";
 import { TrialBand } from "./TrialBand.tsx";
+import { useEditedPart } from "./use-edited-part.ts";
 import { listenToHistoryKeys } from "./history-keys.ts";
 
 /** The lines of a task that starts with none. */
@@ -51,10 +54,15 @@ export function LessonEditor(props: LessonEditorProps) {
   const [trial, setTrial] = useState<Trial | null>(null);
   const [isSharing, setSharing] = useState(false);
   const [isStarting, setStarting] = useState(false);
+  const [isAdding, setAdding] = useState(false);
+  const isAdded = useRef(false);
+  const part = useEditedPart(draft);
+  // What students receive.
+  const shared = useMemo(() => withoutBlankTexts(lesson), [lesson]);
   const title = t("lessonEditor:pageTitle", {
     name: lessonName(lesson) || t("teach:lesson.unnamed"),
   });
-  const tryLesson = () => setTrial({ lesson: draft.lesson, program: null, isSolving: false });
+  const tryLesson = () => setTrial({ lesson: shared, program: null, isSolving: false });
   const solve = (): void => {
     const { task } = draft;
     const program = solutionOf(draft.store.getState().solutions, task)?.program ?? null;
@@ -97,26 +105,37 @@ export function LessonEditor(props: LessonEditorProps) {
       end={<EditorBarEnd isPhone={isPhone} autosave={autosave} tools={tools} {...commands} />}
     >
       <EditorWorkbench draft={draft} slots={slots}>
-        {(parts) =>
-          isPhone ? (
-            <PhoneEditor parts={parts} onSolve={solve} />
-          ) : (
-            <EditorPanels parts={parts} onSolve={solve} />
-          )
-        }
+        {(parts) => {
+          const props = { parts, part, onSolve: solve, onAdd: () => setAdding(true) };
+          return isPhone ? <PhoneEditor {...props} /> : <EditorPanels {...props} />;
+        }}
       </EditorWorkbench>
       <ShareLessonDialog
         isOpen={isSharing}
-        lesson={lesson}
+        lesson={shared}
         isSolved={lesson.tasks.every((task) => solutionOf(solutions, task) !== null)}
         onSolve={solve}
         onClose={() => setSharing(false)}
       />
       <StartClassDialog
         isOpen={isStarting}
-        lesson={lesson}
+        lesson={shared}
         device={device}
         onClose={() => setStarting(false)}
+      />
+      <AddTaskDialog
+        isOpen={isAdding}
+        device={device}
+        onAdded={() => {
+          isAdded.current = true;
+          setAdding(false);
+        }}
+        onClose={() => {
+          setAdding(false);
+          // A dialog that closes first returns the focus to its button.
+          if (isAdded.current) part.showAdded();
+          isAdded.current = false;
+        }}
       />
     </TeachFrame>
   );

@@ -32,6 +32,7 @@ export function StatusPanel({ onSolve }: { onSolve: () => void }) {
           </p>
         )}
       </div>
+      <p className={styles["note"]}>{t("solve.note")}</p>
       {warnings.length > 0 && (
         <ul className={styles["warnings"]}>
           {warnings.map((warning) => (
@@ -53,5 +54,6 @@ function Warning({ warning, hasTasks }: { warning: LessonWarning; hasTasks: bool
   const { t } = useTranslation("lessonEditor", { useSuspense: false });
   const { code, task, maze } = warning;
   const text = t(`warnings.${code}`, { maze: (maze ?? 0) + 1 });
-  return <span>{hasTasks ? t("warnings.inTask", { task: task + 1, text }) : text}</span>;
+  const isOfOne = hasTasks && task !== null;
+  return <span>{isOfOne ? t("warnings.inTask", { task: task + 1, text }) : text}</span>;
 }

@@ -5,6 +5,8 @@ import { useTranslation } from "react-i18next";
 import { Button, IconButton } from "../../../ui/Button.tsx";
 import { Icon } from "../../../ui/Icon.tsx";
 import { TextArea } from "../../../ui/TextArea.tsx";
+import { useFieldFocus } from "../../../ui/use-field-focus.ts";
+import { isBlank } from "../../../model/teaching/blank-texts.ts";
 import { useDraft, useLesson } from "./draft-context.ts";
 import { FormSection } from "./FormSection.tsx";
 import styles from "./form.module.css";
@@ -14,12 +16,20 @@ export function SurveyFields() {
   const { t } = useTranslation("lessonEditor", { useSuspense: false });
   const draft = useDraft();
   const { survey, language } = useLesson();
+  const fields = useFieldFocus<string>();
+  const add = (): void => {
+    const blank = survey.find(({ question }) => isBlank(question));
+    const next = blank === undefined ? addQuestion(draft.lesson, "") : draft.lesson;
+    fields.focus(blank?.id ?? next.survey.at(-1)?.id ?? "");
+    if (blank === undefined) draft.edit(next);
+  };
   return (
     <FormSection title={t("survey.title")}>
       <p className={styles["note"]}>{t("survey.note")}</p>
       {survey.map(({ id, question }, at) => (
         <div key={id} className={styles["removable"]}>
           <TextArea
+            ref={fields.refOf(id)}
             label={t("survey.question", { number: at + 1 })}
             value={question}
             rows={2}
@@ -44,7 +54,7 @@ export function SurveyFields() {
           size="small"
           className={styles["add"]}
           icon={<Icon of={Plus} />}
-          onClick={() => draft.edit(addQuestion(draft.lesson, ""))}
+          onClick={add}
         >
           {t("survey.add")}
         </Button>

@@ -9,19 +9,17 @@ import { MenuItem, Popover, usePopover } from "../../../ui/Popover.tsx";
 import { Segmented } from "../../../ui/Segmented.tsx";
 import { useMediaQuery } from "../../../ui/use-media-query.ts";
 import { solutionOf } from "../../../model/teaching/solution.ts";
-import { emptyMaze, newTask } from "../lessons/new-lesson.ts";
 import { useDraft, useLesson } from "./draft-context.ts";
 import styles from "./task-panel.module.css";
-
-/** What the form edits. */
-export type EditedPart = "lesson" | "task" | "survey";
+import type { EditedPart } from "./use-edited-part.ts";
 
 interface TaskPanelProps {
   edited: EditedPart;
   onEdit: (part: EditedPart) => void;
+  onAdd: () => void;
 }
 
-export function TaskPanel({ edited, onEdit }: TaskPanelProps) {
+export function TaskPanel({ edited, onEdit, onAdd }: TaskPanelProps) {
   const { t } = useTranslation(["lessonEditor", "teach"], { useSuspense: false });
   const draft = useDraft();
   const lesson = useLesson();
@@ -74,11 +72,7 @@ export function TaskPanel({ edited, onEdit }: TaskPanelProps) {
         className={styles["add"]}
         icon={<Icon of={Plus} />}
         disabled={length >= MAX_TASKS}
-        onClick={() => {
-          const name = t("teach:make.taskName", { number: length + 1 });
-          draft.addTask(newTask(emptyMaze(t("teach:make.mazeName")), name));
-          onEdit("task");
-        }}
+        onClick={onAdd}
       >
         {t("lessonEditor:tasks.add")}
       </Button>
@@ -153,7 +147,7 @@ function TaskMenu({ at, count }: { at: number; count: number }) {
         <MenuItem
           icon={<Icon of={Copy} />}
           disabled={count >= MAX_TASKS}
-          onSelect={() => draft.addTask(draft.task)}
+          onSelect={() => draft.addTasks([draft.task])}
         >
           {t("tasks.duplicate")}
         </MenuItem>

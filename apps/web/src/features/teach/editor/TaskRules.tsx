@@ -1,17 +1,16 @@
-/** The rules of the open task: its goal and limits, the lines at the start, and what students may. */
+/** The rules of the open task: its goal and limits, who drives, and what students may. */
 import { MAX_CHECK_BUMPS, MAX_LESSON_SECONDS } from "@corridor/challenge";
-import { MAX_RULES } from "@corridor/program";
 import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
-import { Checkbox } from "../../../ui/Checkbox.tsx";
-import { NumberField } from "../../../ui/NumberField.tsx";
 import { Select } from "../../../ui/Select.tsx";
 import { AllowedFields } from "./AllowedFields.tsx";
 import { BoundedNumber } from "./BoundedNumber.tsx";
 import { useDraft, useOpenTask } from "./draft-context.ts";
+import { DriverFields } from "./DriverFields.tsx";
 import { FormSection } from "./FormSection.tsx";
 import styles from "./form.module.css";
 import { GoalFields } from "./GoalFields.tsx";
+import { MoreAboutTask } from "./MoreAboutTask.tsx";
 import { StartLines } from "./StartLines.tsx";
 import { withSeconds } from "./task-edits.ts";
 
@@ -34,13 +33,14 @@ export function TaskRules({ lines }: { lines: ReactNode }) {
             onChange={(seconds) => draft.setTask(withSeconds(draft.task, seconds), "seconds")}
           />
         </div>
-        <StartLines lines={lines} />
-        <ParFields />
       </FormSection>
       <FormSection title={t("allowed.title")}>
+        <DriverFields />
+        <StartLines lines={lines} />
         <AllowedFields />
         <p className={styles["note"]}>{t("allowed.note")}</p>
       </FormSection>
+      <MoreAboutTask />
     </>
   );
 }
@@ -75,41 +75,6 @@ function BumpLimit() {
           max={MAX_CHECK_BUMPS}
           onChange={(most) => edit(most, "bumps")}
         />
-      )}
-    </div>
-  );
-}
-
-/** The numbers of a good solution, which the teacher's own solution sets. */
-function ParFields() {
-  const { t } = useTranslation("lessonEditor", { useSuspense: false });
-  const draft = useDraft();
-  const { par, checks } = useOpenTask();
-  return (
-    <div className={styles["group"]}>
-      <Checkbox
-        label={t("par.label")}
-        note={t("par.note")}
-        checked={par !== null}
-        onChange={(isSet) => draft.editTask({ par: isSet ? { lines: 2, seconds: 10 } : null })}
-      />
-      {par !== null && (
-        <div className={styles["pair"]}>
-          <BoundedNumber
-            label={t("par.lines")}
-            value={par.lines}
-            min={0}
-            max={MAX_RULES}
-            onChange={(lines) => draft.editTask({ par: { ...par, lines } }, "par lines")}
-          />
-          <NumberField
-            label={t("par.seconds")}
-            value={par.seconds}
-            bounds={{ min: 0, max: checks.seconds }}
-            error={t("number", { min: 0, max: checks.seconds })}
-            onChange={(seconds) => draft.editTask({ par: { ...par, seconds } }, "par seconds")}
-          />
-        </div>
       )}
     </div>
   );

@@ -1,5 +1,5 @@
-/** The texts of the open task: name, task, the line above the maze, and hints. */
-import { MAX_HINTS, MAX_SHORT_LENGTH, MAX_TASK_LENGTH, type LessonTask } from "@corridor/challenge";
+/** The texts of the open task: its name, what to do, and hints. */
+import { MAX_HINTS, MAX_TASK_LENGTH, type LessonTask } from "@corridor/challenge";
 import { MAX_NAME_LENGTH } from "@corridor/program";
 import { Plus, Trash2 } from "lucide";
 import { useTranslation } from "react-i18next";
@@ -8,11 +8,20 @@ import { Button, IconButton } from "../../../ui/Button.tsx";
 import { Icon } from "../../../ui/Icon.tsx";
 import { TextArea } from "../../../ui/TextArea.tsx";
 import { TextField } from "../../../ui/TextField.tsx";
+import { useFieldFocus } from "../../../ui/use-field-focus.ts";
+import { isBlank } from "../../../model/teaching/blank-texts.ts";
 import { useDraft, useLesson, useOpenTask } from "./draft-context.ts";
 import { FormSection } from "./FormSection.tsx";
 import styles from "./form.module.css";
+import { useNameFocus } from "./use-name-focus.ts";
 
-export function TaskWords() {
+interface TaskWordsProps {
+  /** whether the task was just added: its name takes the focus */
+  isNew: boolean;
+  onNamed: () => void;
+}
+
+export function TaskWords({ isNew, onNamed }: TaskWordsProps) {
   const { t } = useTranslation(["lessonEditor", "teach"], { useSuspense: false });
   const draft = useDraft();
   const lang = useLesson().language ?? undefined;
@@ -20,9 +29,18 @@ export function TaskWords() {
   const number = useStore(draft.store, (state) => state.task) + 1;
   const edit = (change: Partial<LessonTask["words"]>, group: string | null = null) =>
     draft.editTask({ words: { ...draft.task.words, ...change } }, group);
+  const nameField = useNameFocus(isNew, onNamed);
+  const hintFields = useFieldFocus<number>();
+  const addHint = (): void => {
+    const { hints } = words;
+    const blank = hints.findIndex(isBlank);
+    hintFields.focus(blank < 0 ? hints.length : blank);
+    if (blank < 0) edit({ hints: [...hints, ""] });
+  };
   return (
     <FormSection title={t("teach:tasks.unnamed", { number })}>
       <TextField
+        ref={nameField}
         label={t("lessonEditor:words.name")}
         value={name}
         maxLength={MAX_NAME_LENGTH}
@@ -38,18 +56,11 @@ export function TaskWords() {
         dir="auto"
         onChange={(task) => edit({ task }, "task")}
       />
-      <TextField
-        label={t("lessonEditor:words.short")}
-        value={words.short}
-        maxLength={MAX_SHORT_LENGTH}
-        lang={lang}
-        dir="auto"
-        onChange={(short) => edit({ short }, "short")}
-      />
       {words.hints.map((hint, at) => (
         // oxlint-disable-next-line react/no-array-index-key -- hints have no other identity
         <div key={at} className={styles["removable"]}>
           <TextArea
+            ref={hintFields.refOf(at)}
             label={t("lessonEditor:words.hint", { number: at + 1 })}
             value={hint}
             rows={2}
@@ -72,7 +83,7 @@ export function TaskWords() {
           size="small"
           className={styles["add"]}
           icon={<Icon of={Plus} />}
-          onClick={() => edit({ hints: [...words.hints, ""] })}
+          onClick={addHint}
         >
           {t("lessonEditor:words.addHint")}
         </Button>

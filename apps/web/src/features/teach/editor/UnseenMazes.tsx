@@ -62,9 +62,8 @@ export function UnseenMazes() {
           </Button>
         )}
       </div>
-      {unseen === null ? (
-        <p className={styles["note"]}>{t("unseen.note")}</p>
-      ) : (
+      <p className={styles["note"]}>{t("unseen.note")}</p>
+      {unseen !== null && (
         <>
           <div className={styles["fields"]}>
             {(["columns", "rows"] as const).map((side) => (

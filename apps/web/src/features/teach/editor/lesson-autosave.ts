@@ -6,6 +6,7 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { LessonDraft } from "./lesson-draft.ts";
 import { newTextId } from "../../../model/storage/new-text-id.ts";
+import { withoutBlankTexts } from "../../../model/teaching/blank-texts.ts";
 import type { SavedLesson, SavedLessons } from "../../../model/teaching/saved-lessons.ts";
 
 /** The first of several quick edits starts the timer. */
@@ -63,7 +64,7 @@ export class LessonAutosave {
       solutions,
     };
     try {
-      lessons.write(next);
+      lessons.write({ ...next, lesson: withoutBlankTexts(lesson) });
     } catch {
       this.store.setState({ status: "blocked" });
       return;

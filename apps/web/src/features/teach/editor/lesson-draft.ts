@@ -9,7 +9,6 @@ import {
   type LessonTask,
 } from "@corridor/challenge";
 import type { MazeDocument } from "@corridor/maze";
-import { TICKS_PER_SECOND } from "@corridor/simulation";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import {
   contentMark,
@@ -17,9 +16,10 @@ import {
   type Solution,
   type Solutions,
 } from "../../../model/teaching/solution.ts";
+import { displayedSeconds } from "../../../text/numbers.ts";
 import {
   insertMaze,
-  insertTask,
+  insertTasks,
   moveTask,
   newTaskIds,
   removeMaze,
@@ -101,12 +101,12 @@ export class LessonDraft {
     this.#group = null;
   }
 
-  /** Adds a task after the open one, and opens it. @returns whether there was room */
-  addTask(task: LessonTask): boolean {
+  /** Adds tasks after the open one, and opens the first. @returns whether all fit; else none is added */
+  addTasks(tasks: readonly LessonTask[]): boolean {
     const state = this.store.getState();
-    if (state.lesson.tasks.length >= MAX_TASKS) return false;
+    if (state.lesson.tasks.length + tasks.length > MAX_TASKS) return false;
     const at = state.task + 1;
-    this.#commit(insertTask(state, at, task), { task: at, maze: 0 });
+    this.#commit(insertTasks(state, at, tasks), { task: at, maze: 0 });
     return true;
   }
 
@@ -160,7 +160,7 @@ export class LessonDraft {
     this.store.setState({ solutions: withSolution(state.solutions, task, solution) });
     if (solution.program === null) return;
     const mark = contentMark(task);
-    const par = { lines: solution.lines, seconds: secondsOf(solution.ticks) };
+    const par = { lines: solution.lines, seconds: displayedSeconds(solution.ticks) };
     const tasks = state.lesson.tasks.map((each) =>
       contentMark(each) === mark ? { ...each, par } : each,
     );
@@ -211,9 +211,4 @@ export function openTaskOf({ lesson, task }: Pick<Version, "lesson" | "task">): 
   const open = lesson.tasks[task] ?? lesson.tasks[0];
   if (open === undefined) throw new RangeError("A lesson has at least one task.");
   return open;
-}
-
-/** Simulated seconds with one decimal. */
-export function secondsOf(ticks: number): number {
-  return Math.round((10 * ticks) / TICKS_PER_SECOND) / 10;
 }

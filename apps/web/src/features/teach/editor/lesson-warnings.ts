@@ -15,6 +15,8 @@ import { TICKS_PER_SECOND } from "@corridor/simulation";
 import { solutionOf, type Solution, type Solutions } from "../../../model/teaching/solution.ts";
 
 export type WarningCode =
+  /** students see a lesson without a name */
+  | "unnamed"
   /** a maze has no goal, and the robot must reach one */
   | "no-goal"
   /** no path leads to a goal */
@@ -32,8 +34,8 @@ export type WarningCode =
 
 export interface LessonWarning {
   code: WarningCode;
-  /** index of the task */
-  task: number;
+  /** index of the task; null if the warning is about the lesson */
+  task: number | null;
   /** index of the given maze; null if the warning is about the whole task */
   maze: number | null;
 }
@@ -42,10 +44,14 @@ export interface LessonWarning {
 const FULL_SPEED = 100;
 const ROBOT_RADIUS = 25;
 
-export function warningsOf({ tasks }: LessonDocument, solutions: Solutions): LessonWarning[] {
-  return tasks.flatMap((task, at) =>
-    taskWarnings(task, solutionOf(solutions, task)).map((warning) => ({ ...warning, task: at })),
-  );
+export function warningsOf(lesson: LessonDocument, solutions: Solutions): LessonWarning[] {
+  const unnamed: LessonWarning = { code: "unnamed", task: null, maze: null };
+  return [
+    ...(lesson.name.trim() === "" ? [unnamed] : []),
+    ...lesson.tasks.flatMap((task, at) =>
+      taskWarnings(task, solutionOf(solutions, task)).map((warning) => ({ ...warning, task: at })),
+    ),
+  ];
 }
 
 function taskWarnings(

@@ -1,6 +1,13 @@
 import { describe, expect, it } from "vitest";
 import { taskWith } from "../testing/teacher-task.ts";
-import { toggled, withGoal, withGoalKind, withSeconds, withUnseen } from "./task-edits.ts";
+import {
+  toggled,
+  withGoal,
+  withGoalKind,
+  withSeconds,
+  withDriver,
+  withUnseen,
+} from "./task-edits.ts";
 
 describe("an edit of a task keeps its fields consistent", () => {
   it("the time limit covers the time that the robot must last", () => {
@@ -19,6 +26,19 @@ describe("an edit of a task keeps its fields consistent", () => {
   it("no more unseen mazes have to pass than there are", () => {
     const task = withUnseen(taskWith(), { count: 10 });
     expect(task.unseen).toMatchObject({ kind: "tree", count: 10, pass: 10 });
+  });
+});
+
+describe("the drivers of a task", () => {
+  it("are a program and the student, and the task opens with the program", () => {
+    expect(taskWith().allowed.drivers).toEqual(["program", "me"]);
+    expect(withDriver(taskWith(), "me").allowed.drivers).toEqual(["program"]);
+  });
+
+  it("stay in their order when another one is allowed", () => {
+    const { allowed } = taskWith();
+    const mission = taskWith({ allowed: { ...allowed, drivers: ["me", "program"] } });
+    expect(withDriver(mission, "remote").allowed.drivers).toEqual(["me", "program", "remote"]);
   });
 });
 

@@ -1,5 +1,6 @@
 /** Edits of a task that keep its fields consistent. A field that contradicts the edited one follows. */
 import type { Goal, LessonTask, UnseenMazes } from "@corridor/challenge";
+import type { DriverName } from "@corridor/protocol";
 
 /** Another kind of goal, with values that suit most mazes. */
 export function withGoalKind(task: LessonTask, kind: Goal["kind"]): LessonTask {
@@ -37,6 +38,15 @@ export function withSeconds(task: LessonTask, seconds: number): LessonTask {
     checks: { ...task.checks, seconds },
     goal: isTooLong ? { ...goal, seconds } : goal,
   };
+}
+
+/** Allows a driver, or no longer. The others stay in their order: the task opens with the first one. */
+export function withDriver(task: LessonTask, driver: DriverName): LessonTask {
+  const { drivers } = task.allowed;
+  const next = drivers.includes(driver)
+    ? drivers.filter((each) => each !== driver)
+    : [...drivers, driver];
+  return { ...task, allowed: { ...task.allowed, drivers: next } };
 }
 
 const firstUnseen: UnseenMazes = {

@@ -17,10 +17,14 @@ export function replaceTask({ lesson, taskIds }: TaskList, at: number, task: Les
   return { lesson: { ...lesson, tasks: lesson.tasks.with(at, task) }, taskIds };
 }
 
-export function insertTask({ lesson, taskIds }: TaskList, at: number, task: LessonTask): TaskList {
+export function insertTasks(
+  { lesson, taskIds }: TaskList,
+  at: number,
+  tasks: readonly LessonTask[],
+): TaskList {
   return {
-    lesson: { ...lesson, tasks: lesson.tasks.toSpliced(at, 0, task) },
-    taskIds: taskIds.toSpliced(at, 0, ...newTaskIds(1)),
+    lesson: { ...lesson, tasks: lesson.tasks.toSpliced(at, 0, ...tasks) },
+    taskIds: taskIds.toSpliced(at, 0, ...newTaskIds(tasks.length)),
   };
 }
 

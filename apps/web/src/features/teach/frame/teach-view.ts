@@ -2,8 +2,12 @@
  * The view of `/teach` that an address names by its fragment. A fragment without a name is the link
  * of a lesson, which opens in the editor.
  */
+import { REPORT_HASH } from "../../../model/teaching/saved-reports.ts";
+
 export type TeachView =
-  | { name: "home" | "make" | "report" }
+  | { name: "home" | "make" }
+  /** `report`: id of the saved report to open; null for the list */
+  | { name: "report"; report: string | null }
   /** `lesson`: id of the saved lesson to check; null for the one that was checked last */
   | { name: "hand-ins"; lesson: string | null }
   /** a saved lesson in the editor */
@@ -12,7 +16,6 @@ export type TeachView =
 
 export const MAKE_HASH = "#make";
 export const HAND_INS_HASH = "#hand-ins";
-export const REPORT_HASH = "#report";
 const LESSON_HASH = "#lesson=";
 
 /** The address of a saved lesson in the editor. */
@@ -28,7 +31,10 @@ export function handInsHash(id: string): string {
 export function teachViewOf(hash: string): TeachView {
   if (hash === "" || hash === "#") return { name: "home" };
   if (hash === MAKE_HASH) return { name: "make" };
-  if (hash === REPORT_HASH) return { name: "report" };
+  if (hash === REPORT_HASH) return { name: "report", report: null };
+  if (hash.startsWith(`${REPORT_HASH}=`)) {
+    return { name: "report", report: hash.slice(REPORT_HASH.length + 1) };
+  }
   if (hash === HAND_INS_HASH) return { name: "hand-ins", lesson: null };
   if (hash.startsWith(handInsHash(""))) {
     return { name: "hand-ins", lesson: hash.slice(handInsHash("").length) };

@@ -1,5 +1,5 @@
 /** Shows the figures of a class from its tables, as the thesis of 2013 does. */
-import { reportOf, studyCsv, type Report } from "@corridor/report";
+import { reportOf, studyCsv, type Report, type Work } from "@corridor/report";
 import { FileDown, FolderOpen, Printer } from "lucide";
 import { useMemo, useState } from "react";
 import { useTranslation } from "react-i18next";
@@ -9,9 +9,12 @@ import { Icon } from "../../../ui/Icon.tsx";
 import type { KeyValueStorage } from "../../../model/storage/key-value-storage.ts";
 import { chooseFiles, type TextFile } from "../../../ui/incoming-files.ts";
 import { saveFile } from "../../../ui/save-file.ts";
+import { REPORT_HASH, SavedReports } from "../../../model/teaching/saved-reports.ts";
+import { StudentTable } from "./StudentTable.tsx";
+import { SavedReportList } from "./SavedReportList.tsx";
 import { SavedLessons } from "../../../model/teaching/saved-lessons.ts";
 import { questionTexts, type QuestionText } from "./question-texts.ts";
-import { addReportFiles, studyOf, type ReadFiles } from "./report-files.ts";
+import { addReportFiles, openReport, studyOf, type ReadFiles } from "./report-files.ts";
 import { ReportProblems } from "./ReportProblems.tsx";
 import { SurveyTable } from "./SurveyTable.tsx";
 import { TaskFigures } from "./TaskFigures.tsx";
@@ -20,9 +23,21 @@ import styles from "./report.module.css";
 
 const TABLES = ".csv,.txt,text/csv,text/plain";
 
-export function ReportView({ device }: { device: KeyValueStorage }) {
+interface ReportViewProps {
+  /** localStorage */
+  device: KeyValueStorage;
+  /** id of a report of this device that opens at once; null: none */
+  saved: string | null;
+}
+
+export function ReportView({ device, saved }: ReportViewProps) {
   const { t } = useTranslation("report", { useSuspense: false });
-  const [{ files, problems }, setRead] = useState<ReadFiles>({ files: [], problems: [] });
+  const [reports] = useState(() => new SavedReports(device));
+  const [first] = useState(() => openFirst(reports, saved));
+  const [{ files, problems }, setRead] = useState<ReadFiles>({
+    files: first === null ? [] : [first],
+    problems: [],
+  });
   const [mistakes, setMistakes] = useState<ReadonlyMap<string, number>>(new Map());
   const study = useMemo(() => studyOf(files), [files]);
   const report = useMemo(() => reportOf(study, mistakes), [study, mistakes]);
@@ -41,7 +56,8 @@ export function ReportView({ device }: { device: KeyValueStorage }) {
       }
     >
       <section className={styles["opener"]} aria-label={t("tables")}>
-        <p>{isEmpty ? t("intro") : files.map(({ name }) => name).join(", ")}</p>
+        {saved !== null && first === null && <p>{t("saved.missing")}</p>}
+        <p>{isEmpty ? t("intro") : files.map(({ name }) => name || t("title")).join(", ")}</p>
         <div className={styles["buttons"]}>
           <Button
             kind={isEmpty ? "primary" : "outline"}
@@ -53,6 +69,8 @@ export function ReportView({ device }: { device: KeyValueStorage }) {
           {!isEmpty && (
             <Button
               onClick={() => {
+                // The address names the report that was open.
+                if (saved !== null) location.hash = REPORT_HASH;
                 setRead({ files: [], problems: [] });
                 setMistakes(new Map());
               }}
@@ -64,9 +82,11 @@ export function ReportView({ device }: { device: KeyValueStorage }) {
         {isEmpty && <p className={styles["note"]}>{t("drop")}</p>}
       </section>
       <ReportProblems problems={problems} />
+      {isEmpty && <SavedReportList reports={reports} />}
       {!isEmpty && (
         <ReportContent
           report={report}
+          work={study.work}
           texts={texts}
           onMistakes={(id, students) => {
             const next = new Map(mistakes);
@@ -85,8 +105,14 @@ export function ReportView({ device }: { device: KeyValueStorage }) {
   );
 }
 
+function openFirst(reports: SavedReports, id: string | null) {
+  const report = id === null ? null : reports.read(id);
+  return report === null ? null : openReport(report);
+}
+
 interface ReportContentProps {
   report: Report;
+  work: readonly Work[];
   /** the texts of the questions, by their ids */
   texts: ReadonlyMap<string, QuestionText>;
   /** @param students null: not counted */
@@ -94,7 +120,7 @@ interface ReportContentProps {
   onSave: () => void;
 }
 
-function ReportContent({ report, texts, onMistakes, onSave }: ReportContentProps) {
+function ReportContent({ report, work, texts, onMistakes, onSave }: ReportContentProps) {
   const { t } = useTranslation("report", { useSuspense: false });
   const { students, tasks, questions } = report;
   return (
@@ -104,6 +130,7 @@ function ReportContent({ report, texts, onMistakes, onSave }: ReportContentProps
       </output>
       {tasks.length > 0 && <TaskTables tasks={tasks} />}
       {tasks.length > 0 && <TaskFigures tasks={tasks} />}
+      <StudentTable work={work} tasks={tasks.map(({ task }) => task)} />
       {questions.length > 0 && (
         <SurveyTable
           questions={questions}
@@ -115,9 +142,11 @@ function ReportContent({ report, texts, onMistakes, onSave }: ReportContentProps
       <section className={styles["definitions"]} aria-label={t("definitions.title")}>
         <h3 className={styles["heading"]}>{t("definitions.title")}</h3>
         <ul>
-          {(["time", "lines", "attempts", "mistakes", "deviation", "few"] as const).map((each) => (
-            <li key={each}>{t(`definitions.${each}`)}</li>
-          ))}
+          {(["time", "lines", "attempts", "mistakes", "deviation", "few", "unknown"] as const).map(
+            (each) => (
+              <li key={each}>{t(`definitions.${each}`)}</li>
+            ),
+          )}
         </ul>
       </section>
       <div className={styles["buttons"]}>

@@ -7,6 +7,8 @@ import styles from "./report.module.css";
 /** Candidates for the distance of two lines of the scale, in seconds. */
 const STEPS = [10, 30, 60, 120, 300, 600, 1_800, 3_600, 7_200];
 const MOST_LINES = 6;
+/** Up to this number of students, each bar has its own line with name and time. */
+const MOST_NAMED = 16;
 
 export function TaskFigures({ tasks }: { tasks: readonly TaskReport[] }) {
   const { t } = useTranslation("report", { useSuspense: false });
@@ -24,12 +26,37 @@ function TaskFigure({ task: { task, bars, time } }: { task: TaskReport }) {
   const longest = time.longest ?? 0;
   const step = STEPS.find((each) => longest / each <= MOST_LINES) ?? longest;
   const top = Math.max(step, Math.ceil(longest / step) * step);
+  const label = t("figures.of", { task: columnName(task) });
+  if (bars.length <= MOST_NAMED) {
+    return (
+      <figure className={styles["figure"]}>
+        <figcaption className={styles["heading"]}>{label}</figcaption>
+        <ol className={styles["lines"]} aria-label={label}>
+          {bars.map(({ student, seconds }, at) => (
+            // oxlint-disable-next-line react/no-array-index-key -- anonymous students have no other identity
+            <li key={at} className={styles["line"]}>
+              <span className={styles["who"]} dir="auto">
+                {student ?? at + 1}
+              </span>
+              <span className={styles["room"]} aria-hidden="true">
+                <span
+                  className={styles["fill"]}
+                  style={{ inlineSize: `${((seconds ?? 0) / top) * 100}%` }}
+                />
+              </span>
+              <span className={styles["time"]}>
+                {seconds === null ? t("figures.notSolved") : clockText(seconds)}
+              </span>
+            </li>
+          ))}
+        </ol>
+      </figure>
+    );
+  }
   const lines = Array.from({ length: Math.round(top / step) + 1 }, (_, at) => at * step);
   return (
     <figure className={styles["figure"]}>
-      <figcaption className={styles["heading"]}>
-        {t("figures.of", { task: columnName(task) })}
-      </figcaption>
+      <figcaption className={styles["heading"]}>{label}</figcaption>
       <div className={styles["chart"]}>
         {lines.map((seconds) => (
           <span
@@ -45,7 +72,7 @@ function TaskFigure({ task: { task, bars, time } }: { task: TaskReport }) {
           className={styles["bars"]}
           // oxlint-disable-next-line jsx-a11y/no-noninteractive-tabindex -- scrolls by keyboard
           tabIndex={0}
-          aria-label={t("figures.of", { task: columnName(task) })}
+          aria-label={label}
         >
           {bars.map(({ student, seconds }, at) => (
             // oxlint-disable-next-line react/no-array-index-key -- anonymous students have no other identity

@@ -1,6 +1,7 @@
 /** Reads the tables that a teacher opens for a report. */
 import { joinStudies, readStudyCsv, type Study } from "@corridor/report";
 import type { FieldProblem } from "@corridor/protocol";
+import type { SavedReport } from "../../../model/teaching/saved-reports.ts";
 import type { TextFile } from "../../../ui/incoming-files.ts";
 
 /** A table of 10,000 rows is smaller. */
@@ -19,6 +20,13 @@ export type ReportProblem = { file: string } & (
 export interface ReadFiles {
   files: ReportFile[];
   problems: ReportProblem[];
+}
+
+/** A report of this device as an open table; null if it cannot be read. */
+export function openReport({ label, lesson, csv }: SavedReport): ReportFile | null {
+  const read = readStudyCsv(csv);
+  const name = [label, lesson].filter((each) => each !== "").join(", ");
+  return read.ok ? { name, study: read.value } : null;
 }
 
 /**

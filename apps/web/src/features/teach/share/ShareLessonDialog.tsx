@@ -52,6 +52,7 @@ export function ShareLessonDialog({
       {...(isShared ? options : {})}
     >
       <div ref={content} className={styles["content"]} tabIndex={-1}>
+        {lesson.name.trim() === "" && <p>{t("warnings.unnamed")}</p>}
         {!isFinished && <p>{t("share.unfinished")}</p>}
         {isFinished && !isShared && (
           <>

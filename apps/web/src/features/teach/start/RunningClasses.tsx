@@ -6,7 +6,7 @@ import { OwnClasses } from "../../../model/classroom/own-classes.ts";
 import type { KeyValueStorage } from "../../../model/storage/key-value-storage.ts";
 import { ButtonLink } from "../../../ui/ButtonLink.tsx";
 import { Icon } from "../../../ui/Icon.tsx";
-import styles from "./running-classes.module.css";
+import styles from "../frame/device-list.module.css";
 
 export function RunningClasses({ device }: { device: KeyValueStorage }) {
   const { t, i18n } = useTranslation("teach", { useSuspense: false });
@@ -14,7 +14,7 @@ export function RunningClasses({ device }: { device: KeyValueStorage }) {
   if (classes.length === 0) return null;
   const time = new Intl.DateTimeFormat(i18n.language, { timeStyle: "short" });
   return (
-    <section className={styles["running"]} aria-labelledby="running-classes">
+    <section className={styles["section"]} aria-labelledby="running-classes">
       <h3 id="running-classes" className={styles["heading"]}>
         {t("class.running")}
       </h3>

@@ -49,7 +49,7 @@ export function StartClassDialog({ isOpen, lesson, device, onClose }: StartClass
 type Problem = ClassRefusal | "names" | "expected" | "lesson";
 
 function StartClassForm({ lesson, device }: Pick<StartClassDialogProps, "lesson" | "device">) {
-  const { t, i18n } = useTranslation("teach", { useSuspense: false });
+  const { t, i18n } = useTranslation(["teach", "lessonEditor"], { useSuspense: false });
   const [saved] = useState(() =>
     new SavedLessons(device).list().filter((each) => parseLesson(each.lesson).ok),
   );
@@ -104,61 +104,66 @@ function StartClassForm({ lesson, device }: Pick<StartClassDialogProps, "lesson"
   };
   return (
     <form className={styles["form"]} noValidate onSubmit={(event) => void start(event)}>
+      {lesson?.name.trim() === "" && (
+        <p className={styles["note"]}>{t("lessonEditor:warnings.unnamed")}</p>
+      )}
       {lesson === null && (
         <label className={styles["stack"]}>
-          <span className={styles["label"]}>{t("class.lesson")}</span>
+          <span className={styles["label"]}>{t("teach:class.lesson")}</span>
           <Select
-            label={t("class.lesson")}
+            label={t("teach:class.lesson")}
             value={chosen}
             options={[
               ...saved.map((each) => ({
                 value: each.id,
-                label: lessonName(each.lesson) || t("lesson.unnamed"),
+                label: lessonName(each.lesson) || t("teach:lesson.unnamed"),
               })),
-              { value: STUDY, label: t("study.name") },
+              { value: STUDY, label: t("teach:study.name") },
             ]}
             onChange={setChosen}
           />
         </label>
       )}
       <TextField
-        label={t("class.label")}
+        label={t("teach:class.label")}
         value={label}
         maxLength={MAX_CLASS_LABEL}
         onChange={setLabel}
       />
-      <p className={styles["note"]}>{t("class.labelNote")}</p>
+      <p className={styles["note"]}>{t("teach:class.labelNote")}</p>
       <TextField
-        label={t("class.expected")}
+        label={t("teach:class.expected")}
         value={expected}
         inputMode="numeric"
         maxLength={4}
         aria-invalid={problem === "expected"}
         onChange={setExpected}
       />
-      <p className={styles["note"]}>{t("class.expectedNote")}</p>
+      <p className={styles["note"]}>{t("teach:class.expectedNote")}</p>
       <Checkbox
-        label={t("class.ownNames")}
-        note={t("class.ownNamesNote")}
+        label={t("teach:class.ownNames")}
+        note={t("teach:class.ownNamesNote")}
         checked={hasNames}
         onChange={setHasNames}
       />
       {hasNames && (
         <>
           <TextArea
-            label={t("class.names")}
+            label={t("teach:class.names")}
             rows={6}
             value={names}
             aria-invalid={problem === "names"}
             onChange={setNames}
           />
-          <p className={styles["note"]}>{t("class.namesNote")}</p>
+          <p className={styles["note"]}>{t("teach:class.namesNote")}</p>
         </>
       )}
-      {problem !== null && <FieldError id={errorId}>{t(`class.problem.${problem}`)}</FieldError>}
+      {problem !== null && (
+        <FieldError id={errorId}>{t(`teach:class.problem.${problem}`)}</FieldError>
+      )}
       <div>
         <Button kind="primary" size="large" type="submit" aria-disabled={isStarting}>
-          {t("class.start")}
+          {t("teach:class.start")}
         </Button>
       </div>
     </form>

@@ -1,0 +1,53 @@
+/** Reads the file, the link or the text with which a teacher begins a lesson or a task. */
+import type { LessonDocument } from "@corridor/challenge";
+import { useState } from "react";
+import type { TextFile } from "../../../ui/incoming-files.ts";
+import { lessonOfMaze } from "../lessons/new-lesson.ts";
+import {
+  lessonOfShared,
+  readLessonFile,
+  type LessonProblem,
+  type OpenedLesson,
+} from "../lessons/read-lesson.ts";
+import { readTyped } from "../lessons/read-typed-lesson.ts";
+
+export interface Beginning {
+  /** why nothing was opened */
+  problem: LessonProblem | null;
+  isOpening: boolean;
+  openText: (text: string) => Promise<void>;
+  openFiles: (files: readonly TextFile[]) => Promise<void>;
+}
+
+/**
+ * @param task name of the task in a shared maze
+ * @param onOpened receives the lesson
+ */
+export function useBeginning(task: string, onOpened: (lesson: LessonDocument) => void): Beginning {
+  const [problem, setProblem] = useState<LessonProblem | null>(null);
+  const [isOpening, setOpening] = useState(false);
+
+  function receive(opened: OpenedLesson): void {
+    setOpening(false);
+    setProblem(opened.ok ? null : { code: opened.code, problems: opened.problems });
+    if (opened.ok) onOpened(opened.lesson);
+  }
+
+  return {
+    problem,
+    isOpening,
+    openText: async (text) => {
+      setOpening(true);
+      receive(await readBeginning(text, task));
+    },
+    openFiles: async ([file]) => {
+      if (file !== undefined) receive(await readLessonFile(file));
+    },
+  };
+}
+
+async function readBeginning(text: string, task: string): Promise<OpenedLesson> {
+  const shared = await readTyped(text);
+  const lesson = shared.ok ? lessonOfMaze(shared.content, task) : null;
+  return lesson === null ? lessonOfShared(shared) : { ok: true, lesson };
+}

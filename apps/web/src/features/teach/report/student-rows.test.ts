@@ -1,0 +1,44 @@
+import type { Work } from "@corridor/report";
+import { expect, it } from "vitest";
+import { studentRows } from "./student-rows.ts";
+
+function workOf(student: string | null, task: string, change: Partial<Work> = {}): Work {
+  return {
+    student,
+    task,
+    seconds: 60,
+    lines: 2,
+    attempts: 1,
+    runs: 2,
+    bumps: 3,
+    failedChecks: 0,
+    hints: null,
+    mistakes: null,
+    ...change,
+  };
+}
+
+it("each student has one row with the times of all tasks and the sums of the counts", () => {
+  const work = [
+    workOf("Juniper", "One"),
+    workOf("Comet", "Two", { seconds: null, attempts: null }),
+    workOf("Juniper", "Two", { seconds: 90, bumps: 4, hints: 1 }),
+    workOf(null, "One"),
+  ];
+  expect(studentRows(work, ["One", "Two"])).toEqual([
+    {
+      student: "Juniper",
+      times: [60, 90],
+      sums: { attempts: 2, runs: 4, bumps: 7, hints: 1 },
+    },
+    {
+      student: "Comet",
+      times: [null, "unsolved"],
+      sums: { attempts: null, runs: 2, bumps: 3, hints: null },
+    },
+  ]);
+});
+
+it("a table without names has no rows of students", () => {
+  expect(studentRows([workOf(null, "One"), workOf(null, "One")], ["One"])).toEqual([]);
+});

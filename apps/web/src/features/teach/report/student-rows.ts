@@ -1,0 +1,43 @@
+/** The rows of the report's table of students. */
+import type { Work } from "@corridor/report";
+
+/** What the row of a student adds up over all tasks. */
+export const summed = ["attempts", "runs", "bumps", "hints"] as const;
+
+export interface StudentRow {
+  student: string;
+  /** seconds by task; null: the student did not open it */
+  times: readonly (number | "unsolved" | null)[];
+  /** null: not counted */
+  sums: Readonly<Record<(typeof summed)[number], number | null>>;
+}
+
+/**
+ * One row for each student with a name, in the order of the data.
+ * @param tasks ids of the tasks, in the order of the columns
+ */
+export function studentRows(work: readonly Work[], tasks: readonly string[]): StudentRow[] {
+  const students = new Set(work.map(({ student }) => student).filter((each) => each !== null));
+  return [...students].map((student) => {
+    const own = work.filter((each) => each.student === student);
+    const times = tasks.map((task) => {
+      const found = own.find((each) => each.task === task);
+      return found === undefined ? null : (found.seconds ?? ("unsolved" as const));
+    });
+    const sumOf = (name: (typeof summed)[number]): number | null =>
+      own.reduce<number | null>(
+        (sum, each) => (each[name] === null ? sum : (sum ?? 0) + each[name]),
+        null,
+      );
+    return {
+      student,
+      times,
+      sums: {
+        attempts: sumOf("attempts"),
+        runs: sumOf("runs"),
+        bumps: sumOf("bumps"),
+        hints: sumOf("hints"),
+      },
+    };
+  });
+}
