@@ -1,7 +1,7 @@
 /** A student of a class whose robot drives without end. */
 import { LearnLink } from "@corridor/client/learn";
 import { joinedClassSchema, type JoinedClass } from "@corridor/protocol";
-import { DrivenRobot } from "./driven-robot.ts";
+import type { DrivenRobot } from "./driven-robot.ts";
 
 /** Mark of the lesson. The relay does not compare it. */
 const LESSON = "0123456ab";
@@ -11,8 +11,8 @@ export class RobotStudent {
   readonly #connected: Promise<void>;
   readonly #robot: DrivenRobot;
 
-  private constructor(relay: string, joined: JoinedClass, drivenMs: number) {
-    this.#robot = new DrivenRobot(drivenMs);
+  private constructor(relay: string, joined: JoinedClass, robot: DrivenRobot) {
+    this.#robot = robot;
     const connection = Promise.withResolvers<void>();
     this.#connected = connection.promise;
     this.#link = new LearnLink({
@@ -26,8 +26,8 @@ export class RobotStudent {
     });
   }
 
-  /** Joins, and opens the task. @param drivenMs how long the robot has driven */
-  static async join(relay: string, code: string, drivenMs: number): Promise<RobotStudent> {
+  /** Joins, and opens the task. */
+  static async join(relay: string, code: string, robot: DrivenRobot): Promise<RobotStudent> {
     const answer = await fetch(`${relay}/api/v1/joins`, {
       method: "POST",
       headers: { "Content-Type": "application/json" },
@@ -35,7 +35,7 @@ export class RobotStudent {
     });
     if (answer.status !== 201) throw new Error(`join: ${answer.status} ${await answer.text()}`);
     const joined = joinedClassSchema.parse(await answer.json());
-    const student = new RobotStudent(relay, joined, drivenMs);
+    const student = new RobotStudent(relay, joined, robot);
     await student.#connected;
     const event = { kind: "opened", lesson: LESSON, task: 1 } as const;
     student.#link.send({ type: "progress", seq: 1, event });

@@ -1,4 +1,6 @@
 /** The students of a class, in a process separate from the browser. Ends with its parent. */
+import { UNSEEN_MAZES } from "./dashboard-lesson.ts";
+import { DrivenRobot } from "./driven-robot.ts";
 import { RobotStudent } from "./robot-student.ts";
 
 export interface StudentsJob {
@@ -30,7 +32,10 @@ process.on("disconnect", () => process.exit(0));
 async function start({ relay, code, students }: StudentsJob): Promise<void> {
   const all: RobotStudent[] = [];
   for (let n = 0; n < students; n++) {
-    all.push(await RobotStudent.join(relay, code, (n % RUNS) * APART_MS));
+    // Every other student drives in unseen mazes, each in another one.
+    const unseen = n % 2 === 0 ? null : (n % UNSEEN_MAZES) + 1;
+    const robot = new DrivenRobot((n % RUNS) * APART_MS, unseen);
+    all.push(await RobotStudent.join(relay, code, robot));
   }
   let drivenTo = performance.now();
   let next = 0;
