@@ -1,5 +1,5 @@
 /** The time of a student, in minutes and seconds. */
-import { useState } from "react";
+import { useLayoutEffect, useRef } from "react";
 import { clockText } from "./clock-text.ts";
 import type { CardTime } from "./use-card.ts";
 import styles from "./card-clock.module.css";
@@ -7,33 +7,53 @@ import styles from "./card-clock.module.css";
 const SECOND_MS = 1_000;
 const MINUTE_MS = 60_000;
 
+/** A line for each second of a minute. */
+const strip = Array.from({ length: 60 }, (_, n) => String(n).padStart(2, "0")).join("\n");
+
+/** When the last second of a minute begins. */
+const LAST_MS = MINUTE_MS - SECOND_MS;
+const last = "translateY(calc(-100% * 59 / 60))";
+/** The last second stays until the page starts the next minute. */
+const keyframes: Keyframe[] = [
+  { transform: "none", easing: "steps(59)" },
+  { transform: last, offset: 0.5 },
+  { transform: last },
+];
+
 /**
- * While the time runs, CSS moves a strip of the times of one minute: a text that changes every
- * second on every card would cost the page more than all its pictures. Each minute has a new strip,
- * so that the time follows the clock of the device.
+ * While the time runs, an animation moves a strip of the seconds: a text that changes every second
+ * on every card would cost the page more than all its pictures. Each minute starts the animation
+ * again, so that it follows the clock of the device.
  */
 export function CardClock({ minutes, startedAt, seconds }: CardTime) {
-  const from = (startedAt ?? 0) + minutes * MINUTE_MS;
   return (
     <span className={styles["clock"]} dir="ltr">
       {startedAt === null ? (
         clockText(minutes * MINUTE_MS + seconds * SECOND_MS)
       ) : (
-        <Strip key={from} minutes={minutes} from={from} />
+        <>
+          {clockText(minutes * MINUTE_MS).slice(0, -2)}
+          <Seconds from={startedAt + minutes * MINUTE_MS} />
+        </>
       )}
     </span>
   );
 }
 
-/** The times of one minute. @param from its start, in ms since 1970 */
-function Strip({ minutes, from }: { minutes: number; from: number }) {
-  const [delay] = useState(() => from - Date.now());
-  const times = Array.from({ length: MINUTE_MS / SECOND_MS }, (_, second) =>
-    clockText(minutes * MINUTE_MS + second * SECOND_MS),
-  );
+/** The seconds of one minute. @param from its start, in ms since 1970 */
+function Seconds({ from }: { from: number }) {
+  const element = useRef<HTMLSpanElement>(null);
+  useLayoutEffect(() => {
+    const motion = element.current?.animate(keyframes, { duration: 2 * LAST_MS, fill: "both" });
+    if (motion === undefined) return;
+    motion.currentTime = Date.now() - from;
+    return () => motion.cancel();
+  }, [from]);
   return (
-    <span className={styles["strip"]} style={{ animationDelay: `${delay}ms` }}>
-      {times.join("\n")}
+    <span className={styles["seconds"]}>
+      <span ref={element} className={styles["strip"]}>
+        {strip}
+      </span>
     </span>
   );
 }

@@ -68,9 +68,10 @@ export function showPictures(area: HTMLElement, dashboard: Dashboard, id: string
   };
   const sizes = new ResizeObserver(update);
   sizes.observe(area);
-  // Students come, leave and change places.
+  // Students come, leave and change places; pictures get old.
   const changes = new MutationObserver(updateSoon);
-  changes.observe(area, { childList: true, subtree: true, attributeFilter: ["data-old"] });
+  changes.observe(area.firstElementChild ?? area, { childList: true });
+  changes.observe(area, { subtree: true, attributeFilter: ["data-old"] });
   // Calls at once, too: the first update.
   const stopPixelRatio = observePixelRatio(updateSoon);
   const stopPrints = copyForPrint(area, parts);

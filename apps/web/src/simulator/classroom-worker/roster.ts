@@ -107,7 +107,7 @@ export class Roster {
       const isSame =
         before.isConnected === connected &&
         isSameState(before.tile, tile) &&
-        work.busyAt - before.sentBusyAt < BUSY_STEP_MS &&
+        busyStep(work.busyAt) === busyStep(before.sentBusyAt) &&
         (student !== this.#watched || before.tile?.line === tile?.line);
       const next = { isConnected: connected, tile: tile ?? before.tile, work, drivenAt };
       const entry = { ...before, ...next };
@@ -215,6 +215,11 @@ function withTile(
   const isOther = tile !== null && before !== null && tile.task !== before.task;
   if (isOther) return withRestart(work, now);
   return drivenAt > work.busyAt ? { ...work, busyAt: drivenAt } : work;
+}
+
+/** The same for all students, so that the page learns of all in one message. */
+function busyStep(busyAt: number): number {
+  return Math.floor(busyAt / BUSY_STEP_MS);
 }
 
 /** Whether two tiles have the same words on the card. */
