@@ -10,6 +10,7 @@ from typing import Any, Dict, List, Optional, Tuple
 from .body import TRACK, SimulatedBody
 from .command_requests import Json
 from .command_store import CommandStore, Entry
+from .conditions import any_true
 
 STEP = 0.02
 #: Maximum duration of one call of `drive` in seconds; the motors stop after it.
@@ -105,14 +106,18 @@ class Controller:
             self._phases = list(PHASES.get(action, []))
 
     def _is_over(self, entry: Entry, now: float) -> bool:
-        """Ends a motion without an end if another command waits or its script is disconnected."""
+        """Ends a motion if another command waits or its script is disconnected.
+
+        The next command waits for the end of a guarded motion.
+        """
         command = entry.request.command
         if not _has_no_end(command):
             return False
-        if self._store.has_waiting:
+        is_guarded = "until" in command
+        if self._store.has_waiting and not is_guarded:
             self._end(entry, "superseded", "A newer command replaced this command.")
             return True
-        is_drive = command["action"] == "drive"
+        is_drive = command["action"] == "drive" and not is_guarded
         drive_lease = (entry.request.lease or DRIVE_LEASE * 1_000) / 1_000
         lease = drive_lease if is_drive else SCRIPT_TIMEOUT
         since = self._started_at if is_drive else max(self._started_at, self._store.last_contact)
@@ -125,9 +130,14 @@ class Controller:
     def _execute(self, entry: Entry, seconds: float) -> None:
         command = entry.request.command
         if _has_no_end(command):
+            # Conditions that are true at the start end the motion before the robot moves.
+            if self._is_reached(command):
+                return self._end(entry, "completed")
             self._drive(*self._wheels_of(command), seconds)
             if self._body.bumping:
                 self._end(entry, "collided")
+            elif self._is_reached(command):
+                self._end(entry, "completed")
             return
         while self._phases:
             kind, remaining = self._phases[0]
@@ -138,6 +148,11 @@ class Controller:
                 return
         self._end(entry, "collided" if self._collided else "completed")
         self._entry = None
+
+    def _is_reached(self, command: Json) -> bool:
+        """Whether a condition of a guarded motion is true."""
+        until = command.get("until")
+        return until is not None and any_true(until, self._body.ranges(), self._body.at_goal)
 
     def _advance(self, kind: str, remaining: float, command: Json, seconds: float) -> bool:
         """Executes one step of a phase. Returns whether the phase is complete."""
