@@ -106,18 +106,16 @@ class Controller:
             self._phases = list(PHASES.get(action, []))
 
     def _is_over(self, entry: Entry, now: float) -> bool:
-        """Ends a motion if another command waits or its script is disconnected.
-
-        The next command waits for the end of a guarded motion.
-        """
+        """Ends a motion without an end if another command waits or its script is disconnected."""
         command = entry.request.command
         if not _has_no_end(command):
             return False
-        is_guarded = "until" in command
-        if self._store.has_waiting and not is_guarded:
+        if "until" in command:
+            return self._is_silent(entry, now)
+        if self._store.has_waiting:
             self._end(entry, "superseded", "A newer command replaced this command.")
             return True
-        is_drive = command["action"] == "drive" and not is_guarded
+        is_drive = command["action"] == "drive"
         drive_lease = (entry.request.lease or DRIVE_LEASE * 1_000) / 1_000
         lease = drive_lease if is_drive else SCRIPT_TIMEOUT
         since = self._started_at if is_drive else max(self._started_at, self._store.last_contact)
@@ -125,6 +123,15 @@ class Controller:
         if is_connected or now - since < lease:
             return False
         self._end(entry, "cancelled", f"The script sent nothing for {lease:g} s, so the robot stopped.")
+        return True
+
+    def _is_silent(self, entry: Entry, now: float) -> bool:
+        """Ends a guarded motion if its script is disconnected. The next command waits for its end."""
+        last_contact = max(self._started_at, self._store.last_contact)
+        if self._store.open_requests > 0 or now - last_contact < SCRIPT_TIMEOUT:
+            return False
+        reason = f"The script sent nothing for {SCRIPT_TIMEOUT:g} s, so the robot stopped."
+        self._end(entry, "cancelled", reason)
         return True
 
     def _execute(self, entry: Entry, seconds: float) -> None:
