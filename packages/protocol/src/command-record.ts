@@ -5,7 +5,7 @@
  * ending. An ending is final. Times are ISO 8601 in UTC.
  */
 import { z } from "zod";
-import { recordActionSchema, remoteCommandSchema } from "./command.ts";
+import { recordActionSchema, remoteCommandSchema, type RemoteCommand } from "./command.ts";
 import { poseSchema } from "./quantities.ts";
 
 export const endingStates = [
@@ -54,7 +54,9 @@ export const commandRecordSchema = z.strictObject({
   duplicate: z.boolean(),
 });
 /** The record of one command. */
-export type CommandRecord = z.infer<typeof commandRecordSchema>;
+export type CommandRecord = Omit<z.infer<typeof commandRecordSchema>, "command"> & {
+  command: RemoteCommand;
+};
 
 /** Whether the state is final. */
 export function hasEnded(state: CommandState): state is EndingState {

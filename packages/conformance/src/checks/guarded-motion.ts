@@ -166,8 +166,8 @@ export const guardedMotion: CheckGroup = {
         const key = host.newKey();
         const sent = { action: "forward", until: NOW } as const;
         const first = await host.send(sent, key);
-        const found = "until" in first.command ? first.command.until : undefined;
-        must(JSON.stringify(found) === JSON.stringify(NOW), JSON.stringify(NOW), first.command);
+        const { until } = first.command;
+        must(JSON.stringify(until) === JSON.stringify(NOW), JSON.stringify(NOW), first.command);
         const again = await host.send(sent, key);
         must(again.duplicate && again.seq === first.seq, "the first record", again);
         const headers = { "Idempotency-Key": key };
