@@ -75,7 +75,7 @@ export type Command =
 const [move, turn, drive, ...plain] = commandSchema.options;
 
 /** A motion without an end of its own may end by conditions: then it is a guarded motion. */
-export const guardedActions = ["forward", "reverse", "drive"] as const;
+const guardedActions = ["forward", "reverse", "drive"] as const;
 
 const isGuarded = (action: string): boolean =>
   (guardedActions as readonly string[]).includes(action);

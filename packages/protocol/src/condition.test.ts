@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { readValue } from "./document-reader.ts";
-import { MAX_CONDITIONS } from "./condition.ts";
+import { MAX_CONDITIONS } from "./condition-bounds.ts";
 import { commandRecordSchema } from "./command-record.ts";
 import { commandSchema, remoteCommandSchema } from "./command.ts";
 import { orderSchema } from "./order.ts";

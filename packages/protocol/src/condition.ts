@@ -4,14 +4,8 @@
  * end in a goal.
  */
 import { z } from "zod";
+import { MAX_CONDITIONS, MAX_PLUS, MAX_THAN } from "./condition-bounds.ts";
 import { sensorNames } from "./sensor-names.ts";
-
-/** Largest number that a sensor is compared with, in units. */
-export const MAX_THAN = 100_000;
-/** Largest number that is added to the right reading, in units. */
-export const MAX_PLUS = 100_000;
-/** Largest number of conditions of a guarded motion. A program has as many rules. */
-export const MAX_CONDITIONS = 200;
 
 const untilComparators = [">", "<", ">=", "<="] as const;
 

@@ -82,20 +82,16 @@ export { decodeFrame, encodeFrame, MAX_FRAME_BYTES, MAX_HELLO_BYTES } from "./co
 export {
   actionNames,
   commandSchema,
-  guardedActions,
   plainActions,
   remoteCommandSchema,
   type Command,
   type PlainAction,
   type RemoteCommand,
 } from "./command.ts";
+export { MAX_PLUS, MAX_THAN } from "./condition-bounds.ts";
 export {
-  MAX_CONDITIONS,
-  MAX_PLUS,
-  MAX_THAN,
   ruleConditionSchema,
   untilConditionSchema,
-  untilSchema,
   type RuleCondition,
   type UntilCondition,
 } from "./condition.ts";
