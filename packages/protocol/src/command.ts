@@ -74,11 +74,8 @@ export type Command =
 
 const [move, turn, drive, ...plain] = commandSchema.options;
 
-/** A motion without an end of its own may end by conditions: then it is a guarded motion. */
-const guardedActions = ["forward", "reverse", "drive"] as const;
-
-const isGuarded = (action: string): boolean =>
-  (guardedActions as readonly string[]).includes(action);
+/** Actions without fields that conditions can end. */
+const guardedActions: readonly string[] = ["forward", "reverse"];
 const until = untilSchema.optional();
 
 /**
@@ -91,7 +88,9 @@ export const remoteCommandSchema = z.discriminatedUnion(
     move,
     turn,
     drive.extend({ until }),
-    ...plain.map((each) => (isGuarded(each.shape.action.value) ? each.extend({ until }) : each)),
+    ...plain.map((each) =>
+      guardedActions.includes(each.shape.action.value) ? each.extend({ until }) : each,
+    ),
   ],
   { error: `one of ${actionNames.join(", ")}` },
 );

@@ -238,15 +238,18 @@ function isLate({ deadline, acceptedAt }: CommandRow, now: number): boolean {
  */
 export function addStep(command: NewCommand): RobotStep<AddResult> {
   const { driver, key } = command;
+  const isStop = command.command.action === "stop";
+  // A stop writes as little as possible, because the disk may be full.
+  const rangeOf = (commands: RobotCommands) => (isStop ? null : toShorten(commands));
   return {
     none: { outcome: "no-robot" },
-    needsSpace: command.command.action !== "stop",
+    needsSpace: !isStop,
     lookup: (commands) => ({
       key: key === null ? null : { driver, key },
-      ended: toShorten(commands),
+      ended: rangeOf(commands),
     }),
     apply: (robot) => {
-      const range = toShorten(robot.commands);
+      const range = rangeOf(robot.commands);
       if (range !== null) shorten(robot.commands, robot.ended(range));
       return add(robot.commands, command, (ofDriver, withKey) => robot.withKey(ofDriver, withKey));
     },
