@@ -33,7 +33,7 @@ export const commandRecordSchema = z.strictObject({
   /** such as `move` or `left 90`. An open list: readers accept actions that they do not know */
   action: recordActionSchema,
   /** the command with its parameters. Old records have no `until` */
-  command: remoteCommandSchema,
+  command: remoteCommandSchema as z.ZodType<RemoteCommand>,
   /**
    * accepted, delivered, started, or an ending: completed, collided, cancelled, superseded or
    * expired
@@ -54,9 +54,7 @@ export const commandRecordSchema = z.strictObject({
   duplicate: z.boolean(),
 });
 /** The record of one command. */
-export type CommandRecord = Omit<z.infer<typeof commandRecordSchema>, "command"> & {
-  command: RemoteCommand;
-};
+export type CommandRecord = z.infer<typeof commandRecordSchema>;
 
 /** Whether the state is final. */
 export function hasEnded(state: CommandState): state is EndingState {

@@ -5,9 +5,10 @@
  */
 import { z } from "zod";
 import { MAX_CONDITIONS, MAX_PLUS, MAX_THAN } from "./condition-bounds.ts";
-import { sensorNames } from "./sensor-names.ts";
+import { sensorNames, type SensorName } from "./sensor-names.ts";
 
 const untilComparators = [">", "<", ">=", "<="] as const;
+type UntilComparator = (typeof untilComparators)[number];
 
 const than = z
   .number({ error: `a number from 0 to ${MAX_THAN}` })
@@ -95,9 +96,12 @@ const goal = z.strictObject({ goal: z.literal(true, { error: "true" }) });
 
 /** One condition of a guarded motion: a comparison, or that the robot stands in a goal cell. */
 export type UntilCondition =
-  | z.infer<typeof until.againstNumber>
-  | z.infer<typeof until.againstRight>
-  | z.infer<typeof goal>;
+  /** a reading (front, right, back, left), compared (>, <, >=, <=) with a number in cm */
+  | { sensor: SensorName; is: UntilComparator; than: number }
+  /** the left reading, compared with the right reading plus a number in cm */
+  | { sensor: "left"; is: UntilComparator; than: "right"; plus: number }
+  /** whether the whole robot stands in a goal cell */
+  | { goal: true };
 
 export const untilConditionSchema = z
   .unknown()

@@ -113,7 +113,7 @@ const at = milliseconds;
 const deliveredCommand = z.strictObject({
   seq,
   key: idempotencyKeySchema.nullable(),
-  command: remoteCommandSchema,
+  command: remoteCommandSchema as z.ZodType<RemoteCommand>,
   acceptedAt: z.iso.datetime(),
   /** id of the sender's key */
   driver: z.string().max(40),
@@ -126,9 +126,7 @@ const deliveredCommand = z.strictObject({
   /** ms after which an unrenewed drive stops; null if the sender requested no lease */
   lease: milliseconds.nullable(),
 });
-export type DeliveredCommand = Omit<z.infer<typeof deliveredCommand>, "command"> & {
-  command: RemoteCommand;
-};
+export type DeliveredCommand = z.infer<typeof deliveredCommand>;
 
 /** Summary of the connected scripts. */
 export const driversSchema = z.strictObject({
