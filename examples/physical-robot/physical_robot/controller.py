@@ -143,7 +143,7 @@ class Controller:
             self._drive(*self._wheels_of(command), seconds)
             if self._body.bumping:
                 self._end(entry, "collided")
-            elif self._is_reached(command):
+            if not entry.ended and self._is_reached(command):
                 self._end(entry, "completed")
             return
         while self._phases:
