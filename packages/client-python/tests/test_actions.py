@@ -18,6 +18,7 @@ from corridor.actions import (
 
 NEAR = {"sensor": "front", "is": "<=", "than": 60}
 GOAL = {"goal": True}
+TEXTS: Any = ["front"]
 
 
 @pytest.mark.parametrize(
@@ -66,7 +67,7 @@ def test_a_motion_without_a_number_is_endless() -> None:
         (lambda: go_reverse(100, NEAR), r"reverse\(\) does not accept a distance together with"),
         (lambda: power_wheels(0, 0, 9, NEAR), r"drive\(\) does not accept milliseconds together"),
         (lambda: go_forward(None, []), r"forward\(\) does not accept \[\] as until"),
-        (lambda: go_forward(None, ["front"]), r"forward\(\) does not accept .* as until"),
+        (lambda: go_forward(None, TEXTS), r"forward\(\) does not accept .* as until"),
     ],
 )
 def test_an_impossible_until_is_refused(make: Callable[[], Action], message: str) -> None:
