@@ -13,7 +13,14 @@ export const REFERENCE = fileURLToPath(new URL("REFERENCE.md", CLIENT));
 
 /** The exported names by group, in reading order. */
 export const groups: Readonly<Record<string, readonly string[]>> = {
-  "The robot": ["RobotClient", "RobotClientOptions", "CommandOptions", "DriveOptions"],
+  "The robot": [
+    "RobotClient",
+    "RobotClientOptions",
+    "CommandOptions",
+    "MotionOptions",
+    "DriveOptions",
+    "UntilCondition",
+  ],
   "What a robot reports": [
     "Snapshot",
     "SensorReadings",
@@ -88,7 +95,8 @@ export function libraryReference(): LibraryReference {
     if (declared !== undefined && declared !== false) return oneLine(declared);
     const type = checker.getTypeOfSymbol(symbol);
     // The full union of commands is too long for a table cell.
-    if (symbol.name === "command" && !type.isUnion()) return "object";
+    const isCommand = symbol.name === "command" && type.getProperty("seq") === undefined;
+    if (isCommand && type.getProperty("action") !== undefined) return "object";
     const text = checker.typeToString(type, undefined, ts.TypeFormatFlags.NoTruncation);
     return withTypeNames(isLiteralUnion(type) ? sorted(text.split(" | ")) : text);
   }

@@ -6,6 +6,7 @@ import json
 import math
 from typing import Any, Dict, List, Optional, Tuple
 
+from .conditions import EXPECTED, are_valid
 from .problems import Problem, bad_request
 
 SIMPLE_ACTIONS = (
@@ -35,6 +36,8 @@ OPTIONAL_DRIVE_FIELDS: Dict[str, Range] = {
     "milliseconds": (1, 60_000, "a time in milliseconds"),
     "lease": (100, 2_000, "a lease in milliseconds"),
 }
+#: Actions that conditions can end, unless they have another end.
+GUARDED_ACTIONS = ("forward", "reverse", "drive")
 DEFAULT_TTL = 10_000
 
 Json = Dict[str, Any]
@@ -81,12 +84,25 @@ def parse_command(fields: Any) -> CommandRequest:
     ]
     if not isinstance(fields.get("replace", False), bool):
         errors.append(_error("replace", _format(fields["replace"]), "true or false"))
+    if "until" in fields:
+        errors.extend(_until_errors(fields))
     for name in fields:
-        if name not in allowed and name not in ("action", "replace"):
+        if name not in allowed and name not in ("action", "replace", "until"):
             errors.append(_error(name[:60], _format(fields[name]), "no field of this name"))
     if errors:
         raise _invalid(errors[:20])
     return CommandRequest(fields)
+
+
+def _until_errors(fields: Json) -> List[Dict[str, str]]:
+    has_end = "milliseconds" in fields or "lease" in fields
+    if fields["action"] not in GUARDED_ACTIONS or has_end:
+        expected = "until only with forward, reverse, or drive without milliseconds and lease"
+    elif are_valid(fields["until"]):
+        return []
+    else:
+        expected = EXPECTED
+    return [_error("until", _format(fields["until"]), expected)]
 
 
 def is_within(value: Any, minimum: float, maximum: float) -> bool:

@@ -193,7 +193,8 @@ class CommandStore:
 
 def _is_velocity(entry: Entry) -> bool:
     command = entry.request.command
-    return command["action"] == "drive" and "milliseconds" not in command
+    has_end = "milliseconds" in command or "until" in command
+    return command["action"] == "drive" and not has_end
 
 
 def _now() -> str:

@@ -10,6 +10,7 @@ from typing import Any, Dict, List, Optional, Tuple
 from .body import TRACK, SimulatedBody
 from .command_requests import Json
 from .command_store import CommandStore, Entry
+from .conditions import any_true
 
 STEP = 0.02
 #: Maximum duration of one call of `drive` in seconds; the motors stop after it.
@@ -109,6 +110,8 @@ class Controller:
         command = entry.request.command
         if not _has_no_end(command):
             return False
+        if "until" in command:
+            return self._is_silent(entry, now)
         if self._store.has_waiting:
             self._end(entry, "superseded", "A newer command replaced this command.")
             return True
@@ -122,12 +125,26 @@ class Controller:
         self._end(entry, "cancelled", f"The script sent nothing for {lease:g} s, so the robot stopped.")
         return True
 
+    def _is_silent(self, entry: Entry, now: float) -> bool:
+        """Ends a guarded motion if its script is disconnected. The next command waits for its end."""
+        last_contact = max(self._started_at, self._store.last_contact)
+        if self._store.open_requests > 0 or now - last_contact < SCRIPT_TIMEOUT:
+            return False
+        reason = f"The script sent nothing for {SCRIPT_TIMEOUT:g} s, so the robot stopped."
+        self._end(entry, "cancelled", reason)
+        return True
+
     def _execute(self, entry: Entry, seconds: float) -> None:
         command = entry.request.command
         if _has_no_end(command):
+            # Conditions that are true at the start end the motion before the robot moves.
+            if self._is_reached(command):
+                return self._end(entry, "completed")
             self._drive(*self._wheels_of(command), seconds)
             if self._body.bumping:
                 self._end(entry, "collided")
+            if not entry.ended and self._is_reached(command):
+                self._end(entry, "completed")
             return
         while self._phases:
             kind, remaining = self._phases[0]
@@ -138,6 +155,11 @@ class Controller:
                 return
         self._end(entry, "collided" if self._collided else "completed")
         self._entry = None
+
+    def _is_reached(self, command: Json) -> bool:
+        """Whether a condition of a guarded motion is true."""
+        until = command.get("until")
+        return until is not None and any_true(until, self._body.ranges(), self._body.at_goal)
 
     def _advance(self, kind: str, remaining: float, command: Json, seconds: float) -> bool:
         """Executes one step of a phase. Returns whether the phase is complete."""

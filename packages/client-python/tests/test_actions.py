@@ -16,6 +16,10 @@ from corridor.actions import (
     turn_right,
 )
 
+NEAR = {"sensor": "front", "is": "<=", "than": 60}
+GOAL = {"goal": True}
+TEXTS: Any = ["front"]
+
 
 @pytest.mark.parametrize(
     ("action", "expected"),
@@ -25,6 +29,12 @@ from corridor.actions import (
         (go_forward(-10), {"action": "move", "distance": -10}),
         (go_reverse(None), {"action": "reverse"}),
         (go_reverse(24.5), {"action": "move", "distance": -24.5}),
+        (go_forward(None, NEAR), {"action": "forward", "until": [NEAR]}),
+        (go_reverse(None, [NEAR, GOAL]), {"action": "reverse", "until": [NEAR, GOAL]}),
+        (
+            power_wheels(0.2, 0.2, None, GOAL),
+            {"action": "drive", "left": 0.2, "right": 0.2, "until": [GOAL]},
+        ),
         (turn_left(90), {"action": "left 90"}),
         (turn_right(90.0), {"action": "right 90"}),
         (turn_left(45), {"action": "turn", "degrees": -45}),
@@ -46,6 +56,23 @@ def test_a_motion_without_a_number_is_endless() -> None:
     assert is_endless(power_wheels(1, 1, None))
     assert not is_endless(power_wheels(1, 1, 500))
     assert not is_endless(go_reverse(10))
+    assert not is_endless(go_forward(None, NEAR))
+    assert not is_endless(power_wheels(1, 1, None, NEAR))
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: go_forward(100, NEAR), r"forward\(\) does not accept a distance together with"),
+        (lambda: go_reverse(100, NEAR), r"reverse\(\) does not accept a distance together with"),
+        (lambda: power_wheels(0, 0, 9, NEAR), r"drive\(\) does not accept milliseconds together"),
+        (lambda: go_forward(None, []), r"forward\(\) does not accept \[\] as until"),
+        (lambda: go_forward(None, TEXTS), r"forward\(\) does not accept .* as until"),
+    ],
+)
+def test_an_impossible_until_is_refused(make: Callable[[], Action], message: str) -> None:
+    with pytest.raises(CommandError, match=message):
+        make()
 
 
 @pytest.mark.parametrize(

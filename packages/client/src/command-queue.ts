@@ -277,7 +277,8 @@ export class CommandQueue {
   }
 }
 
-/** A drive without a time. */
+/** A drive without an end. */
 function isVelocity(order: Order): boolean {
-  return order.action === "drive" && order.milliseconds === undefined;
+  const isEndless = order.action === "drive" && order.milliseconds === undefined;
+  return isEndless && order.until === undefined;
 }

@@ -5,6 +5,13 @@ export {
   RobotClient,
   type CommandOptions,
   type DriveOptions,
+  type MotionOptions,
   type RobotClientOptions,
 } from "./robot-client.ts";
-export type { CommandRecord, Pose, SensorReadings, Snapshot } from "@corridor/protocol";
+export type {
+  CommandRecord,
+  Pose,
+  SensorReadings,
+  Snapshot,
+  UntilCondition,
+} from "@corridor/protocol";

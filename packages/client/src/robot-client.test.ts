@@ -236,6 +236,43 @@ describe("RobotClient", () => {
     await drive;
   });
 
+  it("resolves a motion with conditions at its end, and never drops one for a newer one", async () => {
+    const { robot, sent, report } = await connected();
+    const near = { sensor: "front", is: "<=", than: 60 } as const;
+    const ended: number[] = [];
+    const motions = [
+      robot.forward({ until: near }),
+      robot.drive(0.2, 0.2, undefined, { until: [near, { goal: true }] }),
+      robot.drive(0.1, 0.1, undefined, { until: near }),
+    ].map(async (motion) => ended.push((await motion).seq));
+    expect(sent()[0]?.command).toEqual({ action: "forward", until: [near] });
+    report("ack", 1, { state: "started" });
+    report("ack", 2);
+    report("ack", 3);
+    expect(sent().map(({ command }) => command)).toMatchObject([
+      { action: "forward" },
+      { left: 0.2, until: [near, { goal: true }] },
+      { left: 0.1 },
+    ]);
+    await Promise.resolve();
+    expect(ended).toEqual([]);
+    for (const seq of [1, 2, 3]) report("state", seq, { state: "completed" });
+    await Promise.all(motions);
+    expect(ended).toEqual([1, 2, 3]);
+  });
+
+  it("rejects conditions together with a time or a lease", async () => {
+    const { robot } = await connected();
+    const until = { goal: true } as const;
+    for (const motion of [
+      robot.drive(0.1, 0.1, 500, { until }),
+      robot.drive(0.1, 0.1, undefined, { until, lease: 500 }),
+      robot.forward({ until: [] }),
+    ]) {
+      await expect(motion).rejects.toMatchObject({ code: "bad-command", hint: /until/ });
+    }
+  });
+
   it("reports a command as expired if the relay rejects it as too late", async () => {
     const { platform, robot, sent } = await connected();
     const move = robot.move(10);

@@ -12,6 +12,7 @@ import {
   type RelayToDriver,
   type SensorReadings,
   type Snapshot,
+  type UntilCondition,
 } from "@corridor/protocol";
 import { ClientError, withCallSite } from "./client-error.ts";
 import { closeError, isWatchKey, watchLinkError } from "./close-error.ts";
@@ -39,8 +40,17 @@ export interface CommandOptions {
   replace?: boolean;
 }
 
+/** Options of `forward` and `reverse`. */
+export interface MotionOptions extends CommandOptions {
+  /**
+   * conditions that end the motion as `completed`: up to 200, such as `{ sensor: "front", is: "<=",
+   * than: 60 }` or `{ goal: true }`. The robot checks them before the motion and after every tick
+   */
+  until?: UntilCondition | readonly UntilCondition[];
+}
+
 /** Options of `drive`. */
-export interface DriveOptions extends CommandOptions {
+export interface DriveOptions extends MotionOptions {
   /** ms after which the robot stops unless another `drive` follows: 100 to 2000; default 500 */
   lease?: number;
 }
@@ -174,21 +184,22 @@ export class RobotClient {
   }
 
   /**
-   * Drives forward until the next command. The robot stops within 3 s after this client was closed.
+   * Drives forward until the next command, or until a condition is true. The robot stops within 3 s
+   * after this client was closed.
    * @param options options of this command
-   * @returns the record, once the robot has started
+   * @returns the record, once the robot has started; with `until`, once it has finished
    */
-  forward(options: CommandOptions = {}): Promise<CommandRecord> {
-    return this.#do("forward", { action: "forward" }, options, "started");
+  forward(options: MotionOptions = {}): Promise<CommandRecord> {
+    return this.#move("forward", { action: "forward" }, options);
   }
 
   /**
-   * Drives backward until the next command, as `forward` does.
+   * Drives backward until the next command or a condition, as `forward` does.
    * @param options options of this command
-   * @returns the record, once the robot has started
+   * @returns the record, once the robot has started; with `until`, once it has finished
    */
-  reverse(options: CommandOptions = {}): Promise<CommandRecord> {
-    return this.#do("reverse", { action: "reverse" }, options, "started");
+  reverse(options: MotionOptions = {}): Promise<CommandRecord> {
+    return this.#move("reverse", { action: "reverse" }, options);
   }
 
   /**
@@ -268,14 +279,14 @@ export class RobotClient {
   /**
    * Sets the power of the two wheels.
    *
-   * Without a time it is a velocity: the robot stops after half a second unless another one
+   * Without a time and `until` it is a velocity: the robot stops after half a second unless another one
    * follows. Of several unsent velocities, only the newest is sent, and all of them resolve with
    * it.
    * @param left power of the left wheel, -1 to 1; negative is backward
    * @param right power of the right wheel, -1 to 1
-   * @param milliseconds 1 to 60000; omit it for a velocity
+   * @param milliseconds 1 to 60000; omit it for a velocity, or for `until`
    * @param options options of this command; `lease` only applies to velocities
-   * @returns the record, once the time has passed; for a velocity, once the robot has started
+   * @returns the record, once the robot has finished; for a velocity, once it has started
    */
   drive(
     left: number,
@@ -284,7 +295,7 @@ export class RobotClient {
     options: DriveOptions = {},
   ): Promise<CommandRecord> {
     const command: Order = { action: "drive", left, right };
-    if (milliseconds === undefined) return this.#do("drive", command, options, "started");
+    if (milliseconds === undefined) return this.#move("drive", command, options);
     return this.#do("drive", { ...command, milliseconds }, options, "ended");
   }
 
@@ -381,6 +392,16 @@ export class RobotClient {
     }
   }
 
+  /** Sends a motion without an end, or a guarded one. */
+  #move(
+    name: "forward" | "reverse" | "drive",
+    command: Order,
+    options: MotionOptions,
+  ): Promise<CommandRecord> {
+    const isGuarded = options?.until !== undefined;
+    return this.#do(name, command, options, isGuarded ? "ended" : "started");
+  }
+
   #do(
     name: CommandName,
     command: Order,
@@ -390,7 +411,9 @@ export class RobotClient {
     return withCallSite(this, name, async () => {
       const wrong = wrongOptions(name, options);
       if (wrong !== null) throw wrong;
-      return this.#send({ ...command, ...options }, until);
+      const { until: conditions, ...others } = options;
+      const guard = conditions === undefined ? {} : { until: [conditions].flat() };
+      return this.#send({ ...command, ...others, ...guard }, until);
     });
   }
 

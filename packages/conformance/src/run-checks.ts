@@ -5,6 +5,7 @@ import { invalidInput } from "./checks/invalid-input.ts";
 import { connections } from "./checks/connections.ts";
 import { directions } from "./checks/directions.ts";
 import { events } from "./checks/events.ts";
+import { guardedMotion } from "./checks/guarded-motion.ts";
 import { leases } from "./checks/leases.ts";
 import { life } from "./checks/life-cycle.ts";
 import { limits } from "./checks/limits.ts";
@@ -28,6 +29,7 @@ export const groups: readonly CheckGroup[] = [
   reading,
   invalidInput,
   leases,
+  guardedMotion,
   limits,
   connections,
 ];

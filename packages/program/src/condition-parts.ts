@@ -1,6 +1,7 @@
 /** Splits a condition into its kind and its number, which the menu displays, and combines them. */
+import { MAX_PLUS, MAX_THAN } from "@corridor/protocol";
 import type { Condition } from "./program-document.ts";
-import { conditionKinds, MAX_PLUS, MAX_THAN, type ConditionKind } from "./vocabulary.ts";
+import { conditionKinds, type ConditionKind } from "./vocabulary.ts";
 
 /** Returns the entry of `conditionKinds` for a condition: the same object as in the list. */
 export function kindOf(condition: Condition): ConditionKind {

@@ -1,3 +1,4 @@
+export { CompiledConditions } from "./compiled-conditions.ts";
 export { countLines } from "./count-lines.ts";
 export { conditionOf, kindOf, numberOf, numberRange } from "./condition-parts.ts";
 export { emptyProgram } from "./empty-program.ts";
@@ -30,9 +31,7 @@ export {
   DEFAULT_ACTION,
   DEFAULT_NUMBER,
   MAX_NAME_LENGTH,
-  MAX_PLUS,
   MAX_RULES,
-  MAX_THAN,
   menuActions,
   paperActions,
   type Comparator,

@@ -3,76 +3,23 @@
  * rules.
  */
 import {
-  sensorNames,
   plainActions,
   readJson,
   readValue,
+  ruleConditionSchema,
   type ReadResult,
+  type RuleCondition,
 } from "@corridor/protocol";
 import { z } from "zod";
-import { MAX_NAME_LENGTH, MAX_PLUS, MAX_RULES, MAX_THAN } from "./vocabulary.ts";
-
-const than = z
-  .number({ error: `a number from 0 to ${MAX_THAN}` })
-  .min(0, { error: `a number from 0 to ${MAX_THAN}` })
-  .max(MAX_THAN, { error: `a number from 0 to ${MAX_THAN}` });
-
-const plus = z
-  .number({ error: `a number from ${-MAX_PLUS} to ${MAX_PLUS}` })
-  .min(-MAX_PLUS, { error: `a number from ${-MAX_PLUS} to ${MAX_PLUS}` })
-  .max(MAX_PLUS, { error: `a number from ${-MAX_PLUS} to ${MAX_PLUS}` });
-
-const comparator = z.enum([">", "<"], { error: 'one of ">", "<"' });
-
-const conditionError = 'a condition: {"sensor": ..., "is": ..., "than": ...} or null';
-
-const againstNumber = z.strictObject(
-  {
-    sensor: z.enum(sensorNames, { error: `one of ${sensorNames.join(", ")}` }),
-    is: comparator,
-    than,
-  },
-  { error: conditionError },
-);
-
-const againstRight = z.strictObject({
-  sensor: z.literal("left", { error: '"left", when it is compared with "right"' }),
-  is: comparator,
-  than: z.literal("right"),
-  plus,
-});
+import { MAX_NAME_LENGTH, MAX_RULES } from "./vocabulary.ts";
 
 /** Compares a sensor with a number, or left with right plus a number (Figure 15). */
-export type Condition = z.infer<typeof againstNumber> | z.infer<typeof againstRight>;
-
-// Not z.union, whose errors name no field. `than` selects the schema.
-const condition = z
-  .unknown()
-  .transform((input, context): Condition => {
-    const isAgainstRight =
-      typeof input === "object" && input !== null && "than" in input && input.than === "right";
-    const result = (isAgainstRight ? againstRight : againstNumber).safeParse(input);
-    if (result.success) return result.data;
-    for (const issue of result.error.issues) {
-      const fields = issue.code === "unrecognized_keys" ? issue.keys : [undefined];
-      for (const field of fields) {
-        context.issues.push({
-          code: "custom",
-          input,
-          path: field === undefined ? issue.path : [...issue.path, field],
-          message: field === undefined ? issue.message : "no field of this name",
-        });
-      }
-    }
-    return z.NEVER;
-    // The output schema lets generators of API descriptions read the shape.
-  })
-  .pipe(z.union([againstNumber, againstRight]));
+export type Condition = RuleCondition;
 
 const action = z.enum(plainActions, { error: `one of ${plainActions.join(", ")}` });
 
 const rule = z.strictObject(
-  { when: condition.nullable(), do: action },
+  { when: ruleConditionSchema.nullable(), do: action },
   { error: 'a rule: {"when": ..., "do": ...}' },
 );
 export type Rule = z.infer<typeof rule>;

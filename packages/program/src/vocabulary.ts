@@ -46,6 +46,4 @@ export const DEFAULT_NUMBER = 50;
 export const DEFAULT_ACTION: PlainAction = "forward";
 
 export const MAX_RULES = 200;
-export const MAX_THAN = 100_000;
-export const MAX_PLUS = 100_000;
 export const MAX_NAME_LENGTH = 100;

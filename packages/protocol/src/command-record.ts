@@ -5,7 +5,7 @@
  * ending. An ending is final. Times are ISO 8601 in UTC.
  */
 import { z } from "zod";
-import { actionNames, commandSchema } from "./command.ts";
+import { recordActionSchema, remoteCommandSchema, type RemoteCommand } from "./command.ts";
 import { poseSchema } from "./quantities.ts";
 
 export const endingStates = [
@@ -30,10 +30,10 @@ export const commandRecordSchema = z.strictObject({
   seq: z.int().min(1).max(Number.MAX_SAFE_INTEGER),
   /** the idempotency key; null if the sender gave none */
   key: idempotencyKeySchema.nullable(),
-  /** such as `move` or `left 90` */
-  action: z.enum(actionNames),
-  /** the command with its parameters */
-  command: commandSchema,
+  /** such as `move` or `left 90`. An open list: readers accept actions that they do not know */
+  action: recordActionSchema,
+  /** the command with its parameters. Old records have no `until` */
+  command: remoteCommandSchema as z.ZodType<RemoteCommand>,
   /**
    * accepted, delivered, started, or an ending: completed, collided, cancelled, superseded or
    * expired

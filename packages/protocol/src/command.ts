@@ -1,5 +1,6 @@
 /** The commands that any driver (Me, Program, Remote) may send to the robot. */
 import { z } from "zod";
+import { untilSchema, type UntilCondition } from "./condition.ts";
 
 /** Actions without parameters. Programs may use all of them. */
 export const plainActions = [
@@ -15,6 +16,12 @@ export const plainActions = [
 export type PlainAction = (typeof plainActions)[number];
 
 export const actionNames = [...plainActions, "move", "turn", "drive"] as const;
+
+/** The action of a record, an open list: readers accept actions that they do not know. */
+export const recordActionSchema = z
+  .string()
+  .max(40)
+  .meta({ examples: [...actionNames] });
 
 const MAX_MOVE = 25_600;
 const MAX_TURN = 3_600;
@@ -64,3 +71,28 @@ export type Command =
   | { action: "move"; distance: number }
   | { action: "turn"; degrees: number }
   | { action: "drive"; left: number; right: number; milliseconds?: number | undefined };
+
+const [move, turn, drive, ...plain] = commandSchema.options;
+
+/** Actions without fields that conditions can end. */
+const guardedActions: readonly string[] = ["forward", "reverse"];
+const until = untilSchema.optional();
+
+/**
+ * A command of a script. Unlike other drivers, a script may guard a motion. Programs, recorded runs
+ * and links contain no `until`.
+ */
+export const remoteCommandSchema = z.discriminatedUnion(
+  "action",
+  [
+    move,
+    turn,
+    drive.extend({ until }),
+    ...plain.map((each) =>
+      guardedActions.includes(each.shape.action.value) ? each.extend({ until }) : each,
+    ),
+  ],
+  { error: `one of ${actionNames.join(", ")}` },
+);
+
+export type RemoteCommand = Command & { until?: UntilCondition[] | undefined };

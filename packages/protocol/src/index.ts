@@ -85,9 +85,18 @@ export {
   actionNames,
   commandSchema,
   plainActions,
+  remoteCommandSchema,
   type Command,
   type PlainAction,
+  type RemoteCommand,
 } from "./command.ts";
+export { MAX_PLUS, MAX_THAN } from "./condition-bounds.ts";
+export {
+  ruleConditionSchema,
+  untilConditionSchema,
+  type RuleCondition,
+  type UntilCondition,
+} from "./condition.ts";
 export {
   commandRecordSchema,
   hasEnded,

@@ -6,7 +6,7 @@
  */
 import { z } from "zod";
 import { commandRecordSchema, endingStates, idempotencyKeySchema } from "./command-record.ts";
-import { commandSchema } from "./command.ts";
+import { remoteCommandSchema, type RemoteCommand } from "./command.ts";
 import { eventGapSchema, eventStreamSchema, sinceSchema, stateEventSchema } from "./events.ts";
 import { orderSchema, sentAtSchema } from "./order.ts";
 import { problemSchema } from "./problem.ts";
@@ -113,7 +113,7 @@ const at = milliseconds;
 const deliveredCommand = z.strictObject({
   seq,
   key: idempotencyKeySchema.nullable(),
-  command: commandSchema,
+  command: remoteCommandSchema as z.ZodType<RemoteCommand>,
   acceptedAt: z.iso.datetime(),
   /** id of the sender's key */
   driver: z.string().max(40),

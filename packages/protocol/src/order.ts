@@ -5,7 +5,7 @@
  * The relay does not store `age`, because it grows with each retry of the same command.
  */
 import { z } from "zod";
-import { actionNames, commandSchema, type Command } from "./command.ts";
+import { actionNames, remoteCommandSchema, type RemoteCommand } from "./command.ts";
 
 export const TTL_MS = { min: 200, max: 60_000, default: 10_000 } as const;
 export const LEASE_MS = { min: 100, max: 2_000, default: 500 } as const;
@@ -35,21 +35,28 @@ const terms = {
 /** ms after which an unrenewed drive stops */
 const lease = milliseconds("a lease", LEASE_MS.min, LEASE_MS.max).optional();
 
-const [move, turn, drive, ...plain] = commandSchema.options;
+const UNGUARDED =
+  "no until together with milliseconds or lease: a guarded drive ends by its conditions";
+
+const [move, turn, drive, ...plain] = remoteCommandSchema.options;
 
 export const orderSchema = z.discriminatedUnion(
   "action",
   [
     move.extend(terms),
     turn.extend(terms),
-    drive.extend({ ...terms, lease }),
+    drive.extend({ ...terms, lease }).check(({ value, issues }) => {
+      if (value.until === undefined) return;
+      if (value.milliseconds === undefined && value.lease === undefined) return;
+      issues.push({ code: "custom", path: ["until"], message: UNGUARDED, input: value });
+    }),
     ...plain.map((command) => command.extend(terms)),
   ],
   { error: `one of ${actionNames.join(", ")}` },
 );
 
 /** A command with optional terms. */
-export type Order = Command & {
+export type Order = RemoteCommand & {
   ttl?: number | undefined;
   age?: number | undefined;
   replace?: boolean | undefined;
@@ -58,7 +65,7 @@ export type Order = Command & {
 
 /** A command, and its terms with defaults applied. */
 export interface CommandTerms {
-  command: Command;
+  command: RemoteCommand;
   ttl: number;
   age: number;
   replace: boolean;

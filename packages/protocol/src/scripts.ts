@@ -3,7 +3,7 @@
  * the name identifies a script, or the key and the language if the script sends no name.
  */
 import { z } from "zod";
-import { actionNames } from "./command.ts";
+import { recordActionSchema } from "./command.ts";
 import { keyIdSchema } from "./keys.ts";
 
 /** Displayed characters of a name; longer names are truncated. */
@@ -61,7 +61,7 @@ export const scriptSchema = z.strictObject({
   /** ms since its last message; null if this relay has received none */
   silentMs: z.int().min(0).nullable(),
   /** its newest command; null if it only reads */
-  last: z.strictObject({ seq: z.int().min(1), action: z.enum(actionNames) }).nullable(),
+  last: z.strictObject({ seq: z.int().min(1), action: recordActionSchema }).nullable(),
   /** whether the owner blocked it: the relay rejects its requests until the owner unblocks it */
   isBlocked: z.boolean(),
 });

@@ -140,6 +140,11 @@ export class Run {
     return this.#simulation.goalTick;
   }
 
+  /** Whether the whole robot is inside a goal cell now. */
+  get isInGoal(): boolean {
+    return this.#simulation.isInGoal;
+  }
+
   /** Whether a block stopped the robot in the last tick. */
   get isStopped(): boolean {
     return this.#simulation.isStopped;

@@ -130,7 +130,7 @@ export class Simulation {
     this.#isStopped = isStopped;
     this.#tick++;
     if (linear !== 0 || angular !== 0) this.#readSensors();
-    if (this.#goalTick === null && this.#isInGoal()) this.#goalTick = this.#tick;
+    if (this.#goalTick === null && this.isInGoal) this.#goalTick = this.#tick;
   }
 
   /** Number of ticks since the robot was at its start. */
@@ -216,7 +216,8 @@ export class Simulation {
     };
   }
 
-  #isInGoal(): boolean {
+  /** Whether the whole robot is inside a goal cell. */
+  get isInGoal(): boolean {
     if (!this.#goals.has(this.cell)) return false;
     const { x, y } = this.#physics;
     return isWithinCell(x) && isWithinCell(y);

@@ -14,6 +14,7 @@ export interface InjectedFault {
 export const BODY = "physical_robot/body.py";
 export const HOST = "robot_host.py";
 export const COMMAND_STORE = "physical_robot/command_store.py";
+export const CONDITIONS = "physical_robot/conditions.py";
 export const LONG_POLL = "physical_robot/long_poll.py";
 export const COMMAND_REQUESTS = "physical_robot/command_requests.py";
 export const CONTROLLER = "physical_robot/controller.py";

@@ -3,6 +3,7 @@ import { accessFaults } from "./faults/access.ts";
 import { invalidInputFaults } from "./faults/invalid-input.ts";
 import { directionsFaults } from "./faults/directions.ts";
 import { eventsFaults } from "./faults/events.ts";
+import { guardedMotionFaults } from "./faults/guarded-motion.ts";
 import { leasesFaults } from "./faults/leases.ts";
 import { lifeCycleFaults } from "./faults/life-cycle.ts";
 import { limitsFaults } from "./faults/limits.ts";
@@ -26,6 +27,7 @@ export const injectedFaults: readonly InjectedFault[] = [
   ...readingFaults,
   ...invalidInputFaults,
   ...leasesFaults,
+  ...guardedMotionFaults,
   ...limitsFaults,
   ...longPollFaults,
   ...webSocketFaults,

@@ -2,7 +2,7 @@
  * A command in the form in which the rules change it and stores hold it. Rows are validated before
  * they are written. Validating them again in each step took a third of the cost of a command.
  */
-import type { Command, CommandRecord, CommandState, RecallCause } from "@corridor/protocol";
+import type { CommandRecord, CommandState, RecallCause, RemoteCommand } from "@corridor/protocol";
 import type { Overtaking } from "./overtaking.ts";
 import { reasonText, type Reason } from "./reasons.ts";
 import type { TermedRecord } from "./steps.ts";
@@ -12,7 +12,7 @@ export interface CommandRow {
   readonly driver: string;
   readonly script: string | null;
   readonly key: string | null;
-  readonly command: Command;
+  readonly command: RemoteCommand;
   /** the command as JSON, for comparison */
   readonly text: string;
   readonly acceptedAt: number;
@@ -34,12 +34,14 @@ export interface CommandRow {
 
 /** A command and its text. */
 export interface KnownCommand {
-  readonly command: Command;
+  readonly command: RemoteCommand;
   /** the command as JSON */
   readonly text: string;
 }
 
 const MAX_KNOWN = 512;
+/** Longer commands, with many conditions, are seldom sent twice. */
+const MAX_KNOWN_LENGTH = 1_024;
 const known = new Map<string, KnownCommand>();
 
 /**
@@ -51,8 +53,11 @@ const known = new Map<string, KnownCommand>();
 export function commandIn(text: string): KnownCommand {
   const before = known.get(text);
   if (before !== undefined) return before;
+  // A shortened command has a digest in place of its conditions.
+  const { digest: _digest, ...command } = JSON.parse(text) as RemoteCommand & { digest?: string };
+  const made = { command: Object.freeze(command), text };
+  if (text.length > MAX_KNOWN_LENGTH) return made;
   if (known.size >= MAX_KNOWN) known.clear();
-  const made = { command: Object.freeze(JSON.parse(text) as Command), text };
   known.set(text, made);
   return made;
 }

@@ -105,7 +105,7 @@ export class RobotCommands {
     return row;
   }
 
-  /** Changes an open command. */
+  /** Changes an open command, or shortens an ended one. */
   change(row: CommandRow, change: Partial<CommandRow>): CommandRow {
     const before = row.state;
     this.#count(row, -1);

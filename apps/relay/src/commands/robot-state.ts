@@ -14,6 +14,13 @@ export interface KnownCommands {
   withKey(driver: string, key: string): CommandRow | null;
   /** The highest seq of a command after `after` that overtakes in this way. */
   newest(overtakes: Overtaking, after: number): number | null;
+  /** The ended commands with a seq above `after` and up to `upTo`. */
+  ended(range: SeqRange): CommandRow[];
+}
+
+export interface SeqRange {
+  after: number;
+  upTo: number;
 }
 
 export interface KeysChange {
@@ -44,6 +51,8 @@ export interface Lookup {
   key?: { driver: string; key: string } | null;
   /** all commands after this seq; null: none */
   after?: number | null;
+  /** `ended` of this range; null: none */
+  ended?: SeqRange | null;
   /** `isHeldElsewhere` */
   holder?: boolean;
 }

@@ -17,6 +17,7 @@ import { overtakingOf, type Overtaking } from "./overtaking.ts";
 import type { Cause, RelayReason } from "./reasons.ts";
 import type { RobotCommands } from "./robot-commands.ts";
 import type { RobotStep } from "./robot-state.ts";
+import { isSameCommand, shorten, shownRecordIn, toShorten } from "./stored-conditions.ts";
 import {
   CLOCK_TOLERANCE_MS,
   type AddResult,
@@ -43,8 +44,8 @@ export function add(
   if (script !== null && accessState.blocked.has(script)) return { outcome: "blocked" };
   const before = key === null ? null : earlier(driver, key);
   if (before !== null) {
-    const outcome = before.text === known.text ? "duplicate" : "conflict";
-    return { outcome, record: recordOfRow(before) };
+    const outcome = isSameCommand(before, known.text) ? "duplicate" : "conflict";
+    return { outcome, record: shownRecordIn(robot, before) };
   }
   return addNew(robot, command, known);
 }
@@ -122,7 +123,7 @@ export function expire(robot: RobotCommands, now: number, isAbsent = false): Exp
 export function cancel(robot: RobotCommands, row: CommandRow | null, driver: string): CancelResult {
   if (row === null) return { outcome: "no-command" };
   if (row.driver !== driver) return { outcome: "not-yours" };
-  if (hasEnded(row.state)) return { outcome: "over", record: recordOfRow(row) };
+  if (hasEnded(row.state)) return { outcome: "over", record: shownRecordIn(robot, row) };
   const termed = recall(robot, row, "sender");
   if (termed !== null) return { outcome: "cancelled", termed };
   return { outcome: "delivered", record: recordOfRow(row) };
@@ -237,12 +238,21 @@ function isLate({ deadline, acceptedAt }: CommandRow, now: number): boolean {
  */
 export function addStep(command: NewCommand): RobotStep<AddResult> {
   const { driver, key } = command;
+  const isStop = command.command.action === "stop";
+  // A stop writes as little as possible, because the disk may be full.
+  const rangeOf = (commands: RobotCommands) => (isStop ? null : toShorten(commands));
   return {
     none: { outcome: "no-robot" },
-    needsSpace: command.command.action !== "stop",
-    lookup: () => ({ key: key === null ? null : { driver, key } }),
-    apply: (robot) =>
-      add(robot.commands, command, (ofDriver, withKey) => robot.withKey(ofDriver, withKey)),
+    needsSpace: !isStop,
+    lookup: (commands) => ({
+      key: key === null ? null : { driver, key },
+      ended: rangeOf(commands),
+    }),
+    apply: (robot) => {
+      const range = rangeOf(robot.commands);
+      if (range !== null) shorten(robot.commands, robot.ended(range));
+      return add(robot.commands, command, (ofDriver, withKey) => robot.withKey(ofDriver, withKey));
+    },
   };
 }
 

@@ -1,4 +1,5 @@
 /** What stores rely on: each step declares what it changes, and whether a full disk may refuse it. */
+import { hasEnded } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { abandonStep, acquireStep, newestOvertaking } from "./page-transitions.ts";
 import { changeBlockedStep, changeKeysStep } from "./permissions.ts";
@@ -51,6 +52,8 @@ function robot({ isHeldElsewhere = false } = {}) {
     row: (seq) => commands.row(seq),
     withKey: (driver, key) => commands.withKey(driver, key),
     newest: (what, after) => newestOvertaking(commands.rows(), what, after),
+    ended: ({ after, upTo }) =>
+      commands.rows().filter(({ seq, state: now }) => seq > after && seq <= upTo && hasEnded(now)),
     setKeys: ({ keys, revoked }) =>
       void changed.push(`keys ${keys.length}, revoked ${revoked.length}`),
     setBlocked: (blocked) => void changed.push(`blocked ${blocked.map(({ id }) => id).join()}`),

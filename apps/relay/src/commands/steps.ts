@@ -1,5 +1,5 @@
 /** What the steps of a robot receive and return. */
-import type { Command, CommandRecord, Ending, Pose } from "@corridor/protocol";
+import type { CommandRecord, Ending, Pose, RemoteCommand } from "@corridor/protocol";
 import type { LeftCause } from "./reasons.ts";
 
 export interface NewCommand {
@@ -9,7 +9,7 @@ export interface NewCommand {
   script: string | null;
   /** the idempotency key, or null */
   key: string | null;
-  command: Command;
+  command: RemoteCommand;
   acceptedAt: number;
   /** ms within which it must start, for the text of its expiry */
   ttl: number;

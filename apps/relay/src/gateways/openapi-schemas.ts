@@ -17,7 +17,6 @@ import {
   classSettingsSchema,
   classViewSchema,
   commandRecordSchema,
-  commandSchema,
   eventPageSchema,
   fetchedMessagesSchema,
   helloSchema,
@@ -41,7 +40,9 @@ import {
   progressRecordSchema,
   progressSchema,
   registrationSchema,
+  remoteCommandSchema,
   returnCodeSchema,
+  ruleConditionSchema,
   scriptListSchema,
   scriptRefSchema,
   blockedScriptSchema,
@@ -52,6 +53,7 @@ import {
   studentProgramSchema,
   surveyAnswerSchema,
   takenMessagesSchema,
+  untilConditionSchema,
 } from "@corridor/protocol";
 import type { z } from "zod";
 import { createSchema, type ZodOpenApiOverride } from "zod-openapi";
@@ -68,11 +70,10 @@ const script = scriptListSchema.shape.scripts.element;
 
 const task = lessonSchema.shape.tasks.element;
 
-const condition = programSchema.shape.rules.element.shape.when.unwrap();
-
 export const schemas: Record<string, z.ZodType> = {
-  Command: commandSchema,
-  ...alternatives("Command", "action", commandSchema),
+  Command: remoteCommandSchema,
+  ...alternatives("Command", "action", remoteCommandSchema),
+  UntilCondition: untilConditionSchema,
   CommandLog: commandLogSchema,
   CommandRecord: commandRecordSchema,
   Order: orderSchema,
@@ -163,7 +164,8 @@ export const schemas: Record<string, z.ZodType> = {
 
 /** Conditions have a custom parser. This describes the expected value. */
 export const describeCondition: ZodOpenApiOverride = ({ zodSchema, jsonSchema }) => {
-  if (zodSchema !== condition) return;
+  const condition = [ruleConditionSchema, untilConditionSchema].find((each) => each === zodSchema);
+  if (condition === undefined) return;
   const opts = { override: describeByExpectation };
   Object.assign(jsonSchema, createSchema(condition.def.out, { opts }).schema);
 };

@@ -1,8 +1,25 @@
 /** Short texts of a command and its result. */
-import type { Command, CommandRecord } from "@corridor/protocol";
+import type { CommandRecord, RemoteCommand, UntilCondition } from "@corridor/protocol";
 
-/** The action with its numbers, as in the API: "left 90", "move 120", "drive 0.2 -0.2 602 ms". */
-export function commandText(command: Command): string {
+/**
+ * The action with its numbers, as in the API: "left 90", "move 120", "drive 0.2 -0.2 602 ms",
+ * "forward until front <= 60". Of several conditions, only the first is in the text.
+ */
+export function commandText({ until = [], ...command }: RemoteCommand): string {
+  const [first] = until;
+  const action = actionText(command);
+  if (first === undefined) return action;
+  return `${action} until ${conditionText(first)}${until.length > 1 ? ", …" : ""}`;
+}
+
+function conditionText(condition: UntilCondition): string {
+  if ("goal" in condition) return "goal";
+  const { sensor, is, than } = condition;
+  if (than !== "right") return `${sensor} ${is} ${than}`;
+  return `${sensor} ${is} right ${condition.plus < 0 ? "-" : "+"} ${Math.abs(condition.plus)}`;
+}
+
+function actionText(command: RemoteCommand): string {
   if (command.action === "move") return `move ${command.distance}`;
   if (command.action === "turn") return `turn ${command.degrees}`;
   if (command.action !== "drive") return command.action;

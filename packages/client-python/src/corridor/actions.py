@@ -3,29 +3,39 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Dict, Optional
+from typing import Any, Dict, Optional, Sequence, Union
 
 from .errors import CommandError
 
 #: The JSON of a command: `{"action": "move", "distance": 100}`.
 Action = Dict[str, Any]
+#: A condition that ends a motion: `{"sensor": "front", "is": "<=", "than": 60}`, `{"sensor": "left",
+#: "is": ">", "than": "right", "plus": 1}`, or `{"goal": True}`.
+Condition = Dict[str, Any]
+#: One condition, or up to 200.
+Until = Union[Condition, Sequence[Condition]]
 
 _MAX_DISTANCE = 25_600
 _MAX_DEGREES = 3_600
 _MAX_DRIVE_MS = 60_000
+_MAX_CONDITIONS = 200
 
 
 def plain(action: str) -> Action:
     return {"action": action}
 
 
-def go_forward(distance: Optional[float]) -> Action:
-    return plain("forward") if distance is None else go(distance, "forward")
-
-
-def go_reverse(distance: Optional[float]) -> Action:
+def go_forward(distance: Optional[float], until: Optional[Until] = None) -> Action:
     if distance is None:
-        return plain("reverse")
+        return guarded(plain("forward"), until)
+    _check_alone(until, "forward", "a distance")
+    return go(distance, "forward")
+
+
+def go_reverse(distance: Optional[float], until: Optional[Until] = None) -> Action:
+    if distance is None:
+        return guarded(plain("reverse"), until)
+    _check_alone(until, "reverse", "a distance")
     command = go(distance, "reverse")
     return {**command, "distance": -command["distance"]}
 
@@ -50,17 +60,44 @@ def turn_by(degrees: float, method: str = "turn") -> Action:
     return {"action": "turn", "degrees": number}
 
 
-def power_wheels(left_power: float, right_power: float, milliseconds: Optional[float]) -> Action:
+def power_wheels(
+    left_power: float,
+    right_power: float,
+    milliseconds: Optional[float],
+    until: Optional[Until] = None,
+) -> Action:
     action: Action = {
         "action": "drive",
         "left": _number("drive", "left", left_power, -1, 1, "(wheel power)"),
         "right": _number("drive", "right", right_power, -1, 1, "(wheel power)"),
     }
-    if milliseconds is not None:
+    if milliseconds is None:
+        action = guarded(action, until)
+    else:
+        _check_alone(until, "drive", "milliseconds")
         action["milliseconds"] = _number(
             "drive", "milliseconds", milliseconds, 1, _MAX_DRIVE_MS, "ms"
         )
     return action
+
+
+def guarded(action: Action, until: Optional[Until]) -> Action:
+    """Adds the conditions that end a motion. The service validates their fields."""
+    if until is None:
+        return action
+    conditions = [until] if isinstance(until, dict) else until
+    is_list = isinstance(conditions, (list, tuple)) and 1 <= len(conditions) <= _MAX_CONDITIONS
+    if is_list and all(isinstance(condition, dict) for condition in conditions):
+        return {**action, "until": list(conditions)}
+    what = f"{action['action']}() does not accept {until!r:.40} as until"
+    hint = 'Pass a condition, such as {"sensor": "front", "is": "<=", "than": 60}, or a list of them.'
+    raise CommandError("bad-command", what, hint)
+
+
+def _check_alone(until: Optional[Until], method: str, other: str) -> None:
+    if until is not None:
+        what = f"{method}() does not accept {other} together with until"
+        raise CommandError("bad-command", what, "Pass one of the two.")
 
 
 def check_ttl(seconds: Optional[float]) -> Optional[float]:
@@ -70,6 +107,8 @@ def check_ttl(seconds: Optional[float]) -> Optional[float]:
 
 def is_endless(action: Action) -> bool:
     """Whether the motion continues until the next command."""
+    if "until" in action:
+        return False
     name = action["action"]
     return name in ("forward", "reverse") or (name == "drive" and "milliseconds" not in action)
 

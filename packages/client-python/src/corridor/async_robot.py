@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, AsyncIterator, Callable, List, Optional, Type
 
 from .actions import (
     Action,
+    Until,
     check_ttl,
     go_forward,
     go_reverse,
@@ -100,13 +101,17 @@ class AsyncRobot:
 
     # --- driving ---
 
-    async def forward(self, distance: Optional[float] = None) -> Command:
-        """Drives forward, and waits for the end; without a distance, until the next command."""
-        return await self._do(go_forward(distance))
+    async def forward(
+        self, distance: Optional[float] = None, *, until: Optional[Until] = None
+    ) -> Command:
+        """Drives forward, and waits for the end; without an end, until the next command."""
+        return await self._do(go_forward(distance, until))
 
-    async def reverse(self, distance: Optional[float] = None) -> Command:
+    async def reverse(
+        self, distance: Optional[float] = None, *, until: Optional[Until] = None
+    ) -> Command:
         """Drives backward, as `forward` drives forward."""
-        return await self._do(go_reverse(distance))
+        return await self._do(go_reverse(distance, until))
 
     async def left(self, degrees: float = 90) -> Command:
         """Turns left on the spot, and waits for the end."""
@@ -128,9 +133,16 @@ class AsyncRobot:
         """Drives 50 cm forward, turns right, drives 60 cm out of the junction, and waits for the end."""
         return await self._do(plain("delayed right 90"))
 
-    async def drive(self, left: float, right: float, milliseconds: Optional[float] = None) -> Command:
-        """Sets the power of the two wheels, for a time, and waits for the end."""
-        return await self._do(power_wheels(left, right, milliseconds))
+    async def drive(
+        self,
+        left: float,
+        right: float,
+        milliseconds: Optional[float] = None,
+        *,
+        until: Optional[Until] = None,
+    ) -> Command:
+        """Sets the power of the two wheels, for a time or until a condition, and waits for the end."""
+        return await self._do(power_wheels(left, right, milliseconds, until))
 
     async def stop(self) -> Command:
         """Stops at once: cancels the running command and all waiting ones, from every script."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Callable, Iterator, List, Optional, Type
 
 from .actions import (
     Action,
+    Until,
     check_ttl,
     go_forward,
     go_reverse,
@@ -109,14 +110,19 @@ class Robot:
 
     # --- driving ---
 
-    def forward(self, distance: Optional[float] = None) -> Command:
-        """Drives forward, and waits for the end; without a distance, until the next command.
+    def forward(
+        self, distance: Optional[float] = None, *, until: Optional[Until] = None
+    ) -> Command:
+        """Drives forward, and waits for the end; without an end, until the next command.
 
-        Without a distance it returns once the robot has started. The robot stops 3 s after the last
+        With `until`, the robot stops exactly when one of the conditions is true. Without a distance
+        and conditions it returns once the robot has started. The robot stops 3 s after the last
         request of this script.
 
         Args:
             distance: cm, -25600 to 25600. Negative is backward. `None`: endless.
+            until: a condition, such as `{"sensor": "front", "is": "<=", "than": 60}` or
+                `{"goal": True}`, or a list of at most 200. Not together with a distance.
 
         Returns:
             The record. It is falsy if a wall ended the move.
@@ -125,13 +131,16 @@ class Robot:
             CommandError: the distance is out of its range, or the host refused the command.
             CommandEndedError: the command was cancelled, superseded, or could not start in time.
         """
-        return self._do(go_forward(distance))
+        return self._do(go_forward(distance, until))
 
-    def reverse(self, distance: Optional[float] = None) -> Command:
+    def reverse(
+        self, distance: Optional[float] = None, *, until: Optional[Until] = None
+    ) -> Command:
         """Drives backward, as `forward` drives forward.
 
         Args:
             distance: cm, -25600 to 25600. Negative is forward. `None`: endless.
+            until: as in `forward`.
 
         Returns:
             The record. It is falsy if a wall ended the move.
@@ -140,7 +149,7 @@ class Robot:
             CommandError: as in `forward`.
             CommandEndedError: as in `forward`.
         """
-        return self._do(go_reverse(distance))
+        return self._do(go_reverse(distance, until))
 
     def left(self, degrees: float = 90) -> Command:
         """Turns left on the spot, and waits for the end.
@@ -211,16 +220,24 @@ class Robot:
         """
         return self._do(plain("delayed right 90"))
 
-    def drive(self, left: float, right: float, milliseconds: Optional[float] = None) -> Command:
-        """Sets the power of the two wheels, for a time, and waits for the end.
+    def drive(
+        self,
+        left: float,
+        right: float,
+        milliseconds: Optional[float] = None,
+        *,
+        until: Optional[Until] = None,
+    ) -> Command:
+        """Sets the power of the two wheels, for a time or until a condition, and waits for the end.
 
-        Without a time it returns once the robot has started, and the robot stops half a second later
+        Without an end it returns once the robot has started, and the robot stops half a second later
         unless another `drive` follows.
 
         Args:
             left: power of the left wheel, -1 to 1. Negative is backward.
             right: power of the right wheel, -1 to 1.
             milliseconds: 1 to 60000. `None`: half a second, and no waiting.
+            until: as in `forward`. Not together with milliseconds.
 
         Returns:
             The record. It is falsy if a wall ended the drive.
@@ -229,7 +246,7 @@ class Robot:
             CommandError: as in `forward`.
             CommandEndedError: as in `forward`.
         """
-        return self._do(power_wheels(left, right, milliseconds))
+        return self._do(power_wheels(left, right, milliseconds, until))
 
     def stop(self) -> Command:
         """Stops at once: cancels the running command and all waiting ones, from every script.

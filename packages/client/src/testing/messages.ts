@@ -1,12 +1,12 @@
 /** Messages as the relay sends them, for tests. */
-import type { Command, CommandRecord } from "@corridor/protocol";
+import type { CommandRecord, RemoteCommand } from "@corridor/protocol";
 
 export const ADDRESS = "http://localhost:8080/r/AAAAAAAAAAAAAAAAAAAAAA#drv_BBBBBBBBBBBBBBBBBBBBBB";
 
 export function record(
   seq: number,
   key: string,
-  command: Command,
+  command: RemoteCommand,
   change: Partial<CommandRecord> = {},
 ): CommandRecord {
   return {

@@ -24,6 +24,7 @@ import type { OverReason, ReaderSink, ReaderStart } from "../../robots/readers/f
 import type { Grant } from "../../robots/registry.ts";
 import type { JoinedReader } from "../../robots/readers/readers.ts";
 import { TransitEstimate } from "../../robots/delivery/script-clocks.ts";
+import { withUntilHint } from "../requests/command-hints.ts";
 import { closeWith, closeReader, type Conversation } from "./conversation.ts";
 import type { ReaderConnection } from "./reader-connection.ts";
 
@@ -110,7 +111,10 @@ export class DriverConversation implements Conversation, ReaderSink {
     const { robot, key: grant } = this.#options.grant;
     const message = decodeDriverFrame(text);
     if (!message.ok) {
-      return this.#refuse(badRequest("Invalid message.", message.problems), keyIn(text));
+      return this.#refuse(
+        badRequest("Invalid message.", withUntilHint(message.problems)),
+        keyIn(text),
+      );
     }
     const { value } = message;
     const { type } = value;

@@ -36,6 +36,8 @@ describe("an invalid command names what was probably meant", () => {
     [{ action: "turn", degrees: "far" }, "an angle in degrees from -3600 to 3600"],
     [{ action: "move", distance: "far" }, "a distance in cm"],
     [{ action: "stop", now: true }, "no field of this name"],
+    [{ action: "stop", until: [{ goal: true }] }, "until only with forward, reverse, or drive"],
+    [{ action: "forward", until: [] }, "a list of 1 to 200 conditions"],
     [{}, "one of forward, reverse"],
   ])("%j is explained by its field", (body, expected) => {
     expect(expectedFor(body)).toContain(expected);

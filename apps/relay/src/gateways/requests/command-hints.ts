@@ -8,11 +8,21 @@ import leven from "leven";
 /** Maximum number of wrong letters in an action. */
 const MAX_MISSPELT = 2;
 
+const NO_UNTIL = "until only with forward, reverse, or drive without milliseconds";
+
+/** Explains the only field that some actions take and others do not. */
+export function withUntilHint(problems: readonly FieldProblem[]): FieldProblem[] {
+  const isUntil = ({ path, expected }: FieldProblem): boolean =>
+    expected === "no field of this name" && /^(command\.)?until$/.test(path);
+  return problems.map((each) => (isUntil(each) ? { ...each, expected: NO_UNTIL } : each));
+}
+
 /** Adds what was probably meant to the first problem of a command. */
 export function withCommandHint(body: unknown, problems: readonly FieldProblem[]): FieldProblem[] {
-  const [first, ...rest] = problems;
+  const [first, ...rest] = withUntilHint(problems);
   const meant = first === undefined ? null : meantBy(body, first.path);
-  if (first === undefined || meant === null) return [...problems];
+  if (first === undefined) return [];
+  if (meant === null) return [first, ...rest];
   return [{ ...first, expected: meant }, ...rest];
 }
 

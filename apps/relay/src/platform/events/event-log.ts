@@ -7,6 +7,9 @@ import type { Clock } from "../time/clock.ts";
 import { mintStream } from "../keys.ts";
 import { PackedTexts } from "./packed-texts.ts";
 
+/** A thousand usual events need a tenth. Commands with many conditions need more. */
+const MAX_STORED_BYTES = 2_097_152;
+
 /** The text of an event in the log. */
 export interface Packing<T> {
   pack(record: T): string;
@@ -58,7 +61,7 @@ export class EventLog<T> {
     this.#n += 1;
     this.#stored.push(this.#packing.pack(record));
     this.#times.push(this.#clock.now());
-    if (this.#stored.length > MAX_STORED_EVENTS) {
+    while (this.#stored.length > MAX_STORED_EVENTS || this.#stored.size > MAX_STORED_BYTES) {
       this.#stored.shift(1);
       this.#times.shift();
     }

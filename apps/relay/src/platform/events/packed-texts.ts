@@ -37,6 +37,11 @@ export class PackedTexts {
     return this.#bytes.toString("utf8", this.#ends[at - 1] ?? this.#start, this.#ends[at]);
   }
 
+  /** Size of the texts in bytes. */
+  get size(): number {
+    return (this.#ends.at(-1) ?? this.#start) - this.#start;
+  }
+
   /** Size of the buffer in bytes, including free space. */
   get bytes(): number {
     return this.#bytes.length;

@@ -81,3 +81,18 @@ it("returns no event under another event's number, even if it changes during a r
     expect(sent).toEqual(Array.from({ length: last }, (_, at) => at + 1));
   }
 });
+
+it("stores fewer events if they are long", () => {
+  const clock: Clock = { now: () => 0, after: () => () => undefined };
+  const log = new EventLog(clock, recordPacking);
+  const until = Array.from({ length: 200 }, () => ({
+    sensor: "front" as const,
+    is: "<=" as const,
+    than: 60,
+  }));
+  for (let n = 1; n <= MAX_STORED_EVENTS; n++) {
+    log.add({ ...record(n), action: "forward", command: { action: "forward", until } });
+  }
+  expect(log.hasAfter(MAX_STORED_EVENTS - 200)).toBe(true);
+  expect(log.hasAfter(0)).toBe(false);
+});

@@ -24,6 +24,7 @@ import {
   studentToRelaySchema,
   teacherToRelaySchema,
   tileSchema,
+  untilConditionSchema,
 } from "@corridor/protocol";
 import { z } from "zod";
 import { classMessageExamples, type ClassMessageKinds } from "./class-examples.ts";
@@ -189,6 +190,14 @@ export function describeMessages(): Record<string, unknown> {
   };
 }
 
+/** Conditions have a custom parser. This describes the expected value. */
+function conditionShape(): object {
+  const { $schema: _schema, ...shape } = z.toJSONSchema(untilConditionSchema.def.out, {
+    target: "draft-07",
+  });
+  return shape;
+}
+
 /** Converts all messages and shared parts to JSON Schema. Messages reference the shared parts. */
 function schemasOf(named: readonly { name: string; schema: z.ZodType }[]): Record<string, unknown> {
   const registry = z.registry<{ id: string }>();
@@ -199,6 +208,9 @@ function schemasOf(named: readonly { name: string; schema: z.ZodType }[]): Recor
     target: "draft-07",
     io: "input",
     uri: (id) => `#/components/schemas/${id}`,
+    override: ({ zodSchema, jsonSchema }) => {
+      if (zodSchema === untilConditionSchema) Object.assign(jsonSchema, conditionShape());
+    },
   });
   return Object.fromEntries(
     Object.entries(schemas).map(([id, { $id: _id, $schema: _schema, ...schema }]) => [id, schema]),

@@ -1,4 +1,5 @@
 /** Requirements for every store: commands from storage to delivery. */
+import type { RemoteCommand } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { abandonStep, acquireStep } from "../../commands/page-transitions.ts";
 import { changeKeysStep } from "../../commands/permissions.ts";
@@ -49,6 +50,64 @@ export function commandCases(name: string, open: () => Promise<OpenStore>): void
       });
       expect(await add(STOP, "key-0001")).toMatchObject({ outcome: "conflict" });
       expect(await states()).toEqual(["1 accepted"]);
+    });
+
+    it("stores the conditions of a guarded motion, which are part of its command", async () => {
+      const { add, store, deliver } = await withRobot();
+      const forward = (than: number): RemoteCommand => ({
+        action: "forward",
+        until: [{ sensor: "front", is: "<=", than }, { goal: true }],
+      });
+      await add(forward(60), "key-0001");
+      expect(await store.command(ID, 1)).toMatchObject({ command: forward(60) });
+      expect(await add(forward(60), "key-0001")).toMatchObject({ outcome: "duplicate" });
+      expect(await add(forward(61), "key-0001")).toMatchObject({ outcome: "conflict" });
+      expect(await add({ action: "forward" }, "key-0001")).toMatchObject({ outcome: "conflict" });
+      const [delivered] = await store.commit(ID, deliverStep(EPOCH, 3, NOW));
+      expect(delivered).toMatchObject({ record: { command: forward(60) } });
+      await deliver(3);
+    });
+
+    it("shows the conditions of open commands and of the newest 200 ended ones", async () => {
+      const { add, store, reopen } = await withRobot();
+      const keep = 1_000;
+      const until = [{ sensor: "front" as const, is: "<=" as const, than: 60 }];
+      const next = (seq: number, command: RemoteCommand = { action: "forward", until }) =>
+        add(command, `key-${String(seq).padStart(4, "0")}`, { keep });
+      const end = async (seq: number) => {
+        await store.commit(ID, deliverStep(EPOCH, 8, NOW));
+        await store.commit(ID, endStep(EPOCH, completed(seq)));
+      };
+      // The first one never ends.
+      await next(1);
+      for (let seq = 2; seq <= 321; seq++) {
+        await next(seq);
+        await end(seq);
+      }
+      const shown = async (seq: number, from = store) =>
+        (await from.command(ID, seq))?.command.until !== undefined;
+      expect(await Promise.all([1, 121, 122, 321].map((seq) => shown(seq)))).toEqual([
+        true,
+        false,
+        true,
+        true,
+      ]);
+      const log = await store.commandsAfter(ID, 0, 1_000);
+      expect(log.filter(({ command }) => command.until !== undefined)).toHaveLength(201);
+      expect(log[100]).toMatchObject({ state: "completed", command: { action: "forward" } });
+      // The key still belongs to the whole command.
+      expect(await next(60)).toMatchObject({
+        outcome: "duplicate",
+        record: { seq: 60, command: { action: "forward" } },
+      });
+      const other = [{ sensor: "front" as const, is: "<=" as const, than: 61 }];
+      expect(await next(60, { action: "forward", until: other })).toMatchObject({
+        outcome: "conflict",
+      });
+      expect(await next(60, { action: "forward" })).toMatchObject({ outcome: "conflict" });
+      const reopened = await reopen();
+      expect(await shown(121, reopened)).toBe(false);
+      expect(await shown(122, reopened)).toBe(true);
     });
 
     it("lets another driver use the same key", async () => {

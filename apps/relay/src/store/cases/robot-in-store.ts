@@ -2,7 +2,7 @@
 import { acquireStep } from "../../commands/page-transitions.ts";
 import { addStep, deliverStep } from "../../commands/state-machine.ts";
 import { reasonText, type Cause } from "../../commands/reasons.ts";
-import type { Command } from "@corridor/protocol";
+import type { Command, RemoteCommand } from "@corridor/protocol";
 import { type KeyChange, type NewCommand, type PageState, type RobotStore } from "../port.ts";
 
 export const ID = "AAAAAAAAAAAAAAAAAAAAAA";
@@ -66,8 +66,11 @@ export async function robotIn(open: () => Promise<OpenStore>) {
   const keys = [{ kind: "drive" as const, hash: "driver-hash-of-this-robot" }];
   await store.create({ id: ID, createdAt: 1_000, keys });
   await store.commit(ID, acquireStep(nothingDone));
-  const add = (command: Command, key: string | null = null, change: Partial<NewCommand> = {}) =>
-    store.commit(ID, addStep({ ...sent, command, key, ...change }));
+  const add = (
+    command: RemoteCommand,
+    key: string | null = null,
+    change: Partial<NewCommand> = {},
+  ) => store.commit(ID, addStep({ ...sent, command, key, ...change }));
   const deliver = async (window: number, epoch = EPOCH): Promise<number[]> =>
     (await store.commit(ID, deliverStep(epoch, window, NOW))).map(({ record }) => record.seq);
   const states = async (): Promise<string[]> =>

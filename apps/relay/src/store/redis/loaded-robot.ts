@@ -9,7 +9,7 @@ import { newestOvertaking } from "../../commands/page-transitions.ts";
 import type { Overtaking } from "../../commands/overtaking.ts";
 import { accessStateOf } from "../../commands/permissions.ts";
 import { RobotCommands } from "../../commands/robot-commands.ts";
-import type { KeysChange, RobotState } from "../../commands/robot-state.ts";
+import type { KeysChange, RobotState, SeqRange } from "../../commands/robot-state.ts";
 import type { Permissions, StoredScript } from "../../commands/steps.ts";
 import { endedOf, keysOf, channelOf, madeAt, openOf, robotKeyOf, usedAt } from "./redis-keys.ts";
 import { rowIn, textOf } from "./rows.ts";
@@ -56,6 +56,8 @@ export class LoadedRobot implements RobotState {
   #n: number;
   #stored: { epoch: number; lastSeq: number; isPaused: boolean; deletedUpTo: number };
   readonly #rows = new Map<number, CommandRow>();
+  /** seqs of rows that had ended before */
+  readonly #rewritten = new Set<number>();
   /** new states, for the subscribers of the channel */
   readonly #changed = new Map<number, CommandRow>();
   #added: CommandRow | null = null;
@@ -77,6 +79,7 @@ export class LoadedRobot implements RobotState {
     const accessState = { epoch, lastSeq, isPaused, ...accessStateOf(this.permissions) };
     this.commands = new RobotCommands(accessState, rows, (row, before) => {
       this.#rows.set(row.seq, row);
+      if (before !== null && hasEnded(before)) this.#rewritten.add(row.seq);
       if (before === null) this.#added = row;
       else if (before !== row.state) this.#changed.set(row.seq, row);
     });
@@ -93,6 +96,12 @@ export class LoadedRobot implements RobotState {
   withKey(driver: string, key: string): CommandRow | null {
     const isMeant = (row: CommandRow): boolean => row.driver === driver && row.key === key;
     return this.commands.withKey(driver, key) ?? this.found.rows.find(isMeant) ?? null;
+  }
+
+  ended({ after, upTo }: SeqRange): CommandRow[] {
+    const isMeant = ({ seq, state }: CommandRow): boolean =>
+      seq > after && seq <= upTo && hasEnded(state);
+    return this.found.rows.filter(isMeant);
   }
 
   newest(overtakes: Overtaking, after: number): number | null {
@@ -148,6 +157,7 @@ export class LoadedRobot implements RobotState {
     for (const text of this.#messages) changes.push(["PUBLISH", channelOf(this.#id), text]);
     for (const row of this.#rows.values()) if (hasEnded(row.state)) this.commands.release(row);
     this.#rows.clear();
+    this.#rewritten.clear();
     this.#changed.clear();
     this.#added = null;
     this.#also = [];
@@ -164,7 +174,9 @@ export class LoadedRobot implements RobotState {
       if (!hasEnded(row.state)) return [["HSET", open, seq, textOf(row)]];
       const { driver, key } = row;
       const ofKey: Words[] = key === null ? [] : [["ZADD", keys, seq, keyMember(driver, key)]];
-      return [["ZADD", ended, seq, textOf(row)], ["HDEL", open, seq], ...ofKey];
+      const added: Words = ["ZADD", ended, seq, textOf(row)];
+      if (this.#rewritten.has(row.seq)) return [["ZREMRANGEBYSCORE", ended, seq, seq], added];
+      return [added, ["HDEL", open, seq], ...ofKey];
     });
     const { deletedUpTo } = this.commands;
     if (deletedUpTo > this.#stored.deletedUpTo) {

@@ -10,7 +10,7 @@ import type { RobotStep } from "../../commands/robot-state.ts";
 import { StoreFull } from "../../platform/errors/disk-full.ts";
 import type { KeyTimes, KeyUse, RobotStore, StoredRobot } from "../port.ts";
 import { asked, type Redis } from "./connection.ts";
-import { lookUp, storedAfter, storedOpen, storedRow } from "./ended-commands.ts";
+import { lookUp, storedAfter, storedCommand, storedOpen } from "./ended-commands.ts";
 import type { DeletedBytes } from "./deleted-bytes.ts";
 import { keyMember, nothingFound, type Found } from "./loaded-robot.ts";
 import { BIRTHS, madeAt, robotKeyOf, usedAt, USES } from "./redis-keys.ts";
@@ -144,12 +144,11 @@ export class RedisRobotStore implements RobotStore {
   }
 
   async command(id: string, seq: number): Promise<CommandRecord | null> {
-    const row = await storedRow(this.#read, id, seq);
-    return row && recordOfRow(row);
+    return storedCommand(this.#read, id, seq);
   }
 
   async commandsAfter(id: string, seq: number, limit: number): Promise<CommandRecord[]> {
-    return (await storedAfter(this.#read, id, { seq, limit })).map(recordOfRow);
+    return storedAfter(this.#read, id, { seq, limit });
   }
 
   async openCommands(id: string): Promise<CommandRecord[]> {

@@ -6,13 +6,14 @@
  *
  * All methods must be called within a step, except those of `commands` that only read.
  */
-import type { CommandRecord } from "@corridor/protocol";
-import { recordOfRow, type CommandRow } from "../../commands/command-row.ts";
+import { hasEnded, type CommandRecord } from "@corridor/protocol";
+import type { CommandRow } from "../../commands/command-row.ts";
 import { KeyIndex } from "../../commands/key-index.ts";
 import { RobotCommands, type AccessState } from "../../commands/robot-commands.ts";
 import type { Overtaking } from "../../commands/overtaking.ts";
 import { newestOvertaking } from "../../commands/page-transitions.ts";
-import type { KeysChange, RobotState } from "../../commands/robot-state.ts";
+import type { KeysChange, RobotState, SeqRange } from "../../commands/robot-state.ts";
+import { shownRecordIn } from "../../commands/stored-conditions.ts";
 import type { Permissions, StoredScript } from "../../commands/steps.ts";
 import { rowsIn } from "./command-entry.ts";
 import type { Statements } from "./file/statements.ts";
@@ -22,6 +23,7 @@ import { addKeys, keysIn, removeKeys } from "./sqlite-keys.ts";
 const BY_KEY = "SELECT entry FROM commands WHERE robot = ? AND driver = ? AND key = ?";
 const BY_SEQ = "SELECT entry FROM commands WHERE robot = ? AND seq = ?";
 const AFTER = "SELECT entry FROM commands WHERE robot = ? AND seq > ? ORDER BY seq LIMIT ?";
+const ENDED = "SELECT entry FROM commands WHERE robot = ? AND seq > ? AND seq <= ?";
 const NEWEST =
   "SELECT max(seq) AS found FROM commands WHERE robot = ? AND seq > ? AND overtakes = ?";
 
@@ -87,7 +89,16 @@ export class LiveRobot implements RobotState {
     const bySeq = new Map(inTables.map((row) => [row.seq, row]));
     for (const row of this.commands.rows()) if (row.seq > seq) bySeq.set(row.seq, row);
     const rows = [...bySeq.values()].toSorted((a, b) => a.seq - b.seq);
-    return rows.slice(0, limit).map(recordOfRow);
+    return rows.slice(0, limit).map((row) => shownRecordIn(this.commands, row));
+  }
+
+  ended({ after, upTo }: SeqRange): CommandRow[] {
+    const from = Math.max(after, this.commands.deletedUpTo);
+    const inTables = rowsIn(this.#statements, ENDED, [this.#id, from, upTo]);
+    const known = inTables.map((row) => this.commands.row(row.seq) ?? row);
+    const isMeant = ({ seq }: CommandRow): boolean => seq > from && seq <= upTo;
+    const rows = new Set([...known, ...this.commands.rows().filter(isMeant)]);
+    return [...rows].filter(({ state }) => hasEnded(state));
   }
 
   newest(overtakes: Overtaking, after: number): number | null {

@@ -9,6 +9,7 @@
 import type { CommandRecord } from "@corridor/protocol";
 import { z } from "zod";
 import { recordOfRow } from "../../commands/command-row.ts";
+import { shownRecordIn } from "../../commands/stored-conditions.ts";
 import type { RobotCommands } from "../../commands/robot-commands.ts";
 import type { RobotStep } from "../../commands/robot-state.ts";
 import type { LiveRobot } from "./live-robot.ts";
@@ -153,7 +154,7 @@ export class SqliteRobotStore implements RobotStore {
   command(id: string, seq: number): Promise<CommandRecord | null> {
     return this.#read(id, null, (robot) => {
       const row = robot.row(seq);
-      return row && recordOfRow(row);
+      return row && shownRecordIn(robot.commands, row);
     });
   }
 

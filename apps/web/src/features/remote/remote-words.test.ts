@@ -1,11 +1,11 @@
-import type { Command, CommandRecord } from "@corridor/protocol";
+import type { CommandRecord, RemoteCommand } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { commandText, cutShortAfter } from "../../text/command-text.ts";
 import { viewConnection } from "./connection-view.ts";
 import { maskKey, robotAddress } from "./robot-address.ts";
 
 describe("a command in the list", () => {
-  it.each<{ command: Command; text: string }>([
+  it.each<{ command: RemoteCommand; text: string }>([
     { command: { action: "left 90" }, text: "left 90" },
     { command: { action: "move", distance: 120 }, text: "move 120" },
     { command: { action: "turn", degrees: -45.5 }, text: "turn -45.5" },
@@ -13,6 +13,21 @@ describe("a command in the list", () => {
     {
       command: { action: "drive", left: 1, right: 0, milliseconds: 602 },
       text: "drive 1 0 602 ms",
+    },
+    {
+      command: { action: "forward", until: [{ sensor: "front", is: "<=", than: 60 }] },
+      text: "forward until front <= 60",
+    },
+    {
+      command: {
+        action: "reverse",
+        until: [{ sensor: "left", is: ">", than: "right", plus: -1 }, { goal: true }],
+      },
+      text: "reverse until left > right - 1, …",
+    },
+    {
+      command: { action: "drive", left: 0.5, right: 0.4, until: [{ goal: true }] },
+      text: "drive 0.5 0.4 until goal",
     },
   ])("reads $text", ({ command, text }) => {
     expect(commandText(command)).toBe(text);

@@ -4,14 +4,15 @@
  */
 import type { DeliveredCommand } from "@corridor/protocol";
 
-/** For `forward` and `reverse`: renewed by every message of their script. */
+/** For `forward`, `reverse` and guarded motions: renewed by every message of their script. */
 const FORWARD_MS = 3_000;
-/** For a drive without a lease of its own: renewed only by the next drive. */
+/** For a velocity without a lease of its own: renewed only by the next drive. */
 const DRIVE_MS = 500;
 
-/** Whether it is a velocity, of which only the newest value counts: a drive without a duration. */
+/** Whether it is a velocity, of which only the newest value counts: a drive without an end. */
 export function isVelocity({ command }: DeliveredCommand): boolean {
-  return command.action === "drive" && command.milliseconds === undefined;
+  const isDrive = command.action === "drive" && command.milliseconds === undefined;
+  return isDrive && command.until === undefined;
 }
 
 export class MotionLease {
@@ -30,7 +31,8 @@ export class MotionLease {
   /** The lease of a command that starts now; null for one that ends by itself. */
   static of(delivery: DeliveredCommand, now: number): MotionLease | null {
     const { command, driver, lease } = delivery;
-    if (command.action === "forward" || command.action === "reverse") {
+    const isGuarded = command.until !== undefined;
+    if (isGuarded || command.action === "forward" || command.action === "reverse") {
       return new MotionLease(driver, FORWARD_MS, true, now);
     }
     return isVelocity(delivery) ? new MotionLease(driver, lease ?? DRIVE_MS, false, now) : null;

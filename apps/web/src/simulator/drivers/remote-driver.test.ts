@@ -1,15 +1,15 @@
 /** Remote commands in the robot, as reported to the relay. */
-import type { Command, DeliveredCommand } from "@corridor/protocol";
+import type { DeliveredCommand, RemoteCommand } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { Bench, deliveryOf } from "../worker/testing/bench.ts";
 
-const MOVE: Command = { action: "move", distance: 100 };
+const MOVE: RemoteCommand = { action: "move", distance: 100 };
 
 function robot() {
   const bench = new Bench();
   bench.loop.setDriver("remote");
   let seq = 0;
-  const deliver = (command: Command, change: Partial<DeliveredCommand> = {}): void => {
+  const deliver = (command: RemoteCommand, change: Partial<DeliveredCommand> = {}): void => {
     const acceptedAt = new Date(bench.time).toISOString();
     bench.loop.accept(deliveryOf(++seq, command, { acceptedAt, ...change }));
   };
@@ -168,8 +168,121 @@ describe("a motion without an end", () => {
   });
 });
 
+describe("a guarded motion", () => {
+  const until = (than: number) => [{ sensor: "front" as const, is: "<=" as const, than }];
+  /** The first maze: a corridor ahead of the robot. */
+  const front = ({ loop }: Bench) => loop.snapshot().sensors.front;
+
+  it("ends as completed on the first tick on which a condition is true", () => {
+    const { bench, deliver } = robot();
+    const limit = front(bench) - 30.5;
+    deliver({ action: "forward", until: until(limit) });
+    bench.pass(2_000);
+    expect(bench.story).toEqual(["started 1", "completed 1"]);
+    expect(front(bench)).toBeLessThanOrEqual(limit);
+    // One tick of forward is less than 2 cm.
+    expect(front(bench)).toBeGreaterThan(limit - 2);
+    expect(bench.endings.get(1)).toMatchObject({ pose: bench.loop.snapshot().pose });
+    expect(bench.loop.snapshot()).toMatchObject({ motion: "stop", command: null });
+  });
+
+  it("does not move if a condition is true at its start, and stops the motion before it", () => {
+    const { bench, deliver } = robot();
+    deliver({ action: "forward" });
+    bench.pass(100);
+    const { pose } = bench.loop.snapshot();
+    deliver({ action: "forward", until: until(10_000) });
+    bench.pass(100);
+    expect(bench.story).toEqual(["started 1", "completed 1", "started 2", "completed 2"]);
+    expect(bench.endings.get(2)).toMatchObject({ distance: 0, pose });
+    expect(bench.loop.snapshot()).toMatchObject({ motion: "stop", pose });
+  });
+
+  it("ends as collided if it meets a wall, even on the tick on which a condition is true", () => {
+    const { bench, deliver } = robot();
+    // No reading is smaller than the robot's radius, so this is true only in contact.
+    deliver({ action: "forward", until: until(25) });
+    bench.pass(20_000);
+    expect(bench.story).toEqual(["started 1", "collided 1"]);
+    expect(front(bench)).toBeLessThanOrEqual(25);
+  });
+
+  it("lets the next command wait for its end, also a stop in the queue and another drive", () => {
+    const { bench, deliver } = robot();
+    deliver({ action: "drive", left: 0.2, right: 0.2, until: until(front(bench) - 50) });
+    deliver({ action: "drive", left: 0.1, right: 0.1, until: until(0) });
+    deliver({ action: "drive", left: -0.1, right: -0.1, until: until(10_000) });
+    bench.pass(600);
+    expect(bench.story).toEqual(["started 1"]);
+    bench.pass(800);
+    expect(bench.story).toEqual(["started 1", "completed 1", "started 2"]);
+  });
+
+  it.each([
+    { name: "its sender", cancel: ({ loop }: Bench) => loop.remote?.cancelOne(1) },
+    { name: "a stop", cancel: ({ loop }: Bench) => loop.cancelRemote("stopped") },
+  ])("is cancelled by $name", ({ cancel }) => {
+    const { bench, deliver } = robot();
+    deliver({ action: "forward", until: until(0) });
+    bench.pass(100);
+    cancel(bench);
+    bench.pass(100);
+    expect(bench.story).toEqual(["started 1", "cancelled 1"]);
+  });
+
+  it("is superseded by a command that replaces", () => {
+    const { bench, deliver } = robot();
+    deliver({ action: "forward", until: until(0) });
+    bench.pass(100);
+    deliver(MOVE, { replace: true });
+    bench.pass(100);
+    expect(bench.story).toEqual(["started 1", "superseded 1", "started 2"]);
+  });
+
+  it("is not part of a burst of wheel powers: each one runs", () => {
+    const { bench, deliver } = robot();
+    bench.loop.remote?.reset();
+    for (let n = 0; n < 6; n++) {
+      deliver({ action: "drive", left: 0.1, right: 0.1, until: until(10_000) });
+    }
+    bench.pass(200);
+    expect(bench.story.filter((each) => each.startsWith("completed"))).toHaveLength(6);
+  });
+
+  it.each([
+    { name: "forward", command: { action: "forward", until: until(0) } },
+    { name: "drive", command: { action: "drive", left: 0.1, right: -0.1, until: until(0) } },
+  ] satisfies { name: string; command: RemoteCommand }[])(
+    "by $name stops 3 s after the last message of its script",
+    ({ command }) => {
+      const { bench, deliver } = robot();
+      bench.loop.setSpeed(0.25);
+      deliver(command);
+      bench.pass(2_000);
+      bench.loop.remote?.renew([{ driver: "Zx81qP", silentMs: 0, connectionMs: null }]);
+      bench.pass(2_900);
+      expect(bench.story).toEqual(["started 1"]);
+      bench.pass(200);
+      expect(bench.story).toEqual(["started 1", "cancelled 1"]);
+    },
+  );
+
+  it("ends in a goal", () => {
+    const { bench, deliver } = robot();
+    const { start } = bench.loop.maze;
+    bench.loop.editMaze({
+      ...bench.loop.maze,
+      goals: [{ column: start.column, row: start.row }],
+    });
+    deliver({ action: "forward", until: [{ goal: true }] });
+    bench.pass(100);
+    expect(bench.story).toEqual(["started 1", "completed 1"]);
+    expect(bench.endings.get(1)).toMatchObject({ distance: 0 });
+  });
+});
+
 describe("a burst of wheel powers", () => {
-  const drive = (left: number): Command => ({ action: "drive", left, right: 0.1 });
+  const drive = (left: number): RemoteCommand => ({ action: "drive", left, right: 0.1 });
 
   it("counts only the newest, between two ticks", () => {
     const { bench, deliver } = robot();

@@ -1,13 +1,14 @@
 /**
- * Driving by remote commands: they start in the order of their seq, a manoeuvre runs to its end,
- * and a motion without an end lasts until the next command or until its lease expires. Only the
- * robot ends a delivered command, and it ends each exactly once. It measures ttls with its own
+ * Driving by remote commands: they start in the order of their seq. A manoeuvre runs to its end, and
+ * a guarded motion until one of its conditions is true. A motion without an end lasts until the next
+ * command. A motion whose lease expires is cancelled. Only the robot ends a delivered command, and it ends each exactly once. It measures ttls with its own
  * clock.
  */
 import type { AliveDriver, DeliveredCommand, EndingState, Pose } from "@corridor/protocol";
 import type { Run, RunInput } from "@corridor/recording";
 import { BurstGuard } from "./burst-guard.ts";
 import type { CancelReason } from "../protocol/cancel-reason.ts";
+import { MotionGuard } from "./motion-guard.ts";
 import { isVelocity, MotionLease } from "./motion-lease.ts";
 
 export interface Ending {
@@ -28,7 +29,10 @@ export interface RemoteDriverEvents {
 
 /** The driven robot: its state, and where commands go. */
 export interface RemoteRobot {
-  readonly run: Pick<Run, "command" | "commandEnding" | "distance" | "isManoeuvring" | "pose">;
+  readonly run: Pick<
+    Run,
+    "command" | "commandEnding" | "distance" | "isInGoal" | "isManoeuvring" | "pose" | "readings"
+  >;
   addInput(input: RunInput): boolean;
 }
 
@@ -43,6 +47,8 @@ interface Running {
   /** units driven before it */
   distance: number;
   lease: MotionLease | null;
+  /** of a guarded motion */
+  guard: MotionGuard | null;
 }
 
 export class RemoteDriver {
@@ -113,30 +119,41 @@ export class RemoteDriver {
     for (const { delivery } of expired) this.#report(delivery.seq, "expired", null, 0);
   }
 
-  /** Before a tick: starts the next command unless a manoeuvre runs. */
+  /** Before a tick: starts the next command unless a manoeuvre or a guarded motion runs. */
   start(): void {
     const { run } = this.#robot;
     const next = this.#queue[0]?.delivery;
-    if (next === undefined || run.isManoeuvring) return;
+    if (next === undefined || run.isManoeuvring || this.#isGuarded) return;
     const now = this.#now();
     if (isVelocity(next) && this.#bursts.isHeld(now)) return;
     this.#queue.shift();
+    const wasMoving = this.#running !== null;
     this.#end("completed", null);
-    this.#running = {
-      seq: next.seq,
-      distance: run.distance,
-      lease: MotionLease.of(next, now),
-    };
-    this.#robot.addInput({ do: "command", command: next.command, seq: next.seq });
-    this.#events.started(next.seq);
-    this.finish();
+    const guard = MotionGuard.of(next);
+    const { seq } = next;
+    this.#running = { seq, distance: run.distance, lease: MotionLease.of(next, now), guard };
+    // A motion whose condition is true already does not begin.
+    const isOver = guard?.isTrue(run) === true;
+    // Recorded runs contain no conditions, but the tick on which the motion was cancelled.
+    const { until: _until, ...command } = next.command;
+    if (!isOver) this.#robot.addInput({ do: "command", command, seq });
+    else if (wasMoving) this.#robot.addInput({ do: "cancel" });
+    this.#events.started(seq);
+    if (isOver) this.#end("completed", null);
+    else this.finish();
   }
 
-  /** After a tick: ends the command whose manoeuvre is complete or that ran into a wall. */
+  /**
+   * After a tick: ends the command whose manoeuvre is complete or that ran into a wall, and the
+   * guarded motion of which a condition is true. A collision takes precedence.
+   */
   finish(): void {
     const { run } = this.#robot;
-    if (this.#running === null || run.command !== null) return;
-    this.#end(run.commandEnding ?? "completed", null);
+    if (this.#running === null) return;
+    if (run.command === null) return this.#end(run.commandEnding ?? "completed", null);
+    if (this.#running.guard?.isTrue(run) !== true) return;
+    this.#end("completed", null);
+    this.#robot.addInput({ do: "cancel" });
   }
 
   /** Ends the running and every queued command; the caller stops the robot. */
@@ -165,6 +182,11 @@ export class RemoteDriver {
 
   get #robot(): RemoteRobot {
     return this.#robotNow();
+  }
+
+  /** Whether a guarded motion runs, for whose end the next command waits. */
+  get #isGuarded(): boolean {
+    return this.#running !== null && this.#running.guard !== null;
   }
 
   /** Of consecutive velocities of one script in the queue, only the newest counts. */

@@ -1,7 +1,7 @@
 /** A run loop in tests, with its own clock and a script. */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
-import type { Command, DeliveredCommand, Snapshot } from "@corridor/protocol";
+import type { DeliveredCommand, RemoteCommand, Snapshot } from "@corridor/protocol";
 import { RemoteDriver, type Ending } from "../../drivers/remote-driver.ts";
 import { firstMaze, firstProgram } from "../../protocol/first-project.ts";
 import { RunLoop } from "../run-loop.ts";
@@ -44,7 +44,7 @@ export class Bench {
     return update.frame;
   }
 
-  deliver(command: Command): void {
+  deliver(command: RemoteCommand): void {
     this.loop.accept(deliveryOf(++this.#seq, command));
   }
 }
@@ -52,7 +52,7 @@ export class Bench {
 /** A command as the relay delivers it, with plenty of time. */
 export function deliveryOf(
   seq: number,
-  command: Command,
+  command: RemoteCommand,
   change: Partial<DeliveredCommand> = {},
 ): DeliveredCommand {
   return {
