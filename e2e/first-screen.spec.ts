@@ -8,8 +8,8 @@ import { CorridorPage } from "./pages/corridor-page.ts";
 
 const KIB = 1024;
 /** the goals of docs/performance.md */
-const SCRIPT_BUDGET = 155.5 * KIB;
-const WHOLE_BUDGET = 225.4 * KIB;
+const SCRIPT_BUDGET = 156.5 * KIB;
+const WHOLE_BUDGET = 226.4 * KIB;
 
 interface Loaded {
   path: string;
