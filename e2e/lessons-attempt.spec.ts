@@ -173,7 +173,7 @@ test("offers only what the mission allows in the menus", async ({ corridor, page
   ]);
   await expect(corridor.program.button("Add line")).toBeDisabled();
   await expect(corridor.program.button("Add line")).toHaveAccessibleDescription(
-    "You can use 1 line here.",
+    "You can use 1 line here. “Otherwise” does not count.",
   );
   // The maze is fixed, and a message reports it.
   await corridor.maze.click({ column: 3, row: 1 });
