@@ -4,6 +4,8 @@ export interface TestReport {
   passed: number;
   failed: number;
   skipped: number;
+  /** the number of passed tests that passed only on a retry */
+  flaky?: number;
   /** the titles of the failed tests, with their files */
   failures: string[];
 }
@@ -30,10 +32,12 @@ export function parseVitestReport(text: string): TestReport {
 export function parsePlaywrightReport(text: string): TestReport {
   const report: unknown = JSON.parse(text);
   const stats = fieldOf(report, "stats");
+  const flaky = numberAt(stats, "flaky");
   return {
-    passed: numberAt(stats, "expected"),
+    passed: numberAt(stats, "expected") + flaky,
     failed: numberAt(stats, "unexpected"),
     skipped: numberAt(stats, "skipped"),
+    flaky,
     failures: listAt(report, "suites").flatMap(failedSpecs),
   };
 }
