@@ -26,7 +26,8 @@ test("reopens paused, at the same place, after a reload while the robot drives",
   corridor,
 }) => {
   await corridor.run.click();
-  await expect(corridor.clock).toHaveText(/Time 0:0[2-9]\.\d/);
+  // The stored state can be some tenths of a second old.
+  await expect(corridor.clock).toHaveText(/Time 0:0[3-9]\.\d/);
   await corridor.reload();
   await expect(corridor.run).toBeVisible();
   await expect(corridor.clock).toHaveText(/Time 0:0[2-9]\.\d/);
