@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { Dashboard } from "../../model/classroom/dashboard.ts";
 import { seenStudent } from "../../model/classroom/testing/seen-student.ts";
+import { emptyTask } from "../../simulator/classroom-worker/student-work.ts";
 import type { ClassTime, SeenStudent } from "../../simulator/protocol/classroom-messages.ts";
 import { cardTime } from "./use-card.ts";
 
@@ -18,20 +19,7 @@ function timeAfter(ms: number, change: Partial<ClassTime> = {}, isSolved = false
     verify: () => undefined,
   });
   const student: SeenStudent = seenStudent(1, {
-    tasks: [
-      {
-        task: 1,
-        openedAt: OPENED,
-        claims: [],
-        attempts: 0,
-        runs: 0,
-        bumps: 0,
-        failedChecks: 0,
-        hints: 0,
-        mistakes: 0,
-        failures: [],
-      },
-    ],
+    tasks: [{ ...emptyTask(1), openedAt: OPENED }],
   });
   dashboard.receive({ type: "students", changed: [student], removed: [] });
   const time = { at: START, activeMs: 0, pauseEndsAt: null, ahead: 0, ...change };

@@ -2,7 +2,7 @@
  * The classes that a teacher runs from this device: the key, and what the service never receives.
  * An entry lasts until the class ends, so a closed tab loses no lesson.
  */
-import type { KeyValueStorage } from "../storage/key-value-storage.ts";
+import { keysUnder, type KeyValueStorage } from "../storage/key-value-storage.ts";
 
 export interface OwnClass {
   id: string;
@@ -33,9 +33,7 @@ export class OwnClasses {
 
   /** The newest first. Removes the entries of classes that must have ended. */
   list(): OwnClass[] {
-    const keys = Array.from({ length: this.#device.length }, (_, at) => this.#device.key(at));
-    const ids = keys.flatMap((key) => (key?.startsWith(PREFIX) === true ? [key] : []));
-    return ids
+    return keysUnder(this.#device, PREFIX)
       .map((key) => key.slice(PREFIX.length))
       .flatMap((id) => this.read(id) ?? [])
       .filter(({ id, startedAt }) => {

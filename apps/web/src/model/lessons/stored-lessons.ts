@@ -5,7 +5,7 @@
 import { lessonMark, type LessonDocument } from "@corridor/challenge";
 import type { TaskPlace } from "../challenge/challenge-store.ts";
 import { challengeKey } from "../projects/project-storage.ts";
-import type { KeyValueStorage } from "../storage/key-value-storage.ts";
+import { keysUnder, type KeyValueStorage } from "../storage/key-value-storage.ts";
 import { readLessonText, writeLessonText } from "./lesson-text.ts";
 
 const PREFIX = "corridor.lesson.";
@@ -70,16 +70,13 @@ export class StoredLessons {
 
   /** Deletes lessons to which no project refers any more. */
   sweep(): void {
-    const references = this.#keys(challengeKey("")).map((key) => this.#device.getItem(key) ?? "");
+    const references = keysUnder(this.#device, challengeKey("")).map(
+      (key) => this.#device.getItem(key) ?? "",
+    );
     const used = new Set(references.map((text) => readReference(text)?.lesson));
-    for (const key of this.#keys(PREFIX)) {
+    for (const key of keysUnder(this.#device, PREFIX)) {
       if (!used.has(key.slice(PREFIX.length))) this.#device.removeItem(key);
     }
-  }
-
-  #keys(prefix: string): string[] {
-    const keys = Array.from({ length: this.#device.length }, (_, index) => this.#device.key(index));
-    return keys.filter((key) => key !== null).filter((key) => key.startsWith(prefix));
   }
 
   #read(id: string): StoredLesson | null {

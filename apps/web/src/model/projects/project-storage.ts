@@ -12,7 +12,7 @@
  */
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
-import type { KeyValueStorage } from "../storage/key-value-storage.ts";
+import { keysUnder, type KeyValueStorage } from "../storage/key-value-storage.ts";
 
 export interface Project {
   id: string;
@@ -61,13 +61,16 @@ export class ProjectStorage {
 
   /** Whether nothing is stored, including entries moved aside. */
   get isEmpty(): boolean {
-    return this.#keys(PROJECT_PREFIX).length === 0 && this.#keys(ASIDE_PREFIX).length === 0;
+    return (
+      keysUnder(this.#storage, PROJECT_PREFIX).length === 0 &&
+      keysUnder(this.#storage, ASIDE_PREFIX).length === 0
+    );
   }
 
   /** All readable projects, newest first. */
   list(): Project[] {
     const projects: Project[] = [];
-    for (const key of this.#keys(PROJECT_PREFIX)) {
+    for (const key of keysUnder(this.#storage, PROJECT_PREFIX)) {
       const result = this.#readEntry(key);
       if (result?.ok === true) projects.push(result.value);
     }
@@ -80,13 +83,13 @@ export class ProjectStorage {
    * @returns the entries that were moved aside now
    */
   sweep(): DamagedEntry[] {
-    for (const key of this.#keys(ASIDE_PREFIX)) {
+    for (const key of keysUnder(this.#storage, ASIDE_PREFIX)) {
       const home = PROJECT_PREFIX + key.slice(ASIDE_PREFIX.length);
       if (this.#storage.getItem(home) !== null) continue;
       if (this.#readEntry(key)?.ok === true) this.#rename(key, home);
     }
     const damaged: DamagedEntry[] = [];
-    for (const key of this.#keys(PROJECT_PREFIX)) {
+    for (const key of keysUnder(this.#storage, PROJECT_PREFIX)) {
       const result = this.#readEntry(key);
       if (result === null || result.ok) continue;
       this.#rename(key, ASIDE_PREFIX + key.slice(PROJECT_PREFIX.length));
@@ -97,7 +100,7 @@ export class ProjectStorage {
 
   /** Deletes challenges without a project, left by a crashed browser or an older Corridor. */
   sweepChallenges(): void {
-    for (const key of this.#keys(CHALLENGE_PREFIX)) {
+    for (const key of keysUnder(this.#storage, CHALLENGE_PREFIX)) {
       const id = key.slice(CHALLENGE_PREFIX.length);
       const isNeeded = this.has(id) || this.#storage.getItem(ASIDE_PREFIX + id) !== null;
       if (!isNeeded) this.#storage.removeItem(key);
@@ -138,7 +141,7 @@ export class ProjectStorage {
     if (challenge !== null) this.#storage.setItem(challengeKey(project.id), challenge);
     this.#storage.setItem(PROJECT_PREFIX + project.id, text);
     this.#cache.set(project.id, { text, result: { ok: true, value: project } });
-    if (this.#keys(PROJECT_PREFIX).length <= MAX_PROJECTS) return;
+    if (keysUnder(this.#storage, PROJECT_PREFIX).length <= MAX_PROJECTS) return;
     const projects = this.list();
     const droppable = projects.filter((each) => !each.edited && each.id !== project.id);
     const surplus = Math.min(projects.length - MAX_PROJECTS, droppable.length);
@@ -158,15 +161,6 @@ export class ProjectStorage {
     this.#storage.removeItem(challengeKey(id));
     this.#cache.delete(id);
     return challenge;
-  }
-
-  #keys(prefix: string): string[] {
-    const keys: string[] = [];
-    for (let index = 0; index < this.#storage.length; index++) {
-      const key = this.#storage.key(index);
-      if (key?.startsWith(prefix) === true) keys.push(key);
-    }
-    return keys;
   }
 
   /** null if nothing is stored, and for entries of other tabs until the parser has loaded */

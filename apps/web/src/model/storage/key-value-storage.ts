@@ -6,6 +6,12 @@ export type KeyValueStorage = Pick<
   "length" | "key" | "getItem" | "setItem" | "removeItem"
 >;
 
+/** All keys that start with `prefix`, in no particular order. */
+export function keysUnder(storage: KeyValueStorage, prefix: string): string[] {
+  const keys = Array.from({ length: storage.length }, (_, index) => storage.key(index));
+  return keys.flatMap((key) => (key?.startsWith(prefix) === true ? [key] : []));
+}
+
 /**
  * The browser's storage or, if it is forbidden, an empty one that refuses writes.
  * @param open reads `localStorage` or `sessionStorage`, which may throw

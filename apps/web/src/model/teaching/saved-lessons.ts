@@ -4,7 +4,7 @@
  * listed: a later Corridor may read it.
  */
 import type { LessonDocument } from "@corridor/challenge";
-import type { KeyValueStorage } from "../storage/key-value-storage.ts";
+import { keysUnder, type KeyValueStorage } from "../storage/key-value-storage.ts";
 import { readDraft, writeDraft } from "./draft-text.ts";
 import { readSolutions, type Solutions } from "./solution.ts";
 
@@ -79,10 +79,7 @@ export class SavedLessons {
   }
 
   #ids(): string[] {
-    const keys = Array.from({ length: this.#device.length }, (_, at) => this.#device.key(at));
-    return keys.flatMap((key) =>
-      key?.startsWith(PREFIX) === true ? [key.slice(PREFIX.length)] : [],
-    );
+    return keysUnder(this.#device, PREFIX).map((key) => key.slice(PREFIX.length));
   }
 }
 

@@ -2,7 +2,7 @@
  * The reports of classes that a teacher saved on this device, each under its own key. The table of a
  * report has the words by which students were known in the class, and no text that a student typed.
  */
-import type { KeyValueStorage } from "../storage/key-value-storage.ts";
+import { keysUnder, type KeyValueStorage } from "../storage/key-value-storage.ts";
 
 export interface SavedReport {
   id: string;
@@ -81,9 +81,6 @@ export class SavedReports {
   }
 
   #ids(): string[] {
-    const keys = Array.from({ length: this.#device.length }, (_, at) => this.#device.key(at));
-    return keys.flatMap((key) =>
-      key?.startsWith(PREFIX) === true ? [key.slice(PREFIX.length)] : [],
-    );
+    return keysUnder(this.#device, PREFIX).map((key) => key.slice(PREFIX.length));
   }
 }

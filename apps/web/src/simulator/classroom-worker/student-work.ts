@@ -160,7 +160,8 @@ export function taskOf({ tasks }: Pick<Work, "tasks">, task: number): TaskWork {
   return tasks.find((each) => each.task === task) ?? emptyTask(task);
 }
 
-function emptyTask(task: number): TaskWork {
+/** A task in which nothing has happened. */
+export function emptyTask(task: number): TaskWork {
   return {
     task,
     openedAt: null,
