@@ -196,6 +196,27 @@ test("says one verdict of a failed mission, and nothing of it after Reset", asyn
   expect(texts.filter((text) => /^(Bump at|Time is up)|Press Reset/.test(text))).toEqual([verdict]);
 });
 
+for (const delay of [0, 1000]) {
+  test(`says last that the robot is back, with announcements that load ${delay} ms late`, async ({
+    corridor,
+    page,
+  }) => {
+    await page.route("**/announce-run-*.js", async (route) => {
+      await page.waitForTimeout(delay);
+      await route.continue();
+    });
+    const lessons = new LessonsPanel(page);
+    await lessons.openMission(6);
+    await corridor.speed.selectOption("max");
+    const loaded = page.waitForResponse("**/announce-run-*.js");
+    await corridor.run.click();
+    await expect(lessons.outcome).toHaveText(/^Bump at /);
+    await corridor.reset.click();
+    await loaded;
+    await expect(corridor.announcement).toHaveText("The robot is back at its start.");
+  });
+}
+
 test("describes the robot on request, once as an announcement and once as text", async ({
   corridor,
   page,

@@ -42,7 +42,9 @@ export function SpokenRun() {
       ]).then(
         ([{ announceRun }]) => {
           const words = () => ({ t: i18n.t, language: i18n.language });
-          if (!hasEnded) end = announceRun(services, before, words);
+          const { nowTick, event } = run.getState();
+          const isReset = nowTick === 0 && event === null;
+          if (!hasEnded) end = announceRun(services, isReset ? state : before, words);
         },
         // If the file fails to load, the run is not announced. The screen shows everything.
         () => undefined,

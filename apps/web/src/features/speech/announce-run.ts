@@ -62,6 +62,7 @@ export function announceRun(
         speech.dropState();
         return;
       case "at-start":
+        speech.drop("run event");
         announceState(spoken(words().t)("runDetails:speech.atStart"));
         return;
       case "playing":

@@ -177,6 +177,14 @@ describe("RunListener", () => {
     });
   });
 
+  it("notes the way back to the start of a run that ended before its first frame", () => {
+    expect(noted({ event: bump, tick: 0 }, { event: null }, { seq: 1 })).toEqual([
+      { kind: "event", event: bump },
+      { kind: "at-start" },
+      null,
+    ]);
+  });
+
   it("notes nothing while a hand or a script drives", () => {
     expect(
       noted(

@@ -35,12 +35,15 @@ export class RunListener {
   /** whether the last announced line has not started its announced turn yet */
   #isTurnAnnounced = false;
   #wasTooFast = false;
+  /** whether the robot has left its start; at the highest speed an event may precede all frames */
+  #hasRun: boolean;
   /** tick at which the robot started */
   #runsFrom = 0;
 
   /** @param state the initial state, which is not announced */
   constructor(state: LastState) {
     this.#before = state;
+    this.#hasRun = hasRun(state);
   }
 
   /** @returns the announcement for the new state; null if there is none */
@@ -49,11 +52,15 @@ export class RunListener {
     this.#before = state;
     const { snapshot, event, view, nowTick } = state;
     if (snapshot === null) return null;
+    this.#hasRun ||= hasRun(state);
     if (event !== null && event !== before.event) return { kind: "event", event };
     if (view !== before.view) return viewAnnouncement(view);
     const tick = before.snapshot?.tick ?? 0;
     if (view === "past") return snapshot.tick === tick ? null : { kind: "past", isFirst: false };
-    if (nowTick === 0 && before.nowTick > 0) return { kind: "at-start" };
+    if (this.#hasRun && nowTick === 0 && snapshot !== before.snapshot) {
+      this.#hasRun = false;
+      return { kind: "at-start" };
+    }
     if (snapshot.state !== "running") return this.#atRest(before, state, tick);
     return this.#whileRunning(before, state, program);
   }
@@ -109,6 +116,10 @@ export class RunListener {
     this.#isTurnAnnounced = false;
     return wasAnnounced ? null : { kind: "decision", line, isTurn };
   }
+}
+
+function hasRun({ nowTick, event }: LastState): boolean {
+  return nowTick > 0 || event !== null;
 }
 
 function viewAnnouncement(view: RunState["view"]): RunAnnouncement {

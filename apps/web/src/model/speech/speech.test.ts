@@ -31,6 +31,17 @@ describe("Speech", () => {
     expect(said).toEqual(["Bump: look at line 1.", "The robot is back at its start."]);
   });
 
+  it("drops the pending bump of a run that is over", () => {
+    const { speech, said, wait } = listen();
+    speech.announce("Stored.");
+    speech.announce("Bump.", "run event");
+    speech.drop("run event");
+    speech.speak({ kind: "state", text: "The robot is back at its start.", about: null });
+    wait();
+    wait();
+    expect(said).toEqual(["Stored.", "The robot is back at its start."]);
+  });
+
   it("clears a withdrawn verdict that is still displayed", () => {
     const { speech, said } = listen();
     speech.announceState("mission", "Time is up after 20 s.");

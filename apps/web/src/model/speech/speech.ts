@@ -73,6 +73,11 @@ export class Speech {
     if (text !== null) this.announcement.setState({ text });
   }
 
+  /** Drops pending events about a subject, which are out of date. */
+  drop(about: string): void {
+    this.#queue.drop(about);
+  }
+
   /** Drops a pending state, because the run is too fast or is no longer announced. */
   dropState(): void {
     this.#queue.dropState();
