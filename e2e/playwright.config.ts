@@ -11,8 +11,6 @@ export default defineConfig({
   workers: 3,
   timeout: 60_000,
   expect: { timeout: 15_000 },
-  // A busy machine can lose a tap. The summary names every test that passed only on a retry.
-  retries: 1,
   forbidOnly: process.env["CI"] !== undefined,
   reporter: report === undefined ? "list" : [["list"], ["json", { outputFile: report }]],
   outputDir: "../test-results",

@@ -24,7 +24,7 @@ const failures: string[] = [];
 const folder = mkdtempSync(join(tmpdir(), "corridor-test-"));
 type Counts = Omit<TestReport, "failures"> & Partial<TestReport>;
 
-const total = { passed: 0, failed: 0, skipped: 0, flaky: 0 };
+const total = { passed: 0, failed: 0, skipped: 0 };
 
 const hasRequirements = [check("Python", requirePython), check("browser", requireChromium)].every(
   Boolean,
@@ -62,9 +62,6 @@ if (total.skipped > 0) {
   process.stdout.write(
     `\n${total.skipped} skipped: this machine or its package registry lacks a requirement\n`,
   );
-}
-if (total.flaky > 0) {
-  process.stdout.write(`\n${total.flaky} passed only on a retry: see "flaky" above\n`);
 }
 if (failures.length > 0) process.stdout.write(`\nFailed:\n${failures.join("\n")}\n`);
 process.stdout.write(`\n${total.passed} passed, ${total.failed} failed\n`);
@@ -145,6 +142,5 @@ function add(name: string, counts: Counts): void {
   total.passed += counts.passed;
   total.failed += counts.failed;
   total.skipped += counts.skipped;
-  total.flaky += counts.flaky ?? 0;
   process.stdout.write(`-- ${name}: ${counts.passed} passed, ${counts.failed} failed\n`);
 }
