@@ -9,6 +9,9 @@ import { expectNoAxeViolations } from "./support/axe.ts";
 import { horizontalOverflow, smallTouchTargets } from "./support/layout.ts";
 import { openMoreSection } from "./support/remote-panel.ts";
 
+// Texts and layouts are the same without motion, and no test waits for an animation.
+test.use({ contextOptions: { reducedMotion: "reduce" } });
+
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
 test("has no axe violations in the program, while it runs and when it bumps", async ({

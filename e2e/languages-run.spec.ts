@@ -9,6 +9,9 @@ import { waitForAnimations } from "./support/wait-for-animations.ts";
 import { unreadableTexts } from "./support/layout.ts";
 import { languageTags, Texts } from "./support/texts.ts";
 
+// Texts and layouts are the same without motion, and no test waits for an animation.
+test.use({ contextOptions: { reducedMotion: "reduce" } });
+
 const sizes = [
   { width: 320, height: 640 },
   { width: 1024, height: 768 },

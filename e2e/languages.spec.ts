@@ -12,6 +12,9 @@ import { unreadableTexts } from "./support/layout.ts";
 import { ScriptedStudent } from "./support/scripted-student.ts";
 import { languageTags, Texts } from "./support/texts.ts";
 
+// Texts and layouts are the same without motion, and no test waits for an animation.
+test.use({ contextOptions: { reducedMotion: "reduce" } });
+
 const languages = [
   {
     name: "the pseudolocale, 40 % longer than English",

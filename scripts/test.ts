@@ -1,9 +1,10 @@
 /**
  * `npm test`: types, lint, format, spelling, unused code, audit, unit tests, exhaustive tests,
- * integration tests, component tests, Python tests, build, end-to-end tests. Every stage runs even
- * if an earlier stage failed. The last line prints the totals.
+ * integration tests beside the Python tests, component tests, build, end-to-end tests. Every stage
+ * runs even if an earlier stage failed. The last line prints the totals.
  */
-import { spawnSync } from "node:child_process";
+import { spawn } from "node:child_process";
+import { once } from "node:events";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -22,6 +23,7 @@ import {
 /** Repeated at the end, because the output is long. */
 const failures: string[] = [];
 const folder = mkdtempSync(join(tmpdir(), "corridor-test-"));
+type Output = "inherit" | "pipe";
 type Counts = Omit<TestReport, "failures"> & Partial<TestReport>;
 
 const total = { passed: 0, failed: 0, skipped: 0 };
@@ -33,26 +35,28 @@ const hasRequirements = [check("Python", requirePython), check("browser", requir
 if (!check("Redis", requireRedis)) add("Redis", { passed: 0, failed: 1, skipped: 0 });
 tryInstallHeadlessShell();
 tryInstallJava();
-stage("types", ["tsc", "-b"]);
-stage("lint", ["oxlint", "--max-warnings", "0"]);
-stage("format", ["oxfmt", "--check"]);
-stage("spelling", ["cspell", "--no-progress", "--no-summary"]);
-stage("unused code", ["knip"]);
+await stage("types", ["tsc", "-b"]);
+await stage("lint", ["oxlint", "--max-warnings", "0"]);
+await stage("format", ["oxfmt", "--check"]);
+await stage("spelling", ["cspell", "--no-progress", "--no-summary"]);
+await stage("unused code", ["knip"]);
 auditStage();
-vitestStage("unit");
-vitestStage("exhaustive");
-vitestStage("integration");
-if (hasRequirements) vitestStage("components");
+await vitestStage("unit");
+await vitestStage("exhaustive");
+// The Python tests use one core, and the integration tests wait for timeouts: together they save
+// the time of the Python tests.
+const python = check("Python test tools", requirePythonTools)
+  ? testStage("python", [...pythonTests], parseJunitReport, "pipe")
+  : null;
+await vitestStage("integration");
+if (python === null) add("python", { passed: 0, failed: 1, skipped: 0 });
+await python;
+if (hasRequirements) await vitestStage("components");
 else add("components", { passed: 0, failed: 1, skipped: 0 });
-if (check("Python test tools", requirePythonTools)) {
-  testStage("python", [...pythonTests], parseJunitReport);
-} else {
-  add("python", { passed: 0, failed: 1, skipped: 0 });
-}
-const isBuilt = stage("build", ["npm", "run", "build"]);
+const isBuilt = await stage("build", ["npm", "run", "build"]);
 if (hasRequirements && isBuilt) {
   const args = ["playwright", "test", "--config", "e2e/playwright.config.ts"];
-  testStage("end to end", args, parsePlaywrightReport);
+  await testStage("end to end", args, parsePlaywrightReport);
 } else {
   add("end to end", { passed: 0, failed: 1, skipped: 0 });
 }
@@ -68,8 +72,8 @@ process.stdout.write(`\n${total.passed} passed, ${total.failed} failed\n`);
 process.exitCode = total.failed > 0 ? 1 : 0;
 
 /** Runs a stage that passes or fails as a whole. @returns whether it passed */
-function stage(name: string, args: string[]): boolean {
-  const passed = run(name, args, {}) === 0;
+async function stage(name: string, args: string[]): Promise<boolean> {
+  const passed = (await run(name, args, {})) === 0;
   add(name, { passed: passed ? 1 : 0, failed: passed ? 0 : 1, skipped: 0 });
   return passed;
 }
@@ -85,18 +89,23 @@ function auditStage(): void {
   add("audit", counts);
 }
 
-/** Runs a test runner that writes a report to a file, and counts the tests in the report. */
-function testStage(
+/**
+ * Runs a test runner that writes a report to a file, and counts the tests in the report.
+ * @param output "pipe" prints the output at the end, because another stage prints meanwhile
+ */
+async function testStage(
   name: string,
   args: string[],
   parseReport: (report: string) => TestReport,
-): void {
+  output: Output = "inherit",
+): Promise<void> {
   const file = join(folder, `${name.replaceAll(" ", "-")}.report`);
-  const code = run(name, args, {
+  const reports = {
     VITEST_JSON_REPORT: file,
     PLAYWRIGHT_JSON_OUTPUT_NAME: file,
     PYTEST_ADDOPTS: `--junitxml=${file}`,
-  });
+  };
+  const code = await run(name, args, reports, output);
   let counts: TestReport;
   try {
     counts = parseReport(readFileSync(file, "utf8"));
@@ -110,19 +119,37 @@ function testStage(
 }
 
 /** Runs the script of a project of vitest.config.ts. */
-function vitestStage(project: string): void {
+async function vitestStage(project: string): Promise<void> {
   const reporters = ["--reporter=default", "--reporter=json"];
-  testStage(project, ["npm", "run", `test:${project}`, "--", ...reporters], parseVitestReport);
+  await testStage(
+    project,
+    ["npm", "run", `test:${project}`, "--", ...reporters],
+    parseVitestReport,
+  );
 }
 
-function run(name: string, [command = "", ...args]: string[], extra: NodeJS.ProcessEnv): number {
-  process.stdout.write(`\n== ${name}: ${[command, ...args].join(" ")}\n`);
-  const { status } = spawnSync(command, args, {
-    stdio: "inherit",
+/** @returns the exit code of the command */
+async function run(
+  name: string,
+  [command = "", ...args]: string[],
+  extra: NodeJS.ProcessEnv,
+  output: Output = "inherit",
+): Promise<number> {
+  const title = `\n== ${name}: ${[command, ...args].join(" ")}\n`;
+  if (output === "inherit") process.stdout.write(title);
+  const child = spawn(command, args, {
+    stdio: ["ignore", output, output],
     env: { ...process.env, ...extra },
     shell: process.platform === "win32",
   });
-  return status ?? 1;
+  const printed: Buffer[] = [];
+  for (const stream of [child.stdout, child.stderr]) {
+    stream?.on("data", (chunk: Buffer) => printed.push(chunk));
+  }
+  // "close" follows the end of the output; a command that does not exist emits "error".
+  const [code] = await once(child, "close").catch(() => [1]);
+  if (output === "pipe") process.stdout.write(`${title}${Buffer.concat(printed).toString()}`);
+  return typeof code === "number" ? code : 1;
 }
 
 function check(name: string, requirement: () => unknown): boolean {
