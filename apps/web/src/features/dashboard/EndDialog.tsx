@@ -1,14 +1,15 @@
 /** Ends the lesson: the service then deletes all its data. */
-import { Download } from "lucide";
+import { Check, Download } from "lucide";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { Button } from "../../ui/Button.tsx";
 import { Dialog } from "../../ui/Dialog.tsx";
 import { Icon } from "../../ui/Icon.tsx";
+import { ProblemNote } from "../../ui/ProblemNote.tsx";
 import { reportAddress } from "../../model/teaching/saved-reports.ts";
 import { useContent } from "./dashboard-context.ts";
 import { useReport, type ReportPlace } from "./use-report.ts";
-import styles from "./dashboard.module.css";
+import styles from "./end-dialog.module.css";
 
 interface EndDialogProps {
   isOpen: boolean;
@@ -42,9 +43,7 @@ export function EndDialog({ isOpen, onClose, label, saved, onSaved }: EndDialogP
       }}
       title={t("end.title")}
       width="narrow"
-    >
-      <div className={styles["form"]}>
-        <p>{t("end.text")}</p>
+      footer={
         <div className={styles["answers"]}>
           <Button
             kind={isSaved ? "outline" : "primary"}
@@ -65,9 +64,22 @@ export function EndDialog({ isOpen, onClose, label, saved, onSaved }: EndDialogP
             {t("end.end")}
           </Button>
         </div>
-        <output className={styles["note"]}>
-          {isFailed && t("end.failed")}
-          {isSaved && t(saved.id === null ? "end.savedFile" : "end.saved")}
+      }
+    >
+      <div className={styles["text"]}>
+        <p>{t("end.text")}</p>
+        {isFailed && (
+          <ProblemNote>
+            <p>{t("end.failed")}</p>
+          </ProblemNote>
+        )}
+        <output>
+          {isSaved && (
+            <span className={styles["saved"]}>
+              <Icon of={Check} size={18} />
+              {t(saved.id === null ? "end.savedFile" : "end.saved")}
+            </span>
+          )}
         </output>
         {typeof saved?.id === "string" && (
           <p>
