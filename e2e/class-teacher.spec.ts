@@ -3,6 +3,7 @@ import { readFile } from "node:fs/promises";
 import { lessonMark, type LessonDocument } from "@corridor/challenge";
 import { encodeLink } from "@corridor/link";
 import type { BrowserContext, Locator, Page } from "playwright/test";
+import { shownCode } from "../apps/web/src/model/classes/shown-code.ts";
 import { answers } from "../apps/web/src/model/lessons/missions/testing/answers.ts";
 import { sampleLesson, sampleTask } from "../apps/web/src/model/lessons/testing/sample-lesson.ts";
 import { expect, test } from "./fixtures.ts";
@@ -302,6 +303,7 @@ test("verified programs race in one maze, on the dashboard and the big screen, w
 test("the lesson ends with a report, and then nothing is left", async ({ page, relay }) => {
   const teacher = await openDashboard(page, relay);
   const student = await ScriptedStudent.join(relay, teacher.code);
+  const absent = await ScriptedStudent.join(relay, teacher.code);
   student.report(opened);
   student.bump(0);
   student.report(claim(solution));
@@ -309,7 +311,9 @@ test("the lesson ends with a report, and then nothing is left", async ({ page, r
   await choose(page, "More", "End lesson");
   const download = page.waitForEvent("download");
   await page.getByRole("button", { name: "Save report" }).click();
-  const csv = await readFile(await (await download).path(), "utf8");
+  const saved = await download;
+  expect(saved.suggestedFilename()).toMatch(/^one-line-\d{4}-\d\d-\d\d\.csv$/);
+  const csv = await readFile(await saved.path(), "utf8");
   expect(csv.split("\r\n").slice(0, 2)).toEqual([
     "\uFEFFstudent,task,seconds,lines,attempts,runs,bumps,failed_checks,hints,mistakes",
     expect.stringMatching(new RegExp(`^${nameOf(student)},One line,\\d+,1,1,1,1,0,0,0$`)),
@@ -322,14 +326,18 @@ test("the lesson ends with a report, and then nothing is left", async ({ page, r
   expect(stored).not.toContain("corridor.classroom");
 
   await page.getByRole("button", { name: "Open the report" }).click();
-  await expect(page.getByRole("row", { name: /^One line 1 of 1/ })).toBeVisible();
+  // Who opened no task is one of the students, too.
+  await expect(page.getByRole("row", { name: /^One line 1 of 2/ })).toHaveCount(2);
+  await expect(page.getByRole("row", { name: nameOf(absent) })).toBeVisible();
+  await expect(page.getByRole("heading", { name: "One line" })).toBeVisible();
+  await expect(page.getByText(`Letters: ${shownCode(teacher.code)}`)).toBeVisible();
   await page.goto("/teach#report");
   await page.getByRole("button", { name: /^Delete the report/ }).click();
   await expect(page.getByRole("link", { name: /^Open the report/ })).toHaveCount(0);
   await page.getByRole("button", { name: "Undo" }).click();
   await page.getByRole("link", { name: /^Open the report/ }).click();
-  await expect(page.getByRole("row", { name: /^One line 1 of 1/ })).toBeVisible();
-  student.close();
+  await expect(page.getByRole("row", { name: /^One line 1 of 2/ })).toHaveCount(2);
+  for (const each of [student, absent]) each.close();
 });
 
 test("a lesson that ended without a saved report still leads to it", async ({ page, relay }) => {
@@ -342,7 +350,7 @@ test("a lesson that ended without a saved report still leads to it", async ({ pa
   await page.getByRole("button", { name: "End", exact: true }).click();
   await page.getByRole("button", { name: "Open the report" }).click();
   await expect(page).toHaveURL(/\/teach#report=\w+$/);
-  await expect(page.getByRole("row", { name: /^One line 1 of 1/ })).toBeVisible();
+  await expect(page.getByRole("row", { name: /^One line 1 of 1/ })).toHaveCount(2);
   student.close();
 });
 

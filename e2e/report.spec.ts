@@ -92,6 +92,27 @@ test("saves one table, and opens it again with the same report", async ({ page }
   expect(await tables.allInnerTexts()).toEqual(shown);
 });
 
+test("states for each number of which students it is", async ({ page }) => {
+  const rows = ["Juniper,One,60,2", "Comet,One,90,0", "Comet,Two,,4", "Pixel,,,"];
+  await choose(page, [
+    csv("8b-corners.csv", ["student,task,seconds,attempts", ...rows].join("\n")),
+  ]);
+  await expect(page.getByRole("heading", { name: "8b-corners.csv" })).toBeVisible();
+  await expect(page.getByText("Students: 3")).toBeVisible();
+  const row = (table: string, name: string) =>
+    page.getByRole("region", { name: table }).getByRole("row", { name }).getByRole("cell");
+  const time = ["1:15", "1:15", "0:15", "1:00", "1:30"];
+  await expect(row("Time to solve", "One")).toHaveText(["2 of 3 (66.7%)", ...time, "–"]);
+  await expect(row("Time to solve", "Two").first()).toHaveText("0 of 3 (0%)");
+  const unknown = ["–", "–", "–", "–", "–"];
+  await expect(row("Mean for each student", "One")).toHaveText(["2 of 3", "1", ...unknown]);
+  await expect(row("Mean for each student", "Two")).toHaveText(["1 of 3", "too few", ...unknown]);
+  await expect(row("Each student", "Pixel").first()).toHaveText("–");
+  const download = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Save as CSV" }).click();
+  expect((await download).suggestedFilename()).toBe("8b-corners.csv");
+});
+
 test("explains an invalid table, and keeps the open report", async ({ page }) => {
   await choose(page, [csv("one.csv", "student,task,seconds\nJuniper,1,60\n")]);
   await expect(page.getByText("1 student: too few for a mean.")).toBeVisible();

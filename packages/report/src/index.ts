@@ -1,4 +1,10 @@
 export { csvLines, type CsvValue } from "./csv.ts";
-export { reportOf, type QuestionReport, type Report, type TaskReport } from "./report.ts";
+export {
+  reportOf,
+  type Mean,
+  type QuestionReport,
+  type Report,
+  type TaskReport,
+} from "./report.ts";
 export { joinStudies, readStudyCsv, studyCsv } from "./study-csv.ts";
 export type { Answers, Study, Work } from "./study.ts";

@@ -37,7 +37,7 @@ describe("the study of 2013", () => {
   ])("has the times and lines of tables 6 and 10: $task", (expected) => {
     const task = times.tasks.find((each) => each.task === expected.task);
     const { mean, median, deviation, shortest, longest } = task?.time ?? missing();
-    expect([task?.students, task?.solved]).toEqual([28, 28]);
+    expect([times.students, task?.opened, task?.solved]).toEqual([28, 28, 28]);
     expect(
       Object.fromEntries(
         Object.entries({ mean, median, deviation, shortest, longest }).map(([name, value]) => [
@@ -94,7 +94,7 @@ describe("another class", () => {
 
   it("counts only solved tasks in the times, and keeps the lines of the paper to the paper", () => {
     const [task] = reportOn([{ seconds: 60 }, { seconds: null }, { seconds: 120 }]).tasks;
-    expect(task).toMatchObject({ students: 3, solved: 2, lines: null, paper: null });
+    expect(task).toMatchObject({ opened: 3, solved: 2, lines: null, paper: null });
     expect(task?.time).toMatchObject({ mean: 90, shortest: 60, longest: 120 });
   });
 
@@ -103,8 +103,8 @@ describe("another class", () => {
     expect(report.students).toBe(1);
     expect(report.tasks[0]).toMatchObject({
       time: { mean: null, median: null, deviation: null, shortest: 60, longest: 60 },
-      lines: null,
-      perStudent: { attempts: null },
+      lines: "too few",
+      perStudent: { attempts: "too few", runs: null },
     });
   });
 
@@ -123,6 +123,27 @@ describe("another class", () => {
       { student: "Comet", seconds: null },
     ];
     expect(reportOn(work).students).toBe(2);
+  });
+
+  it("has the same students in every task: who opened none or gave no answer is one of them", () => {
+    const table = [
+      "student,task,seconds,navigation",
+      "Juniper,1,60,",
+      "Comet,1,,",
+      "Comet,2,90,",
+      "Juniper,,,4",
+      "Comet,,,",
+      "Pixel,,,",
+    ];
+    const read = readStudyCsv(table.join("\n"));
+    if (!read.ok) throw new Error("the table is invalid");
+    const { students, tasks, questions } = reportOf(read.value);
+    expect(students).toBe(3);
+    expect(tasks.map(({ opened, solved }) => [opened, solved])).toEqual([
+      [2, 1],
+      [1, 1],
+    ]);
+    expect(questions[0]).toMatchObject({ counts: [0, 0, 0, 1, 0], skipped: 2 });
   });
 });
 

@@ -10,14 +10,18 @@ export interface TimeBar {
   seconds: number | null;
 }
 
+/** Null: no value is known. */
+export type Mean = number | "too few" | null;
+
 export interface TaskReport {
   task: string;
-  /** students who worked on the task */
-  students: number;
+  /** students who opened the task */
+  opened: number;
+  /** of all students of the report */
   solved: number;
   /** the times of the students, in the order of the data */
   bars: readonly TimeBar[];
-  /** seconds to solve the task */
+  /** seconds of the students who solved the task */
   time: {
     mean: number | null;
     median: number | null;
@@ -26,8 +30,8 @@ export interface TaskReport {
     shortest: number | null;
     longest: number | null;
   };
-  /** mean number of lines, without "otherwise" */
-  lines: number | null;
+  /** mean number of lines of the solutions, without "otherwise" */
+  lines: Mean;
   /** what the paper prints about this task; null if the data are not the paper's */
   paper: {
     /** its "lines of code", which are menus */
@@ -35,8 +39,8 @@ export interface TaskReport {
     /** the mean of its table, although its text and its data give another one, or null */
     misprint: string | null;
   } | null;
-  /** means of the counts per student */
-  perStudent: Readonly<Record<CountName, number | null>>;
+  /** means of the counts of the students who opened the task */
+  perStudent: Readonly<Record<CountName, Mean>>;
 }
 
 const countNames = ["attempts", "runs", "bumps", "failedChecks", "hints", "mistakes"] as const;
@@ -46,6 +50,7 @@ export interface QuestionReport {
   id: string;
   /** number of answers 1 to 5 */
   counts: readonly [number, number, number, number, number];
+  /** students without an answer */
   skipped: number;
   mean: number | null;
   /** students with a mistake that belongs to the question, and their share of all students */
@@ -53,6 +58,7 @@ export interface QuestionReport {
 }
 
 export interface Report {
+  /** all that the data mention: every share is of them */
   students: number;
   tasks: readonly TaskReport[];
   questions: readonly QuestionReport[];
@@ -94,10 +100,11 @@ function taskReport(work: readonly Work[]): TaskReport {
   const bars = work.map(({ student, seconds }) => ({ student, seconds }));
   const seconds = known(bars.map((bar) => bar.seconds));
   const paper = paperTaskOf(bars.map((bar) => bar.seconds));
-  const mean = (name: CountName): number | null => meanOf(known(work.map((each) => each[name])));
+  const lines = meanOfKnown(work.map((each) => each.lines));
+  const mean = (name: CountName): Mean => meanOfKnown(work.map((each) => each[name]));
   return {
     task: work[0]?.task ?? "",
-    students: work.length,
+    opened: work.length,
     solved: seconds.length,
     bars,
     time: {
@@ -107,7 +114,7 @@ function taskReport(work: readonly Work[]): TaskReport {
       shortest: seconds.length === 0 ? null : Math.min(...seconds),
       longest: seconds.length === 0 ? null : Math.max(...seconds),
     },
-    lines: meanOf(known(work.map((each) => each.lines))) ?? paper?.lines ?? null,
+    lines: lines ?? paper?.lines ?? null,
     paper: paper && { menus: paper.menus, misprint: paper.misprint },
     perStudent: {
       attempts: mean("attempts"),
@@ -126,16 +133,21 @@ function questionReport(
   students: number,
   mistaken: number | undefined,
 ): QuestionReport {
-  const all = survey.map(({ answers }) => answers[id] ?? null);
-  const answers = known(all);
+  const answers = known(survey.map((each) => each.answers[id] ?? null));
   const count = (rating: number): number => answers.filter((answer) => answer === rating).length;
   return {
     id,
     counts: [count(1), count(2), count(3), count(4), count(5)],
-    skipped: all.length - answers.length,
+    // Tables of two lessons may have two answers of a student.
+    skipped: Math.max(0, students - answers.length),
     mean: meanOf(answers),
     mistakes: mistaken === undefined ? null : { students: mistaken, share: mistaken / students },
   };
+}
+
+function meanOfKnown(values: readonly (number | null)[]): Mean {
+  const numbers = known(values);
+  return numbers.length === 0 ? null : (meanOf(numbers) ?? "too few");
 }
 
 function known<Value>(values: readonly (Value | null)[]): Value[] {

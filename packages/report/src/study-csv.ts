@@ -1,6 +1,6 @@
 /**
  * Studies as CSV. A row is the work of one student on one task, or, without a task, a student's
- * answers. The columns of the answers are the ids of the questions.
+ * answers, which may all be empty. The columns of the answers are the ids of the questions.
  *
  * Two tables of the thesis of 2013 are read as well: times, with one column `TASK_seconds` per task
  * and one row per student, and answers, with one column per question.

@@ -49,7 +49,10 @@ export type Work = z.infer<typeof workSchema>;
 const rating = "an answer from 1 (no help) to 5 (very helpful), or nothing";
 export const answerSchema = z.literal([1, 2, 3, 4, 5], { error: rating }).nullable();
 
-/** A student's answers by the ids of the questions. Null: skipped. */
+/**
+ * A student's answers by the ids of the questions. Null: skipped. A student who only joined has
+ * answers, too: none.
+ */
 export interface Answers {
   student: string | null;
   answers: Readonly<Record<string, 1 | 2 | 3 | 4 | 5 | null>>;

@@ -59,7 +59,23 @@ describe("corridor report", () => {
   it("prints no mean of one student", () => {
     const { output } = report(file("one.csv", "student,task,seconds,lines\nJuniper,1,60,2\n"));
     expect(output).toMatch(/^1 student: too few for a mean$/m);
-    expect(output).toMatch(/^1 +1 of 1 \(100 %\) +too few +too few +too few +1:00 +1:00 +-$/m);
+    expect(output).toMatch(
+      /^1 +1 of 1 \(100 %\) +too few +too few +too few +1:00 +1:00 +too few$/m,
+    );
+  });
+
+  it("counts all students in every task, and says who opened it", () => {
+    const rows = ["Juniper,1,60,2", "Comet,1,,0", "Comet,2,,4", "Pixel,,,"];
+    const text = ["student,task,seconds,attempts", ...rows].join("\n");
+    const { output } = report(file("two.csv", text));
+    for (const line of [
+      /^1 +1 of 3 \(33 %\) +too few/m,
+      /^2 +0 of 3 \(0 %\) +too few/m,
+      /^1 +2 of 3 +1 +- /m,
+      /^2 +1 of 3 +too few +- /m,
+    ]) {
+      expect(output).toMatch(line);
+    }
   });
 
   it.each([

@@ -1,13 +1,15 @@
 /** Formats a report as text. */
-import type { QuestionReport, Report, TaskReport } from "@corridor/report";
+import type { Mean, QuestionReport, Report, TaskReport } from "@corridor/report";
 
 const TOO_FEW = "too few";
 const BAR_SECONDS = 15;
 
 const DEFINITIONS = [
   "Time to solve: from opening the task to the first solution that passes its check, without pauses.",
+  "Solved: a run passed the check. The share is of all students of this report.",
   "Lines: of the solution, without otherwise. The paper counts menus: 1 + 2 x lines.",
   "Attempts: first runs or checks of a changed program. Runs: all starts of a program.",
+  "Opened by: students who opened the task. The means below it are of these students.",
   "Mistakes: those that the diagnosis found in failed runs.",
   "SD: standard deviation of these students as a whole population.",
   "Means, medians and SD need at least 2 students.",
@@ -18,7 +20,7 @@ export function reportText(report: Report): string[] {
   const { students, tasks, questions } = report;
   return [
     students === 1 ? "1 student: too few for a mean" : `${students} students`,
-    ...(tasks.length > 0 ? taskLines(tasks) : []),
+    ...(tasks.length > 0 ? taskLines(tasks, students) : []),
     ...(questions.length > 0 ? questionLines(questions, students) : []),
     "",
     "Definitions",
@@ -26,7 +28,7 @@ export function reportText(report: Report): string[] {
   ];
 }
 
-function taskLines(tasks: readonly TaskReport[]): string[] {
+function taskLines(tasks: readonly TaskReport[], students: number): string[] {
   const notes = tasks.flatMap(({ task, time, paper }) => {
     const misprint = paper?.misprint ?? null;
     if (misprint === null) return [];
@@ -38,7 +40,7 @@ function taskLines(tasks: readonly TaskReport[]): string[] {
     "",
     ...table(
       ["Task", "Solved", "Mean", "Median", "SD", "Shortest", "Longest", "Lines"],
-      tasks.map(({ task, students, solved, time, lines, paper }) => [
+      tasks.map(({ task, solved, time, lines, paper }) => [
         task,
         `${solved} of ${students} (${percent(solved / students)})`,
         clock(time.mean),
@@ -46,31 +48,41 @@ function taskLines(tasks: readonly TaskReport[]): string[] {
         clock(time.deviation),
         clock(time.shortest, "-"),
         clock(time.longest, "-"),
-        lines === null
-          ? "-"
-          : `${round(lines)} lines${paper === null ? "" : ` (${paper.menus} in the paper)`}`,
+        typeof lines === "number"
+          ? `${round(lines)} lines${paper === null ? "" : ` (${paper.menus} in the paper)`}`
+          : meanText(lines),
       ]),
     ),
     ...notes,
-    ...countLines(tasks),
+    ...countLines(tasks, students),
     ...tasks.flatMap(barLines),
   ];
 }
 
 /** The means of the counts, if the data contain any. */
-function countLines(tasks: readonly TaskReport[]): string[] {
-  const rows = tasks.filter(({ perStudent }) =>
+function countLines(tasks: readonly TaskReport[], students: number): string[] {
+  const isCounted = tasks.some(({ perStudent }) =>
     Object.values(perStudent).some((mean) => mean !== null),
   );
-  if (rows.length === 0) return [];
+  if (!isCounted) return [];
   return [
     "",
     ...table(
-      ["Mean per student", "Attempts", "Runs", "Bumps", "Failed checks", "Hints", "Mistakes"],
-      rows.map(({ task, perStudent: mean }) => [
+      [
+        "Mean per student",
+        "Opened by",
+        "Attempts",
+        "Runs",
+        "Bumps",
+        "Failed checks",
+        "Hints",
+        "Mistakes",
+      ],
+      tasks.map(({ task, opened, perStudent: mean }) => [
         task,
+        `${opened} of ${students}`,
         ...[mean.attempts, mean.runs, mean.bumps, mean.failedChecks, mean.hints, mean.mistakes].map(
-          (value) => (value === null ? "-" : round(value)),
+          meanText,
         ),
       ]),
     ),
@@ -135,6 +147,10 @@ function clock(seconds: number | null, missing = TOO_FEW): string {
   if (seconds === null) return missing;
   const whole = Math.round(seconds);
   return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
+}
+
+function meanText(mean: Mean): string {
+  return typeof mean === "number" ? round(mean) : (mean ?? "-");
 }
 
 function percent(share: number, digits = 0): string {

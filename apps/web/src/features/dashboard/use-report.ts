@@ -2,8 +2,8 @@
 import { useTranslation } from "react-i18next";
 import { lessonName } from "../../model/lessons/lesson-name.ts";
 import { newTextId } from "../../model/storage/new-text-id.ts";
-import type { SavedReport } from "../../model/teaching/saved-reports.ts";
-import { fileName } from "../../ui/file-name.ts";
+import { reportName, type SavedReport } from "../../model/teaching/saved-reports.ts";
+import { datedFileName } from "../../ui/dated-file-name.ts";
 import { saveFile } from "../../ui/save-file.ts";
 import { useContent, useStudentName } from "./dashboard-context.ts";
 
@@ -27,7 +27,7 @@ export function useReport(label: string): ClassReport {
 
   async function makeReport(): Promise<SavedReport | null> {
     const { reportCsv } = await import("./report-csv.ts");
-    const { lesson, students, verifications } = dashboard.store.getState();
+    const { classroom, lesson, students, verifications } = dashboard.store.getState();
     if (lesson === null) return null;
     const csv = reportCsv({
       lesson,
@@ -36,12 +36,19 @@ export function useReport(label: string): ClassReport {
       nameOf,
       taskName: (task) => t("card.task", { task }),
     });
-    return { id: newTextId(), savedAt: Date.now(), label, lesson: lessonName(lesson), csv };
+    return {
+      id: newTextId(),
+      savedAt: Date.now(),
+      label,
+      lesson: lessonName(lesson),
+      code: classroom?.settings.code ?? "",
+      csv,
+    };
   }
 
-  function writeFile({ csv }: SavedReport): void {
-    const name = fileName(`${t("class")} ${label}`, "class");
-    saveFile(new Blob([csv], { type: "text/csv" }), `${name}.csv`);
+  function writeFile(report: SavedReport): void {
+    const name = datedFileName(reportName(report), report.savedAt, "class");
+    saveFile(new Blob([report.csv], { type: "text/csv" }), `${name}.csv`);
   }
 
   async function saveReport(isAlsoFile: boolean): Promise<ReportPlace | null> {

@@ -43,7 +43,10 @@ it("the table of a class has verified times, and the report reads it", () => {
     { student: "Team 1", task: "One line", seconds: 120, lines: 2, attempts: 4 },
     { student: "Team 1", task: "Every maze", seconds: null, lines: null, failedChecks: 1 },
   ]);
-  expect(study.survey).toEqual([{ student: "Team 1", answers: { navigation: 5 } }]);
+  expect(study.survey).toEqual([
+    { student: "Team 1", answers: { navigation: 5 } },
+    { student: "Team 2", answers: { navigation: null } },
+  ]);
   expect(readStudyCsv(studyCsv(study).join("\r\n"))).toEqual({ ok: true, value: study });
 });
 

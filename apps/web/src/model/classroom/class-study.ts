@@ -40,13 +40,10 @@ export function studyOf(parts: ClassStudyParts): Study {
       ];
     }),
   );
-  const survey = students.flatMap((student): Answers[] => {
-    const given = student.answers;
-    if (given === null) return [];
-    const answers = lesson.survey.map(({ id }) => [id, given[id] ?? null] as const);
-    return [
-      { student: nameOf(student), answers: Object.fromEntries(answers) as Answers["answers"] },
-    ];
+  // Who opened no task and gave no answer is a student of the class, too.
+  const survey = students.map((student): Answers => {
+    const answers = lesson.survey.map(({ id }) => [id, student.answers?.[id] ?? null] as const);
+    return { student: nameOf(student), answers: Object.fromEntries(answers) as Answers["answers"] };
   });
   return { work, survey };
 }

@@ -12,8 +12,15 @@ export interface SavedReport {
   label: string;
   /** name of the lesson; may be empty */
   lesson: string;
+  /** the letters by which students joined; may be empty */
+  code: string;
   /** the table that `/teach#report` reads */
   csv: string;
+}
+
+/** What the teacher calls the class, and the lesson: "8B, Two mazes". May be empty. */
+export function reportName({ label, lesson }: Pick<SavedReport, "label" | "lesson">): string {
+  return [label, lesson].filter((each) => each !== "").join(", ");
 }
 
 /** The fragment of the address of the reports. */
@@ -49,13 +56,14 @@ export class SavedReports {
     if (text === null) return null;
     try {
       const entry = JSON.parse(text) as Partial<Record<keyof SavedReport, unknown>>;
-      const { csv, label, lesson, savedAt } = entry;
+      const { csv, label, lesson, code, savedAt } = entry;
       if (typeof csv !== "string") return null;
       return {
         id,
         savedAt: typeof savedAt === "number" && Number.isFinite(savedAt) ? savedAt : 0,
         label: typeof label === "string" ? label : "",
         lesson: typeof lesson === "string" ? lesson : "",
+        code: typeof code === "string" ? code : "",
         csv,
       };
     } catch {

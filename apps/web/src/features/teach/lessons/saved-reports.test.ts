@@ -7,7 +7,8 @@ import {
 } from "../../../model/teaching/saved-reports.ts";
 
 function entry(id: string, change: Partial<SavedReport> = {}): SavedReport {
-  return { id, savedAt: 1, label: "8B", lesson: "Corners", csv: "student,task\r\n", ...change };
+  const report = { id, savedAt: 1, label: "8B", lesson: "Corners", code: "BCDFGH" };
+  return { ...report, csv: "student,task\r\n", ...change };
 }
 
 describe("the reports on the device", () => {

@@ -1,5 +1,5 @@
 /** Shows the figures of a class from its tables, as the thesis of 2013 does. */
-import { reportOf, studyCsv, type Report, type Work } from "@corridor/report";
+import { reportOf, studyCsv, type Report, type Study } from "@corridor/report";
 import { FileDown, FolderOpen, Printer } from "lucide";
 import { useMemo, useState } from "react";
 import { useTranslation } from "react-i18next";
@@ -14,12 +14,33 @@ import { StudentTable } from "./StudentTable.tsx";
 import { SavedReportList } from "./SavedReportList.tsx";
 import { SavedLessons } from "../../../model/teaching/saved-lessons.ts";
 import { questionTexts, type QuestionText } from "./question-texts.ts";
-import { addReportFiles, openReport, studyOf, type ReadFiles } from "./report-files.ts";
+import { ReportHead } from "./ReportHead.tsx";
+import {
+  addReportFiles,
+  openReport,
+  savedFileName,
+  studyOf,
+  type ReadFiles,
+} from "./report-files.ts";
 import { ReportProblems } from "./ReportProblems.tsx";
 import { SurveyTable } from "./SurveyTable.tsx";
 import { TaskFigures } from "./TaskFigures.tsx";
 import { TaskTables } from "./TaskTables.tsx";
 import styles from "./report.module.css";
+
+const definitions = [
+  "time",
+  "solved",
+  "median",
+  "deviation",
+  "few",
+  "lines",
+  "attempts",
+  "failedChecks",
+  "hints",
+  "mistakes",
+  "unknown",
+] as const;
 
 const TABLES = ".csv,.txt,text/csv,text/plain";
 
@@ -57,7 +78,7 @@ export function ReportView({ device, saved }: ReportViewProps) {
     >
       <section className={styles["opener"]} aria-label={t("tables")}>
         {saved !== null && first === null && <p>{t("saved.missing")}</p>}
-        <p>{isEmpty ? t("intro") : files.map(({ name }) => name || t("title")).join(", ")}</p>
+        {isEmpty ? <p>{t("intro")}</p> : <ReportHead files={files} students={report.students} />}
         <div className={styles["buttons"]}>
           <Button
             kind={isEmpty ? "primary" : "outline"}
@@ -86,7 +107,7 @@ export function ReportView({ device, saved }: ReportViewProps) {
       {!isEmpty && (
         <ReportContent
           report={report}
-          work={study.work}
+          study={study}
           texts={texts}
           onMistakes={(id, students) => {
             const next = new Map(mistakes);
@@ -97,7 +118,7 @@ export function ReportView({ device, saved }: ReportViewProps) {
           onSave={() => {
             // Spreadsheets expect a byte order mark in UTF-8.
             const text = `\uFEFF${studyCsv(study).join("\r\n")}\r\n`;
-            saveFile(new Blob([text], { type: "text/csv" }), "report.csv");
+            saveFile(new Blob([text], { type: "text/csv" }), savedFileName(files));
           }}
         />
       )}
@@ -112,7 +133,7 @@ function openFirst(reports: SavedReports, id: string | null) {
 
 interface ReportContentProps {
   report: Report;
-  work: readonly Work[];
+  study: Study;
   /** the texts of the questions, by their ids */
   texts: ReadonlyMap<string, QuestionText>;
   /** @param students null: not counted */
@@ -120,17 +141,14 @@ interface ReportContentProps {
   onSave: () => void;
 }
 
-function ReportContent({ report, work, texts, onMistakes, onSave }: ReportContentProps) {
+function ReportContent({ report, study, texts, onMistakes, onSave }: ReportContentProps) {
   const { t } = useTranslation("report", { useSuspense: false });
   const { students, tasks, questions } = report;
   return (
     <>
-      <output className={styles["students"]}>
-        {students === 1 ? t("oneStudent") : t("students", { all: students })}
-      </output>
-      {tasks.length > 0 && <TaskTables tasks={tasks} />}
+      {tasks.length > 0 && <TaskTables tasks={tasks} students={students} />}
       {tasks.length > 0 && <TaskFigures tasks={tasks} />}
-      <StudentTable work={work} tasks={tasks.map(({ task }) => task)} />
+      <StudentTable study={study} tasks={tasks.map(({ task }) => task)} />
       {questions.length > 0 && (
         <SurveyTable
           questions={questions}
@@ -142,11 +160,10 @@ function ReportContent({ report, work, texts, onMistakes, onSave }: ReportConten
       <section className={styles["definitions"]} aria-label={t("definitions.title")}>
         <h3 className={styles["heading"]}>{t("definitions.title")}</h3>
         <ul>
-          {(["time", "lines", "attempts", "mistakes", "deviation", "few", "unknown"] as const).map(
-            (each) => (
-              <li key={each}>{t(`definitions.${each}`)}</li>
-            ),
-          )}
+          {definitions.map((each) => (
+            <li key={each}>{t(`definitions.${each}`)}</li>
+          ))}
+          {tasks.some(({ paper }) => paper !== null) && <li>{t("definitions.menus")}</li>}
         </ul>
       </section>
       <div className={styles["buttons"]}>

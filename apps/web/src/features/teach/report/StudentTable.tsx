@@ -1,24 +1,24 @@
 /** What each student did: the time of each task, and the sums of what the class counted. */
-import type { Work } from "@corridor/report";
+import type { Study } from "@corridor/report";
 import { useTranslation } from "react-i18next";
-import { clockText, columnName } from "./report-numbers.ts";
+import { timeText, columnName } from "./report-numbers.ts";
 import { ReportTable } from "./ReportTable.tsx";
 import { studentRows, summed, type StudentRow } from "./student-rows.ts";
 
 interface StudentTableProps {
-  work: readonly Work[];
+  study: Study;
   /** ids of the tasks, in the order of the report */
   tasks: readonly string[];
 }
 
 /** Nothing for a table without names. */
-export function StudentTable({ work, tasks }: StudentTableProps) {
+export function StudentTable({ study, tasks }: StudentTableProps) {
   const { t } = useTranslation("report", { useSuspense: false });
-  const rows = studentRows(work, tasks);
+  const rows = studentRows(study, tasks);
   if (rows.length === 0) return null;
-  const timeText = (time: StudentRow["times"][number] | undefined): string => {
+  const cellText = (time: StudentRow["times"][number] | undefined): string => {
     if (time === "unsolved") return t("figures.notSolved");
-    return typeof time === "number" ? clockText(time) : "–";
+    return typeof time === "number" ? timeText(time) : "–";
   };
   return (
     <ReportTable
@@ -35,7 +35,7 @@ export function StudentTable({ work, tasks }: StudentTableProps) {
             {student}
           </th>
           {tasks.map((task, at) => (
-            <td key={task}>{timeText(times[at])}</td>
+            <td key={task}>{cellText(times[at])}</td>
           ))}
           {summed.map((name) => (
             <td key={name}>{sums[name] ?? "–"}</td>

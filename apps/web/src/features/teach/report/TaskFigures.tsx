@@ -1,7 +1,7 @@
 /** The time of each student as a bar, in the order of the table. */
 import type { TaskReport } from "@corridor/report";
 import { useTranslation } from "react-i18next";
-import { clockText, columnName } from "./report-numbers.ts";
+import { timeText, columnName } from "./report-numbers.ts";
 import styles from "./report.module.css";
 
 /** Candidates for the distance of two lines of the scale, in seconds. */
@@ -30,7 +30,7 @@ function TaskFigure({ task: { task, bars, time } }: { task: TaskReport }) {
   if (bars.length <= MOST_NAMED) {
     return (
       <figure className={styles["figure"]}>
-        <figcaption className={styles["heading"]}>{label}</figcaption>
+        <FigureCaption label={label} />
         <ol className={styles["lines"]} aria-label={label}>
           {bars.map(({ student, seconds }, at) => (
             // oxlint-disable-next-line react/no-array-index-key -- anonymous students have no other identity
@@ -45,7 +45,7 @@ function TaskFigure({ task: { task, bars, time } }: { task: TaskReport }) {
                 />
               </span>
               <span className={styles["time"]}>
-                {seconds === null ? t("figures.notSolved") : clockText(seconds)}
+                {seconds === null ? t("figures.notSolved") : timeText(seconds)}
               </span>
             </li>
           ))}
@@ -56,7 +56,7 @@ function TaskFigure({ task: { task, bars, time } }: { task: TaskReport }) {
   const lines = Array.from({ length: Math.round(top / step) + 1 }, (_, at) => at * step);
   return (
     <figure className={styles["figure"]}>
-      <figcaption className={styles["heading"]}>{label}</figcaption>
+      <FigureCaption label={label} />
       <div className={styles["chart"]}>
         {lines.map((seconds) => (
           <span
@@ -65,7 +65,7 @@ function TaskFigure({ task: { task, bars, time } }: { task: TaskReport }) {
             style={{ insetBlockEnd: `${(seconds / top) * 100}%` }}
             aria-hidden
           >
-            {clockText(seconds)}
+            {timeText(seconds)}
           </span>
         ))}
         <ol
@@ -85,7 +85,7 @@ function TaskFigure({ task: { task, bars, time } }: { task: TaskReport }) {
               <span className="visually-hidden">
                 {t("figures.bar", {
                   student: student ?? String(at + 1),
-                  time: seconds === null ? t("figures.notSolved") : clockText(seconds),
+                  time: seconds === null ? t("figures.notSolved") : timeText(seconds),
                 })}
               </span>
             </li>
@@ -93,5 +93,15 @@ function TaskFigure({ task: { task, bars, time } }: { task: TaskReport }) {
         </ol>
       </div>
     </figure>
+  );
+}
+
+function FigureCaption({ label }: { label: string }) {
+  const { t } = useTranslation("report", { useSuspense: false });
+  return (
+    <figcaption>
+      <p className={styles["heading"]}>{label}</p>
+      <p className={styles["note"]}>{t("figures.unit")}</p>
+    </figcaption>
   );
 }

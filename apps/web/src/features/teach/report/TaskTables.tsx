@@ -1,19 +1,29 @@
 /** Times, success and lines of the tasks, and the means of what the class counted. */
-import type { TaskReport } from "@corridor/report";
+import type { Mean, TaskReport } from "@corridor/report";
 import { useTranslation } from "react-i18next";
-import { clockText, columnName, percentText, shortNumber } from "./report-numbers.ts";
+import { timeText, columnName, percentText, shortNumber } from "./report-numbers.ts";
 import { ReportTable } from "./ReportTable.tsx";
 import styles from "./report.module.css";
 
 const counts = ["attempts", "runs", "bumps", "failedChecks", "hints", "mistakes"] as const;
 const times = ["mean", "median", "deviation", "shortest", "longest"] as const;
 
-export function TaskTables({ tasks }: { tasks: readonly TaskReport[] }) {
+interface TaskTablesProps {
+  tasks: readonly TaskReport[];
+  /** of the whole report */
+  students: number;
+}
+
+export function TaskTables({ tasks, students }: TaskTablesProps) {
   const { t, i18n } = useTranslation("report", { useSuspense: false });
   const { language } = i18n;
-  const counted = tasks.filter(({ perStudent }) =>
+  const isCounted = tasks.some(({ perStudent }) =>
     Object.values(perStudent).some((mean) => mean !== null),
   );
+  const meanText = (mean: Mean, format: (mean: number) => string): string => {
+    if (typeof mean === "number") return format(mean);
+    return mean === null ? "–" : t("few");
+  };
   const linesText = (count: number, paper: TaskReport["paper"]): string => {
     const lines = t("tasks.linesOf", { count, lines: shortNumber(count, language) });
     return paper === null ? lines : t("tasks.inPaper", { lines, menus: paper.menus });
@@ -25,19 +35,24 @@ export function TaskTables({ tasks }: { tasks: readonly TaskReport[] }) {
         columns={(["task", "solved", ...times, "lines"] as const).map((each) =>
           t(`columns.${each}`),
         )}
-        notes={tasks.map(({ task, time, paper }) =>
-          paper?.misprint === null || paper === null || time.mean === null ? null : (
-            <p key={task} className={styles["note"]}>
-              {t("tasks.misprint", {
-                task: columnName(task),
-                printed: paper.misprint,
-                mean: clockText(time.mean),
-              })}
-            </p>
-          ),
-        )}
+        notes={
+          <>
+            <p className={styles["note"]}>{t("tasks.note")}</p>
+            {tasks.map(({ task, time, paper }) =>
+              paper?.misprint === null || paper === null || time.mean === null ? null : (
+                <p key={task} className={styles["note"]}>
+                  {t("tasks.misprint", {
+                    task: columnName(task),
+                    printed: paper.misprint,
+                    mean: timeText(time.mean),
+                  })}
+                </p>
+              ),
+            )}
+          </>
+        }
       >
-        {tasks.map(({ task, students, solved, time, lines, paper }) => (
+        {tasks.map(({ task, solved, time, lines, paper }) => (
           <tr key={task}>
             <th scope="row">{columnName(task)}</th>
             <td>
@@ -48,25 +63,28 @@ export function TaskTables({ tasks }: { tasks: readonly TaskReport[] }) {
               })}
             </td>
             {times.map((name) => {
-              const seconds = time[name];
-              return <td key={name}>{seconds === null ? t("few") : clockText(seconds)}</td>;
+              const seconds = solved === 0 ? null : (time[name] ?? "too few");
+              return <td key={name}>{meanText(seconds, timeText)}</td>;
             })}
-            <td>{lines === null ? "–" : linesText(lines, paper)}</td>
+            <td>{meanText(lines, (mean) => linesText(mean, paper))}</td>
           </tr>
         ))}
       </ReportTable>
-      {counted.length > 0 && (
+      {isCounted && (
         <ReportTable
           title={t("counts.title")}
-          columns={(["task", ...counts] as const).map((each) => t(`columns.${each}`))}
+          columns={(["task", "opened", ...counts] as const).map((each) => t(`columns.${each}`))}
+          notes={<p className={styles["note"]}>{t("counts.note")}</p>}
         >
-          {counted.map(({ task, perStudent }) => (
+          {tasks.map(({ task, opened, perStudent }) => (
             <tr key={task}>
               <th scope="row">{columnName(task)}</th>
-              {counts.map((name) => {
-                const mean = perStudent[name];
-                return <td key={name}>{mean === null ? "–" : shortNumber(mean, language)}</td>;
-              })}
+              <td>{t("counts.openedOf", { opened, all: students })}</td>
+              {counts.map((name) => (
+                <td key={name}>
+                  {meanText(perStudent[name], (mean) => shortNumber(mean, language))}
+                </td>
+              ))}
             </tr>
           ))}
         </ReportTable>

@@ -1,7 +1,8 @@
 /** Reads the tables that a teacher opens for a report. */
 import { joinStudies, readStudyCsv, type Study } from "@corridor/report";
 import type { FieldProblem } from "@corridor/protocol";
-import type { SavedReport } from "../../../model/teaching/saved-reports.ts";
+import { reportName, type SavedReport } from "../../../model/teaching/saved-reports.ts";
+import { datedFileName } from "../../../ui/dated-file-name.ts";
 import type { TextFile } from "../../../ui/incoming-files.ts";
 
 /** A table of 10,000 rows is smaller. */
@@ -10,6 +11,8 @@ const MAX_FILE_BYTES = 8 * 1024 * 1024;
 export interface ReportFile {
   name: string;
   study: Study;
+  /** of a report of this device; undefined: a file */
+  saved?: Pick<SavedReport, "savedAt" | "code">;
 }
 
 export type ReportProblem = { file: string } & (
@@ -23,10 +26,17 @@ export interface ReadFiles {
 }
 
 /** A report of this device as an open table; null if it cannot be read. */
-export function openReport({ label, lesson, csv }: SavedReport): ReportFile | null {
-  const read = readStudyCsv(csv);
-  const name = [label, lesson].filter((each) => each !== "").join(", ");
-  return read.ok ? { name, study: read.value } : null;
+export function openReport(saved: SavedReport): ReportFile | null {
+  const read = readStudyCsv(saved.csv);
+  return read.ok ? { name: reportName(saved), study: read.value, saved } : null;
+}
+
+/** The name of the file in which the open tables are saved as one. */
+export function savedFileName(files: readonly ReportFile[]): string {
+  const [file, ...others] = files;
+  if (file === undefined || others.length > 0) return "report.csv";
+  if (file.saved === undefined) return file.name;
+  return `${datedFileName(file.name, file.saved.savedAt, "report")}.csv`;
 }
 
 /**

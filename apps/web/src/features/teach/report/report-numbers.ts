@@ -1,10 +1,10 @@
 /** Formats the figures of a report. Digits are Latin in every language. */
+import { clockText } from "../../../text/clock-text.ts";
 import { localNumber } from "../../../text/numbers.ts";
 
-/** Minutes and seconds, rounded to a second: "5:17". */
-export function clockText(seconds: number): string {
-  const whole = Math.round(seconds);
-  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
+/** A time, rounded to a second: "5:17". */
+export function timeText(seconds: number): string {
+  return clockText(Math.round(seconds));
 }
 
 /** @param digits after the decimal sign */

@@ -25,7 +25,8 @@ it("each student has one row with the times of all tasks and the sums of the cou
     workOf("Juniper", "Two", { seconds: 90, bumps: 4, hints: 1 }),
     workOf(null, "One"),
   ];
-  expect(studentRows(work, ["One", "Two"])).toEqual([
+  const survey = ["Juniper", "Pixel"].map((student) => ({ student, answers: {} }));
+  expect(studentRows({ work, survey }, ["One", "Two"])).toEqual([
     {
       student: "Juniper",
       times: [60, 90],
@@ -36,9 +37,15 @@ it("each student has one row with the times of all tasks and the sums of the cou
       times: [null, "unsolved"],
       sums: { attempts: null, runs: 2, bumps: 3, hints: null },
     },
+    {
+      student: "Pixel",
+      times: [null, null],
+      sums: { attempts: null, runs: null, bumps: null, hints: null },
+    },
   ]);
 });
 
 it("a table without names has no rows of students", () => {
-  expect(studentRows([workOf(null, "One"), workOf(null, "One")], ["One"])).toEqual([]);
+  const work = [workOf(null, "One"), workOf(null, "One")];
+  expect(studentRows({ work, survey: [] }, ["One"])).toEqual([]);
 });

@@ -1,5 +1,5 @@
 /** The rows of the report's table of students. */
-import type { Work } from "@corridor/report";
+import type { Study } from "@corridor/report";
 
 /** What the row of a student adds up over all tasks. */
 export const summed = ["attempts", "runs", "bumps", "hints"] as const;
@@ -13,11 +13,13 @@ export interface StudentRow {
 }
 
 /**
- * One row for each student with a name, in the order of the data.
+ * One row for each student with a name, in the order of the data: also for those who opened no task.
  * @param tasks ids of the tasks, in the order of the columns
  */
-export function studentRows(work: readonly Work[], tasks: readonly string[]): StudentRow[] {
-  const students = new Set(work.map(({ student }) => student).filter((each) => each !== null));
+export function studentRows({ work, survey }: Study, tasks: readonly string[]): StudentRow[] {
+  const students = new Set(
+    [...work, ...survey].map(({ student }) => student).filter((each) => each !== null),
+  );
   return [...students].map((student) => {
     const own = work.filter((each) => each.student === student);
     const times = tasks.map((task) => {
