@@ -9,7 +9,7 @@ import { useStore } from "zustand";
 import type { StoreApi } from "zustand/vanilla";
 import { countRacers } from "../../model/classroom/racers.ts";
 import { lessonName } from "../../model/lessons/lesson-name.ts";
-import { pathCells } from "../../simulator/protocol/tile-path.ts";
+import { cornersOf, lineTo } from "../../simulator/protocol/tile-trail.ts";
 import { Brand } from "../../ui/Brand.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { MazeDrawing } from "../../ui/MazePicture.tsx";
@@ -139,17 +139,15 @@ function Run({ lesson, run }: { lesson: LessonDocument; run: ScreenRun }) {
   const { columns, rows } = sizeOf(maze);
   const [x, y, heading] = run.pose;
   const at = { x: x / CELL, y: y / CELL };
-  const points = pathCells(run).map(({ column, row }) => `${column + 0.5},${row + 0.5}`);
+  const points = lineTo(cornersOf(run), { x, y }).map(
+    (each) => `${each.x / CELL},${each.y / CELL}`,
+  );
   return (
     <figure className={styles["picture"]}>
       <figcaption>{t("screen.run")}</figcaption>
       <svg viewBox={`0 0 ${columns} ${rows}`} aria-hidden="true">
         <MazeDrawing maze={maze} />
-        <polyline
-          className={styles["path"]}
-          data-solved={run.isSolved}
-          points={[...points, `${at.x},${at.y}`].join(" ")}
-        />
+        <polyline className={styles["path"]} data-solved={run.isSolved} points={points.join(" ")} />
         <g transform={`translate(${at.x} ${at.y}) rotate(${heading})`}>
           <circle className={styles["robot"]} r="0.32" />
           <path className={styles["nose"]} d="M-.14-.1 0-.26 .14-.1z" />

@@ -116,7 +116,49 @@ describe("a robot on a card", () => {
     ];
     expect(points(1_500)).toEqual([...start, [250, 130]]);
     expect(points(1_830)).toEqual([...start, [250, 245]]);
-    expect(points(2_500)).toEqual([...start, [250, 250], [350, 250], [360, 250]]);
+    expect(points(2_500)).toEqual([...start, [250, 250], [360, 250]]);
+  });
+
+  it("has a path that goes exactly through it, also beside the centres of the cells", () => {
+    const { motion, see, pass } = looking();
+    const trails: (readonly { x: number; y: number }[])[] = [];
+    const shown = motion.shown.bind(motion);
+    motion.shown = (now) => {
+      const found = shown(now);
+      if (found !== null) {
+        trails.push(found.trail);
+        const { x, y } = found.pose;
+        expect(found.trail.at(-1)).toEqual({ x, y });
+      }
+      return found;
+    };
+    see([
+      tileAt([50, 50, 90]),
+      tileAt([120, 54, 90], { path: "e1" }),
+      tileAt([262, 56, 90], { path: "e2" }),
+      tileAt([263, 56, 170], { path: "e2" }),
+      tileAt([264, 90, 180], { path: "e2" }),
+      tileAt([265, 210, 180], { path: "e2s2" }),
+      tileAt([320, 247, 90], { path: "e2s2e1" }),
+      // It drives back.
+      tileAt([210, 246, 270], { path: "e2s2e1w1" }),
+    ]);
+    pass(2_000);
+    expect(trails.length).toBeGreaterThan(100);
+    for (const trail of trails) {
+      for (const [at, { x, y }] of trail.slice(1).entries()) {
+        const from = trail[at] ?? { x, y };
+        expect(from.x === x || from.y === y, JSON.stringify(trail)).toBe(true);
+      }
+    }
+    const newest = motion.newest()?.trail.map(({ x, y }) => [x, y]);
+    expect(newest).toEqual([
+      [50, 56],
+      [265, 56],
+      [265, 246],
+      [320, 246],
+      [210, 246],
+    ]);
   });
 
   it("jumps from tile to tile if motion is reduced", () => {

@@ -4,10 +4,18 @@
  * beyond its newest tile. A robot that did not drive from one tile to the next (a reset, another
  * maze) jumps. Pure; the time is given.
  */
-import { CELL } from "@corridor/maze";
 import type { Pose, Tile } from "@corridor/protocol";
 import { blendHeading } from "../protocol/blend-heading.ts";
 import { pathCells, type CellPoint } from "../protocol/tile-path.ts";
+import {
+  cellOf,
+  centreOf,
+  cornersOf,
+  lineTo,
+  turnsBetween,
+  withTurns,
+  type Point,
+} from "../protocol/tile-trail.ts";
 
 /** Interval between two tiles of a relay that is not busy, and its bounds, in ms. */
 const USUAL_GAP_MS = 500;
@@ -20,15 +28,10 @@ const MOST_WAITING = 6;
 /** A robot this close to the centre of a cell, in units, is at it. */
 const NEAR = 10;
 
-export interface Point {
-  x: number;
-  y: number;
-}
-
 /** What the picture of a student shows. */
 export interface ShownTile {
   tile: Tile;
-  /** corners of the path, in units; it ends at the robot */
+  /** the path, in units; every leg is straight, and the last one ends at the robot */
   trail: readonly Point[];
   pose: Pose;
 }
@@ -38,9 +41,11 @@ interface Step {
   pose: Pose;
   /** ms */
   at: number;
+  /** of the path, without the robot */
+  corners: readonly Point[];
+  /** the newest corners: those since the previous tile; null: the robot did not drive here */
+  turns: readonly Point[] | null;
   trail: readonly Point[];
-  /** corners between the previous tile and this one; null: the robot did not drive here */
-  corners: readonly Point[] | null;
 }
 
 export class TileMotion {
@@ -53,13 +58,18 @@ export class TileMotion {
   add(tile: Tile, at: number): void {
     const newest = this.#steps.at(-1);
     if (newest?.tile === tile) return;
-    const cells = pathCells(tile);
     const pose = poseOf(tile);
-    const corners = newest === undefined ? null : cornersBetween(newest, tile, cells);
-    const step = { tile, pose, at, trail: trailOf(cells, pose), corners };
+    const way = newest === undefined ? null : wayBetween(newest, tile);
+    const turns = newest && way && turnsBetween(newest.pose, pose, way);
+    const corners =
+      newest && turns ? withTurns(newest.corners, newest.pose, turns, pose) : cornersOf(tile);
+    const step = { tile, pose, at, corners, turns: turns ?? null, trail: lineTo(corners, pose) };
     const isAlone = this.#steps.length === 1;
     // A robot that stands needs no delay.
-    if (newest === undefined || (isAlone && (corners === null || isSamePose(newest.pose, pose)))) {
+    if (
+      newest === undefined ||
+      (isAlone && (step.turns === null || isSamePose(newest.pose, pose)))
+    ) {
       this.#steps = [step];
       return;
     }
@@ -84,8 +94,8 @@ export class TileMotion {
     const [from, to] = this.#steps;
     if (from === undefined) return null;
     const share = to === undefined ? 0 : (at - from.at) / (to.at - from.at);
-    if (to === undefined || to.corners === null || share <= 0) return from;
-    return between(from, to, to.corners, share);
+    if (to === undefined || to.turns === null || share <= 0) return from;
+    return between(from, to, to.turns, share);
   }
 
   /** The newest tile at once, without motion. */
@@ -96,12 +106,12 @@ export class TileMotion {
 }
 
 /** @param share of the way, in (0, 1) */
-function between(from: Step, to: Step, corners: readonly Point[], share: number): ShownTile {
-  const way = [from.pose, ...corners, to.pose];
+function between(from: Step, to: Step, turns: readonly Point[], share: number): ShownTile {
+  const way = [from.pose, ...turns, to.pose];
   const lengths = way.slice(1).map((point, at) => distance(way[at] ?? point, point));
   let left = share * lengths.reduce((sum, length) => sum + length, 0);
   let passed = 0;
-  while (passed < corners.length && left > (lengths[passed] ?? 0)) left -= lengths[passed++] ?? 0;
+  while (passed < turns.length && left > (lengths[passed] ?? 0)) left -= lengths[passed++] ?? 0;
   const [start, end] = [way[passed] ?? from.pose, way[passed + 1] ?? to.pose];
   const part = Math.min(1, left / Math.max(lengths[passed] ?? 0, Number.MIN_VALUE));
   const pose = {
@@ -109,51 +119,42 @@ function between(from: Step, to: Step, corners: readonly Point[], share: number)
     y: start.y + (end.y - start.y) * part,
     heading: blendHeading(from.pose.heading, to.pose.heading, share),
   };
-  const trail = [...from.trail.slice(0, -1), ...corners.slice(0, passed), pose];
-  return { tile: from.tile, trail, pose };
+  const corners = to.corners.slice(0, to.corners.length - turns.length + passed);
+  return { tile: from.tile, trail: lineTo(corners, pose), pose };
 }
 
 /** The corners that a robot drove around; null: it did not drive from the one tile to the other. */
-function cornersBetween(
+function wayBetween(
   { tile: before, pose }: Step,
   tile: Tile,
-  cells: readonly CellPoint[],
-): Point[] | null {
+): { start: CellPoint; cells: CellPoint[] } | null {
   const isOther = before.task !== tile.task || before.maze !== tile.maze || tile.tick < before.tick;
   if (isOther) return null;
+  const path = pathCells(tile);
   const cell = cellOf(pose);
-  for (let at = cells.length - 1; at >= 0; at--) {
-    const end = cells[at];
-    const start = cells[Math.max(0, at - 1)];
+  for (let at = path.length - 1; at >= 0; at--) {
+    const end = path[at];
+    const start = path[Math.max(0, at - 1)];
     if (start === undefined || end === undefined || !isOnWay(cell, start, end)) continue;
     // The last cell is the robot's own. Its position is known better than the centre of its cell.
-    const corners = cells.slice(at, -1).map(centreOf);
-    const [first] = corners;
+    const cells = path.slice(at, -1);
+    const [first] = cells;
     // In the cell of the corner, the robot may have turned already.
-    const isPassed = first !== undefined && isSameCell(cell, end) && !isAhead(first, pose, start);
-    return isPassed ? corners.slice(1) : corners;
+    const isPassed = first !== undefined && isSameCell(cell, end) && !isAhead(end, pose, start);
+    return isPassed ? { start: end, cells: cells.slice(1) } : { start, cells };
   }
   return null;
 }
 
 /** Whether a corner is still ahead of a robot that came from a cell. */
-function isAhead(corner: Point, pose: Point, from: CellPoint): boolean {
-  const start = centreOf(from);
+function isAhead(cell: CellPoint, pose: Point, from: CellPoint): boolean {
+  const [corner, start] = [centreOf(cell), centreOf(from)];
   const length = distance(start, corner);
   if (length === 0) return false;
   const along =
     ((corner.x - pose.x) * (corner.x - start.x) + (corner.y - pose.y) * (corner.y - start.y)) /
     length;
   return along > NEAR;
-}
-
-/** The path, which ends at the robot and not at the centre of its cell, unless it is behind it. */
-function trailOf(cells: readonly CellPoint[], pose: Point): Point[] {
-  const points = cells.map(centreOf);
-  const [last] = points.slice(-1);
-  const from = cells.at(-2);
-  if (last !== undefined && (from === undefined || isAhead(last, pose, from))) points.pop();
-  return [...points, { x: pose.x, y: pose.y }];
 }
 
 /** Whether a cell is on the straight way from a cell to another one. */
@@ -176,14 +177,6 @@ function isSamePose(a: Pose, b: Pose): boolean {
 
 function isSameCell(a: CellPoint, b: CellPoint): boolean {
   return a.column === b.column && a.row === b.row;
-}
-
-function cellOf({ x, y }: Point): CellPoint {
-  return { column: Math.floor(x / CELL), row: Math.floor(y / CELL) };
-}
-
-function centreOf({ column, row }: CellPoint): Point {
-  return { x: (column + 0.5) * CELL, y: (row + 0.5) * CELL };
 }
 
 function distance(a: Point, b: Point): number {
