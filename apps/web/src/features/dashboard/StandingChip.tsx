@@ -1,5 +1,5 @@
 /** The state of a student: an icon and a word. */
-import { Check, Hand, Minus, Pencil, Play, TriangleAlert, Unplug } from "lucide";
+import { Check, Hand, Minus, Pause, Pencil, Play, TriangleAlert, Unplug } from "lucide";
 import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import type { Standing } from "../../model/classroom/standing.ts";
@@ -7,11 +7,15 @@ import { BurstIcon } from "../../ui/BurstIcon.tsx";
 import { Chip } from "../../ui/Chip.tsx";
 import { Icon } from "../../ui/Icon.tsx";
 
-/** A working student writes or drives; a claimed solution is checked, or does not pass. */
+/**
+ * A working student writes, drives, or waits in a pause of the class; a claimed solution is checked,
+ * or does not pass.
+ */
 export type CardState =
   | Exclude<Standing, "working">
   | "writing"
   | "driving"
+  | "paused"
   | "checking"
   | "unverified";
 
@@ -24,6 +28,7 @@ const looks: Record<
   bumped: { tone: "bad", icon: <BurstIcon size={13} /> },
   writing: { tone: "ring", icon: <Icon of={Pencil} /> },
   driving: { tone: "live", icon: <Icon of={Play} fill="currentColor" /> },
+  paused: { tone: "ring", icon: <Icon of={Pause} /> },
   checking: { tone: "ring", icon: <Icon of={Check} /> },
   unverified: { tone: "bad", icon: <Icon of={TriangleAlert} /> },
   disconnected: { tone: "dashed", icon: <Icon of={Unplug} /> },

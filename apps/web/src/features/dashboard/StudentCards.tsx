@@ -1,14 +1,15 @@
 /** The students, by what they need. */
 import { useEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
-import type { Standing } from "../../model/classroom/standing.ts";
+import { useShallow } from "zustand/react/shallow";
 import { helpedOfState, resultsTask } from "../../model/classroom/dashboard.ts";
-import { filters, hasSolved, isIn, type Filter } from "../../model/classroom/student-group.ts";
+import { filters, type Filter } from "../../model/classroom/student-group.ts";
 import { nextHelped, sortKeys } from "../../model/classroom/student-order.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Segmented } from "../../ui/Segmented.tsx";
 import { Select } from "../../ui/Select.tsx";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
+import { cardFilters, hasFilter, notHereFilters } from "./card-filters.ts";
 import { useContent, useDashboard } from "./dashboard-context.ts";
 import { StudentCard } from "./StudentCard.tsx";
 import { StandingChip } from "./StandingChip.tsx";
@@ -27,11 +28,10 @@ interface StudentCardsProps {
 export function StudentCards({ watched, onWatch }: StudentCardsProps) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
   const { dashboard } = useContent();
-  const [filter, setFilter] = useState<Filter>("all");
+  const [chosen, setChosen] = useState<Filter>("all");
   const order = useDashboard((state) => state.order);
   const sorting = useDashboard((state) => state.sorting);
-  const shown = useDashboard((state) => state.shown);
-  const verifications = useDashboard((state) => state.verifications);
+  const bits = useDashboard(useShallow(cardFilters));
   const task = useDashboard(resultsTask);
   const hasTasks = useDashboard(({ lesson }) => (lesson?.tasks.length ?? 1) > 1);
   const missing = useDashboard(({ classroom, students }) =>
@@ -42,18 +42,19 @@ export function StudentCards({ watched, onWatch }: StudentCardsProps) {
   const isEmpty = order.order.length === 0;
   useNextKey(list);
   useHold(list, isEmpty);
-  const standingOf = (student: number): Standing => shown.get(student)?.standing ?? "working";
   const filtered = (each: Filter): number[] =>
-    order.order.filter((student) =>
-      isIn(each, standingOf(student), hasSolved(verifications, student, task)),
-    );
-  const hasMissing = (each: Filter): boolean => missing > 0 && isIn(each, "not-here", false);
+    order.order.filter((_, at) => hasFilter(bits[at] ?? 0, each));
+  const hasMissing = (each: Filter): boolean => missing > 0 && hasFilter(notHereFilters, each);
   const labelOf = (each: Filter): string => {
     const number = filtered(each).length + (hasMissing(each) ? missing : 0);
-    return each === "solved" && hasTasks
-      ? t("filter.solvedTask", { number, task })
+    return hasTasks && (each === "solved" || each === "working")
+      ? t(`filter.${each}Task`, { number, task })
       : t(`filter.${each}`, { number });
   };
+  const offered = (isPhone ? phoneFilters : filters).filter(
+    (each) => each !== "elsewhere" || hasTasks,
+  );
+  const filter = offered.includes(chosen) ? chosen : "all";
   const students = filtered(filter);
   if (isEmpty) return null;
   return (
@@ -64,11 +65,8 @@ export function StudentCards({ watched, onWatch }: StudentCardsProps) {
             label={t("filter.label")}
             look="strip"
             value={filter}
-            options={(isPhone ? phoneFilters : filters).map((value) => ({
-              value,
-              label: labelOf(value),
-            }))}
-            onChange={setFilter}
+            options={offered.map((value) => ({ value, label: labelOf(value) }))}
+            onChange={setChosen}
           />
         </div>
         <label className={styles["sort"]}>

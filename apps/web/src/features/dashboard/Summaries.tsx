@@ -5,8 +5,9 @@ import { useTranslation } from "react-i18next";
 import type { Bar, ClassSummary } from "../../model/classroom/class-summary.ts";
 import { mostBumped } from "../../model/classroom/most-bumped.ts";
 import { summaryOf } from "../../model/classroom/class-summary.ts";
-import { resultsTask } from "../../model/classroom/dashboard.ts";
+import { isClassPaused, resultsTask } from "../../model/classroom/dashboard.ts";
 import { chosenMaze, raceField, type RaceChoice } from "../../model/classroom/racers.ts";
+import { groups, type StudentGroup } from "../../model/classroom/student-group.ts";
 import { localNumber } from "../../text/numbers.ts";
 import { Select } from "../../ui/Select.tsx";
 import { BumpMaze } from "./BumpMaze.tsx";
@@ -28,12 +29,13 @@ export function Summaries({ raceChoice, onRaceChoice }: SummariesProps) {
   const shown = useDashboard((state) => state.shown);
   const verifications = useDashboard((state) => state.verifications);
   const expected = useDashboard(({ classroom }) => classroom?.expected ?? null);
+  const isPaused = useDashboard(isClassPaused);
   const { dashboard } = useContent();
   const task = useDashboard(resultsTask);
   const tasks = lesson?.tasks.length ?? 1;
   const summary = useMemo(
-    () => summaryOf(task, students, shown, verifications, expected),
-    [task, students, shown, verifications, expected],
+    () => summaryOf(task, students, shown, verifications, { expected, isPaused }),
+    [task, students, shown, verifications, expected, isPaused],
   );
   if (students.size === 0) return null;
   const limit = lesson?.tasks[task - 1]?.allowed.lines ?? null;
@@ -57,7 +59,7 @@ export function Summaries({ raceChoice, onRaceChoice }: SummariesProps) {
             onChange={(value) => dashboard.chooseTask(Number(value))}
           />
         )}
-        <Shares summary={summary} />
+        <Shares groups={groupsShown(isPaused, tasks > 1)} summary={summary} />
         {lesson !== null && (
           <RaceButton
             lesson={lesson}
@@ -98,26 +100,39 @@ export function Summaries({ raceChoice, onRaceChoice }: SummariesProps) {
   );
 }
 
-const shares = ["solved", "working", "bumped", "needHelp", "away"] as const;
+/** The same ones whatever students do, so that their places do not change. */
+function groupsShown(isPaused: boolean, hasTasks: boolean): StudentGroup[] {
+  return groups.filter((group) => {
+    if (group === "paused") return isPaused;
+    if (group === "driving" || group === "writing") return !isPaused;
+    return group !== "elsewhere" || hasTasks;
+  });
+}
+
+interface SharesProps {
+  groups: readonly StudentGroup[];
+  summary: ClassSummary;
+}
 
 /** The students by what they do, as a bar with its legend. */
-function Shares({ summary }: { summary: ClassSummary }) {
+function Shares({ groups: shown, summary }: SharesProps) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
+  const counts = summary.groups;
   return (
     <>
       <div className={styles["shares"]} aria-hidden="true">
-        {shares.map(
-          (share) =>
-            summary[share] > 0 && (
-              <span key={share} data-share={share} style={{ flexGrow: summary[share] }} />
+        {shown.map(
+          (group) =>
+            counts[group] > 0 && (
+              <span key={group} data-share={group} style={{ flexGrow: counts[group] }} />
             ),
         )}
       </div>
       <dl className={styles["legend"]}>
-        {shares.map((share) => (
-          <div key={share}>
-            <dt data-share={share}>{t(`share.${share}`)}</dt>
-            <dd>{summary[share]}</dd>
+        {shown.map((group) => (
+          <div key={group}>
+            <dt data-share={group}>{t(`share.${group}`)}</dt>
+            <dd>{counts[group]}</dd>
           </div>
         ))}
       </dl>

@@ -3,13 +3,13 @@ import { Dashboard } from "../../model/classroom/dashboard.ts";
 import { seenStudent } from "../../model/classroom/testing/seen-student.ts";
 import { emptyTask } from "../../simulator/classroom-worker/student-work.ts";
 import type { ClassTime, SeenStudent } from "../../simulator/protocol/classroom-messages.ts";
-import { cardTime } from "./use-card.ts";
+import { cardState, cardTime } from "./use-card.ts";
 
 const START = 1_000_000;
 const OPENED = 5_000;
 
-/** What the card of a student shows a while after the class has started. */
-function timeAfter(ms: number, change: Partial<ClassTime> = {}, isSolved = false) {
+/** A class with one student, a while after it has started. */
+function classAfter(ms: number, change: Partial<ClassTime> = {}, isSolved = false) {
   const dashboard = new Dashboard({
     send: () => undefined,
     now: () => START + ms,
@@ -35,7 +35,11 @@ function timeAfter(ms: number, change: Partial<ClassTime> = {}, isSolved = false
   const claim = { code: "x", activeAt: OPENED + 62_000, lines: 2, attempts: 1 };
   const passes = { kind: "passes", claim, attempt: [] } as const;
   if (isSolved) dashboard.verified(new Map([[1, new Map([[1, passes]])]]));
-  return cardTime(dashboard.store.getState(), student);
+  return [dashboard.store.getState(), student] as const;
+}
+
+function timeAfter(...after: Parameters<typeof classAfter>) {
+  return cardTime(...classAfter(...after));
 }
 
 describe("the time on a card", () => {
@@ -58,5 +62,18 @@ describe("the time on a card", () => {
 
   it("stands after the first verified solution", () => {
     expect(timeAfter(600_000, {}, true)).toEqual({ minutes: 1, startedAt: null, seconds: 2 });
+  });
+});
+
+describe("the state on a card", () => {
+  const pause = { at: START, activeMs: 0, pauseEndsAt: START + 30_000 };
+
+  it("is paused in a pause of the class, in which nobody can write", () => {
+    expect(cardState(...classAfter(29_000, pause))).toBe("paused");
+    expect(cardState(...classAfter(31_000, pause))).toBe("writing");
+  });
+
+  it("is still solved in a pause", () => {
+    expect(cardState(...classAfter(29_000, pause, true))).toBe("solved");
   });
 });

@@ -1,6 +1,11 @@
 /** What the card of a student shows. */
 import { openTask, openWork } from "../../model/classroom/standing.ts";
-import { timeOf, verificationOf, type DashboardState } from "../../model/classroom/dashboard.ts";
+import {
+  isClassPaused,
+  timeOf,
+  verificationOf,
+  type DashboardState,
+} from "../../model/classroom/dashboard.ts";
 import type { SeenStudent } from "../../simulator/protocol/classroom-messages.ts";
 import type { CardState } from "./StandingChip.tsx";
 
@@ -12,6 +17,8 @@ export function cardState(state: DashboardState, student: SeenStudent): CardStat
   if (isOpen && verification === "fails") return "unverified";
   if (standing !== "working") return standing;
   if (verification === "checking") return "checking";
+  // A robot stands during a pause, and nobody can write.
+  if (isClassPaused(state)) return "paused";
   return student.tile?.state === "driving" ? "driving" : "writing";
 }
 

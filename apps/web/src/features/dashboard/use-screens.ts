@@ -2,6 +2,7 @@
 import { useEffect } from "react";
 import { summaryOf } from "../../model/classroom/class-summary.ts";
 import {
+  isClassPaused,
   resultsTask,
   type Dashboard,
   type DashboardState,
@@ -43,7 +44,9 @@ function numbersOf(state: DashboardState, choice: RaceChoice | null): ScreenNumb
   const { classroom, lesson, students, shown, verifications, bumps } = state;
   if (classroom === null || lesson === null) return null;
   const task = resultsTask(state);
-  const summary = summaryOf(task, students, shown, verifications, classroom.expected);
+  const isPaused = isClassPaused(state);
+  const { expected } = classroom;
+  const summary = summaryOf(task, students, shown, verifications, { expected, isPaused });
   const { maze, cells } = mostBumped(task, bumps);
   const { racers, missing } = raceField(task, verifications);
   return {

@@ -1,7 +1,7 @@
 /** The numbers above the cards, of one task. Pure. */
 import type { SeenStudent } from "../../simulator/protocol/classroom-messages.ts";
 import type { Standing } from "./standing.ts";
-import { groupOf, hasSolved, type StudentGroup } from "./student-group.ts";
+import { groupedStudent, groupOf, type StudentGroup } from "./student-group.ts";
 import type { Verifications } from "./verifier.ts";
 
 export interface Bar {
@@ -17,11 +17,8 @@ export interface ClassSummary {
   solved: number;
   /** expected students, or those who have joined if they are more */
   all: number;
-  /** joined students by what they do now, without those who have solved the task */
-  working: number;
-  bumped: number;
-  needHelp: number;
-  away: number;
+  /** number of students in each group; those who have not joined are away */
+  groups: Record<StudentGroup, number>;
   /** ms; null: nobody has solved the task */
   medianMs: number | null;
   times: Bar[];
@@ -35,37 +32,45 @@ export interface ClassSummary {
 
 const MAX_BARS = 8;
 const MINUTE_MS = 60_000;
+const nobody: Record<StudentGroup, number> = {
+  solved: 0,
+  driving: 0,
+  writing: 0,
+  paused: 0,
+  bumped: 0,
+  stuck: 0,
+  help: 0,
+  elsewhere: 0,
+  away: 0,
+};
 
 export function summaryOf(
   task: number,
   students: ReadonlyMap<number, SeenStudent>,
   shown: ReadonlyMap<number, { standing: Standing }>,
   verifications: Verifications,
-  expected: number | null,
+  { expected, isPaused }: { expected: number | null; isPaused: boolean },
 ): ClassSummary {
   const solutions = [...students.values()].flatMap(({ student, tasks }) => {
     const found = verifications.get(student)?.get(task);
     const work = tasks.find((each) => each.task === task);
     return found?.kind === "passes" ? [{ claim: found.claim, openedAt: work?.openedAt ?? 0 }] : [];
   });
-  const groups = [...students.keys()].map((student) =>
-    groupOf(shown.get(student)?.standing ?? "working", hasSolved(verifications, student, task)),
-  );
-  const count = (wanted: StudentGroup): number => groups.filter((each) => each === wanted).length;
+  const all = Math.max(expected ?? 0, students.size);
+  const groups = { ...nobody, away: all - students.size };
+  for (const student of students.values()) {
+    groups[groupOf(groupedStudent(student, task, { shown, verifications, isPaused }))]++;
+  }
   const times = solutions.map(({ claim, openedAt }) => Math.max(0, claim.activeAt - openedAt));
   const lines = solutions.flatMap(({ claim }) => claim.lines ?? []);
   const attempts = [...students.values()].flatMap(({ tasks }) => {
     const work = tasks.find((each) => each.task === task);
     return work === undefined || work.attempts === 0 ? [] : [work.attempts];
   });
-  const all = Math.max(expected ?? 0, students.size);
   return {
-    solved: count("solved"),
+    solved: groups.solved,
     all,
-    working: count("working"),
-    bumped: count("bumped"),
-    needHelp: count("needHelp"),
-    away: count("away") + all - students.size,
+    groups,
     medianMs: median(times),
     times: barsOf(times.map((ms) => Math.max(1, Math.ceil(ms / MINUTE_MS)))),
     commonLines: mostCommon(lines),

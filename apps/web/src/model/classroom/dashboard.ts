@@ -233,6 +233,15 @@ export function resultsTask({
   return Math.min(task, lesson?.tasks.length ?? 1);
 }
 
+/** Whether the class is paused now. */
+export function isClassPaused({
+  classroom,
+  now,
+}: Pick<DashboardState, "classroom" | "now">): boolean {
+  const endsAt = classroom?.time.pauseEndsAt ?? null;
+  return endsAt !== null && endsAt > now;
+}
+
 /** The active time now, in ms. */
 export function activeNow({ classroom, now }: Pick<DashboardState, "classroom" | "now">): number {
   return classroom === null ? 0 : activeMsAt(classroom.time, now);

@@ -72,7 +72,7 @@ describe("a student", () => {
 
   it("who has solved the task is never stuck, however long ago", () => {
     const change = { bestAt: NOW - 10 * MINUTE, busyAt: NOW - 10 * MINUTE, repeats: 9 };
-    expect(judged(change, true)).toEqual({ standing: "solved", since: NOW - 10 * MINUTE });
+    expect(judged(change, true)).toMatchObject({ standing: "solved", since: NOW - 10 * MINUTE });
     expect(judged({ ...change, isConnected: false }, true).standing).toBe("solved");
   });
 
@@ -83,7 +83,7 @@ describe("a student", () => {
 });
 
 describe("what a card shows", () => {
-  const shown = (standing: Standing) => ({ standing, since: 0, shownAt: 0 });
+  const shown = (standing: Standing) => ({ standing, since: 0, task: 1, shownAt: 0 });
 
   it.each<{ before: Standing; next: Standing; afterMs: number; expected: Standing }>([
     { before: "working", next: "bumped", afterMs: 0, expected: "bumped" },
@@ -97,12 +97,17 @@ describe("what a card shows", () => {
     { before: "working", next: "disconnected", afterMs: 20_000, expected: "disconnected" },
     { before: "stuck", next: "solved", afterMs: 0, expected: "solved" },
   ])("is $expected $afterMs ms after $before turned into $next", (row) => {
-    const next = { standing: row.next, since: 5 };
+    const next = { standing: row.next, since: 5, task: 1 };
     expect(settle(shown(row.before), next, row.afterMs).standing).toBe(row.expected);
   });
 
   it("begins with the first standing", () => {
-    const next = { standing: "stuck", since: 5 } as const;
+    const next = { standing: "stuck", since: 5, task: 1 } as const;
     expect(settle(null, next, 70)).toEqual({ ...next, shownAt: 70 });
+  });
+
+  it("is about the open task: a bump in the task before does not stay", () => {
+    const next = { standing: "working", since: 5, task: 2 } as const;
+    expect(settle(shown("bumped"), next, 1)).toEqual({ ...next, shownAt: 1 });
   });
 });

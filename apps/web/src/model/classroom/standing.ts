@@ -18,6 +18,8 @@ export interface StandingSince {
   standing: Standing;
   /** active time at which it began, in ms */
   since: number;
+  /** number of the task in which it began */
+  task: number;
 }
 
 /** Failed attempts in a row with the same line and failure. */
@@ -62,18 +64,18 @@ export function openWork(student: Pick<SeenStudent, "tile" | "tasks">): TaskWork
  * @param helpAt active time at which the student asked for help
  */
 export function standingOf(
-  { student, isSolved }: JudgedStudent,
+  { student, task, isSolved }: JudgedStudent,
   now: number,
   helpAt: number,
 ): StandingSince {
   const { helpSince, isConnected, tile, busyAt, bestAt } = student;
-  if (helpSince !== null) return { standing: "help", since: helpAt };
-  if (isSolved) return { standing: "solved", since: bestAt };
-  if (!isConnected) return { standing: "disconnected", since: now };
+  if (helpSince !== null) return { standing: "help", since: helpAt, task };
+  if (isSolved) return { standing: "solved", since: bestAt, task };
+  if (!isConnected) return { standing: "disconnected", since: now, task };
   const stuck = stuckSince(student, now);
-  if (stuck !== null) return { standing: "stuck", since: stuck };
-  if (tile?.state === "bumped") return { standing: "bumped", since: now };
-  return { standing: "working", since: Math.min(now, busyAt) };
+  if (stuck !== null) return { standing: "stuck", since: stuck, task };
+  if (tile?.state === "bumped") return { standing: "bumped", since: now, task };
+  return { standing: "working", since: Math.min(now, busyAt), task };
 }
 
 /** The earliest of the times at which a rule applied; null if none applies. */
@@ -97,7 +99,7 @@ export interface ShownStanding extends StandingSince {
 
 /**
  * The standing to show: a more urgent one at once, any other after the one before it was shown for
- * 20 s. So a card does not change while the teacher looks at it.
+ * 20 s. So a card does not change while the teacher looks at it. In another task, it begins at once.
  * @param now ms by the clock of `shownAt`
  */
 export function settle(
@@ -105,7 +107,7 @@ export function settle(
   next: StandingSince,
   now: number,
 ): ShownStanding {
-  if (before === null) return { ...next, shownAt: now };
+  if (before === null || before.task !== next.task) return { ...next, shownAt: now };
   if (before.standing === next.standing) return before;
   const isMoreUrgent = rank(next.standing) < rank(before.standing);
   const isOld = now - before.shownAt >= LEAST_MS;
