@@ -14,10 +14,13 @@ const task = {
   unseen: { kind: "tree", columns: 11, rows: 11, seed: 7, count: 50, pass: 1 } as const,
 };
 const lesson: LessonDocument = { ...sampleLesson, name: "Races", tasks: [task] };
-const mark = lessonMark(lesson);
-
 /** Joins, and claims the task with the solution of the mission. */
-async function joinAndSolve(relay: string, code: string): Promise<ScriptedStudent> {
+async function joinAndSolve(
+  relay: string,
+  code: string,
+  document = lesson,
+): Promise<ScriptedStudent> {
+  const mark = lessonMark(document);
   const student = await ScriptedStudent.join(relay, code);
   const { solution } = answers["every-maze"];
   const link = encodeLink({ completion: { lesson: mark, task: 0, attempt: solution } });
@@ -64,5 +67,29 @@ test("a race takes place in the maze that the teacher chooses, also on the big s
   await expectNoAxeViolations(page, "race in a chosen maze");
   await page.setViewportSize({ width: 320, height: 700 });
   expect(await horizontalOverflow(page)).toEqual([]);
+  for (const student of students) student.close();
+});
+
+test("a race on the big screen ends when the results of another task are shown", async ({
+  page,
+  relay,
+  openWindow,
+}) => {
+  const tasks = [task, sampleTask("one-line", "One line")];
+  const twoTasks: LessonDocument = { ...lesson, tasks };
+  const teacher = await ClassTeacher.start(relay, null, twoTasks);
+  await page.goto(`/class/${teacher.created.id}#${teacher.created.teacherKey}`);
+  const { page: screen } = await openWindow({ viewport: { width: 1920, height: 1080 } });
+  await screen.goto(`${relay}/class/${teacher.created.id}#${teacher.created.screenKey}`);
+  const students = [
+    await joinAndSolve(relay, teacher.code, twoTasks),
+    await joinAndSolve(relay, teacher.code, twoTasks),
+  ];
+  await screen.getByRole("button", { name: "Race: 2 robots, one maze" }).click();
+  await expect(screen.getByText("0 of 2 at the goal")).toBeVisible();
+  await page.getByRole("combobox", { name: "Task of the results" }).selectOption("Task 2 of 2");
+  await expect(screen.getByText("0 of 2 solved")).toBeVisible();
+  await expect(screen.getByRole("button", { name: "Close race" })).toHaveCount(0);
+  await expect(screen.getByText("Where robots bump")).toBeVisible();
   for (const student of students) student.close();
 });

@@ -86,8 +86,11 @@ function Join({ code }: { code: string }) {
 function Results({ lesson, content }: { lesson: LessonDocument; content: ScreenContent }) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
   const { task, solved, all, medianMs, lines, bumps, run, racers, raceMaze, missing } = content;
-  const [isRacing, setRacing] = useState(false);
+  const [racedTask, setRacedTask] = useState<number | null>(null);
   const count = countRacers(racers);
+  // Another task, or another lesson, ends the race.
+  const isRacing = racedTask === task && count > 1;
+  if (racedTask !== null && !isRacing) setRacedTask(null);
   const maze = taskMaze(lesson, task, content.maze ?? "g1");
   return (
     <section className={styles["results"]} aria-label={t("summary.label")}>
@@ -103,7 +106,7 @@ function Results({ lesson, content }: { lesson: LessonDocument; content: ScreenC
         {lines !== null && <p>{t("screen.lines", { count: lines })}</p>}
         {count > 1 && !isRacing && (
           <div>
-            <Button onClick={() => setRacing(true)}>{t("race.open", { count })}</Button>
+            <Button onClick={() => setRacedTask(task)}>{t("race.open", { count })}</Button>
           </div>
         )}
       </div>
@@ -115,7 +118,7 @@ function Results({ lesson, content }: { lesson: LessonDocument; content: ScreenC
           maze={raceMaze}
           racers={racers}
           note={missing === 0 ? null : t("race.missing", { count: missing, most: MAX_RACERS })}
-          onClose={() => setRacing(false)}
+          onClose={() => setRacedTask(null)}
         />
       ) : run === null ? (
         maze !== null && (

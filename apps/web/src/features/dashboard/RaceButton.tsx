@@ -28,16 +28,17 @@ export function RaceButton({ lesson, task, field, maze, onMaze }: RaceButtonProp
   const [isOpen, setOpen] = useState(false);
   const note = useMissingNote(field.missing);
   const count = countRacers(field.racers);
+  const canRace = count > 1;
   const close = (): void => setOpen(false);
   return (
     <>
-      {count > 1 && (
+      {canRace && (
         <Button size="small" onClick={() => setOpen(true)}>
           {t("race.open", { count })}
         </Button>
       )}
-      <Dialog isOpen={isOpen} onClose={close} title={t("race.title")}>
-        {isOpen && (
+      <Dialog isOpen={isOpen && canRace} onClose={close} title={t("race.title")}>
+        {isOpen && canRace && (
           <>
             <MazeChoice lesson={lesson} task={task} maze={maze} onMaze={onMaze} />
             <LazyRaceView

@@ -10,6 +10,7 @@ import { Button } from "../../ui/Button.tsx";
 import { MazeDrawing } from "../../ui/MazePicture.tsx";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
 import { lastTick, poseAt, raceSpeed, type RacePose } from "./race-motion.ts";
+import { racePlaces, type RacePlace } from "./race-places.ts";
 import { startRace, type RaceRobot, type RaceStart } from "./start-race.ts";
 import { taskMaze } from "./task-maze.ts";
 import styles from "./race-view.module.css";
@@ -65,6 +66,33 @@ function transformsOf({ x, y, heading }: RacePose): { place: string; turn: strin
   return { place: `translate(${x / CELL} ${y / CELL})`, turn: `rotate(${heading})` };
 }
 
+interface RobotProps {
+  number: number;
+  /** students with its program */
+  count: number;
+  turn: string | undefined;
+  lane: RacePlace | undefined;
+}
+
+/** One robot at its lane. It stands for all students with its program. */
+function Robot({ number, count, turn, lane }: RobotProps) {
+  if (lane === undefined) return null;
+  const { x, y, radius } = lane;
+  return (
+    <g transform={`translate(${x} ${y}) scale(${radius})`}>
+      {count > 1 && <circle r="1" cx="0.3" cy="0.3" />}
+      <circle r="1" />
+      <path d="M-.46-.4 0-.94 .46-.4z" transform={turn} />
+      <text y="0.35">{number}</text>
+      {count > 1 && (
+        <text className={styles["times"]} x="1.3" y="1.1">
+          ×{count}
+        </text>
+      )}
+    </g>
+  );
+}
+
 interface TrackProps {
   maze: MazeDocument;
   robots: readonly RaceRobot[];
@@ -112,6 +140,7 @@ function Track({ maze, robots, onClose }: TrackProps) {
     .toSorted((a, b) => a.run.ticks - b.run.ticks);
   // Each robot is rendered at its start. Later frames move it past React.
   const starts = robots.map(({ run }) => transformsOf(poseAt(run, 0)));
+  const lanes = racePlaces(robots.length);
   return (
     <>
       <div className={styles["bar"]}>
@@ -136,7 +165,7 @@ function Track({ maze, robots, onClose }: TrackProps) {
       </div>
       <svg viewBox={`0 0 ${columns} ${rows}`} aria-hidden="true">
         <MazeDrawing maze={maze} showStart={false} />
-        {robots.map(({ run }, at) => (
+        {robots.map(({ run, count }, at) => (
           <g
             key={at}
             ref={(place) => {
@@ -146,9 +175,7 @@ function Track({ maze, robots, onClose }: TrackProps) {
             className={styles["robot"]}
             data-solved={run.isSolved && run.ticks <= tick}
           >
-            <circle r="0.3" />
-            <path d="M-.14-.12 0-.28 .14-.12z" transform={starts[at]?.turn} />
-            <text y="0.1">{at + 1}</text>
+            <Robot number={at + 1} count={count} turn={starts[at]?.turn} lane={lanes[at]} />
           </g>
         ))}
       </svg>
