@@ -254,7 +254,7 @@ test("a long name fits every width of the bar", async ({ page, relay }) => {
   for (const width of [1440, 1200, 1024, 900, 768, 600]) {
     await page.setViewportSize({ width, height: 800 });
     await expect(classButton(page)).toBeVisible();
-    expect(await horizontalOverflow(page), `${width} px`).toEqual([]);
+    await expect.poll(() => horizontalOverflow(page), `${width} px`).toEqual([]);
   }
 });
 

@@ -124,7 +124,7 @@ test("fits a phone and 320 px, also in a right-to-left language", async ({
     expect(await smallTouchTargets(page)).toEqual([]);
     for (const width of [390, 320]) {
       await page.setViewportSize({ width, height: 568 });
-      expect(await horizontalOverflow(page), `${locale}, ${width} px`).toEqual([]);
+      await expect.poll(() => horizontalOverflow(page), `${locale}, ${width} px`).toEqual([]);
     }
     await page.getByRole("textbox").fill(code);
     await page.getByRole("textbox").press("Enter");

@@ -319,7 +319,7 @@ test("shares a lesson as a short link, a picture, a file and with other apps", a
   const small = await smallTouchTargets(page);
   expect(small.filter((target) => !target.startsWith("Two tasks:"))).toEqual([]);
   await page.setViewportSize({ width: 320, height: 640 });
-  expect(await horizontalOverflow(page)).toEqual([]);
+  await expect.poll(() => horizontalOverflow(page)).toEqual([]);
 
   await page.context().setOffline(true);
   await expect(dialog).toContainText("You are offline.");
@@ -385,7 +385,9 @@ test("is accessible, and fits a phone and 320 px in a right-to-left language", a
       expect(await smallTouchTargets(small), `${locale}, tab ${at}`).toEqual([]);
       for (const width of [390, 320]) {
         await small.setViewportSize({ width, height: 640 });
-        expect(await horizontalOverflow(small), `${locale}, tab ${at}, ${width} px`).toEqual([]);
+        await expect
+          .poll(() => horizontalOverflow(small), `${locale}, tab ${at}, ${width} px`)
+          .toEqual([]);
       }
     }
   }

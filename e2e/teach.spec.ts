@@ -238,7 +238,7 @@ test("fits a phone and 320 px, also in a right-to-left language", async ({ openW
     expect(await smallTouchTargets(page)).toEqual([]);
     for (const width of [390, 320]) {
       await page.setViewportSize({ width, height: 640 });
-      expect(await horizontalOverflow(page), `${locale}, ${width} px`).toEqual([]);
+      await expect.poll(() => horizontalOverflow(page), `${locale}, ${width} px`).toEqual([]);
     }
   }
 });

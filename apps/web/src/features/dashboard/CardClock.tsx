@@ -1,5 +1,5 @@
 /** The time of a student, in minutes and seconds. */
-import { useLayoutEffect, useRef } from "react";
+import { useEffect, useLayoutEffect, useRef, useState } from "react";
 import { clockText } from "./clock-text.ts";
 import type { CardTime } from "./use-card.ts";
 import styles from "./card-clock.module.css";
@@ -25,19 +25,34 @@ const keyframes: Keyframe[] = [
  * on every card would cost the page more than all its pictures. Each minute starts the animation
  * again, so that it follows the clock of the device.
  */
-export function CardClock({ minutes, startedAt, seconds }: CardTime) {
+export function CardClock(time: CardTime) {
+  const minutes = useMinutes(time);
   return (
     <span className={styles["clock"]} dir="ltr">
-      {startedAt === null ? (
-        clockText(minutes * MINUTE_MS + seconds * SECOND_MS)
+      {time.startedAt === null ? (
+        clockText(minutes * MINUTE_MS + time.seconds * SECOND_MS)
       ) : (
         <>
           {clockText(minutes * MINUTE_MS).slice(0, -2)}
-          <Seconds from={startedAt + minutes * MINUTE_MS} />
+          <Seconds from={time.startedAt + minutes * MINUTE_MS} />
         </>
       )}
     </span>
   );
+}
+
+/** The whole minutes of a time. While it runs, renders again at the start of each minute. */
+export function useMinutes({ minutes: known, startedAt }: CardTime): number {
+  const [reachedAt, setReachedAt] = useState(0);
+  const reached = startedAt === null ? 0 : Math.floor((reachedAt - startedAt) / MINUTE_MS);
+  const minutes = Math.max(known, reached);
+  const nextAt = startedAt === null ? null : startedAt + (minutes + 1) * MINUTE_MS;
+  useEffect(() => {
+    if (nextAt === null) return;
+    const timer = setTimeout(() => setReachedAt(nextAt), nextAt - Date.now());
+    return () => clearTimeout(timer);
+  }, [nextAt]);
+  return minutes;
 }
 
 /** The seconds of one minute. @param from its start, in ms since 1970 */

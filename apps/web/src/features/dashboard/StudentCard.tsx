@@ -5,11 +5,11 @@ import { useTranslation } from "react-i18next";
 import { useShallow } from "zustand/react/shallow";
 import { classNames } from "../../ui/class-names.ts";
 import { Icon } from "../../ui/Icon.tsx";
-import { CardClock } from "./CardClock.tsx";
+import { CardClock, useMinutes } from "./CardClock.tsx";
 import { useDashboard, useStudentName } from "./dashboard-context.ts";
 import { StandingChip } from "./StandingChip.tsx";
 import { StudentPicture } from "./StudentPicture.tsx";
-import { cardFacts } from "./use-card.ts";
+import { cardFacts, type CardTime } from "./use-card.ts";
 import styles from "./student-card.module.css";
 
 interface StudentCardProps {
@@ -18,15 +18,18 @@ interface StudentCardProps {
   onWatch: (student: number) => void;
 }
 
+const noTime: CardTime = { minutes: 0, startedAt: null, seconds: 0 };
+
 export const StudentCard = memo(function StudentCard(props: StudentCardProps) {
   const { student: number, isWatched, onWatch } = props;
   const { t } = useTranslation("dashboard", { useSuspense: false });
   const nameOf = useStudentName();
   // Everything that the card renders, so that it renders again only when that changes.
   const facts = useDashboard(useShallow((all) => cardFacts(all, number)));
+  const minutes = useMinutes(facts ?? noTime);
   if (facts === null) return null;
   const { word, text, task, hasTasks, state, lines, attempts, awaySeconds } = facts;
-  const { minutes, startedAt, seconds } = facts;
+  const { startedAt, seconds } = facts;
   const name = nameOf({ student: number, name: { word, text } });
   const spoken = [
     name,

@@ -2,6 +2,7 @@
 import { KeyRound, Lightbulb, Monitor, UserX, X } from "lucide";
 import { useEffect, useRef, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
+import { useShallow } from "zustand/react/shallow";
 import { shownCode } from "../../model/classes/shown-code.ts";
 import { verificationOf } from "../../model/classroom/dashboard.ts";
 import { openTask, openWork } from "../../model/classroom/standing.ts";
@@ -9,12 +10,12 @@ import type { CountedFailure, SeenStudent } from "../../simulator/protocol/class
 import { directionOf } from "../../text/direction.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { Icon } from "../../ui/Icon.tsx";
-import { clockText } from "./clock-text.ts";
+import { CardClock, useMinutes } from "./CardClock.tsx";
 import { useContent, useDashboard, useStudentName } from "./dashboard-context.ts";
 import { ProgramText } from "./ProgramText.tsx";
 import { StandingChip } from "./StandingChip.tsx";
 import { PictureArea, StudentPicture } from "./StudentPicture.tsx";
-import { cardSeconds, cardState } from "./use-card.ts";
+import { cardState, cardTime } from "./use-card.ts";
 import styles from "./watch-sheet.module.css";
 
 interface WatchSheetProps {
@@ -78,7 +79,8 @@ function SheetHead({ student, onClose }: { student: SeenStudent; onClose: () => 
   const { t } = useTranslation("dashboard", { useSuspense: false });
   const nameOf = useStudentName();
   const state = useDashboard((all) => cardState(all, student));
-  const seconds = useDashboard((all) => cardSeconds(all, student.student));
+  const time = useDashboard(useShallow((all) => cardTime(all, student)));
+  const minutes = useMinutes(time);
   return (
     <div className={styles["head"]}>
       <h2 id="watched-student" className={styles["name"]} dir="auto">
@@ -86,7 +88,12 @@ function SheetHead({ student, onClose }: { student: SeenStudent; onClose: () => 
       </h2>
       {/* The sheet has its own sentence for it. */}
       {state !== "unverified" && <StandingChip state={state} />}
-      <span className={styles["time"]}>{clockText(seconds * 1_000)}</span>
+      <span className={styles["time"]}>
+        <span aria-hidden="true">
+          <CardClock {...time} />
+        </span>
+        <span className="visually-hidden">{t("card.minutes", { count: minutes })}</span>
+      </span>
       <IconButton label={t("close")} size="medium" onClick={onClose}>
         <Icon of={X} />
       </IconButton>

@@ -27,18 +27,12 @@ function writtenLines({ programs }: DashboardState, student: SeenStudent): numbe
   return read?.task === openTask(student) ? (read.program?.rules.length ?? null) : null;
 }
 
-/** Whole seconds on the open task; 0 for a student who is gone. */
-export function cardSeconds(state: DashboardState, number: number): number {
-  const student = state.students.get(number);
-  return student === undefined ? 0 : Math.floor(timeOf(state, student) / 1_000);
-}
-
 /** A picture that is older than this is grey. */
 const OLD_SECONDS = 20;
 
 /** The time on the open task. A running time is described by constants, as it changes always. */
 export interface CardTime {
-  /** whole */
+  /** whole, at the last update */
   minutes: number;
   /** ms since 1970 at which a running time was 0; null: the time does not run */
   startedAt: number | null;

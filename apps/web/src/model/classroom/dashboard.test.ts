@@ -54,6 +54,22 @@ describe("the dashboard", () => {
     expect(state().shown.get(2)).toMatchObject({ standing: "help", since: 0 });
   });
 
+  it("updates each second while it counts seconds without a student, and otherwise each 5 s", () => {
+    const { students, state, pass } = newDashboard();
+    students(seenStudent(1));
+    const updates = (seconds: number): number => {
+      const times = new Set<number>();
+      for (let second = 0; second < seconds; second++) {
+        pass(1_000);
+        times.add(state().now);
+      }
+      return times.size;
+    };
+    expect(updates(5)).toBe(2);
+    students(seenStudent(1, { isConnected: false }));
+    expect(updates(5)).toBe(5);
+  });
+
   it("moves no card while the pointer or the focus is on one", () => {
     const { dashboard, students, state, pass } = newDashboard();
     students(seenStudent(1), seenStudent(2));

@@ -24,6 +24,7 @@ import {
 import {
   followOrder,
   helpedOf,
+  ORDER_MS,
   orderOf,
   type OrderedStudent,
   type ShownOrder,
@@ -49,7 +50,7 @@ export interface DashboardState {
   sorting: Sorting;
   /** number of the task of the results; null: the teacher has chosen none */
   chosenTask: number | null;
-  /** ms since 1970, once a second */
+  /** ms since 1970 at the last update */
   now: number;
 }
 
@@ -138,7 +139,7 @@ export class Dashboard {
       if (passed.length !== known.length) this.send({ type: "verified", student, tasks: passed });
     }
     this.store.setState({ verifications });
-    this.tick();
+    this.#update(this.store.getState().students);
   }
 
   /** The pointer or the focus is on a card: the cards stay where they are. */
@@ -164,9 +165,15 @@ export class Dashboard {
     this.store.setState({ order: { order: wanted.order, changedAt, waiting: 0 } });
   }
 
-  /** Follows the time, once a second and after changes. */
+  /**
+   * Follows the time. Call it once a second: while the page counts no seconds, it updates as often
+   * as the order may change, because every card looks at each update.
+   */
   tick(): void {
-    this.#update(this.store.getState().students);
+    const { now, classroom, lostAt, awaySince, students } = this.store.getState();
+    const isPaused = (classroom?.time.pauseEndsAt ?? 0) > now;
+    const countsSeconds = isPaused || lostAt !== null || awaySince.size > 0;
+    if (countsSeconds || this.#ports.now() - now >= ORDER_MS) this.#update(students);
   }
 
   #update(students: DashboardState["students"]): void {

@@ -68,7 +68,7 @@ describe("the students of a class", () => {
     expect(roster.takeChanges().changed).toMatchObject([{ busyAt: NOW }]);
   });
 
-  it("are busy while their robots drive, which the page learns every 5 s", () => {
+  it("are busy while their robots drive, which the page learns every 30 s", () => {
     let now = NOW;
     const roster = rosterAt(() => now, 1);
     const busyAt: number[] = [];
@@ -78,7 +78,7 @@ describe("the students of a class", () => {
       roster.show([{ student: 1, connected: true, tile: driven }]);
       busyAt.push(...roster.takeChanges().changed.map((each) => each.busyAt));
     }
-    expect(busyAt).toEqual(Array.from({ length: 61 }, (_, at) => NOW + at * 5_000));
+    expect(busyAt).toEqual(Array.from({ length: 11 }, (_, at) => NOW + at * 30_000));
   });
 
   it("start all counts again with the tile of another task, before its record arrives", () => {

@@ -10,8 +10,11 @@ import type {
 import type { CountedBump, SeenStudent } from "../protocol/classroom-messages.ts";
 import { noBumps, noWork, withRecord, withRestart, type Work } from "./student-work.ts";
 
-/** The page learns of a robot that drives on at most this often, in ms. */
-const BUSY_STEP_MS = 5_000;
+/**
+ * The page learns of a robot that drives on at most this often, in ms: often enough for minutes
+ * without a run.
+ */
+const BUSY_STEP_MS = 30_000;
 
 interface Entry {
   view: StudentView;
