@@ -161,6 +161,19 @@ function simulationMaze(blocks: string[]): MazeDocument {
   return mazeOf(blocks, { column: 0, row: 0 });
 }
 
+describe("a corner of a block", () => {
+  it("stops a robot that turns into it on an arc", () => {
+    const maze = mazeOf(["..", ".#"], { column: 0, row: 0 });
+    const simulation = new Simulation(maze);
+    drive(simulation, { action: "forward" }, 14);
+    simulation.apply({ action: "drive", left: -0.8531545034252936, right: 0 });
+    for (let tick = 0; tick < 46; tick++) {
+      simulation.step();
+      expect(overlap(maze, simulation.pose.x, simulation.pose.y)).toBeLessThan(0.001);
+    }
+  });
+});
+
 describe("for any commands in any maze", () => {
   it("the robot never overlaps a block by more than 0.01 cm and its readings stay valid", () => {
     fc.assert(

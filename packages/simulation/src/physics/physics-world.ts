@@ -35,13 +35,16 @@ export interface PhysicsState {
 /**
  * matter-js supports polygons only. A polygon with 64 sides around the disc, with a side towards
  * each of the four directions, is exact at the face of a block and at most 0.03 units early at its
- * corner.
+ * corner. Its sides are up to 3 degrees from the tangent of the disc there, so a robot that grazes
+ * a corner is compared with the disc.
  */
 const SIDES = 64;
 const TICK_MS = TICK_SECONDS * 1000;
 
 /** Below this cosine between the direction and the normal, the robot drives along the wall. */
 const GRAZING_COSINE = 1e-9;
+/** A disc that is less deep in a corner, in units, only touches it. */
+const TOUCHING = 1e-5;
 /** Above this cosine between their normals, two contacts belong to the same wall. */
 const SAME_WALL_COSINE = 0.99;
 /** The robot touches at most two blocks. A third retreat corrects rounding errors. */
@@ -211,12 +214,32 @@ export class PhysicsWorld {
           ? -1
           : 1;
       const into = towards * (normal.x * directionX + normal.y * directionY);
-      if (into < GRAZING_COSINE || depth / into <= back) continue;
-      back = depth / into;
+      const distance =
+        into < GRAZING_COSINE
+          ? this.#cornerRetreat(block.position, directionX, directionY)
+          : depth / into;
+      if (distance <= back) continue;
+      back = distance;
       this.#wallX = towards * normal.x;
       this.#wallY = towards * normal.y;
     }
     return back;
+  }
+
+  /**
+   * Distance back along the direction to the place where the disc touched the corner of a block, in
+   * units; 0 if the disc is not in a corner.
+   */
+  #cornerRetreat(block: Matter.Vector, directionX: number, directionY: number): number {
+    const half = CELL / 2;
+    const x = this.x - Math.max(block.x - half, Math.min(this.x, block.x + half));
+    const y = this.y - Math.max(block.y - half, Math.min(this.y, block.y + half));
+    // The polygon is exact at a side.
+    if (x === 0 || y === 0) return 0;
+    const inside = ROBOT_RADIUS * ROBOT_RADIUS - x * x - y * y;
+    if (inside < 2 * ROBOT_RADIUS * TOUCHING) return 0;
+    const along = x * directionX + y * directionY;
+    return along + Math.sqrt(along * along + inside);
   }
 
   /** Counts one bump per contact, no matter how long the robot pushes against the same wall. */
