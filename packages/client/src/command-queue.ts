@@ -22,7 +22,7 @@ import type { Platform } from "./platform.ts";
 const BUSY_DELAY_MS = 500;
 
 /** The state that resolves the promise of a command. */
-export type Until = "started" | "ended";
+export type Until = "accepted" | "started" | "ended";
 
 export interface CommandQueueOptions {
   platform: Pick<Platform, "clock" | "uniqueText">;
@@ -70,13 +70,18 @@ export class CommandQueue {
   /**
    * Adds a command.
    * @param order a valid one
-   * @returns the record, once the command has the state `until`
+   * @param key idempotency key
+   * @returns the record, once the command has the state `until`; for `accepted` in any state
    * @throws ClientError refused, cancelled, superseded, expired, timeout, or that of `close`
    */
-  add(order: Order, until: Until): Promise<CommandRecord> {
+  add(
+    order: Order,
+    until: Until,
+    key: string = this.#options.platform.uniqueText(),
+  ): Promise<CommandRecord> {
     return new Promise((resolve, reject) => {
       const pending: Pending = {
-        key: this.#options.platform.uniqueText(),
+        key,
         order,
         firstSentAt: null,
         retriesIfEarly: 2,
@@ -118,6 +123,10 @@ export class CommandQueue {
     const [first] = this.#queue;
     if (first === undefined || first.key !== record.key) return;
     this.#times.answered();
+    if (first.until === "accepted") {
+      first.resolve(record);
+      return this.#remove(first);
+    }
     this.#queue.shift();
     this.#limit(first, this.#options.finishMs, "The robot did not finish");
     this.#running.set(record.seq, first);
@@ -162,7 +171,7 @@ export class CommandQueue {
     if (isLate && this.#isEarly(first)) return this.#retryRejected(first);
     this.#remove(first);
     const code = isLate ? "expired" : "refused";
-    first.reject(new ClientError(code, problem.title, problem.detail));
+    first.reject(new ClientError(code, problem.title, problem.detail, { cause: problem }));
   }
 
   /** Rejects all commands. None may be added later. */

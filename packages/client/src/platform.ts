@@ -28,7 +28,7 @@ export interface HttpRequest {
 
 /** Sends a request. `response` rejects if there is none, or after `cancel`. */
 export type SendRequest = (request: HttpRequest) => {
-  response: Promise<{ status: number; body: string }>;
+  response: Promise<{ status: number; body: string; etag?: string | null }>;
   cancel(): void;
 };
 
@@ -65,8 +65,14 @@ interface GlobalRequest {
   credentials: "omit";
 }
 
+interface GlobalResponse {
+  status: number;
+  headers: { get(name: string): string | null };
+  text(): Promise<string>;
+}
+
 interface Globals {
-  fetch(url: string, request: GlobalRequest): Promise<{ status: number; text(): Promise<string> }>;
+  fetch(url: string, request: GlobalRequest): Promise<GlobalResponse>;
   AbortController: new () => { signal: unknown; abort(): void };
   /** absent in Node 20 */
   WebSocket?: new (url: string) => GlobalWebSocket;
@@ -105,9 +111,11 @@ export function globalPlatform(): Platform {
         cache: "no-store",
         credentials: "omit",
       } as const;
-      const response = globals
-        .fetch(url, init)
-        .then(async (answered) => ({ status: answered.status, body: await answered.text() }));
+      const response = globals.fetch(url, init).then(async (answered) => ({
+        status: answered.status,
+        etag: answered.headers.get("ETag"),
+        body: await answered.text(),
+      }));
       return { response, cancel: () => controller.abort() };
     },
     clock: {

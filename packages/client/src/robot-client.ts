@@ -14,7 +14,9 @@ import {
   type Snapshot,
   type UntilCondition,
 } from "@corridor/protocol";
+import type { ApiOptions } from "./api-request.ts";
 import { ClientError, withCallSite } from "./client-error.ts";
+import { clientParts, type ClientObserver } from "./client-parts.ts";
 import { closeError, isWatchKey, watchLinkError } from "./close-error.ts";
 import { wrongOptions, type CommandName } from "./command-options.ts";
 import { CommandQueue, type Until } from "./command-queue.ts";
@@ -108,6 +110,7 @@ export class RobotClient {
   readonly #commands: CommandQueue;
   readonly #silence: SilentRobotNotice;
   readonly #unreachable: UnreachableNotice;
+  readonly #observers = new Set<ClientObserver>();
   #welcomed: () => void = () => undefined;
   #notWelcomed: (reason: ClientError) => void = () => undefined;
   /** the last received state: its stream, and the value for `since` */
@@ -134,7 +137,10 @@ export class RobotClient {
       platform: this.#platform,
       firstMessages: () => [this.#hello()],
       decode: (text) => decodeFrame(relayToDriverSchema, text),
-      received: (message) => this.#received(message),
+      received: (message) => {
+        this.#received(message);
+        for (const observer of this.#observers) observer.received(message);
+      },
       changed: (status) => this.#changed(status),
     });
     this.#commands = new CommandQueue({
@@ -143,6 +149,13 @@ export class RobotClient {
       finishMs: options.finishTimeout ?? DEFAULT_FINISH_MS,
       connection: this.#connection,
       waits: (isWaiting) => this.#silence.waits(isWaiting),
+    });
+    clientParts.set(this, {
+      api: this.#apiOptions,
+      newest: () => this.#inbox.newest,
+      end: () => this.#end,
+      send: (order, sentKey) => this.#commands.add(order, "accepted", sentKey),
+      observers: this.#observers,
     });
   }
 
@@ -354,12 +367,7 @@ export class RobotClient {
   maze(): Promise<RobotMaze> {
     return withCallSite(this, "maze", async () => {
       if (this.#end !== null) throw this.#end;
-      return readMaze({
-        platform: this.#platform,
-        api: this.#api,
-        key: this.#robot.key,
-        timeoutMs: this.#responseMs,
-      });
+      return readMaze(this.#apiOptions);
     });
   }
 
@@ -369,6 +377,11 @@ export class RobotClient {
    */
   close(): void {
     this.#finish(new ClientError("closed", "The client was closed", "Connect again to continue."));
+  }
+
+  get #apiOptions(): ApiOptions {
+    const { key } = this.#robot;
+    return { platform: this.#platform, api: this.#api, key, timeoutMs: this.#responseMs };
   }
 
   async #open(): Promise<void> {
@@ -516,5 +529,6 @@ export class RobotClient {
     this.#commands.close(error);
     this.#inbox.close(error);
     for (const inbox of this.#events) inbox.close();
+    for (const observer of this.#observers) observer.ended(error);
   }
 }

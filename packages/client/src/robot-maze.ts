@@ -1,6 +1,6 @@
 import { problemSchema, readJson } from "@corridor/protocol";
+import { requestApi, type ApiOptions } from "./api-request.ts";
 import { ClientError } from "./client-error.ts";
-import type { Platform } from "./platform.ts";
 
 /** A square of the maze, 100 cm wide. */
 export interface MazeCell {
@@ -22,37 +22,16 @@ export interface RobotMaze {
   goals: readonly MazeCell[];
 }
 
-/** Delay before a failed request is repeated. */
-const RETRY_MS = 1_000;
 const MAX_PROBLEM = 4_096;
-
-export interface MazeRequest {
-  platform: Platform;
-  /** base URL of the robot's API */
-  api: string;
-  key: string;
-  /** ms until the request is given up */
-  timeoutMs: number;
-}
 
 /**
  * Requests the maze of a robot.
  * @throws ClientError no-maze, no-robot, not-authorised or timeout
  */
-export async function readMaze({ platform, api, key, timeoutMs }: MazeRequest): Promise<RobotMaze> {
-  const { request, clock } = platform;
-  const end = clock.now() + timeoutMs;
-  while (request !== undefined && clock.now() < end) {
-    const pending = request({ method: "GET", url: `${api}/maze`, key, body: null });
-    const cancelTimer = clock.after(end - clock.now(), () => pending.cancel());
-    const response = await pending.response.catch(() => null);
-    cancelTimer();
-    if (response?.status === 200) return mazeOf(response.body);
-    if (response !== null && response.status < 500 && response.status !== 429) {
-      throw errorOf(response);
-    }
-    await new Promise<void>((resolve) => clock.after(RETRY_MS, resolve));
-  }
+export async function readMaze(options: ApiOptions): Promise<RobotMaze> {
+  const response = await requestApi(options, "GET", "/maze").response;
+  if (response?.status === 200) return mazeOf(response.body);
+  if (response !== null) throw errorOf(response);
   const hint = "Check the network and the robot's address.";
   throw new ClientError("timeout", "The robot's host did not send the maze", hint);
 }

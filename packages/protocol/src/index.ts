@@ -219,6 +219,14 @@ export {
   type FrameReport,
   type FrameRequest,
 } from "./frame-messages.ts";
+export {
+  checkCommand,
+  READ_ONLY,
+  RefusedError,
+  type PublishedMaze,
+  type RobotListener,
+  type RobotPort,
+} from "./robot-port.ts";
 export { snapshotSchema, type LineRef, type RobotReport, type Snapshot } from "./snapshot.ts";
 export {
   MAX_SCRIPT_NAME,

@@ -3,6 +3,7 @@
  * pose but not the blocks. Readers can request it and are notified of changes.
  */
 import type { MazeDocument } from "@corridor/maze";
+import type { PublishedMaze } from "@corridor/protocol";
 import type { Clock } from "../platform/time/clock.ts";
 import { hashKey } from "../platform/keys.ts";
 import { noRobot, Refusal, retryAfter } from "../platform/errors/problems.ts";
@@ -14,13 +15,6 @@ import { TokenBucket } from "../platform/limits/token-bucket.ts";
 
 /** Length of a version, which is the start of the maze's hash. */
 const VERSION_LENGTH = 22;
-
-export interface StoredMaze {
-  /** the document as JSON */
-  text: string;
-  /** equal for equal mazes, at every relay */
-  version: string;
-}
 
 export interface MazeBoardParts {
   robot: string;
@@ -42,7 +36,7 @@ export class MazeBoard {
   }
 
   /** The maze; null until the page has published one. */
-  async read(): Promise<StoredMaze | null> {
+  async read(): Promise<PublishedMaze | null> {
     const text = await this.#parts.store.maze(this.#parts.robot);
     if (text === null) return null;
     const version = versionOf(text);
@@ -92,4 +86,12 @@ export class MazeBoard {
 
 function versionOf(text: string): string {
   return hashKey(text).slice(0, VERSION_LENGTH);
+}
+
+/** Error response if the relay has no maze of the robot. */
+export function noMaze(): Refusal {
+  return new Refusal(
+    "no-maze",
+    "The robot's page has not published a maze, or the maze is too large. Try again once the page is connected.",
+  );
 }

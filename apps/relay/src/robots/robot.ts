@@ -78,7 +78,7 @@ export class Robot {
   readonly #channel: RobotChannel;
   readonly #others: OtherRelays;
   readonly #report: ScriptReport;
-  #isOver = false;
+  #end: "over" | "restart" | null = null;
 
   /** Creates the parts from the bottom up: each one knows only those before it. */
   private constructor(stored: StoredRobot, parts: RobotParts) {
@@ -169,7 +169,12 @@ export class Robot {
   }
 
   get isOver(): boolean {
-    return this.#isOver;
+    return this.#end !== null;
+  }
+
+  /** Why the robot has ended at this relay: it was deleted, or the relay stops. */
+  get end(): "over" | "restart" | null {
+    return this.#end;
   }
 
   /** Milliseconds until the robot reaches its maximum lifetime. */
@@ -285,7 +290,7 @@ export class Robot {
 
   /** Ends the robot for all connected clients. */
   close(reason: "over" | "restart"): void {
-    this.#isOver = true;
+    this.#end = reason;
     if (this.hasPage) this.#channel.pageLeft(this.#ownership.epoch, false);
     if (reason === "over") this.#channel.deleted();
     this.#life.close(reason);

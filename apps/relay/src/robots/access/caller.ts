@@ -4,7 +4,7 @@
  * as one.
  */
 import { createHash } from "node:crypto";
-import type { Hello } from "@corridor/protocol";
+import { READ_ONLY, type Hello } from "@corridor/protocol";
 import { Refusal } from "../../platform/errors/problems.ts";
 import type { KeyKind, StoredKey, StoredScript } from "../../store/port.ts";
 
@@ -71,8 +71,7 @@ const remedies: Record<KeyKind, string> = {
   own: "The owner key is for the robot's page only. Use the driver key, the part of the address after the #.",
   drive:
     "A driver key does not permit this request. It requires the owner key, which only the robot's page has.",
-  watch:
-    "A watch key permits only reading. To send commands, ask the robot's owner for an address with a driver key.",
+  watch: READ_ONLY,
 };
 
 /**

@@ -2,7 +2,7 @@
 import { mazeSchema } from "@corridor/maze";
 import { MAX_DOCUMENT_BYTES } from "@corridor/protocol";
 import { Router } from "express";
-import { Refusal } from "../../../platform/errors/problems.ts";
+import { noMaze } from "../../../robots/maze-board.ts";
 import type { RobotRegistry } from "../../../robots/registry.ts";
 import { entityTag, matchesTag } from "../../../platform/http/entity-tags.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
@@ -18,12 +18,7 @@ export function mazeRoutes(registry: RobotRegistry): Router {
     .get(async (request, response) => {
       const { robot } = await authoriseScript(registry, request, response, "look");
       const stored = await robot.mazes.read();
-      if (stored === null) {
-        throw new Refusal(
-          "no-maze",
-          "The robot's page has not published a maze, or the maze is too large. Try again once the page is connected.",
-        );
-      }
+      if (stored === null) throw noMaze();
       const tag = entityTag(stored.version);
       response.set("ETag", tag);
       if (matchesTag(request.get("If-None-Match"), tag)) return void response.status(304).end();
