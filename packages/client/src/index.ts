@@ -1,13 +1,13 @@
 export { ClientError, type ClientErrorCode } from "./client-error.ts";
 export type { RobotEvent } from "./event-inbox.ts";
 export type { MazeCell, RobotMaze } from "./robot-maze.ts";
-export {
-  RobotClient,
-  type CommandOptions,
-  type DriveOptions,
-  type MotionOptions,
-  type RobotClientOptions,
-} from "./robot-client.ts";
+export type {
+  CommandOptions,
+  DriveOptions,
+  MotionOptions,
+  RobotClientOptions,
+} from "./robot-client-options.ts";
+export { RobotClient } from "./robot-client.ts";
 export type {
   CommandRecord,
   Pose,

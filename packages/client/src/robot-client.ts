@@ -1,78 +1,29 @@
 import {
-  decodeFrame,
   describeProblem,
-  encodeFrame,
   orderSchema,
-  PROTOCOL_VERSION,
   readValue,
-  relayToDriverSchema,
-  sinceOf,
   type CommandRecord,
   type Order,
-  type RelayToDriver,
   type SensorReadings,
   type Snapshot,
-  type UntilCondition,
 } from "@corridor/protocol";
-import type { ApiOptions } from "./api-request.ts";
 import { ClientError, withCallSite } from "./client-error.ts";
-import { clientParts, type ClientObserver } from "./client-parts.ts";
-import { closeError, isWatchKey, watchLinkError } from "./close-error.ts";
+import { clientParts } from "./client-parts.ts";
+import { isWatchKey, watchLinkError } from "./close-error.ts";
 import { wrongOptions, type CommandName } from "./command-options.ts";
-import { CommandQueue, type Until } from "./command-queue.ts";
-import { Connection, type ConnectionStatus } from "./connection.ts";
-import { EventInbox, type RobotEvent } from "./event-inbox.ts";
-import { SilentRobotNotice, UnreachableNotice } from "./notices.ts";
+import type { Until } from "./command-queue.ts";
+import { DriverLink } from "./driver-link.ts";
+import type { RobotEvent } from "./event-inbox.ts";
 import { pairRobot } from "./pairing.ts";
-import { globalPlatform, type Platform } from "./platform.ts";
-import { connectionUrls } from "./connection-urls.ts";
+import { globalPlatform } from "./platform.ts";
 import { parseRobotAddress, type RobotAddress } from "./robot-address.ts";
+import type {
+  CommandOptions,
+  DriveOptions,
+  MotionOptions,
+  RobotClientOptions,
+} from "./robot-client-options.ts";
 import { readMaze, type RobotMaze } from "./robot-maze.ts";
-import { DelayedAcknowledgements } from "./delayed-acknowledgements.ts";
-import { SnapshotInbox } from "./snapshot-inbox.ts";
-
-/** Options of a command. */
-export interface CommandOptions {
-  /**
-   * time to live: ms within which the command must start, or it ends as `expired`. 200 to 60000;
-   * default: `ttl` of the robot. It must be longer than the round trip to the robot
-   */
-  ttl?: number;
-  /** `true` ends all earlier commands as `superseded`, and starts this one at once */
-  replace?: boolean;
-}
-
-/** Options of `forward` and `reverse`. */
-export interface MotionOptions extends CommandOptions {
-  /**
-   * conditions that end the motion as `completed`: up to 200, such as `{ sensor: "front", is: "<=",
-   * than: 60 }` or `{ goal: true }`. The robot checks them before the motion and after every tick
-   */
-  until?: UntilCondition | readonly UntilCondition[];
-}
-
-/** Options of `drive`. */
-export interface DriveOptions extends MotionOptions {
-  /** ms after which the robot stops unless another `drive` follows: 100 to 2000; default 500 */
-  lease?: number;
-}
-
-/** Options of `connect` and `pair`. */
-export interface RobotClientOptions {
-  /** default `ttl` of commands except `stop`, in ms; default 10 s */
-  ttl?: number;
-  /** name of this script, which the robot's owner sees; at most 40 characters are displayed */
-  name?: string;
-  /** timeout for responses of the relay in ms, including reconnects; default 30 s */
-  answerTimeout?: number;
-  /** timeout for the robot to finish a command in ms; default 10 minutes */
-  finishTimeout?: number;
-  /**
-   * WebSocket, HTTP, clock and random numbers, to replace in tests; default: those of the browser
-   * or Node
-   */
-  platform?: Platform;
-}
 
 const DEFAULT_RESPONSE_MS = 30_000;
 const DEFAULT_FINISH_MS = 600_000;
@@ -97,66 +48,21 @@ export class RobotClient {
   /** the whole address with its key, to connect again. Keep it private */
   readonly address: string;
   readonly #robot: RobotAddress;
-  /** base URL of the robot's API */
-  readonly #api: string;
-  readonly #platform: Platform;
-  readonly #responseMs: number;
+  readonly #link: DriverLink;
   readonly #defaults: CommandOptions;
-  readonly #name: { name?: string };
-  readonly #connection: Connection<RelayToDriver>;
-  readonly #inbox: SnapshotInbox;
-  readonly #events = new Set<EventInbox>();
-  readonly #acknowledgements = new DelayedAcknowledgements();
-  readonly #commands: CommandQueue;
-  readonly #silence: SilentRobotNotice;
-  readonly #unreachable: UnreachableNotice;
-  readonly #observers = new Set<ClientObserver>();
-  #welcomed: () => void = () => undefined;
-  #notWelcomed: (reason: ClientError) => void = () => undefined;
-  /** the last received state: its stream, and the value for `since` */
-  #stream = "";
-  #since: string | null = null;
-  #end: ClientError | null = null;
 
   private constructor(address: string, options: RobotClientOptions) {
     this.#robot = parseRobotAddress(address);
     const { origin, id, key } = this.#robot;
     this.address = `${origin}/r/${id}#${key}`;
-    this.#api = `${origin}/api/v1/robots/${id}`;
-    this.#platform = options.platform ?? globalPlatform();
-    this.#responseMs = options.answerTimeout ?? DEFAULT_RESPONSE_MS;
     this.#defaults = options.ttl === undefined ? {} : { ttl: options.ttl };
-    this.#name = options.name === undefined ? {} : { name: options.name.slice(0, MAX_SENT_NAME) };
-    const { clock } = this.#platform;
-    const warn = (text: string): void => this.#platform.warn?.(text);
-    this.#inbox = new SnapshotInbox(clock, warn);
-    this.#silence = new SilentRobotNotice(clock, warn);
-    this.#unreachable = new UnreachableNotice(clock, warn, origin);
-    this.#connection = new Connection({
-      urls: connectionUrls(origin, "robots", id),
-      platform: this.#platform,
-      firstMessages: () => [this.#hello()],
-      decode: (text) => decodeFrame(relayToDriverSchema, text),
-      received: (message) => {
-        this.#received(message);
-        for (const observer of this.#observers) observer.received(message);
-      },
-      changed: (status) => this.#changed(status),
-    });
-    this.#commands = new CommandQueue({
-      platform: this.#platform,
-      responseMs: this.#responseMs,
+    this.#link = new DriverLink(this.#robot, {
+      platform: options.platform ?? globalPlatform(),
+      responseMs: options.answerTimeout ?? DEFAULT_RESPONSE_MS,
       finishMs: options.finishTimeout ?? DEFAULT_FINISH_MS,
-      connection: this.#connection,
-      waits: (isWaiting) => this.#silence.waits(isWaiting),
+      name: options.name?.slice(0, MAX_SENT_NAME),
     });
-    clientParts.set(this, {
-      api: this.#apiOptions,
-      newest: () => this.#inbox.newest,
-      end: () => this.#end,
-      send: (order, sentKey) => this.#commands.add(order, "accepted", sentKey),
-      observers: this.#observers,
-    });
+    clientParts.set(this, this.#link);
   }
 
   /**
@@ -169,7 +75,7 @@ export class RobotClient {
   static connect(address: string, options: RobotClientOptions = {}): Promise<RobotClient> {
     return withCallSite(RobotClient, "connect", async () => {
       const robot = new RobotClient(address, options);
-      await robot.#open();
+      await robot.#link.open();
       return robot;
     });
   }
@@ -319,7 +225,7 @@ export class RobotClient {
    */
   sensors(): Promise<SensorReadings> {
     return withCallSite(this, "sensors", async () => {
-      return (await this.#inbox.next(this.#responseMs)).sensors;
+      return (await this.#link.snapshots.next(this.#link.api.timeoutMs)).sensors;
     });
   }
 
@@ -329,7 +235,9 @@ export class RobotClient {
    * @throws ClientError robot-gone if the robot does not report
    */
   snapshot(): Promise<Snapshot> {
-    return withCallSite(this, "snapshot", () => this.#inbox.next(this.#responseMs));
+    return withCallSite(this, "snapshot", () =>
+      this.#link.snapshots.next(this.#link.api.timeoutMs),
+    );
   }
 
   /**
@@ -340,7 +248,7 @@ export class RobotClient {
   async *snapshots(): AsyncGenerator<Snapshot, void, void> {
     let read: Snapshot | null = null;
     for (;;) {
-      read = await this.#inbox.changedFrom(read);
+      read = await this.#link.snapshots.changedFrom(read);
       if (read === null) return;
       yield read;
     }
@@ -351,12 +259,7 @@ export class RobotClient {
    * @returns events in order; a slow reader gets the newest snapshot, and every state of a command
    */
   events(): AsyncGenerator<RobotEvent, void, void> {
-    const inbox = new EventInbox();
-    if (this.#end === null) this.#events.add(inbox);
-    else inbox.close();
-    const snapshot = this.#inbox.newest;
-    if (snapshot !== null) inbox.put({ kind: "snapshot", snapshot });
-    return this.#eventsOf(inbox);
+    return this.#link.events();
   }
 
   /**
@@ -366,8 +269,9 @@ export class RobotClient {
    */
   maze(): Promise<RobotMaze> {
     return withCallSite(this, "maze", async () => {
-      if (this.#end !== null) throw this.#end;
-      return readMaze(this.#apiOptions);
+      const end = this.#link.end();
+      if (end !== null) throw end;
+      return readMaze(this.#link.api);
     });
   }
 
@@ -376,33 +280,9 @@ export class RobotClient {
    * the commands that it has received; endless motions stop within 3 s.
    */
   close(): void {
-    this.#finish(new ClientError("closed", "The client was closed", "Connect again to continue."));
-  }
-
-  get #apiOptions(): ApiOptions {
-    const { key } = this.#robot;
-    return { platform: this.#platform, api: this.#api, key, timeoutMs: this.#responseMs };
-  }
-
-  async #open(): Promise<void> {
-    const cancelTimer = this.#platform.clock.after(this.#responseMs, () =>
-      this.#finish(
-        new ClientError(
-          "timeout",
-          "The robot's host does not respond",
-          `Check the network, and that the robot is at ${this.#robot.origin}.`,
-        ),
-      ),
+    this.#link.close(
+      new ClientError("closed", "The client was closed", "Connect again to continue."),
     );
-    try {
-      await new Promise<void>((resolve, reject) => {
-        this.#welcomed = resolve;
-        this.#notWelcomed = reject;
-        this.#connection.open();
-      });
-    } finally {
-      cancelTimer();
-    }
   }
 
   /** Sends a motion without an end, or a guarded one. */
@@ -438,97 +318,9 @@ export class RobotClient {
       const hint = `Fix: ${checked.problems.map(describeProblem).join("; ")}.`;
       return Promise.reject(new ClientError("bad-command", "Invalid command", hint));
     }
-    if (this.#end !== null) return Promise.reject(this.#end);
+    const end = this.#link.end();
+    if (end !== null) return Promise.reject(end);
     if (isWatchKey(this.#robot.key)) return Promise.reject(watchLinkError());
-    return this.#commands.add(order, until);
-  }
-
-  #hello(): string {
-    const { key } = this.#robot;
-    const since = this.#since === null ? {} : { since: this.#since };
-    // A watch key permits reading only.
-    const role = isWatchKey(key) ? "watch" : "drive";
-    const hello = { type: "hello", version: PROTOCOL_VERSION, role, key } as const;
-    return encodeFrame({ ...hello, ...since, ...this.#name, sentAt: this.#commands.start() });
-  }
-
-  #received(message: RelayToDriver): void {
-    switch (message.type) {
-      case "welcome":
-        // In a new stream earlier states are lost.
-        this.#commands.welcomed(message.stream === this.#stream);
-        this.#stream = message.stream;
-        if (message.n !== null) this.#setSince(message.n);
-        this.#acknowledgements.reset();
-        if (message.snapshot !== null) this.#read(message.snapshot);
-        return;
-      case "snapshot":
-        return this.#read(message.snapshot);
-      case "ack":
-        return this.#commands.acknowledged(message.record);
-      case "state":
-        this.#setSince(message.n);
-        this.#publish({ kind: "command", command: message.record });
-        return this.#commands.progressed(message.record);
-      case "gap":
-        this.#setSince(message.n);
-        this.#publish({ kind: "gap" });
-        return this.#commands.missed();
-      case "problem":
-        return this.#commands.refused(message.problem, message.key);
-      case "maze":
-      case "heartbeat":
-        return;
-    }
-  }
-
-  #read(snapshot: Snapshot): void {
-    this.#inbox.put(snapshot);
-    this.#silence.read(snapshot);
-    this.#publish({ kind: "snapshot", snapshot });
-    // The next long poll acknowledges it.
-    if (this.#connection.transport === "long-poll") return;
-    if (!this.#acknowledgements.read(this.#platform.clock.now())) return;
-    this.#connection.send(encodeFrame({ type: "seen", seq: snapshot.seq }));
-  }
-
-  async *#eventsOf(inbox: EventInbox): AsyncGenerator<RobotEvent, void, void> {
-    try {
-      for (;;) {
-        const event = await inbox.next();
-        if (event === null) return;
-        yield event;
-      }
-    } finally {
-      this.#events.delete(inbox);
-    }
-  }
-
-  #publish(event: RobotEvent): void {
-    for (const inbox of this.#events) inbox.put(event);
-  }
-
-  #setSince(n: number): void {
-    this.#since = sinceOf(this.#stream, n);
-  }
-
-  #changed(status: ConnectionStatus): void {
-    this.#unreachable.changed(status);
-    if (status.kind === "over") return this.#finish(closeError(status.reason, this.#robot));
-    if (status.kind !== "connected") return;
-    this.#welcomed();
-    this.#commands.connected();
-  }
-
-  #finish(error: ClientError): void {
-    if (this.#end !== null) return;
-    this.#end = error;
-    this.#connection.close();
-    this.#unreachable.close();
-    this.#notWelcomed(error);
-    this.#commands.close(error);
-    this.#inbox.close(error);
-    for (const inbox of this.#events) inbox.close();
-    for (const observer of this.#observers) observer.ended(error);
+    return this.#link.command(order, until);
   }
 }
