@@ -61,6 +61,11 @@ const bumpPlaceSchema = z.strictObject(
   { error: "a place: a maze, a column and a row" },
 );
 
+const bumpPlaces = z
+  .array(bumpPlaceSchema, { error: placesError })
+  .max(MAX_BUMP_PLACES, { error: placesError })
+  .optional();
+
 const questionError = "the id of a question";
 const answerError = "an answer from 1 (no help) to 5 (very helpful), or null";
 export const surveyAnswerSchema = z.strictObject({
@@ -87,11 +92,7 @@ export const progressSchema = z.discriminatedUnion(
       task,
       changed,
       bumps: count,
-      bumpPlaces: z
-        .array(bumpPlaceSchema, { error: placesError })
-        .max(MAX_BUMP_PLACES, { error: placesError })
-        .optional()
-        .describe("cells of the first bumps in mazes of the task"),
+      bumpPlaces: bumpPlaces.describe("cells of the first bumps in mazes of the task"),
       /** mistakes that the diagnosis found */
       mistakes: count,
       failure,
@@ -103,6 +104,7 @@ export const progressSchema = z.discriminatedUnion(
       /** number of mazes that passed, and of all mazes, given and unseen */
       passes: numberTo(MAX_TASK_MAZES, 0),
       mazes: numberTo(MAX_TASK_MAZES, 1),
+      bumpPlaces: bumpPlaces.describe("the cell of the bump that is the failure"),
       failure,
     }),
     z.strictObject({ kind: z.literal("hint"), task, hint: hintNumberSchema }),

@@ -136,6 +136,15 @@ describe("a progress record", () => {
   it.each([
     { kind: "opened", lesson: "0a1b2c3d4", task: 1 },
     { kind: "check", task: 1, changed: true, passes: 3, mazes: 50, failure: null },
+    {
+      kind: "check",
+      task: 1,
+      changed: true,
+      passes: 3,
+      mazes: 50,
+      bumpPlaces: [{ maze: "u31", column: 4, row: 2 }],
+      failure: { code: "bump", line: 0 },
+    },
     { kind: "hint", task: 1, hint: 6 },
     { kind: "solved", task: 12, lines: null, code: "3.AAAA" },
     { kind: "survey", answers: [{ id: "navigation", answer: 5 }] },

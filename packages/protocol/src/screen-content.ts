@@ -4,6 +4,7 @@
  */
 import { z } from "zod";
 import { MAX_CODE } from "./class-quantities.ts";
+import { MAX_PROGRAM_LINK } from "./class.ts";
 import { tileSchema } from "./class-tile.ts";
 import { MAX_RACERS } from "./max-racers.ts";
 
@@ -11,7 +12,10 @@ const MAX_CELLS = 400;
 const count = z.int().min(0).max(1_000_000);
 
 /** A robot in a maze, as the page of a student displays it. */
-const runSchema = tileSchema.pick({ task: true, maze: true, pose: true, path: true }).extend({
+const runFields = { task: true, maze: true, pose: true, path: true, line: true } as const;
+const runSchema = tileSchema.pick(runFields).extend({
+  /** link text of the program without names; null: not known, or a manual drive */
+  program: z.string().max(MAX_PROGRAM_LINK).nullable(),
   /** whether the teacher's page has verified the solution */
   isSolved: z.boolean(),
 });
@@ -33,11 +37,13 @@ export const screenContentSchema = z.strictObject({
   all: count,
   /** to solve the task; null: nobody has */
   medianMs: z.number().min(0).nullable(),
-  /** most common number of lines; null: no solution with a program */
-  lines: count.nullable(),
+  /** most common number of lines, in `count` of `all` solutions; null: none with a program */
+  lines: z.strictObject({ value: count, count, all: count }).nullable(),
   /** the maze of `bumps`, as in tiles */
   maze: tileSchema.shape.maze,
   bumps: z.array(z.strictObject({ column: count, row: count, count })).max(MAX_CELLS),
+  /** number of bumps in that maze, in other given ones, and in other unseen ones */
+  bumpCounts: z.strictObject({ most: count, given: count, unseen: count }),
   run: runSchema.nullable(),
   /** the verified programs of the task, and the maze in which they race, as in tiles */
   racers: z.array(racerSchema).max(MAX_RACERS),

@@ -17,7 +17,9 @@ import { QrCode } from "../../ui/QrCode.tsx";
 import { qrPath } from "../../ui/qr-path.ts";
 import type { BigScreenState } from "./big-screen-state.ts";
 import { BumpMaze } from "./BumpMaze.tsx";
+import { BumpPlaces } from "./BumpPlaces.tsx";
 import { clockText } from "./clock-text.ts";
+import { LazyScreenProgram } from "./lazy-screen-program.ts";
 import { LazyRaceView } from "./lazy-race-view.ts";
 import { taskMaze } from "./task-maze.ts";
 import styles from "./big-screen.module.css";
@@ -85,13 +87,12 @@ function Join({ code }: { code: string }) {
 
 function Results({ lesson, content }: { lesson: LessonDocument; content: ScreenContent }) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
-  const { task, solved, all, medianMs, lines, bumps, run, racers, raceMaze, missing } = content;
+  const { task, solved, all, medianMs, lines, run, racers, raceMaze, missing } = content;
   const [racedTask, setRacedTask] = useState<number | null>(null);
   const count = countRacers(racers);
   // Another task, or another lesson, ends the race.
   const isRacing = racedTask === task && count > 1;
   if (racedTask !== null && !isRacing) setRacedTask(null);
-  const maze = taskMaze(lesson, task, content.maze ?? "g1");
   return (
     <section className={styles["results"]} aria-label={t("summary.label")}>
       <div className={styles["numbers"]}>
@@ -102,8 +103,12 @@ function Results({ lesson, content }: { lesson: LessonDocument; content: ScreenC
         <div className={styles["share"]} aria-hidden="true">
           <span style={{ inlineSize: `${(solved / Math.max(1, all)) * 100}%` }} />
         </div>
-        {medianMs !== null && <p>{t("screen.median", { time: clockText(medianMs) })}</p>}
-        {lines !== null && <p>{t("screen.lines", { count: lines })}</p>}
+        {medianMs !== null && (
+          <p>{t("screen.median", { time: clockText(medianMs), count: solved })}</p>
+        )}
+        {lines !== null && (
+          <p>{t("screen.lines", { count: lines.value, part: lines.count, all: lines.all })}</p>
+        )}
         {count > 1 && !isRacing && (
           <div>
             <Button onClick={() => setRacedTask(task)}>{t("race.open", { count })}</Button>
@@ -121,16 +126,30 @@ function Results({ lesson, content }: { lesson: LessonDocument; content: ScreenC
           onClose={() => setRacedTask(null)}
         />
       ) : run === null ? (
-        maze !== null && (
-          <figure className={styles["picture"]}>
-            <figcaption>{t("screen.bumps")}</figcaption>
-            <BumpMaze maze={maze} bumps={bumps} />
-          </figure>
-        )
+        <Bumps lesson={lesson} content={content} />
       ) : (
         run.maze !== null && <Run lesson={lesson} run={run} />
       )}
     </section>
+  );
+}
+
+/** Where robots bump, in the maze with most bumps. */
+function Bumps({ lesson, content }: { lesson: LessonDocument; content: ScreenContent }) {
+  const { t } = useTranslation("dashboard", { useSuspense: false });
+  const { task: number, bumps, bumpCounts } = content;
+  const name = content.maze ?? "g1";
+  const maze = taskMaze(lesson, number, name);
+  const task = lesson.tasks[number - 1];
+  if (maze === null || task === undefined) return null;
+  return (
+    <figure className={styles["picture"]}>
+      <figcaption>{t("screen.bumps")}</figcaption>
+      <BumpMaze maze={maze} bumps={bumps} />
+      <p>
+        <BumpPlaces task={task} maze={name} counts={bumpCounts} />
+      </p>
+    </figure>
   );
 }
 
@@ -156,6 +175,7 @@ function Run({ lesson, run }: { lesson: LessonDocument; run: ScreenRun }) {
           <path className={styles["nose"]} d="M-.14-.1 0-.26 .14-.1z" />
         </g>
       </svg>
+      {run.program !== null && <LazyScreenProgram link={run.program} running={run.line} />}
     </figure>
   );
 }

@@ -11,6 +11,7 @@ import { groups, type StudentGroup } from "../../model/classroom/student-group.t
 import { localNumber } from "../../text/numbers.ts";
 import { Select } from "../../ui/Select.tsx";
 import { BumpMaze } from "./BumpMaze.tsx";
+import { BumpPlaces } from "./BumpPlaces.tsx";
 import { clockText } from "./clock-text.ts";
 import { useContent, useDashboard } from "./dashboard-context.ts";
 import { RaceButton } from "./RaceButton.tsx";
@@ -78,13 +79,13 @@ export function Summaries({ raceChoice, onRaceChoice }: SummariesProps) {
       />
       <Part
         name={t("summary.lines")}
-        figure={commonLines === null ? none : String(commonLines)}
+        figure={commonLines === null ? none : String(commonLines.value)}
         note={
           commonLines === null
             ? ""
             : limit === null
-              ? t("summary.common")
-              : t("summary.commonLimit", { limit })
+              ? t("summary.common", { part: commonLines.count, all: commonLines.all })
+              : t("summary.commonLimit", { part: commonLines.count, all: commonLines.all, limit })
         }
         bars={summary.lines}
         most={limit}
@@ -181,20 +182,29 @@ function Part({ name, figure, note, bars, most = null }: PartProps): ReactNode {
 function Bumps({ lesson, task }: { lesson: LessonDocument; task: number }) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
   const bumps = useDashboard((state) => state.bumps);
-  const { maze: name, cells } = mostBumped(task, bumps);
+  const { maze: name, cells, counts } = mostBumped(task, bumps);
   const maze = taskMaze(lesson, task, name);
-  if (maze === null) return null;
+  const document = lesson.tasks[task - 1];
+  if (maze === null || document === undefined) return null;
+  const count = counts.most + counts.given + counts.unseen;
   return (
     <div className={styles["part"]}>
       <h2 className={styles["name"]}>{t("summary.bumps")}</h2>
-      <p className={cells.length === 0 ? styles["figure"] : "visually-hidden"}>
-        {cells.length === 0
-          ? t("summary.noBumps")
-          : t("summary.bumpCount", { count: cells.reduce((sum, { count }) => sum + count, 0) })}
-      </p>
+      {count === 0 ? (
+        <p className={styles["figure"]}>{t("summary.noBumps")}</p>
+      ) : (
+        <p className={styles["figure"]}>
+          <strong>{count}</strong> {t("summary.bumpWord", { count })}
+        </p>
+      )}
       <div className={styles["maze"]}>
         <BumpMaze maze={maze} bumps={cells} />
       </div>
+      {count > 0 && (
+        <p className={styles["places"]}>
+          <BumpPlaces task={document} maze={name} counts={counts} />
+        </p>
+      )}
     </div>
   );
 }

@@ -9,6 +9,7 @@ import {
 } from "../../model/classroom/dashboard.ts";
 import { mostBumped } from "../../model/classroom/most-bumped.ts";
 import { chosenMaze, raceField, type RaceChoice } from "../../model/classroom/racers.ts";
+import { openTask } from "../../model/classroom/standing.ts";
 import type { ScreenNumbers } from "@corridor/protocol";
 
 /**
@@ -22,8 +23,10 @@ export function useScreens(
 ): void {
   useEffect(() => {
     const send = (): void => {
-      const numbers = numbersOf(dashboard.store.getState(), choice);
-      if (numbers !== null) dashboard.send({ type: "screens", numbers, student });
+      const state = dashboard.store.getState();
+      const numbers = numbersOf(state, choice);
+      const program = student === null ? null : programOf(state, student);
+      if (numbers !== null) dashboard.send({ type: "screens", numbers, student, program });
     };
     send();
     return dashboard.store.subscribe((state, before) => {
@@ -31,12 +34,21 @@ export function useScreens(
         state.students === before.students &&
         state.verifications === before.verifications &&
         state.bumps === before.bumps &&
+        state.programs === before.programs &&
         state.classroom === before.classroom &&
         state.lesson === before.lesson &&
         state.chosenTask === before.chosenTask;
       if (!isSame) send();
     });
   }, [dashboard, student, choice]);
+}
+
+/** The program of the open task as a link text; null: not known, or a manual drive */
+function programOf({ students, programs }: DashboardState, number: number): string | null {
+  const student = students.get(number);
+  const read = programs.get(number);
+  if (student === undefined || read === undefined || read.program === null) return null;
+  return read.task === openTask(student) ? read.link : null;
 }
 
 /** Of the task that the dashboard shows, too. */
@@ -47,7 +59,7 @@ function numbersOf(state: DashboardState, choice: RaceChoice | null): ScreenNumb
   const isPaused = isClassPaused(state);
   const { expected } = classroom;
   const summary = summaryOf(task, students, shown, verifications, { expected, isPaused });
-  const { maze, cells } = mostBumped(task, bumps);
+  const { maze, cells, counts } = mostBumped(task, bumps);
   const { racers, missing } = raceField(task, verifications);
   return {
     task,
@@ -57,6 +69,7 @@ function numbersOf(state: DashboardState, choice: RaceChoice | null): ScreenNumb
     lines: summary.commonLines,
     maze,
     bumps: cells.slice(0, 400).map(({ column, row, count }) => ({ column, row, count })),
+    bumpCounts: counts,
     racers,
     raceMaze: chosenMaze(lesson, task, choice),
     missing: missing.length,

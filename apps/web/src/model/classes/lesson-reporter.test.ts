@@ -156,6 +156,32 @@ describe("the reports of a student's work", () => {
     });
   });
 
+  it.each([
+    {
+      failedUnseen: 31,
+      contact: { x: 300, y: 150, cell: { column: 3, row: 1 } },
+      place: "u31 2 1",
+    },
+    {
+      failedUnseen: null,
+      contact: { x: 90, y: 200, cell: { column: 0, row: 1 } },
+      place: "g2 0 2",
+    },
+  ])("contain where a check bumped: $place", ({ failedUnseen, contact, place }) => {
+    const { openTask, challenge, progress } = newPage();
+    openTask(1);
+    const bumped = { event: { kind: "bump", line: 0, contact }, cause: null } as never;
+    const failure = { code: "bump", maze: failedUnseen === null ? 1 : null, line: 0 } as never;
+    challenge.setState({
+      diagnoses: [null, failedUnseen === null ? bumped : null],
+      unseenDiagnosis: failedUnseen === null ? null : bumped,
+      checked: { passed: false, failure, failedUnseen, unseenFailures: [], mazes: [] },
+    });
+    const [maze = "", column, row] = place.split(" ");
+    const bumpPlaces = [{ maze, column: Number(column), row: Number(row) }];
+    expect(progress.at(-1)).toMatchObject({ kind: "check", bumpPlaces });
+  });
+
   it("contain a solution after its run, and not again", () => {
     const { openTask, meet, challenge, progress } = newPage();
     openTask(0);

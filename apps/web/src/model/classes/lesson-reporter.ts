@@ -3,7 +3,8 @@
  * newest program. Nothing else that is open on the page is reported.
  */
 import type { LessonTask } from "@corridor/challenge";
-import { causeLine } from "@corridor/coach";
+import { causeLine, type BumpEvent, type Diagnosis } from "@corridor/coach";
+import { CELL } from "@corridor/maze";
 import type { Progress } from "@corridor/protocol";
 import type { RunDocument } from "@corridor/recording";
 import { attemptOf } from "@corridor/link";
@@ -169,8 +170,8 @@ export class LessonReporter {
     const number = this.#index + 1;
     const changed = reported.try(number, programText(workspace.getState().program) ?? "");
     const passes = passesOf(task, checked);
-    const failure = failureOfCheck(state, checked);
-    add({ kind: "check", task: number, changed, passes, mazes: mazeCount(task), failure });
+    const result = { ...placeOfCheck(state, checked), failure: failureOfCheck(state, checked) };
+    add({ kind: "check", task: number, changed, passes, mazes: mazeCount(task), ...result });
   }
 
   #solved(driver: string): void {
@@ -269,11 +270,38 @@ function failureOfRun({ result, failedRun }: ChallengeState): AttemptFailure {
   return { code, line: causeLine(failedRun) ?? (event.kind === "bump" ? event.line : null) };
 }
 
-function failureOfCheck(
+/** Where the robot bumped in the maze of the failure. */
+function placeOfCheck(
+  state: ChallengeState,
+  checked: CheckedTask,
+): Pick<Extract<Progress, { kind: "check" }>, "bumpPlaces"> {
+  const { failure, failedUnseen } = checked;
+  const event = diagnosisOfCheck(state, checked)?.event;
+  if (failure === null || event?.kind !== "bump") return {};
+  const maze = failedUnseen === null ? `g${(failure.maze ?? 0) + 1}` : `u${failedUnseen}`;
+  return { bumpPlaces: [{ maze, ...cellBeside(event.contact) }] };
+}
+
+/** The cell from which a robot touched a block. */
+function cellBeside({ x, y, cell }: BumpEvent["contact"]): { column: number; row: number } {
+  const [dx, dy] = [x / CELL - cell.column - 0.5, y / CELL - cell.row - 0.5];
+  const isBeside = Math.abs(dx) >= Math.abs(dy);
+  return {
+    column: cell.column + (isBeside ? Math.sign(dx) : 0),
+    row: cell.row + (isBeside ? 0 : Math.sign(dy)),
+  };
+}
+
+function diagnosisOfCheck(
   { diagnoses, unseenDiagnosis }: ChallengeState,
-  { passed, failure, failedUnseen }: CheckedTask,
-): AttemptFailure {
+  { failure, failedUnseen }: CheckedTask,
+): Diagnosis | null {
+  return failedUnseen === null ? (diagnoses[failure?.maze ?? -1] ?? null) : unseenDiagnosis;
+}
+
+function failureOfCheck(state: ChallengeState, checked: CheckedTask): AttemptFailure {
+  const { passed, failure } = checked;
   if (passed || failure === null) return null;
-  const found = failedUnseen === null ? (diagnoses[failure.maze ?? -1] ?? null) : unseenDiagnosis;
+  const found = diagnosisOfCheck(state, checked);
   return { code: failure.code, line: (found && causeLine(found)) ?? failure.line };
 }

@@ -12,6 +12,13 @@ export interface Bar {
   isOpen: boolean;
 }
 
+/** A value that `count` of `all` have. */
+export interface CommonValue {
+  value: number;
+  count: number;
+  all: number;
+}
+
 export interface ClassSummary {
   /** students with a verified solution */
   solved: number;
@@ -22,8 +29,8 @@ export interface ClassSummary {
   /** ms; null: nobody has solved the task */
   medianMs: number | null;
   times: Bar[];
-  /** null: no solution with a program */
-  commonLines: number | null;
+  /** the most common number of lines; null: no solution with a program */
+  commonLines: CommonValue | null;
   lines: Bar[];
   /** null: no attempts */
   medianAttempts: number | null;
@@ -90,15 +97,11 @@ export function median(values: readonly number[]): number | null {
 }
 
 /** The smallest of the most common values; null for an empty list. */
-export function mostCommon(values: readonly number[]): number | null {
-  let best: number | null = null;
-  let most = 0;
+export function mostCommon(values: readonly number[]): CommonValue | null {
+  let best: CommonValue | null = null;
   for (const value of new Set(values.toSorted((a, b) => a - b))) {
     const count = values.filter((each) => each === value).length;
-    if (count > most) {
-      best = value;
-      most = count;
-    }
+    if (count > (best?.count ?? 0)) best = { value, count, all: values.length };
   }
   return best;
 }

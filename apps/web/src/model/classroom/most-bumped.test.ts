@@ -10,7 +10,18 @@ it("the bumps of a task are those of the maze with most of them", () => {
     { ...place, task: 2, maze: "g1", count: 9 },
     two,
     { ...two, row: 4 },
+    { ...place, maze: "u7", count: 2 },
+    { ...place, maze: "u31", count: 3 },
   ];
-  expect(mostBumped(1, all)).toEqual({ maze: "g2", cells: [two, { ...two, row: 4 }] });
-  expect(mostBumped(3, all)).toEqual({ maze: "g1", cells: [] });
+  const counts = { most: 4, given: 3, unseen: 5 };
+  expect(mostBumped(1, all)).toEqual({ maze: "g2", cells: [two, { ...two, row: 4 }], counts });
+  const none = { most: 0, given: 0, unseen: 0 };
+  expect(mostBumped(3, all)).toEqual({ maze: "g1", cells: [], counts: none });
+});
+
+it("an unseen maze with most bumps is not among the other ones", () => {
+  const unseen = { ...place, maze: "u7", count: 2 };
+  const all = [{ ...place, maze: "g1", count: 1 }, unseen, { ...unseen, maze: "u8", count: 1 }];
+  const counts = { most: 2, given: 1, unseen: 1 };
+  expect(mostBumped(1, all)).toEqual({ maze: "u7", cells: [unseen], counts });
 });

@@ -11,6 +11,8 @@ export interface ReadProgram {
   task: number;
   /** null: a manual drive */
   program: ProgramDocument | null;
+  /** the text from which it was read */
+  link: string;
 }
 
 export type Programs = ReadonlyMap<number, ReadProgram>;
@@ -49,10 +51,13 @@ export class ProgramReader {
       this.#read.set(student, programs);
       isRead = true;
       const stored = await this.#calls.program(student);
+      // Without a network, it is read again.
+      if (stored === null) this.#read.delete(student);
       const decoded = stored === null ? null : decodeLink(stored.link);
       if (stored === null || decoded?.ok !== true) continue;
       const { program, run } = decoded.value;
-      this.#programs.set(student, { task: stored.task, program: program ?? run?.program ?? null });
+      const { task, link } = stored;
+      this.#programs.set(student, { task, program: program ?? run?.program ?? null, link });
     }
     if (!isRead) {
       this.#isReading = false;

@@ -60,7 +60,7 @@ worker.onmessage = ({ data }: MessageEvent<ToClassroom>) => {
     case "hint":
       return host?.send(data);
     case "screens":
-      return screens.show(data.numbers, data.student);
+      return screens.show(data.numbers, data.student, data.program);
     case "colours":
       return painter.setPalette(data.palette);
     case "calm":

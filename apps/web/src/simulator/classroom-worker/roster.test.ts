@@ -74,7 +74,7 @@ describe("the students of a class", () => {
     const busyAt: number[] = [];
     for (let second = 0; second <= 300; second += 1) {
       now = NOW + second * 1_000;
-      const driven: Tile = { ...tile, seq: second + 1, tick: second * 60 };
+      const driven: Tile = { ...tile, seq: second + 1, tick: (second + 1) * 60 };
       roster.show([{ student: 1, connected: true, tile: driven }]);
       busyAt.push(...roster.takeChanges().changed.map((each) => each.busyAt));
     }
@@ -177,6 +177,55 @@ describe("the students of a class", () => {
       { task: 1, ...place, count: 2 },
       { task: 1, ...other, count: 1 },
     ]);
+  });
+
+  it("have their bumps counted as soon as a tile tells of them, and only once", () => {
+    const roster = rosterOf(1);
+    const opened = record(1, 1_000, { kind: "opened", lesson: "0123456ab", task: 1 });
+    roster.follow({ type: "student", n: 5, student: studentView(1), progress: opened });
+    roster.takeBumps();
+    const show = (change: Partial<Tile>) =>
+      roster.show([{ student: 1, connected: true, tile: { ...tile, ...change } }]);
+    show({ tick: 60 });
+    expect(roster.takeBumps()).toBeNull();
+    show({ tick: 90, state: "bumped", bumps: 1, pose: [312, 250, 90] });
+    const place = { task: 1, maze: "g1", column: 3, row: 2 };
+    expect(roster.takeBumps()).toEqual([{ ...place, count: 1 }]);
+    show({ tick: 90, state: "bumped", bumps: 1, pose: [312, 250, 90], line: null });
+    expect(roster.takeBumps()).toBeNull();
+    const exact = { maze: "g1", column: 3, row: 3 };
+    const run = { kind: "run", task: 1, changed: true, bumps: 1, mistakes: 0 } as const;
+    const failure = { code: "bump", line: 0 };
+    const progress = record(2, 2_000, { ...run, bumpPlaces: [exact], failure });
+    roster.follow({ type: "student", n: 6, student: studentView(1), progress });
+    expect(roster.takeBumps()).toEqual([{ task: 1, ...exact, count: 1 }]);
+  });
+
+  it("count the bumps of checks, also in unseen mazes", () => {
+    const roster = rosterOf(1);
+    const bumpPlaces = [{ maze: "u31", column: 4, row: 2 }];
+    const failure = { code: "bump", line: 0 };
+    const check = { kind: "check", task: 2, changed: true, passes: 3, mazes: 51 } as const;
+    const progress = record(1, 1_000, { ...check, bumpPlaces, failure });
+    roster.follow({ type: "student", n: 5, student: studentView(1), progress });
+    expect(roster.takeBumps()).toEqual([{ task: 2, ...bumpPlaces[0], count: 1 }]);
+  });
+
+  it("have a run and an attempt as soon as the robot drives, also if a pause stops it", () => {
+    const roster = rosterOf(1);
+    const counts = () => roster.takeChanges().changed.map(({ tasks }) => tasks);
+    const show = (change: Partial<Tile>) =>
+      roster.show([{ student: 1, connected: true, tile: { ...tile, ...change } }]);
+    show({ tick: 0, state: "writing" });
+    expect(counts()).toEqual([[]]);
+    show({ tick: 60 });
+    expect(counts()).toMatchObject([[{ task: 1, runs: 1, attempts: 1 }]]);
+    show({ tick: 60, state: "writing" });
+    expect(counts()).toMatchObject([[{ task: 1, runs: 1, attempts: 1 }]]);
+    const run = { kind: "run", task: 1, changed: true, bumps: 0, mistakes: 0 } as const;
+    const progress = record(1, 2_000, { ...run, failure: null });
+    roster.follow({ type: "student", n: 5, student: studentView(1), progress });
+    expect(counts()).toMatchObject([[{ task: 1, runs: 1, attempts: 1 }]]);
   });
 
   it("ignore tiles of students who were removed", () => {

@@ -8,7 +8,16 @@ import type {
   StudentTile,
 } from "@corridor/protocol";
 import type { CountedBump, SeenStudent } from "../protocol/classroom-messages.ts";
-import { noBumps, noWork, withRecord, withRestart, type Work } from "./student-work.ts";
+import { noLiveBumps, withoutRecorded, withTileBumps, type LiveBumps } from "./live-bumps.ts";
+import {
+  noBumps,
+  noWork,
+  taskOf,
+  withRecord,
+  withRestart,
+  withTask,
+  type Work,
+} from "./student-work.ts";
 
 /**
  * The page learns of a robot that drives on at most this often, in ms: often enough for minutes
@@ -19,6 +28,8 @@ const BUSY_STEP_MS = 30_000;
 interface Entry {
   view: StudentView;
   work: Work;
+  /** not in `work` yet */
+  live: LiveBumps;
   /** number of the newest record in `work` */
   progress: number;
   isConnected: boolean;
@@ -67,6 +78,7 @@ export class Roster {
       this.#set({
         view,
         work: { ...work, busyAt },
+        live: before?.live ?? noLiveBumps,
         progress: progress.at(-1)?.seq ?? 0,
         isConnected: before?.isConnected ?? false,
         tile: before?.tile ?? null,
@@ -107,15 +119,17 @@ export class Roster {
       const hasDriven = tile !== null && before.tile !== null && tile.tick !== before.tile.tick;
       const drivenAt = hasDriven ? this.#activeMs() : before.drivenAt;
       const work = withTile(before, tile, drivenAt, this.#activeMs());
+      const live = withTileBumps(before.live, before.tile, tile, work.lesson);
+      if (live.places !== before.live.places) this.#hasNewBumps = true;
       const isSame =
         before.isConnected === connected &&
         isSameState(before.tile, tile) &&
         busyStep(work.busyAt) === busyStep(before.sentBusyAt) &&
         (student !== this.#watched || before.tile?.line === tile?.line);
-      const next = { isConnected: connected, tile: tile ?? before.tile, work, drivenAt };
+      const next = { isConnected: connected, tile: tile ?? before.tile, work, live, drivenAt };
       const entry = { ...before, ...next };
       this.#entries.set(student, entry);
-      if (!isSame) this.#changed.add(student);
+      if (!isSame || hasOpenRun(entry) !== hasOpenRun(before)) this.#changed.add(student);
       shown.push(student);
     }
     return shown;
@@ -151,8 +165,8 @@ export class Roster {
     const all = new Map<string, CountedBump>();
     const works = [...this.#entries.values()].map(({ work }) => work);
     const newest = works.toSorted((a, b) => b.lessonAt - a.lessonAt)[0]?.lesson;
-    for (const { bumped } of works) {
-      for (const { lesson, ...bump } of bumped) {
+    for (const { work, live } of this.#entries.values()) {
+      for (const { lesson, ...bump } of [...work.bumped, ...live.places]) {
         if (lesson !== newest) continue;
         const key = `${bump.task} ${bump.maze} ${bump.column} ${bump.row}`;
         all.set(key, { ...bump, count: bump.count + (all.get(key)?.count ?? 0) });
@@ -165,15 +179,16 @@ export class Roster {
     const work = noWork(this.#activeMs());
     const drivenAt = Number.NEGATIVE_INFINITY;
     const still = { progress: 0, isConnected: false, tile: null, drivenAt };
-    return { view, work, ...still, sentBusyAt: work.busyAt };
+    return { view, work, live: noLiveBumps, ...still, sentBusyAt: work.busyAt };
   }
 
   #set(entry: Entry): void {
     const { student } = entry.view;
-    const before = this.#entries.get(student)?.work;
+    const before = this.#entries.get(student);
     const isSame =
-      (before?.bumped ?? noBumps) === entry.work.bumped &&
-      (before === undefined || before.lesson === entry.work.lesson);
+      (before?.work.bumped ?? noBumps) === entry.work.bumped &&
+      (before?.live ?? noLiveBumps).places === entry.live.places &&
+      (before === undefined || before.work.lesson === entry.work.lesson);
     if (!isSame) this.#hasNewBumps = true;
     this.#entries.set(student, entry);
     this.#removed.delete(student);
@@ -181,7 +196,8 @@ export class Roster {
   }
 
   #remove(student: number): void {
-    if ((this.#entries.get(student)?.work.bumped.length ?? 0) > 0) this.#hasNewBumps = true;
+    const { work, live } = this.#entries.get(student) ?? {};
+    if (work?.bumped.length || live?.places.length) this.#hasNewBumps = true;
     this.#entries.delete(student);
     this.#changed.delete(student);
     this.#removed.add(student);
@@ -201,6 +217,7 @@ function withView(
     ...before,
     view,
     work: hasEdited ? { ...work, busyAt: Math.max(work.busyAt, now) } : work,
+    live: isNew ? withoutRecorded(before.live, progress) : before.live,
     progress: isNew ? progress.seq : before.progress,
   };
 }
@@ -230,9 +247,27 @@ function isSameState(one: Tile | null, other: Tile | null): boolean {
   return one?.task === other?.task && one?.state === other?.state;
 }
 
-function seenOf({ view, work, isConnected, tile }: Entry): SeenStudent {
+/**
+ * Whether the first run of the open task is under way, or a pause of the class has stopped it: its
+ * record follows when it ends.
+ */
+function hasOpenRun({ tile, work }: Pick<Entry, "tile" | "work">): boolean {
+  if (tile === null || tile.maze === null || tile.tick === 0) return false;
+  return taskOf(work, tile.task).runs === 0;
+}
+
+/** The work on the tasks, with the run that is under way: it is an attempt, too. */
+function seenTasks(entry: Entry): SeenStudent["tasks"] {
+  const { tile, work } = entry;
+  if (tile === null || !hasOpenRun(entry)) return work.tasks;
+  const { attempts } = taskOf(work, tile.task);
+  return withTask(work, tile.task, { runs: 1, attempts: Math.max(1, attempts) }).tasks;
+}
+
+function seenOf(entry: Entry): SeenStudent {
+  const { view, work, isConnected, tile } = entry;
   const { student, name, helpSince, programs } = view;
-  const { busyAt, bestAt, repeats, tasks, answers } = work;
+  const { busyAt, bestAt, repeats, answers } = work;
   return {
     student,
     name,
@@ -243,7 +278,7 @@ function seenOf({ view, work, isConnected, tile }: Entry): SeenStudent {
     busyAt,
     bestAt,
     repeats,
-    tasks,
+    tasks: seenTasks(entry),
     answers,
   };
 }

@@ -7,9 +7,10 @@ const numbers = {
   solved: 2,
   all: 3,
   medianMs: 61_000,
-  lines: 2,
+  lines: { value: 2, count: 1, all: 2 },
   maze: "g1",
   bumps: [{ column: 1, row: 1, count: 4 }],
+  bumpCounts: { most: 4, given: 0, unseen: 2 },
   racers: [],
   raceMaze: "g1",
   missing: 0,
@@ -51,20 +52,20 @@ function newFeed() {
 
 it("big screens receive numbers at once, and the newest run a second later", () => {
   const { feed, sent, drive, pass } = newFeed();
-  feed.show(numbers, null);
-  feed.show(numbers, 7);
+  feed.show(numbers, null, null);
+  feed.show(numbers, 7, "1Qk3");
   drive("e2");
   drive("e3");
   expect(sent).toEqual([{ ...numbers, run: null }]);
   pass();
-  expect(sent[1]?.run).toMatchObject({ path: "e3", isSolved: false });
+  expect(sent[1]?.run).toMatchObject({ path: "e3", isSolved: false, line: 0, program: "1Qk3" });
   pass();
   expect(sent).toHaveLength(2);
 });
 
 it("a new connection sends the content again", () => {
   const { feed, sent, pass } = newFeed();
-  feed.show(numbers, 7);
+  feed.show(numbers, 7, "1Qk3");
   pass();
   feed.repeat();
   expect(sent).toHaveLength(2);
@@ -72,7 +73,7 @@ it("a new connection sends the content again", () => {
 
 it("the content names no student, and the big screen accepts it", () => {
   const { feed, sent } = newFeed();
-  feed.show(numbers, 7);
+  feed.show(numbers, 7, "1Qk3");
   expect(screenContentSchema.safeParse(sent[0]).success).toBe(true);
   expect(JSON.stringify(sent)).not.toContain("student");
 });

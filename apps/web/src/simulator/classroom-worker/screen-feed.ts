@@ -16,6 +16,7 @@ export class ScreenFeed {
   readonly #ports: ScreenFeedPorts;
   #numbers: ScreenNumbers | null = null;
   #student: number | null = null;
+  #program: string | null = null;
   #sent = "";
   #isWaiting = false;
 
@@ -23,10 +24,14 @@ export class ScreenFeed {
     this.#ports = ports;
   }
 
-  /** @param student whose run is on the big screens; null: none */
-  show(numbers: ScreenNumbers, student: number | null): void {
+  /**
+   * @param student whose run is on the big screens; null: none
+   * @param program of the student, as a link text; null: not known
+   */
+  show(numbers: ScreenNumbers, student: number | null, program: string | null): void {
     this.#numbers = numbers;
     this.#student = student;
+    this.#program = program;
     this.#send();
   }
 
@@ -59,7 +64,9 @@ export class ScreenFeed {
     const student = this.#student;
     const tile = student === null ? null : this.#ports.tileOf(student);
     if (student === null || tile === null) return null;
-    const { task, maze, pose, path } = tile;
-    return { task, maze, pose, path, isSolved: this.#ports.isSolved(student, task) };
+    const { task, maze, pose, path, state } = tile;
+    const line = state === "driving" ? tile.line : null;
+    const isSolved = this.#ports.isSolved(student, task);
+    return { task, maze, pose, path, line, program: this.#program, isSolved };
   }
 }

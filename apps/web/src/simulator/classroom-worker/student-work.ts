@@ -127,7 +127,7 @@ function withAttempt(work: Work, event: AttemptEvent, at: number): Work {
   // The same program again is the same attempt.
   const counted = event.changed ? 1 : 0;
   const repeats = failure === null ? 0 : isSame ? work.repeats + counted : 1;
-  const places = event.kind === "run" ? (event.bumpPlaces ?? []) : [];
+  const places = event.bumpPlaces ?? [];
   return {
     ...next,
     busyAt: at,
@@ -176,7 +176,8 @@ export function emptyTask(task: number): TaskWork {
   };
 }
 
-function withTask(work: Work, task: number, change: Partial<TaskWork>): Work {
+/** Changes the work on a task. */
+export function withTask(work: Work, task: number, change: Partial<TaskWork>): Work {
   const next = { ...taskOf(work, task), ...change };
   const others = work.tasks.filter((each) => each.task !== task);
   return { ...work, tasks: [...others, next].toSorted((a, b) => a.task - b.task) };

@@ -114,8 +114,11 @@ export type ToClassroom =
   /** receives the tiles of a student more often; null: of nobody */
   | { type: "watch"; student: number | null }
   | { type: "hint"; student: number; task: number; hint: number }
-  /** replaces what the big screens show @param student whose run they show; null: none */
-  | { type: "screens"; numbers: ScreenNumbers; student: number | null }
+  /**
+   * replaces what the big screens show @param student whose run they show; null: none
+   * @param program of that student, as a link text; null: not known
+   */
+  | { type: "screens"; numbers: ScreenNumbers; student: number | null; program: string | null }
   | { type: "colours"; palette: Palette }
   /** whether robots jump from tile to tile instead of moving */
   | { type: "calm"; isCalm: boolean }
