@@ -109,6 +109,9 @@ function Results({ lesson, content }: { lesson: LessonDocument; content: ScreenC
         {lines !== null && (
           <p>{t("screen.lines", { count: lines.value, part: lines.count, all: lines.all })}</p>
         )}
+        {!isRacing && run !== null && run.program !== null && (
+          <LazyScreenProgram link={run.program} running={run.line} />
+        )}
         {count > 1 && !isRacing && (
           <div>
             <Button onClick={() => setRacedTask(task)}>{t("race.open", { count })}</Button>
@@ -175,7 +178,6 @@ function Run({ lesson, run }: { lesson: LessonDocument; run: ScreenRun }) {
           <path className={styles["nose"]} d="M-.14-.1 0-.26 .14-.1z" />
         </g>
       </svg>
-      {run.program !== null && <LazyScreenProgram link={run.program} running={run.line} />}
     </figure>
   );
 }

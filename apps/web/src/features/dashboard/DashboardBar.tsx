@@ -68,7 +68,8 @@ export function DashboardBarEnd({
   tools,
 }: DashboardBarEndProps) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
-  const isNarrow = useMediaQuery("(max-width: 56.24em)");
+  const isNarrow = useMediaQuery("(max-width: 71.24em)");
+  const isSmall = useMediaQuery("(max-width: 56.24em)");
   const isPhone = useMediaQuery("(max-width: 37.49em)");
   const menu = usePopover();
   const [isJoining, setJoining] = useState(false);
@@ -82,7 +83,7 @@ export function DashboardBarEnd({
           {names}
         </Button>
       )}
-      {!isNarrow && room.screenKey !== null && (
+      {!isSmall && room.screenKey !== null && (
         <ButtonLink kind="quiet" icon={<Icon of={Monitor} />} {...screenLink(room)}>
           {t("screen.open")}
         </ButtonLink>
@@ -108,7 +109,7 @@ export function DashboardBarEnd({
             {t("send.open")}
           </MenuItem>
         )}
-        {isNarrow && room.screenKey !== null && (
+        {isSmall && room.screenKey !== null && (
           <MenuItem
             icon={<Icon of={Monitor} />}
             onSelect={() => window.open(screenLink(room).href, "_blank", "noopener")}

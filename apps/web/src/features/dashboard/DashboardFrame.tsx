@@ -7,10 +7,12 @@ interface DashboardFrameProps {
   bar: ReactNode;
   /** at the end of the bar */
   end: ReactNode;
+  /** whether the sheet of a student is open */
+  hasSheet?: boolean;
   children: ReactNode;
 }
 
-export function DashboardFrame({ bar, end, children }: DashboardFrameProps) {
+export function DashboardFrame({ bar, end, hasSheet, children }: DashboardFrameProps) {
   return (
     <div className={styles["page"]}>
       <header className={styles["bar"]}>
@@ -20,7 +22,9 @@ export function DashboardFrame({ bar, end, children }: DashboardFrameProps) {
         {bar}
         <div className={styles["end"]}>{end}</div>
       </header>
-      <main className={styles["main"]}>{children}</main>
+      <main className={styles["main"]} data-sheet={hasSheet}>
+        {children}
+      </main>
     </div>
   );
 }

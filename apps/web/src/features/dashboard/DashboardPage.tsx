@@ -67,6 +67,7 @@ export function DashboardPage(props: DashboardPageProps) {
     <ErrorBoundary onError={() => undefined}>
       <DashboardProvider value={content}>
         <DashboardFrame
+          hasSheet={watched !== null && !isOver}
           bar={
             <DashboardBar
               label={label}

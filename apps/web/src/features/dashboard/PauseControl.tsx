@@ -60,20 +60,17 @@ export function PauseControl({ isSmall }: { isSmall: boolean }) {
 
 function PauseButton({ isSmall, onPause }: { isSmall: boolean; onPause: () => void }) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
+  const label = t("pause.startFor", { minutes: DEFAULT_MINUTES });
   if (isSmall) {
     return (
-      <IconButton label={t("pause.start")} kind="outline" size="medium" onClick={onPause}>
+      <IconButton label={label} kind="outline" size="medium" onClick={onPause}>
         <Icon of={Pause} />
       </IconButton>
     );
   }
   return (
-    <Button
-      icon={<Icon of={Pause} />}
-      title={t("pause.minutes", { count: DEFAULT_MINUTES })}
-      onClick={onPause}
-    >
-      {t("pause.start")}
+    <Button icon={<Icon of={Pause} />} onClick={onPause}>
+      {label}
     </Button>
   );
 }

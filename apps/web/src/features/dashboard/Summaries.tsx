@@ -45,37 +45,42 @@ export function Summaries({ raceChoice, onRaceChoice }: SummariesProps) {
   return (
     <section className={styles["summaries"]} aria-label={t("summary.label")}>
       <div className={styles["part"]}>
-        <h2 className={styles["name"]}>{t("summary.solved")}</h2>
-        <p className={styles["figure"]}>
-          <strong>{summary.solved}</strong> {t("summary.ofStudents", { count: summary.all })}
-        </p>
-        {tasks > 1 && (
-          <Select
-            label={t("summary.task")}
-            value={String(task)}
-            options={Array.from({ length: tasks }, (_, at) => ({
-              value: String(at + 1),
-              label: t("summary.taskOf", { task: at + 1, tasks }),
-            }))}
-            onChange={(value) => dashboard.chooseTask(Number(value))}
-          />
-        )}
+        <div className={styles["first"]}>
+          <h2 className={styles["name"]}>{t("summary.solved")}</h2>
+          {lesson !== null && (
+            <RaceButton
+              lesson={lesson}
+              task={task}
+              field={raceField(task, verifications)}
+              maze={chosenMaze(lesson, task, raceChoice)}
+              onMaze={(maze) => onRaceChoice({ task, maze })}
+            />
+          )}
+        </div>
+        <div className={styles["first"]}>
+          <p className={styles["figure"]}>
+            <strong>{summary.solved}</strong> {t("summary.ofStudents", { count: summary.all })}
+          </p>
+          {tasks > 1 && (
+            <Select
+              label={t("summary.task")}
+              value={String(task)}
+              options={Array.from({ length: tasks }, (_, at) => ({
+                value: String(at + 1),
+                label: t("summary.taskOf", { task: at + 1, tasks }),
+              }))}
+              onChange={(value) => dashboard.chooseTask(Number(value))}
+            />
+          )}
+        </div>
         <Shares groups={groupsShown(isPaused, tasks > 1)} summary={summary} />
-        {lesson !== null && (
-          <RaceButton
-            lesson={lesson}
-            task={task}
-            field={raceField(task, verifications)}
-            maze={chosenMaze(lesson, task, raceChoice)}
-            onMaze={(maze) => onRaceChoice({ task, maze })}
-          />
-        )}
       </div>
       <Part
         name={t("summary.time")}
         figure={medianMs === null ? none : clockText(medianMs)}
         note={medianMs === null ? "" : t("summary.medianMinutes")}
         bars={summary.times}
+        unit={t("chart.minutes")}
       />
       <Part
         name={t("summary.lines")}
@@ -88,6 +93,7 @@ export function Summaries({ raceChoice, onRaceChoice }: SummariesProps) {
               : t("summary.commonLimit", { part: commonLines.count, all: commonLines.all, limit })
         }
         bars={summary.lines}
+        unit={t("chart.lines")}
         most={limit}
       />
       <Part
@@ -95,6 +101,7 @@ export function Summaries({ raceChoice, onRaceChoice }: SummariesProps) {
         figure={medianAttempts === null ? none : localNumber(String(medianAttempts), i18n.language)}
         note={medianAttempts === null ? "" : t("summary.median")}
         bars={summary.attempts}
+        unit={t("chart.attempts")}
       />
       {lesson !== null && <Bumps lesson={lesson} task={task} />}
     </section>
@@ -146,11 +153,13 @@ interface PartProps {
   figure: string;
   note: string;
   bars: readonly Bar[];
+  /** what the bars count, and by what */
+  unit: string;
   /** values up to this one are within the limit of the task */
   most?: number | null;
 }
 
-function Part({ name, figure, note, bars, most = null }: PartProps): ReactNode {
+function Part({ name, figure, note, bars, unit, most = null }: PartProps): ReactNode {
   const highest = Math.max(1, ...bars.map(({ count }) => count));
   return (
     <div className={styles["part"]}>
@@ -175,6 +184,7 @@ function Part({ name, figure, note, bars, most = null }: PartProps): ReactNode {
           ))}
         </ol>
       )}
+      {bars.length > 0 && <p className={styles["unit"]}>{unit}</p>}
     </div>
   );
 }
