@@ -8,15 +8,17 @@ import styles from "./watch-sheet.module.css";
 
 export function ProgramText({ student }: { student: SeenStudent }) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
+  const task = openTask(student);
   const read = useDashboard(({ programs }) => programs.get(student.student));
-  const program = read?.task === openTask(student) ? read.program : null;
-  if (program === null) {
-    return (
-      <p className={styles["empty"]}>
-        {t(student.programs === 0 ? "watch.noProgram" : "watch.noLines")}
-      </p>
-    );
-  }
+  const given = useDashboard(({ lesson }) => lesson?.tasks[task - 1]?.program ?? null);
+  const isUnchanged = student.programs === 0;
+  const program = isUnchanged ? given : read?.task === task ? read.program : null;
   const running = student.tile?.state === "driving" ? student.tile.line : null;
-  return <ProgramLines program={program} running={running} />;
+  return (
+    <>
+      {isUnchanged && <p className={styles["empty"]}>{t("watch.noProgram")}</p>}
+      {program === null && !isUnchanged && <p className={styles["empty"]}>{t("watch.noLines")}</p>}
+      {program !== null && <ProgramLines program={program} running={running} />}
+    </>
+  );
 }

@@ -4,18 +4,19 @@ import { useEffect, useRef, useState, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useShallow } from "zustand/react/shallow";
 import { shownCode } from "../../model/classes/shown-code.ts";
-import { verificationOf } from "../../model/classroom/dashboard.ts";
-import { openTask, openWork } from "../../model/classroom/standing.ts";
-import type { CountedFailure, SeenStudent } from "../../simulator/protocol/classroom-messages.ts";
+import { activeNow, verificationOf } from "../../model/classroom/dashboard.ts";
+import { needsHelp, openTask, openWork } from "../../model/classroom/standing.ts";
+import type { SeenStudent } from "../../simulator/protocol/classroom-messages.ts";
 import { directionOf } from "../../text/direction.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { Icon } from "../../ui/Icon.tsx";
-import { CardClock, useMinutes } from "./CardClock.tsx";
+import { clockText } from "./clock-text.ts";
 import { useContent, useDashboard, useStudentName } from "./dashboard-context.ts";
 import { ProgramText } from "./ProgramText.tsx";
 import { StandingChip } from "./StandingChip.tsx";
 import { PictureArea, StudentPicture } from "./StudentPicture.tsx";
-import { cardState, cardTime } from "./use-card.ts";
+import { cardFacts, cardSeconds, cardState } from "./use-card.ts";
+import { WatchedAttempts } from "./WatchedAttempts.tsx";
 import styles from "./watch-sheet.module.css";
 
 interface WatchSheetProps {
@@ -36,9 +37,11 @@ export function WatchSheet(props: WatchSheetProps) {
   const isGone = student === undefined;
   useEffect(() => {
     dashboard.send({ type: "watch", student: number });
+    dashboard.countSeconds(true);
     sheet.current?.focus();
     return () => {
       dashboard.send({ type: "watch", student: null });
+      dashboard.countSeconds(false);
       document.querySelector<HTMLElement>(`[data-student="${number}"]`)?.focus();
     };
   }, [dashboard, number]);
@@ -60,12 +63,13 @@ export function WatchSheet(props: WatchSheetProps) {
       }}
     >
       <SheetHead student={student} onClose={onClose} />
+      <Facts student={student} />
       <PictureArea className={styles["stage"]}>
         <StudentPicture student={number} />
       </PictureArea>
       <Unverified student={student} />
       <ProgramText student={student} />
-      <Attempts student={student} />
+      <WatchedAttempts student={student} />
       <Actions student={student} label={t("watch.actions")}>
         <Button icon={<Icon of={Monitor} />} onClick={() => onScreens(!isOnScreens)}>
           {isOnScreens ? t("screen.hide") : t("screen.show")}
@@ -79,8 +83,11 @@ function SheetHead({ student, onClose }: { student: SeenStudent; onClose: () => 
   const { t } = useTranslation("dashboard", { useSuspense: false });
   const nameOf = useStudentName();
   const state = useDashboard((all) => cardState(all, student));
-  const time = useDashboard(useShallow((all) => cardTime(all, student)));
-  const minutes = useMinutes(time);
+  const urgentSeconds = useDashboard((all) => {
+    const shown = all.shown.get(student.student);
+    if (shown === undefined || !needsHelp(shown.standing)) return null;
+    return Math.floor((activeNow(all) - shown.since) / 1_000);
+  });
   return (
     <div className={styles["head"]}>
       <h2 id="watched-student" className={styles["name"]} dir="auto">
@@ -88,12 +95,11 @@ function SheetHead({ student, onClose }: { student: SeenStudent; onClose: () => 
       </h2>
       {/* The sheet has its own sentence for it. */}
       {state !== "unverified" && <StandingChip state={state} />}
-      <span className={styles["time"]}>
-        <span aria-hidden="true">
-          <CardClock {...time} />
+      {urgentSeconds !== null && (
+        <span className={styles["time"]}>
+          {t("watch.since", { time: clockText(urgentSeconds * 1_000) })}
         </span>
-        <span className="visually-hidden">{t("card.minutes", { count: minutes })}</span>
-      </span>
+      )}
       <IconButton label={t("close")} size="medium" onClick={onClose}>
         <Icon of={X} />
       </IconButton>
@@ -101,47 +107,27 @@ function SheetHead({ student, onClose }: { student: SeenStudent; onClose: () => 
   );
 }
 
+/** The task, the time on it, and the size of the program. */
+function Facts({ student }: { student: SeenStudent }) {
+  const { t } = useTranslation("dashboard", { useSuspense: false });
+  const facts = useDashboard(useShallow((all) => cardFacts(all, student.student)));
+  const seconds = useDashboard((all) => cardSeconds(all, student.student));
+  if (facts === null) return null;
+  return (
+    <p className={styles["facts"]}>
+      {facts.hasTasks && <span>{t("card.task", { task: facts.task })}</span>}
+      <span>
+        {t("watch.onTask")} <strong>{clockText(seconds * 1_000)}</strong>
+      </span>
+      {facts.lines !== null && <span>{t("card.lines", { count: facts.lines })}</span>}
+    </p>
+  );
+}
+
 function Unverified({ student }: { student: SeenStudent }) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
   const isUnverified = useDashboard((all) => verificationOf(all, student)?.kind === "fails");
   return isUnverified && <p className={styles["wrong"]}>{t("watch.unverified")}</p>;
-}
-
-/** How often each failure ended an attempt at the open task. */
-function Attempts({ student }: { student: SeenStudent }) {
-  const { t } = useTranslation("dashboard", { useSuspense: false });
-  const work = openWork(student);
-  const failureText = ({ code, line }: CountedFailure): string => {
-    const what = code === "bump" ? t("failure.bump") : t(`failure.${failureKey(code)}`);
-    if (line === null) return what;
-    return line === "default"
-      ? t("failure.otherwise", { what })
-      : t("failure.line", { what, line: line + 1 });
-  };
-  return (
-    <section className={styles["part"]}>
-      <h3 className={styles["heading"]}>{t("card.attempts", { count: work?.attempts ?? 0 })}</h3>
-      <ul className={styles["failures"]}>
-        {(work?.failures ?? []).map((failure) => (
-          <li key={`${failure.code} ${failure.line}`}>
-            <span>{failureText(failure)}</span>
-            <strong>{failure.count}</strong>
-          </li>
-        ))}
-      </ul>
-    </section>
-  );
-}
-
-const goalFailures: ReadonlySet<string> = new Set([
-  "not-reached",
-  "not-visited",
-  "not-stopped",
-  "too-short",
-]);
-
-function failureKey(code: string): "goal" | "rules" {
-  return goalFailures.has(code) ? "goal" : "rules";
 }
 
 /** What the student will read, before the teacher shows it. */
@@ -170,7 +156,12 @@ function Actions({ student, label, children }: ActionsProps) {
   const { dashboard, calls, report } = useContent();
   const nameOf = useStudentName();
   const task = openTask(student);
-  const hints = useDashboard(({ lesson }) => lesson?.tasks[task - 1]?.words.hints);
+  // Who has solved the task needs no hint.
+  const hints = useDashboard((all) =>
+    verificationOf(all, student)?.kind === "passes"
+      ? undefined
+      : all.lesson?.tasks[task - 1]?.words.hints,
+  );
   const [shown, setShown] = useState<ReadonlyMap<number, number>>(new Map());
   const [code, setCode] = useState<string | null>(null);
   const [isRemoving, setRemoving] = useState(false);
@@ -209,7 +200,9 @@ function Actions({ student, label, children }: ActionsProps) {
         </Button>
       </div>
       <output className={styles["said"]}>
-        {(shown.get(task) ?? 0) > 0 && <p>{t("watch.hintShown", { hint: shown.get(task) })}</p>}
+        {count > 0 && (shown.get(task) ?? 0) > 0 && (
+          <p>{t("watch.hintShown", { hint: shown.get(task) })}</p>
+        )}
         {code !== null && (
           <p>
             {t("watch.returnText")}{" "}

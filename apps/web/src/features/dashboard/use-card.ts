@@ -27,6 +27,12 @@ function writtenLines({ programs }: DashboardState, student: SeenStudent): numbe
   return read?.task === openTask(student) ? (read.program?.rules.length ?? null) : null;
 }
 
+/** Whole seconds on the open task; 0 for a student who is gone. */
+export function cardSeconds(state: DashboardState, number: number): number {
+  const student = state.students.get(number);
+  return student === undefined ? 0 : Math.floor(timeOf(state, student) / 1_000);
+}
+
 /** A picture that is older than this is grey. */
 const OLD_SECONDS = 20;
 

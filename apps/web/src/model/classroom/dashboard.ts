@@ -74,6 +74,7 @@ export class Dashboard {
   readonly #ports: DashboardPorts;
   /** why the cards stay where they are */
   readonly #held = new Set<"pointer" | "focus">();
+  #isCounting = false;
 
   constructor(ports: DashboardPorts) {
     this.#ports = ports;
@@ -165,6 +166,11 @@ export class Dashboard {
     this.store.setState({ order: { order: wanted.order, changedAt, waiting: 0 } });
   }
 
+  /** The page shows seconds that run, beside those of a pause or a lost connection. */
+  countSeconds(isCounting: boolean): void {
+    this.#isCounting = isCounting;
+  }
+
   /**
    * Follows the time. Call it once a second: while the page counts no seconds, it updates as often
    * as the order may change, because every card looks at each update.
@@ -172,7 +178,7 @@ export class Dashboard {
   tick(): void {
     const { now, classroom, lostAt, awaySince, students } = this.store.getState();
     const isPaused = (classroom?.time.pauseEndsAt ?? 0) > now;
-    const countsSeconds = isPaused || lostAt !== null || awaySince.size > 0;
+    const countsSeconds = this.#isCounting || isPaused || lostAt !== null || awaySince.size > 0;
     if (countsSeconds || this.#ports.now() - now >= ORDER_MS) this.#update(students);
   }
 

@@ -134,6 +134,22 @@ describe("the students of a class", () => {
     expect(roster.takeChanges().changed).toMatchObject([{ student: 2, tile: { line: 1 } }]);
   });
 
+  it("show their newest attempts while the teacher watches them", () => {
+    const roster = rosterOf(1);
+    const failure = { code: "bump", line: 0 };
+    const run = { kind: "run", task: 1, changed: true, bumps: 1, mistakes: 0, failure } as const;
+    const check = { kind: "check", task: 1, changed: true, passes: 3, mazes: 5 } as const;
+    const follow = (progress: ReturnType<typeof record>) =>
+      roster.follow({ type: "student", n: progress.seq, student: studentView(1), progress });
+    follow(record(1, 2_000, run));
+    expect(roster.takeChanges().changed).toMatchObject([{ recent: [] }]);
+    roster.watch(1);
+    follow(record(2, 3_000, { ...check, failure: null }));
+    const newest = { task: 1, at: 3_000, check: { passes: 3, mazes: 5 }, failure: null };
+    const before = { task: 1, at: 2_000, check: null, failure };
+    expect(roster.takeChanges().changed).toMatchObject([{ recent: [newest, before] }]);
+  });
+
   it("have their bumps counted where the robots were, also those before the dashboard opened", () => {
     const roster = rosterOf(1, 2);
     expect(roster.takeBumps()).toBeNull();

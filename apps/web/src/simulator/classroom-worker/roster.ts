@@ -150,7 +150,8 @@ export class Roster {
       const entry = this.#entries.get(student);
       if (entry === undefined) return [];
       entry.sentBusyAt = entry.work.busyAt;
-      return [seenOf(entry)];
+      const seen = seenOf(entry);
+      return [student === this.#watched ? { ...seen, recent: entry.work.recent } : seen];
     });
     const removed = [...this.#removed];
     this.#changed.clear();
@@ -279,6 +280,7 @@ function seenOf(entry: Entry): SeenStudent {
     bestAt,
     repeats,
     tasks: seenTasks(entry),
+    recent: [],
     answers,
   };
 }

@@ -10,8 +10,11 @@ import type {
 /** More claims of one task are not run again. */
 const MAX_CLAIMS = 20;
 const MAX_FAILURES = 12;
+const MAX_RECENT = 12;
 
-export type Work = Pick<SeenStudent, "busyAt" | "bestAt" | "repeats" | "tasks" | "answers"> & {
+type SeenWork = "busyAt" | "bestAt" | "repeats" | "tasks" | "recent" | "answers";
+
+export type Work = Pick<SeenStudent, SeenWork> & {
   /** the failure that `repeats` counts; null: the newest attempt did not fail */
   failure: Pick<CountedFailure, "code" | "line"> | null;
   /** the largest number of mazes that passed in a check of the open task */
@@ -42,6 +45,7 @@ export function noWork(joinedAt: number): Work {
     bestAt: joinedAt,
     repeats: 0,
     tasks: [],
+    recent: [],
     answers: null,
     failure: null,
     best: 0,
@@ -102,7 +106,7 @@ function withLesson(work: Work, lesson: string, lessonAt: number): Work {
     return { ...work, lesson, lessonAt, bumped: bumped.length === 0 ? noBumps : bumped };
   }
   const earlier = new Map(work.earlier).set(work.lesson, work.tasks);
-  return { ...work, lesson, lessonAt, earlier, tasks: earlier.get(lesson) ?? [] };
+  return { ...work, lesson, lessonAt, earlier, recent: [], tasks: earlier.get(lesson) ?? [] };
 }
 
 type AttemptEvent = Extract<ProgressRecord["event"], { kind: "run" | "check" }>;
@@ -128,8 +132,11 @@ function withAttempt(work: Work, event: AttemptEvent, at: number): Work {
   const counted = event.changed ? 1 : 0;
   const repeats = failure === null ? 0 : isSame ? work.repeats + counted : 1;
   const places = event.bumpPlaces ?? [];
+  const check = event.kind === "check" ? { passes: event.passes, mazes: event.mazes } : null;
+  const recent = { task: event.task, at, check, failure };
   return {
     ...next,
+    recent: [recent, ...work.recent].slice(0, MAX_RECENT),
     busyAt: at,
     bumped: places.reduce(
       (bumped, place) => withBump(bumped, { lesson: work.lesson, task: event.task, ...place }),

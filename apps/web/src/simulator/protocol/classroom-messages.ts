@@ -50,6 +50,17 @@ export interface CountedFailure {
   count: number;
 }
 
+/** A run or a check of a student. */
+export interface RecentAttempt {
+  task: number;
+  /** active time at which its record arrived */
+  at: number;
+  /** number of mazes that passed, and of all mazes; null: a run */
+  check: { passes: number; mazes: number } | null;
+  /** null: it did not fail */
+  failure: Pick<CountedFailure, "code" | "line"> | null;
+}
+
 /** A student as the dashboard sees it. */
 export interface SeenStudent {
   student: number;
@@ -68,6 +79,8 @@ export interface SeenStudent {
   /** number of newest attempts in a row that failed with the same code and line */
   repeats: number;
   tasks: readonly TaskWork[];
+  /** the newest attempts of the student whom the teacher watches, newest first; else empty */
+  recent: readonly RecentAttempt[];
   /** to the survey, by the ids of the questions; null: not answered */
   answers: Readonly<Record<string, number | null>> | null;
 }

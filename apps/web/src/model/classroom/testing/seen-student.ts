@@ -13,6 +13,7 @@ export function seenStudent(student: number, change: Partial<SeenStudent> = {}):
     bestAt: 0,
     repeats: 0,
     tasks: [],
+    recent: [],
     answers: null,
     ...change,
   };
