@@ -1,5 +1,5 @@
 /**
- * The bumps of a run that has not ended: tiles tell of them before the record of the run arrives,
+ * The bumps of a run that has not ended: tiles contain them before the record of the run arrives,
  * which has their exact places. Pure.
  */
 import { CELL } from "@corridor/maze";

@@ -195,7 +195,7 @@ describe("the students of a class", () => {
     ]);
   });
 
-  it("have their bumps counted as soon as a tile tells of them, and only once", () => {
+  it("have their bumps counted as soon as a tile contains them, and only once", () => {
     const roster = rosterOf(1);
     const opened = record(1, 1_000, { kind: "opened", lesson: "0123456ab", task: 1 });
     roster.follow({ type: "student", n: 5, student: studentView(1), progress: opened });
