@@ -204,6 +204,14 @@ test("works by keyboard alone", async ({ page }) => {
   await keyboard.tabTo(teach.rows.getByRole("link", { name: "Watch the failure of hand-in 1" }));
 });
 
+test("begins with a lesson, and on a phone with a class, in reading order", async ({ page }) => {
+  const entries = page.getByRole("main").getByRole("list").first().getByRole("listitem");
+  await page.goto("/teach");
+  await expect(entries).toHaveText([/^Make/, /^Start/, /^Check/, /^Reports/]);
+  await page.setViewportSize({ width: 390, height: 844 });
+  await expect(entries).toHaveText([/^Start/, /^Make/, /^Check/, /^Reports/]);
+});
+
 test("a phone has the links for teachers in sight, without scrolling", async ({ openWindow }) => {
   const { page } = await openWindow(phone);
   await new CorridorPage(page).open();
