@@ -135,9 +135,9 @@ test("asks for the name of a new lesson first", async ({ page }) => {
   await expect(editor.name).toHaveText("Round the corner");
   await editor.button("Next: the task").click();
   await expect(editor.field("Name")).toHaveValue("Task 1");
-  // Students may drive by hand too, and what decides that is in sight.
+  // Whether students may drive by hand too is in sight.
   const byHand = page.getByRole("checkbox", { name: "the student, by hand" });
-  await expect(byHand).toBeChecked();
+  await expect(byHand).not.toBeChecked();
   await expect(byHand).toBeInViewport();
   await expect(page.getByRole("textbox", { name: "Lines" }).first()).toHaveAccessibleDescription(
     /“Otherwise” does not count as a line/,
@@ -194,7 +194,7 @@ test("a further task begins with a mission, a maze or a link, and its name has t
   await page.keyboard.press("Enter");
   await expect(dialog.getByRole("alert")).toContainText("This is not a link of Corridor");
   await link.fill(lessonAddress);
-  await page.keyboard.press("Enter");
+  await dialog.getByRole("button", { name: "Add", exact: true }).click();
   await expect(editor.tasks).toHaveText([/Task 1/, /Follow the right/, /Two mazes/, /One maze/]);
   await editor.button("Undo").click();
   await expect(editor.tasks).toHaveCount(2);

@@ -55,6 +55,7 @@ function AddTask({ device, onAdded }: Pick<AddTaskDialogProps, "device" | "onAdd
         device={device}
         task={task}
         beginning={beginning}
+        openLink={t("lessonEditor:tasks.addLinked")}
         hasStudy={false}
         takesDrops={false}
         onBegin={add}

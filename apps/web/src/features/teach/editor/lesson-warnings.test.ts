@@ -10,7 +10,7 @@ const noGoal = { ...corridor, goals: [] };
 const twoLines = programOf("right-wall", "Two lines");
 const seconds = (limit: number) => ({ bumps: 0, seconds: limit });
 const { allowed } = taskWith();
-const byProgram = { ...allowed, drivers: ["program" as const] };
+const byHand = { ...allowed, drivers: ["me" as const] };
 
 const cases: [string, Partial<LessonTask>, string[]][] = [
   ["nothing, in a task that can be solved", {}, ["unsolved"]],
@@ -35,23 +35,23 @@ const cases: [string, Partial<LessonTask>, string[]][] = [
   // Four squares: the robot is inside the goal's square after 375 cm, which take 3.75 s.
   [
     "less time than the way to the goal needs",
-    { checks: seconds(3), allowed: byProgram },
+    { checks: seconds(3) },
     ["too-little-time 1", "unsolved"],
   ],
   ["just enough time", { checks: seconds(4) }, ["unsolved"]],
   [
     "a time that a diagonal may save, for other drivers than a program",
-    { checks: seconds(3) },
+    { checks: seconds(3), allowed: byHand },
     ["unsolved"],
   ],
   [
     "less time than a distance needs",
-    { goal: { kind: "drive", distance: 301 }, checks: seconds(3), allowed: byProgram },
+    { goal: { kind: "drive", distance: 301 }, checks: seconds(3) },
     ["too-little-time 1", "unsolved"],
   ],
   [
     "less time than all squares need",
-    { goal: { kind: "visit" }, checks: seconds(3), allowed: byProgram },
+    { goal: { kind: "visit" }, checks: seconds(3) },
     ["too-little-time 1", "unsolved"],
   ],
 ];

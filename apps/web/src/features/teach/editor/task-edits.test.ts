@@ -30,9 +30,15 @@ describe("an edit of a task keeps its fields consistent", () => {
 });
 
 describe("the drivers of a task", () => {
-  it("are a program and the student, and the task opens with the program", () => {
-    expect(taskWith().allowed.drivers).toEqual(["program", "me"]);
-    expect(withDriver(taskWith(), "me").allowed.drivers).toEqual(["program"]);
+  it("are a program alone in a new task, until the teacher allows more", () => {
+    expect(taskWith().allowed.drivers).toEqual(["program"]);
+    expect(withDriver(taskWith(), "me").allowed.drivers).toEqual(["program", "me"]);
+  });
+
+  it("begin with the program again after it was left out for a while", () => {
+    const byHand = withDriver(withDriver(taskWith(), "me"), "program");
+    expect(byHand.allowed.drivers).toEqual(["me"]);
+    expect(withDriver(byHand, "program").allowed.drivers).toEqual(["program", "me"]);
   });
 
   it("stay in their order when another one is allowed", () => {

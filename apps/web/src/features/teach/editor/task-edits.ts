@@ -40,12 +40,15 @@ export function withSeconds(task: LessonTask, seconds: number): LessonTask {
   };
 }
 
-/** Allows a driver, or no longer. The others stay in their order: the task opens with the first one. */
+/**
+ * Allows a driver, or no longer. The others stay in their order: the task opens with the first one.
+ * That is a program when it is allowed anew.
+ */
 export function withDriver(task: LessonTask, driver: DriverName): LessonTask {
   const { drivers } = task.allowed;
-  const next = drivers.includes(driver)
-    ? drivers.filter((each) => each !== driver)
-    : [...drivers, driver];
+  const others = drivers.filter((each) => each !== driver);
+  const added = driver === "program" ? [driver, ...others] : [...others, driver];
+  const next = drivers.includes(driver) ? others : added;
   return { ...task, allowed: { ...task.allowed, drivers: next } };
 }
 

@@ -21,7 +21,7 @@ export function emptyMaze(name: string): MazeDocument {
   };
 }
 
-/** A task in one maze, in which students write a program of their own, or drive by hand. */
+/** A task in one maze, in which students write a program of their own. */
 export function newTask(maze: MazeDocument, name: string): LessonTask {
   return {
     name,
@@ -30,7 +30,7 @@ export function newTask(maze: MazeDocument, name: string): LessonTask {
     program: null,
     goal: { kind: maze.goals.length > 0 ? "reach" : "visit" },
     allowed: {
-      drivers: ["program", "me"],
+      drivers: ["program"],
       lines: 10,
       conditions: null,
       actions: null,

@@ -27,6 +27,8 @@ interface BeginningsProps {
   /** name of a task in a maze */
   task: string;
   beginning: Begun;
+  /** label of the button that opens the link */
+  openLink: string;
   /** whether the study of 2013, a whole lesson, is one of the choices */
   hasStudy: boolean;
   /** whether the page takes files that are dropped on it */
@@ -35,7 +37,7 @@ interface BeginningsProps {
 }
 
 export function Beginnings(props: BeginningsProps) {
-  const { device, task, beginning, hasStudy, takesDrops, onBegin } = props;
+  const { device, task, beginning, openLink, hasStudy, takesDrops, onBegin } = props;
   const { t } = useTranslation(["teach", "words"], { useSuspense: false });
   const [own] = useState(() => openMaze(device));
   // Without a project, the student's page opens this maze.
@@ -67,7 +69,12 @@ export function Beginnings(props: BeginningsProps) {
         />
         {hasStudy && <Study onChoose={onBegin} />}
       </ul>
-      <LinkForm isOpening={isOpening} isInvalid={problem !== null} onOpen={openText} />
+      <LinkForm
+        submit={openLink}
+        isOpening={isOpening}
+        isInvalid={problem !== null}
+        onOpen={openText}
+      />
       <Missions onChoose={onBegin} />
     </>
   );
@@ -108,12 +115,14 @@ function Study({ onChoose }: { onChoose: (lesson: LessonDocument) => void }) {
 }
 
 interface LinkFormProps {
+  /** label of its button */
+  submit: string;
   isOpening: boolean;
   isInvalid: boolean;
   onOpen: (text: string) => Promise<void>;
 }
 
-function LinkForm({ isOpening, isInvalid, onOpen }: LinkFormProps) {
+function LinkForm({ submit, isOpening, isInvalid, onOpen }: LinkFormProps) {
   const { t } = useTranslation("teach", { useSuspense: false });
   const [text, setText] = useState("");
   return (
@@ -135,7 +144,7 @@ function LinkForm({ isOpening, isInvalid, onOpen }: LinkFormProps) {
         />
       </div>
       <Button type="submit" disabled={isOpening}>
-        {t("lesson.open")}
+        {submit}
       </Button>
       <output className="visually-hidden">{isOpening ? t("lesson.opening") : ""}</output>
     </form>

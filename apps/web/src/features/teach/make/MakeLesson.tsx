@@ -61,6 +61,7 @@ export function MakeLesson({ device, link }: MakeLessonProps) {
           problem: beginning.problem ?? linked.problem,
           isOpening: beginning.isOpening || linked.isOpening,
         }}
+        openLink={t("lesson.open")}
         hasStudy
         takesDrops
         onBegin={begin}
