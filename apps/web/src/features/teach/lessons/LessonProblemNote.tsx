@@ -8,7 +8,7 @@ export function LessonProblemNote({ problem }: { problem: LessonProblem }) {
   const [first] = problem.code === "document" ? problem.problems : [];
   return (
     <ProblemNote>
-      <p>{t(`lesson.problems.${problem.code}`)}</p>
+      <p>{t(`lesson.problems.${first?.path === "version" ? "newer" : problem.code}`)}</p>
       {first !== undefined && (
         <ProblemDetail>
           {t("problem.detail", { ...first, path: first.path || t("problem.file") })}

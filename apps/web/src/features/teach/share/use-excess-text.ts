@@ -16,6 +16,7 @@ export function useExcessText() {
   const numberIn = {
     link: (characters: number) => groupedNumber(characters, i18n.language),
     shortLink: (bytes: number) => groupedNumber(Math.ceil(bytes / KIB), i18n.language),
+    class: (bytes: number) => groupedNumber(Math.ceil(bytes / KIB), i18n.language),
     file: (bytes: number) => localNumber(String(Math.ceil((10 * bytes) / MIB) / 10), i18n.language),
   };
   const remedy = ({ task, part }: LessonPart): string =>

@@ -18,6 +18,8 @@ import { TextArea } from "../../../ui/TextArea.tsx";
 import { TextField } from "../../../ui/TextField.tsx";
 import { SavedLessons } from "../../../model/teaching/saved-lessons.ts";
 import { study2013 } from "../lessons/study-2013.ts";
+import { shareSizesOf, type Excess } from "../share/share-sizes.ts";
+import { useExcessText } from "../share/use-excess-text.ts";
 import styles from "./start-class-dialog.module.css";
 
 const STUDY = "study";
@@ -46,7 +48,8 @@ export function StartClassDialog({ isOpen, lesson, device, onClose }: StartClass
   );
 }
 
-type Problem = ClassRefusal | "names" | "expected" | "lesson";
+/** An excess: the lesson is too large, and this is the part to shorten. */
+type Problem = ClassRefusal | "names" | "expected" | "lesson" | Excess;
 
 function StartClassForm({ lesson, device }: Pick<StartClassDialogProps, "lesson" | "device">) {
   const { t, i18n } = useTranslation(["teach", "lessonEditor"], { useSuspense: false });
@@ -61,6 +64,7 @@ function StartClassForm({ lesson, device }: Pick<StartClassDialogProps, "lesson"
   const [problem, setProblem] = useState<Problem | null>(null);
   const [isStarting, setStarting] = useState(false);
   const errorId = useId();
+  const excessText = useExcessText();
 
   const lessonToStart = async (): Promise<LessonDocument | null> => {
     if (lesson !== null) return parseLesson(lesson).ok ? lesson : null;
@@ -78,6 +82,9 @@ function StartClassForm({ lesson, device }: Pick<StartClassDialogProps, "lesson"
     if (expected.trim() !== "" && count === null) return "expected";
     const started = await lessonToStart();
     if (started === null) return "lesson";
+    // A class has the limit of a short link.
+    const excess = shareSizesOf(started).excesses.shortLink;
+    if (excess !== undefined) return excess;
     const request = { lesson: started, names: pseudonyms, expected: count };
     const result = await startClass(request, (url, each) => fetch(url, each));
     if (!result.ok) return result.problem;
@@ -159,7 +166,11 @@ function StartClassForm({ lesson, device }: Pick<StartClassDialogProps, "lesson"
         </>
       )}
       {problem !== null && (
-        <FieldError id={errorId}>{t(`teach:class.problem.${problem}`)}</FieldError>
+        <FieldError id={errorId}>
+          {typeof problem === "string"
+            ? t(`teach:class.problem.${problem}`)
+            : excessText("class", problem)}
+        </FieldError>
       )}
       <div>
         <Button kind="primary" size="large" type="submit" aria-disabled={isStarting}>
