@@ -340,6 +340,30 @@ test("the lesson ends with a report, and then nothing is left", async ({ page, r
   for (const each of [student, absent]) each.close();
 });
 
+test("the report opens during the lesson, and the next one replaces it", async ({
+  page,
+  relay,
+}) => {
+  const teacher = await openDashboard(page, relay);
+  const foot = page.getByRole("main").getByRole("button", { name: "Report" });
+  await expect(page.getByRole("main").getByRole("button", { name: "End lesson" })).toBeVisible();
+  await expect(foot).toHaveCount(0);
+  const students: ScriptedStudent[] = [];
+  while (students.length < 2) {
+    const student = await ScriptedStudent.join(relay, teacher.code);
+    students.push(student);
+    await expect(cardOf(page, student)).toBeVisible();
+    const opened = page.context().waitForEvent("page");
+    await foot.click();
+    const report = await opened;
+    await expect(report.getByRole("row", { name: nameOf(student) })).toBeVisible();
+    await report.goto("/teach#report");
+    await expect(report.getByRole("link", { name: /^Open the report/ })).toHaveCount(1);
+    await report.close();
+  }
+  for (const student of students) student.close();
+});
+
 test("a lesson that ended without a saved report still leads to it", async ({ page, relay }) => {
   const teacher = await openDashboard(page, relay);
   const student = await ScriptedStudent.join(relay, teacher.code);

@@ -1,5 +1,6 @@
 /** The lesson, how far the class is, and the code by which students join. */
 import { useTranslation } from "react-i18next";
+import { resultsTask } from "../../model/classroom/dashboard.ts";
 import { Select } from "../../ui/Select.tsx";
 import { useMediaQuery } from "../../ui/use-media-query.ts";
 import { ClassCode } from "./ClassCode.tsx";
@@ -24,6 +25,7 @@ export function ClassHead({ name }: { name: string }) {
           {name}
         </h1>
         <p className={styles["facts"]}>
+          <OpenTask />
           <Pace />
           {!isPhone && isLoaded && <span>{t("started", { count: minutes })}</span>}
           {isLoaded && <Joined />}
@@ -47,6 +49,14 @@ function Joined() {
       {t("joined", { count: joined })} {isLocked && t("isLocked")}
     </span>
   );
+}
+
+/** The task of the results. */
+function OpenTask() {
+  const { t } = useTranslation("dashboard", { useSuspense: false });
+  const task = useDashboard(resultsTask);
+  const tasks = useDashboard(({ lesson }) => lesson?.tasks.length ?? 1);
+  return tasks > 1 && <span>{t("summary.taskOf", { task, tasks })}</span>;
 }
 
 /** Which tasks students may open. */

@@ -12,6 +12,7 @@ import { Button } from "../../ui/Button.tsx";
 import { ErrorBoundary } from "../../ui/ErrorBoundary.tsx";
 import { ProblemNote } from "../../ui/ProblemNote.tsx";
 import { Announcements } from "./Announcements.tsx";
+import { ClassFoot } from "./ClassFoot.tsx";
 import { ClassHead } from "./ClassHead.tsx";
 import { ClassUnreached } from "./ClassUnreached.tsx";
 import { DashboardProvider } from "./dashboard-context.ts";
@@ -107,6 +108,7 @@ export function DashboardPage(props: DashboardPageProps) {
               <Summaries raceChoice={raceChoice} onRaceChoice={setRaceChoice} />
               <StudentCards onWatch={setWatched} watched={watched} />
               <Announcements />
+              <ClassFoot label={label} onEnd={() => setEnding(true)} />
             </div>
           )}
           {watched !== null && !isOver && (

@@ -15,8 +15,11 @@ export interface ReportPlace {
 interface ClassReport {
   /** saves the report on the device and as a file; null if the lesson is not known */
   save: () => Promise<ReportPlace | null>;
-  /** saves the report on the device, or as a file where the device stores nothing */
-  saveOnDevice: () => Promise<ReportPlace | null>;
+  /**
+   * saves the report on the device, or as a file where the device stores nothing
+   * @param id of an earlier report of the class, which this one replaces
+   */
+  saveOnDevice: (id?: string) => Promise<ReportPlace | null>;
 }
 
 /** @param label of the class; may be empty */
@@ -25,7 +28,7 @@ export function useReport(label: string): ClassReport {
   const { dashboard, reports } = useContent();
   const nameOf = useStudentName();
 
-  async function makeReport(): Promise<SavedReport | null> {
+  async function makeReport(id: string): Promise<SavedReport | null> {
     const { reportCsv } = await import("./report-csv.ts");
     const { classroom, lesson, students, verifications } = dashboard.store.getState();
     if (lesson === null) return null;
@@ -37,7 +40,7 @@ export function useReport(label: string): ClassReport {
       taskName: (task) => t("card.task", { task }),
     });
     return {
-      id: newTextId(),
+      id,
       savedAt: Date.now(),
       label,
       lesson: lessonName(lesson),
@@ -51,13 +54,13 @@ export function useReport(label: string): ClassReport {
     saveFile(new Blob([report.csv], { type: "text/csv" }), `${name}.csv`);
   }
 
-  async function saveReport(isAlsoFile: boolean): Promise<ReportPlace | null> {
-    const report = await makeReport();
+  async function saveReport(isAlsoFile: boolean, id = newTextId()): Promise<ReportPlace | null> {
+    const report = await makeReport(id);
     if (report === null) return null;
     const isStored = reports.write(report);
     if (isAlsoFile || !isStored) writeFile(report);
     return { id: isStored ? report.id : null };
   }
 
-  return { save: async () => saveReport(true), saveOnDevice: async () => saveReport(false) };
+  return { save: async () => saveReport(true), saveOnDevice: async (id) => saveReport(false, id) };
 }
