@@ -53,6 +53,11 @@ describe("tools and help", () => {
     expect(rightsOf({ allowed: { ...allowed, tools: ["share"] } }).drivers).toEqual(["me"]);
   });
 
+  it("hide Remote where no script may drive", () => {
+    const { tools } = rightsOf({ allowed: { ...allowed, drivers: ["program", "me"] } });
+    expect([...tools]).toEqual(toolNames.filter((tool) => tool !== "remote"));
+  });
+
   it("show Remote if it is the only driver", () => {
     const { drivers, tools } = rightsOf({
       allowed: { ...allowed, drivers: ["remote"], tools: [] },

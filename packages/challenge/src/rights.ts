@@ -43,8 +43,9 @@ type Allowed = Task["allowed"] & Partial<Pick<LessonTask["allowed"], "tools" | "
 export function rightsOf({ allowed }: { allowed: Allowed }): Rights {
   const { conditions, actions } = allowed;
   const tools = new Set(allowed.tools ?? toolNames);
-  // The only driver cannot be hidden.
+  // The only driver cannot be hidden, and one that the task does not allow is not shown.
   if (allowed.drivers.every((driver) => driver === "remote")) tools.add("remote");
+  if (!allowed.drivers.includes("remote")) tools.delete("remote");
   return {
     drivers: allowed.drivers.filter((driver) => driver !== "remote" || tools.has("remote")),
     maxLines: Math.min(allowed.lines, MAX_RULES),
