@@ -5,7 +5,7 @@ import { studyOf } from "./class-study.ts";
 import { seenStudent } from "./testing/seen-student.ts";
 import type { Verifications } from "./verifier.ts";
 
-const claim = { code: "x", activeAt: 130_400, lines: 2, attempts: 3 };
+const claim = { code: "x", activeAt: 130_900, lines: 2, attempts: 3 };
 const work = {
   openedAt: 10_000,
   claims: [claim],
@@ -31,7 +31,7 @@ const students = [
 const passes = { kind: "passes", claim, attempt: [] } as const;
 const verifications: Verifications = new Map([[1, new Map([[1, passes]])]]);
 
-it("the table of a class has verified times, and the report reads it", () => {
+it("the table of a class has verified times as its clocks show them, and the report reads it", () => {
   const study = studyOf({
     lesson,
     students,
