@@ -317,6 +317,8 @@ test("the hint of the teacher is in every tab of the phone, and the robot can be
   }
   await tab(page, "Drive").tap();
   const touch = await TouchInput.of(page);
+  // Waits until the key stays where it is, because the tab has just opened.
+  await corridor.driveKey("forward").tap({ trial: true });
   await touch.down(await centreOf(corridor.driveKey("forward")));
   await expect.poll(async () => corridor.robotX()).toBeGreaterThan(160);
   await touch.lift();
