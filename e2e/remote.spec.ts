@@ -264,6 +264,9 @@ test("lists scripts by name, and blocks one while the others continue", async ({
   await openMoreSection(page);
   const scripts = page.getByRole("region", { name: "Scripts" }).getByRole("listitem");
   await expect(scripts).toHaveText([/Anna.*last: move.*running/, /Ben.*only reads/]);
+  await as("Ben", "/commands", { action: "move", distance: 30_000 });
+  const ben = scripts.filter({ hasText: "Ben" });
+  await expect(ben).toContainText(/Problem at .*: Invalid command\. distance: found 30000/);
   const anna = scripts.filter({ hasText: "Anna" });
   await anna.getByRole("button", { name: "Block", exact: true }).click();
   await expect(anna).toContainText("blocked");

@@ -229,6 +229,7 @@ export {
 } from "./robot-port.ts";
 export { snapshotSchema, type LineRef, type RobotReport, type Snapshot } from "./snapshot.ts";
 export {
+  MAX_PROBLEM_TEXT,
   MAX_SCRIPT_NAME,
   MAX_SCRIPTS,
   MAX_BLOCKED_SCRIPTS,

@@ -30,6 +30,9 @@ export function scriptName(sent: string): string | null {
   return name === "" ? null : name;
 }
 
+/** Longest sentence of a script's last problem, in characters; the list of scripts is one message. */
+export const MAX_PROBLEM_TEXT = 250;
+
 const idError = "the 8 characters of a script's id";
 export const scriptIdSchema = z
   .string({ error: idError })
@@ -62,6 +65,13 @@ export const scriptSchema = z.strictObject({
   silentMs: z.int().min(0).nullable(),
   /** its newest command; null if it only reads */
   last: z.strictObject({ seq: z.int().min(1), action: recordActionSchema }).nullable(),
+  /**
+   * why the relay last refused a command of this script, as a sentence, and when; null: it refused
+   * none, or the script is blocked. Updated at most once a second
+   */
+  lastProblem: z
+    .strictObject({ detail: z.string().max(MAX_PROBLEM_TEXT), at: z.iso.datetime() })
+    .nullable(),
   /** whether the owner blocked it: the relay rejects its requests until the owner unblocks it */
   isBlocked: z.boolean(),
 });

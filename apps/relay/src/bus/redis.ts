@@ -45,7 +45,10 @@ const heartbeatSchema = z.object({
 });
 const scriptsSchema = driversSchema.extend({
   alive: z.array(aliveDriverSchema),
-  scripts: z.array(scriptSchema),
+  // Relays of earlier versions know no problems.
+  scripts: z.array(
+    scriptSchema.extend({ lastProblem: scriptSchema.shape.lastProblem.default(null) }),
+  ),
 });
 const from = z.string();
 const epoch = z.int();

@@ -23,8 +23,8 @@ export function changeKeys(
   before: Permissions,
   { add, remove, removeKind, most }: KeyChange,
 ): (Permissions & { revoked: string[]; ended: TermedRecord[] }) | null {
-  const isRevoked = ({ hash, kind }: StoredKey): boolean =>
-    remove.includes(hash) || kind === removeKind;
+  const isRevoked = ({ hash, kind, use }: StoredKey): boolean =>
+    remove.includes(hash) || (kind === removeKind?.kind && use === removeKind.use);
   const keys = [...before.keys.filter((key) => !isRevoked(key)), ...add];
   if (add.length > 0 && keys.length > most) return null;
   const revoked = before.keys.filter(isRevoked).map(({ hash }) => hash);

@@ -112,6 +112,8 @@ export type KeyKind = (typeof keyKinds)[number];
 
 export interface StoredKey {
   kind: KeyKind;
+  /** accepted in paths of gateways only; absent for other keys */
+  use?: "url";
   /** SHA-256 of the key, as base64url */
   hash: string;
 }
@@ -131,8 +133,8 @@ export interface KeyChange {
   add: StoredKey[];
   /** hashes */
   remove: string[];
-  /** also removes all keys of this kind */
-  removeKind: KeyKind | null;
+  /** also removes all keys of this kind and use */
+  removeKind: Pick<StoredKey, "kind" | "use"> | null;
   /** limit for the number of keys; adding beyond it fails */
   most: number;
   now: number;

@@ -10,13 +10,14 @@ import {
 } from "@corridor/protocol";
 
 /**
- * own, drive, watch: for a robot. delete: deletes a short link's document. connection:
+ * own, drive, watch: for a robot. url: to drive or watch a robot, in a path only. delete: deletes a short link's document. connection:
  * authenticates a long-poll connection. teach, show, learn: for a class.
  */
 const PREFIX = {
   own: "own_",
   drive: "drv_",
   watch: "wch_",
+  url: "url_",
   delete: "del_",
   connection: "con_",
   teach: "tea_",

@@ -61,6 +61,9 @@ export interface Grant {
   key: Caller;
 }
 
+const URL_KEY_ELSEWHERE =
+  "A key that starts with url_ works only in the path of the URL that it was made for. For scripts, copy the address with its key: press 'Copy address with key' under Remote on the robot's page.";
+
 export class RobotRegistry {
   readonly #store: RobotStore;
   readonly #clock: Clock;
@@ -282,6 +285,7 @@ export class RobotRegistry {
  * missing key names the header.
  */
 function wrongKey(key: string | null): Refusal {
+  if (key?.startsWith("url_") === true) return notAuthorised(URL_KEY_ELSEWHERE);
   return notAuthorised(
     key === null
       ? "Send the robot's key, the part of its address after the #, as: Authorization: Bearer KEY"

@@ -82,8 +82,13 @@ export class RelayPort implements RobotPort {
 
   async send(order: Order, key?: string): Promise<CommandRecord> {
     return this.#run("command", async () => {
-      checkCommand(order, key);
       this.#robot.spoke(this.#caller);
+      try {
+        checkCommand(order, key);
+      } catch (error) {
+        if (error instanceof RefusedError) this.#robot.refused(this.#caller, error.problem.detail);
+        throw error;
+      }
       const { promise, resolve, reject } = Promise.withResolvers<CommandRecord>();
       const request = { key: key ?? null, ...termsOf(order) };
       this.#robot.submit(this.#caller, request, resolve).catch(reject);

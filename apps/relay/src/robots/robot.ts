@@ -13,6 +13,7 @@ import {
   type CommandTerms,
   type ScriptView,
 } from "@corridor/protocol";
+import { asRefusal } from "../platform/errors/problems.ts";
 import type { Clock } from "../platform/time/clock.ts";
 import type { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
 import type { Bus } from "../bus/bus.ts";
@@ -227,10 +228,20 @@ export class Robot {
     request: { key: string | null } & CommandTerms,
     acknowledge: (record: CommandRecord) => void,
   ): Promise<void> {
-    await this.#life.intake.submit(caller, request, (record) => {
-      if (caller.script !== null) this.presence.sent(caller.script, record);
-      acknowledge(record);
-    });
+    try {
+      await this.#life.intake.submit(caller, request, (record) => {
+        if (caller.script !== null) this.presence.sent(caller.script, record);
+        acknowledge(record);
+      });
+    } catch (error) {
+      this.refused(caller, asRefusal(error).problem.detail);
+      throw error;
+    }
+  }
+
+  /** Records why the relay refused a command, as a sentence for the robot's owner. */
+  refused({ script }: Caller, detail: string): void {
+    if (script !== null) this.presence.refused(script, detail);
   }
 
   /** Recalls one command: see `CommandRecall.one`. */

@@ -15,6 +15,7 @@ function withSlowStore() {
   const robot = {
     check: () => undefined,
     spoke: () => undefined,
+    refused: () => undefined,
     rights: new RightsVersion(),
     readers: { join: () => ({ seen: () => undefined, leave: () => undefined }) },
     submit: async () => new Promise<void>((resolve) => void waiting.push(resolve)),

@@ -175,6 +175,8 @@ export class DriverConversation implements Conversation, ReaderSink {
 
   #refuse(refusal: ReturnType<typeof badRequest>, key: string | null): undefined {
     this.#badFrames += 1;
+    const { robot, key: caller } = this.#options.grant;
+    robot.refused(caller, refusal.problem.detail);
     this.#options.onRefusal(refusal.kind);
     this.#send({ type: "problem", problem: refusal.problem, key });
     if (this.#badFrames >= limits.badFrames)

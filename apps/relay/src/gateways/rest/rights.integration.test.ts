@@ -48,6 +48,8 @@ const holders = [
   "of another robot",
   "revoked",
   "of a connection",
+  "in a URL, to drive",
+  "in a URL, to watch",
   "watch",
   "drive",
   "own",
@@ -55,8 +57,8 @@ const holders = [
 type Holder = (typeof holders)[number];
 
 async function keysOf(relay: TestRelay, robot: Registration): Promise<Record<Holder, string>> {
-  const make = async (kind: string) => {
-    const request = { method: "POST", key: robot.ownerKey, body: { kind } };
+  const make = async (kind: string, use?: string) => {
+    const request = { method: "POST", key: robot.ownerKey, body: { kind, use } };
     return createdKeySchema.parse(await (await relay.ask(robot, "/keys", request)).json());
   };
   const gone = await make("drive");
@@ -69,6 +71,8 @@ async function keysOf(relay: TestRelay, robot: Registration): Promise<Record<Hol
     "of another robot": (await relay.register()).ownerKey,
     revoked: gone.key,
     "of a connection": String(((await opened.json()) as { key: string }).key),
+    "in a URL, to drive": (await make("drive", "url")).key,
+    "in a URL, to watch": (await make("watch", "url")).key,
     watch: (await make("watch")).key,
     drive: robot.driverKey,
     own: robot.ownerKey,

@@ -1,4 +1,5 @@
 import { createHash } from "node:crypto";
+import { createdKeySchema } from "@corridor/protocol";
 import { pino } from "pino";
 import { describe, expect, it } from "vitest";
 import { WebSocket } from "ws";
@@ -23,6 +24,10 @@ describe("the log", () => {
     await page.socket.next("command");
     script.sendRaw(driverKey);
     await script.next("problem");
+    const wanted = { method: "POST", key: ownerKey, body: { kind: "drive", use: "url" } };
+    const { key: urlKey } = createdKeySchema.parse(
+      await (await relay.ask(robot, "/keys", wanted)).json(),
+    );
     const post = { method: "POST", body: { action: "left 90" } };
     const statuses = [
       await relay.ask(robot, "/commands", post),
@@ -32,8 +37,11 @@ describe("the log", () => {
       await relay.ask(robot, `/${driverKey}`, { headers: { "User-Agent": driverKey } }),
       await fetch(`${relay.origin}/r/${id}?key=${ownerKey}`),
       await fetch(`${relay.origin}/r/${driverKey}%E0%A4%A`),
+      await relay.ask(robot, "/commands", { ...post, key: urlKey }),
+      await relay.ask(robot, `/${urlKey}`, { key: urlKey }),
+      await fetch(`${relay.origin}/r/${id}/ros/${urlKey}`),
     ].map(({ status }) => status);
-    expect(statuses).toEqual([202, 403, 400, 401, 404, 503, 404]);
+    expect(statuses).toEqual([202, 403, 400, 401, 404, 503, 404, 401, 404, 404]);
     const base = relay.origin.replace("http", "ws");
     const lost = new WebSocket(`${base}/api/v1/robots/${driverKey}/socket?key=${ownerKey}`);
     await new Promise((resolve) => lost.once("open", resolve));
@@ -42,7 +50,7 @@ describe("the log", () => {
     await relay.close();
 
     const text = lines.join("");
-    for (const key of [driverKey, ownerKey]) {
+    for (const key of [driverKey, ownerKey, urlKey]) {
       const hash = createHash("sha256").update(key).digest("base64url");
       expect(text).not.toContain(key.slice(4));
       expect(text).toContain(`"key":"${hash.slice(0, 6)}"`);

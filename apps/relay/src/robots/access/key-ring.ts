@@ -40,11 +40,15 @@ export class KeyRing {
   }
 
   /**
-   * The stored key that matches a bearer key; null if no key of this robot matches.
+   * The stored key that matches a bearer key; null if no key of this robot matches. A key for URLs
+   * is no bearer key.
    * @throws StoreUnavailableError if it is unknown whether the key is still valid
    */
   match(key: string): StoredKey | null {
-    const held = matchKey(key, this.#keys);
+    const held = matchKey(
+      key,
+      this.#keys.filter(({ use }) => use === undefined),
+    );
     if (held !== null) {
       this.#requireSure(held);
       this.#used(held);
@@ -68,12 +72,13 @@ export class KeyRing {
   async list(): Promise<KeyList["keys"]> {
     const stored = await this.#parts.store.keyTimes(this.#parts.robot);
     const times = new Map(stored.map((each) => [each.hash, each]));
-    return this.#keys.map(({ hash, kind }) => {
+    return this.#keys.map(({ hash, kind, use = null }) => {
       const { createdAt, lastUsedAt } = times.get(hash) ?? { createdAt: 0, lastUsedAt: null };
       const usedAt = Math.max(lastUsedAt ?? 0, this.#uses.get(hash)?.at ?? 0);
       return {
         id: keyId(hash),
         kind,
+        use,
         createdAt: new Date(createdAt).toISOString(),
         lastUsedAt: usedAt === 0 ? null : new Date(usedAt).toISOString(),
       };
@@ -100,12 +105,17 @@ export class KeyRing {
    * @returns the key in plain text, which cannot be requested again
    * @throws Refusal too-many-keys, nothing-to-replace or no-robot
    */
-  async make({ kind, replace = false }: KeyRequest): Promise<Omit<CreatedKey, "address">> {
-    const remove = typeof replace === "string" ? [await this.#hashToReplace(replace, kind)] : [];
-    const key = this.#mint(kind);
+  async make({
+    kind,
+    use,
+    replace = false,
+  }: KeyRequest): Promise<Pick<CreatedKey, "id" | "kind" | "key">> {
+    const alike = use === undefined ? { kind } : { kind, use };
+    const remove = typeof replace === "string" ? [await this.#hashToReplace(replace, alike)] : [];
+    const key = this.#mint(use ?? kind);
     const hash = hashKey(key);
-    const removeKind = replace === true ? kind : null;
-    await this.#change({ add: [{ kind, hash }], remove, removeKind });
+    const removeKind = replace === true ? alike : null;
+    await this.#change({ add: [{ ...alike, hash }], remove, removeKind });
     return { id: keyId(hash), kind, key };
   }
 
@@ -214,10 +224,13 @@ export class KeyRing {
     return stored?.keys.find(({ hash }) => keyId(hash) === id) ?? null;
   }
 
-  async #hashToReplace(id: string, kind: KeyRequest["kind"]): Promise<string> {
+  async #hashToReplace(
+    id: string,
+    { kind, use }: Pick<StoredKey, "kind" | "use">,
+  ): Promise<string> {
     const key = await this.#storedKey(id);
-    if (key?.kind === kind) return key.hash;
-    const detail = `This robot has no key of kind '${kind}' with the id in 'replace'. List its keys with GET .../keys.`;
+    if (key?.kind === kind && key.use === use) return key.hash;
+    const detail = `This robot has no key of kind '${kind}' and this use with the id in 'replace'. List its keys with GET .../keys.`;
     throw new Refusal("nothing-to-replace", detail);
   }
 
@@ -239,7 +252,7 @@ export class KeyRing {
   }
 
   /** Creates a key whose id differs from those of the robot's other keys. */
-  #mint(kind: KeyRequest["kind"]): string {
+  #mint(kind: "drive" | "watch" | "url"): string {
     for (;;) {
       const key = mintKey(kind);
       const id = keyId(hashKey(key));

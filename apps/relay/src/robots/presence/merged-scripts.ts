@@ -53,6 +53,7 @@ function mergedScripts(lists: readonly ScriptView[][]): ScriptView[] {
 
 function merged(a: ScriptView, b: ScriptView): ScriptView {
   const last = (a.last?.seq ?? 0) >= (b.last?.seq ?? 0) ? a.last : b.last;
+  const isNewer = (a.lastProblem?.at ?? "") >= (b.lastProblem?.at ?? "");
   const times = [a.silentMs, b.silentMs].filter((ms) => ms !== null);
   const silentMs = times.length > 0 ? Math.min(...times) : null;
   return {
@@ -60,6 +61,7 @@ function merged(a: ScriptView, b: ScriptView): ScriptView {
     connections: a.connections + b.connections,
     silentMs,
     last,
+    lastProblem: isNewer ? a.lastProblem : b.lastProblem,
     isBlocked: a.isBlocked || b.isBlocked,
   };
 }

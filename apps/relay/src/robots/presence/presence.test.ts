@@ -1,5 +1,5 @@
-import { MAX_SCRIPTS } from "@corridor/protocol";
-import { expect, it } from "vitest";
+import { encodeFrame, MAX_BLOCKED_SCRIPTS, MAX_FRAME_BYTES, MAX_SCRIPTS } from "@corridor/protocol";
+import { expect, it, vi } from "vitest";
 import { FakeClock } from "../../platform/testing/fake-clock.ts";
 import type { StoredScript } from "../../store/port.ts";
 import { Presence } from "./presence.ts";
@@ -49,4 +49,33 @@ it("lets no key end another one's motion by sending ever new names", async () =>
   for (let n = 0; n < 10 * MAX_SCRIPTS; n++) presence.spoke(script(BEN, `name-${n}`));
   expect(alive(ANNA)).toMatchObject({ silentMs: 100 });
   expect(presence.report([]).scripts).toHaveLength(MAX_SCRIPTS);
+});
+
+it("reports the newest of several problems after a second, without another message", async () => {
+  const { clock, presence } = withPresence();
+  const report = vi.fn<() => string | null>(
+    () => presence.report([]).scripts[0]?.lastProblem?.detail ?? null,
+  );
+  presence.onChange(report);
+  presence.refused(script(ANNA, "first"), "First.");
+  await clock.pass(600);
+  presence.refused(script(ANNA, "first"), "Second.");
+  presence.refused(script(ANNA, "first"), "Third.");
+  await clock.pass(5_000);
+  expect(report.mock.results.map(({ value }) => value)).toEqual(["First.", "Third."]);
+});
+
+it("reports the longest names and problems of all scripts in one message", () => {
+  const { clock, presence } = withPresence();
+  const names = Array.from({ length: MAX_SCRIPTS + MAX_BLOCKED_SCRIPTS }, (_, n) => ({
+    id: String(n).padStart(8, "0"),
+    driver: String(n).padStart(43, "k"),
+    name: "\u{1f9ed}".repeat(40),
+    client: "JavaScript",
+  }));
+  for (const each of names) presence.refused(each, "x".repeat(1_000));
+  const report = presence.report(names.slice(0, MAX_BLOCKED_SCRIPTS));
+  const message = { type: "drivers", at: clock.now(), paused: false, ...report } as const;
+  expect(report.scripts).toHaveLength(MAX_SCRIPTS + MAX_BLOCKED_SCRIPTS);
+  expect(encodeFrame(message).length).toBeLessThan(MAX_FRAME_BYTES);
 });

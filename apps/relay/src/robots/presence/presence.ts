@@ -18,6 +18,7 @@ import type { Scripts } from "../../bus/bus.ts";
 import type { Clock } from "../../platform/time/clock.ts";
 import { keyId } from "../../platform/keys.ts";
 import type { StoredScript } from "../../store/port.ts";
+import { LastProblem } from "./last-problem.ts";
 import { limits } from "../../platform/limits/limits.ts";
 
 /** A key whose scripts are silent for longer than this holds no motion. */
@@ -38,6 +39,7 @@ interface Entry {
   waiting: number;
   /** its newest command */
   last: ScriptView["last"];
+  readonly problem: LastProblem;
 }
 
 export class Presence {
@@ -102,6 +104,13 @@ export class Presence {
     this.#changed();
   }
 
+  /** Records that the relay refused a command of a script. */
+  refused(script: StoredScript, detail: string): void {
+    const now = this.#clock.now();
+    this.#entryOf(script, now).problem.record(detail, now);
+    this.#changed();
+  }
+
   /** Reports changed permissions immediately, because the owner has just pressed a button. */
   blockedChanged(): void {
     this.#flush();
@@ -157,6 +166,7 @@ export class Presence {
         connections: entry.connections,
         silentMs: silenceOf(entry, now),
         last: entry.last,
+        lastProblem: entry.problem.at(now),
         isBlocked: false,
       }));
     const gone = blocked.map((script) => ({
@@ -164,6 +174,7 @@ export class Presence {
       connections: 0,
       silentMs: null,
       last: this.#entries.get(script.id)?.last ?? null,
+      lastProblem: null,
       isBlocked: true,
     }));
     return [...gone, ...here];
@@ -185,6 +196,7 @@ export class Presence {
       lastActiveAt: now,
       waiting: 0,
       last: null,
+      problem: new LastProblem(),
     };
     entry.lastActiveAt = now;
     if (entry === this.#newest) return entry;
@@ -222,8 +234,10 @@ export class Presence {
     this.#notify();
     this.#cancelTimer = this.#clock.after(limits.driversIntervalMs, () => {
       this.#cancelTimer = null;
-      const isWaiting = [...this.#entries.values()].some(({ waiting }) => waiting > 0);
-      if (this.#hasChanged || isWaiting) this.#flush();
+      const isDue = [...this.#entries.values()].some(
+        ({ waiting, problem }) => waiting > 0 || problem.isPending,
+      );
+      if (this.#hasChanged || isDue) this.#flush();
     });
   }
 }

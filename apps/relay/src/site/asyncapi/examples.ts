@@ -142,6 +142,7 @@ export const messageExamples: { [S in keyof MessageKinds]: OfEachKind<MessageKin
           connections: 1,
           silentMs: 40,
           last: { seq, action: "move" },
+          lastProblem: null,
           isBlocked: false,
         },
       ],

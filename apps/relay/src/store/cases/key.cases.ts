@@ -39,9 +39,27 @@ export function keyCases(name: string, open: () => Promise<OpenStore>): void {
       const anew = { kind: "drive" as const, hash: "new" };
       const replaced = await store.commit(
         ID,
-        changeKeysStep(keyChange({ add: [anew], removeKind: "drive" })),
+        changeKeysStep(keyChange({ add: [anew], removeKind: { kind: "drive" } })),
       );
       expect(replaced).toEqual({ outcome: "changed", keys: [watch, anew], ended: [] });
+    });
+
+    it("stores what a key is for, and revokes keys of one kind and use", async () => {
+      const { store, reopen } = await withRobot();
+      const url = { kind: "drive" as const, use: "url" as const, hash: "in-a-url" };
+      await store.commit(ID, changeKeysStep(keyChange({ add: [watch, url] })));
+      const again = await reopen();
+      const keys = (await again.find(ID))?.keys ?? [];
+      expect(keys).toContainEqual(url);
+      expect(keys).toContainEqual(first);
+      const ofUrls = keyChange({ removeKind: { kind: "drive", use: "url" } });
+      const ofScripts = keyChange({ removeKind: { kind: "drive" } });
+      const left = async (change: typeof ofUrls) => {
+        const result = await again.commit(ID, changeKeysStep(change));
+        return result.outcome === "changed" ? result.keys.map(({ hash }) => hash) : [];
+      };
+      expect((await left(ofScripts)).toSorted()).toEqual([url.hash, watch.hash].toSorted());
+      expect(await left(ofUrls)).toEqual([watch.hash]);
     });
 
     it("withdraws the commands of a revoked key, and stores no more of them", async () => {

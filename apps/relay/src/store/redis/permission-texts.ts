@@ -2,10 +2,16 @@
 import { z } from "zod";
 import { keyKinds } from "../../commands/steps.ts";
 
+const keyText = z.object({
+  kind: z.enum(keyKinds),
+  hash: z.string(),
+  use: z.literal("url").exactOptional(),
+});
+
 export const keysText = z
   .string()
   .transform((text): unknown => JSON.parse(text))
-  .pipe(z.array(z.object({ kind: z.enum(keyKinds), hash: z.string() })));
+  .pipe(z.array(keyText));
 export const blockedText = z
   .string()
   .transform((text): unknown => JSON.parse(text))

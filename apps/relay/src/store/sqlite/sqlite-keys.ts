@@ -3,7 +3,11 @@ import { z } from "zod";
 import { keyKinds, type KeyTimes, type KeyUse, type StoredKey } from "../port.ts";
 import type { Statements } from "./file/statements.ts";
 
-const keyRow = z.object({ hash: z.string(), kind: z.enum(keyKinds) });
+const keyRow = z.object({
+  hash: z.string(),
+  kind: z.enum(keyKinds),
+  use: z.literal("url").nullable(),
+});
 const timesRow = z.object({
   hash: z.string(),
   made_at: z.int(),
@@ -11,8 +15,11 @@ const timesRow = z.object({
 });
 
 export function keysIn(statements: Statements, robot: string): StoredKey[] {
-  const rows = statements.all("SELECT hash, kind FROM keys WHERE robot = ?", [robot]);
-  return rows.map((row) => keyRow.parse(row));
+  const rows = statements.all("SELECT hash, kind, use FROM keys WHERE robot = ?", [robot]);
+  return rows.map((row) => {
+    const { hash, kind, use } = keyRow.parse(row);
+    return use === null ? { hash, kind } : { hash, kind, use };
+  });
 }
 
 export function addKeys(
@@ -21,8 +28,10 @@ export function addKeys(
   keys: readonly StoredKey[],
   now: number,
 ): void {
-  const sql = "INSERT INTO keys (robot, hash, kind, made_at) VALUES (?, ?, ?, ?)";
-  for (const { hash, kind } of keys) writing.run(sql, [robot, hash, kind, now]);
+  const sql = "INSERT INTO keys (robot, hash, kind, use, made_at) VALUES (?, ?, ?, ?, ?)";
+  for (const { hash, kind, use = null } of keys) {
+    writing.run(sql, [robot, hash, kind, use, now]);
+  }
 }
 
 export function keyTimesIn(statements: Statements, robot: string): KeyTimes[] {

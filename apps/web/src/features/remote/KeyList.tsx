@@ -52,7 +52,7 @@ function KeyRow({ listed, onRevoke }: { listed: ListedKey; onRevoke: () => void 
   const { t, i18n } = useTranslation();
   const id = useId();
   const names = useScriptsOf(listed.id);
-  const { kind, isShown, madeAgo, usedAgo } = listed;
+  const { kind, isForUrl, isShown, madeAgo, usedAgo } = listed;
   const what = isShown ? t("remote.keys.shown") : t(`remote.keys.${kind}`);
   const made = t("remote.keys.made", { when: agoText(madeAgo, i18n.language) });
   const used =
@@ -66,7 +66,12 @@ function KeyRow({ listed, onRevoke }: { listed: ListedKey; onRevoke: () => void 
           <bdi>{names.length === 0 ? what : joinList(t, names)}</bdi>
         </p>
         <p className={panel["note"]}>
-          {joinList(t, [...(names.length === 0 ? [] : [what]), made, used])}
+          {joinList(t, [
+            ...(names.length === 0 ? [] : [what]),
+            ...(isForUrl ? [t("remote.keys.url")] : []),
+            made,
+            used,
+          ])}
         </p>
       </div>
       {/* "New key" replaces the key in the address, which therefore has no revoke button. */}

@@ -90,6 +90,7 @@ function ScriptRow({ script, now, onChange }: ScriptRowProps) {
         <p className={panel["note"]}>
           {joinList(t, script.name === null ? details : [language, ...details])}
         </p>
+        {script.lastProblem !== null && <LastProblem {...script.lastProblem} />}
       </div>
       <Button size="small" aria-describedby={id} onClick={onChange}>
         {script.isBlocked ? t("remote.unblock") : t("remote.block")}
@@ -98,20 +99,32 @@ function ScriptRow({ script, now, onChange }: ScriptRowProps) {
   );
 }
 
+/** Why the relay refused a command of the script. Its sentences are in English. */
+function LastProblem({ detail, at }: { detail: string; at: string }) {
+  const { t, i18n } = useTranslation();
+  const clock = new Intl.DateTimeFormat(`${i18n.language}-u-nu-latn`, { timeStyle: "medium" });
+  return (
+    <p className={classNames(panel["note"], styles["problem"])}>
+      {t("remote.problemAt", { time: clock.format(new Date(at)) })} <bdi lang="en">{detail}</bdi>
+    </p>
+  );
+}
+
 /** The last command and its state, and for how long the script has been silent. */
 function useDetails(script: ListedScript, now: number): string[] {
   const { t } = useTranslation();
   const { remote } = useServices();
-  const { last, isBlocked } = script;
+  const { last, lastProblem, isBlocked } = script;
   const state = useStore(
     remote,
     ({ commands }) => commands.find(({ seq }) => seq === last?.seq)?.state ?? null,
   );
   if (isBlocked) return [t("remote.blocked")];
   const seconds = quietSeconds(script, now);
-  const did = last === null ? t("remote.readsOnly") : t("remote.last", { action: last.action });
+  // A script without a command whose commands were refused does not only read.
+  const readsOnly = lastProblem === null ? [t("remote.readsOnly")] : [];
   return [
-    did,
+    ...(last === null ? readsOnly : [t("remote.last", { action: last.action })]),
     ...(state === null ? [] : [t(`remote.${state}`)]),
     ...(seconds > 0 ? [t("remote.quietFor", { seconds })] : []),
   ];

@@ -9,6 +9,8 @@ const MAX_ANSWER = 4_096;
 export interface ListedKey {
   id: string;
   kind: "drive" | "watch";
+  /** whether it works in the URL of another program only */
+  isForUrl: boolean;
   /** ms since its creation, by the service's clock */
   madeAgo: number;
   /** ms since its last use, by the service's clock; null: never used */
@@ -51,10 +53,11 @@ export async function revokeKey(ask: Ask, owner: Owner, key: string): Promise<bo
  */
 export function listed({ keys }: KeyList, shown: string, now: number): ListedKey[] {
   const ago = (time: string): number => Math.max(0, now - Date.parse(time));
-  const others = keys.flatMap(({ id, kind, createdAt, lastUsedAt }): ListedKey[] => {
+  const others = keys.flatMap(({ id, kind, use, createdAt, lastUsedAt }): ListedKey[] => {
     if (kind === "own") return [];
     const usedAgo = lastUsedAt === null ? null : ago(lastUsedAt);
-    return [{ id, kind, madeAgo: ago(createdAt), usedAgo, isShown: id === shown }];
+    const isForUrl = use === "url";
+    return [{ id, kind, isForUrl, madeAgo: ago(createdAt), usedAgo, isShown: id === shown }];
   });
   return others.toSorted((a, b) => Number(b.isShown) - Number(a.isShown) || b.madeAgo - a.madeAgo);
 }

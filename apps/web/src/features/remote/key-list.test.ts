@@ -7,20 +7,47 @@ import { listed, listKeys, revokeKey } from "./key-calls.ts";
 
 const at = (minute: number): string => new Date(Date.UTC(2026, 0, 1, 12, minute)).toISOString();
 const keys = [
-  { id: "watch1", kind: "watch" as const, createdAt: at(20), lastUsedAt: null },
-  { id: "owner1", kind: "own" as const, createdAt: at(0), lastUsedAt: at(29) },
-  { id: "paired", kind: "drive" as const, createdAt: at(10), lastUsedAt: at(31) },
-  { id: "first1", kind: "drive" as const, createdAt: at(0), lastUsedAt: at(25) },
+  {
+    id: "watch1",
+    kind: "watch" as const,
+    use: "url" as const,
+    createdAt: at(20),
+    lastUsedAt: null,
+  },
+  { id: "owner1", kind: "own" as const, use: null, createdAt: at(0), lastUsedAt: at(29) },
+  { id: "paired", kind: "drive" as const, use: null, createdAt: at(10), lastUsedAt: at(31) },
+  { id: "first1", kind: "drive" as const, use: null, createdAt: at(0), lastUsedAt: at(25) },
 ];
 const owner = { id: "A".repeat(22), ownerKey: "own_secret", driverKey: "drv_secret" };
 const MINUTE = 60_000;
 
 it("lists the keys that were given away, the address's own first, with their ages", () => {
   expect(listed({ keys }, "first1", Date.parse(at(30)))).toEqual([
-    { id: "first1", kind: "drive", madeAgo: 30 * MINUTE, usedAgo: 5 * MINUTE, isShown: true },
+    {
+      id: "first1",
+      kind: "drive",
+      isForUrl: false,
+      madeAgo: 30 * MINUTE,
+      usedAgo: 5 * MINUTE,
+      isShown: true,
+    },
     // The clocks of two relays can differ slightly.
-    { id: "paired", kind: "drive", madeAgo: 20 * MINUTE, usedAgo: 0, isShown: false },
-    { id: "watch1", kind: "watch", madeAgo: 10 * MINUTE, usedAgo: null, isShown: false },
+    {
+      id: "paired",
+      kind: "drive",
+      isForUrl: false,
+      madeAgo: 20 * MINUTE,
+      usedAgo: 0,
+      isShown: false,
+    },
+    {
+      id: "watch1",
+      kind: "watch",
+      isForUrl: true,
+      madeAgo: 10 * MINUTE,
+      usedAgo: null,
+      isShown: false,
+    },
   ]);
 });
 

@@ -6,7 +6,15 @@ const NOW = 1_000_000;
 
 function script(change: Partial<ListedScript>): ListedScript {
   const base = { id: "AAAAAAAA", driver: "Zx81qP", name: null, client: "Python" };
-  return { ...base, connections: 0, seenAt: NOW, last: null, isBlocked: false, ...change };
+  return {
+    ...base,
+    connections: 0,
+    seenAt: NOW,
+    last: null,
+    lastProblem: null,
+    isBlocked: false,
+    ...change,
+  };
 }
 
 describe("the scripts in the panel", () => {

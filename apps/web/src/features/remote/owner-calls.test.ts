@@ -33,7 +33,7 @@ describe("a new key for scripts", () => {
 
   it("replaces only the old one, and the session continues", async () => {
     const address = `https://host/r/${id}#drv_new`;
-    const made = { id: "k3J9x2", kind: "drive", key: "drv_new", address };
+    const made = { id: "k3J9x2", kind: "drive", key: "drv_new", address, urls: null };
     const { asked, ask } = service(() => Response.json(made, { status: 201 }));
     expect(await withNewKey(ask, session)).toEqual({ ...session, driverKey: "drv_new", address });
     expect(asked).toEqual([
@@ -43,7 +43,7 @@ describe("a new key for scripts", () => {
 
   it("is created even if the old one is gone because a response was lost", async () => {
     const address = `https://host/r/${id}#drv_new`;
-    const made = { id: "k3J9x2", kind: "drive", key: "drv_new", address };
+    const made = { id: "k3J9x2", kind: "drive", key: "drv_new", address, urls: null };
     const answers = [Response.json({}, { status: 409 }), Response.json(made, { status: 201 })];
     const { asked, ask } = service(() => answers.shift() ?? Response.error());
     expect(await withNewKey(ask, session)).toMatchObject({ driverKey: "drv_new" });
@@ -52,7 +52,7 @@ describe("a new key for scripts", () => {
 
   it("can be created for viewers as well", async () => {
     const address = `https://host/r/${id}#wch_new`;
-    const made = { id: "k3J9x2", kind: "watch", key: "wch_new", address };
+    const made = { id: "k3J9x2", kind: "watch", key: "wch_new", address, urls: null };
     const { asked, ask } = service(() => Response.json(made, { status: 201 }));
     expect(await watchAddress(ask, session)).toBe(address);
     expect(asked[0]).toContain('{"kind":"watch","replace":true}');

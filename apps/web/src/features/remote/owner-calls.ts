@@ -46,7 +46,8 @@ export async function withNewKey(ask: Ask, session: RemoteSession): Promise<Remo
   // The old key no longer exists: the response to an earlier request may have been lost.
   if (answer.status === 409) answer = await makeKey(ask, session, { kind: "drive" });
   const { made } = answer;
-  return made === null ? null : { ...session, driverKey: made.key, address: made.address };
+  if (made === null || made.address === null) return null;
+  return { ...session, driverKey: made.key, address: made.address };
 }
 
 /**

@@ -3,6 +3,7 @@ import { termsOf, type CommandRecord } from "@corridor/protocol";
 import { Router, type Response } from "express";
 import type { RobotRegistry } from "../../../robots/registry.ts";
 import type { CommandLog } from "./openapi.ts";
+import { Refusal } from "../../../platform/errors/problems.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
 import { authoriseScript } from "../../requests/authorise-script.ts";
 import {
@@ -27,7 +28,10 @@ export function commandRoutes(registry: RobotRegistry): Router {
         "command",
       );
       // The store checks again whether the key may send commands when it stores this one.
-      const command = await readCommandRequest(request, response);
+      const command = await readCommandRequest(request, response).catch((error: unknown) => {
+        if (error instanceof Refusal) robot.refused(key, error.problem.detail);
+        throw error;
+      });
       const age = command.age + transitMs + registry.clock.now() - arrivedAt;
       const order = { ...command, age };
       await robot.submit(key, order, (record) => accepted(response, robot.id, record));

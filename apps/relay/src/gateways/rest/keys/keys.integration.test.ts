@@ -50,6 +50,40 @@ describe("keys of a robot", () => {
     expect(JSON.stringify(list)).not.toContain(watch.key.slice(4));
   });
 
+  it("for URLs are accepted nowhere else, listed, and revoked alone", async () => {
+    const { relay, robot } = await withRobot();
+    const made = await make(relay, robot, { kind: "drive", use: "url" });
+    expect(made).toMatchObject({ kind: "drive", address: null, urls: { ros: null, mcp: null } });
+    expect(made.key).toMatch(/^url_[A-Za-z0-9_-]{22}$/);
+    const refused = await relay.ask(robot, "/sensors", { key: made.key });
+    expect(refused.status).toBe(401);
+    expect(await refused.json()).toMatchObject({
+      type: "/problems/not-authorised",
+      detail: expect.stringContaining("only in the path of the URL"),
+    });
+    const list = async () => {
+      const answer = await relay.ask(robot, "/keys", { key: robot.ownerKey });
+      return keyListSchema.parse(await answer.json()).keys.filter(({ use }) => use !== null);
+    };
+    expect(await list()).toMatchObject([
+      { id: made.id, kind: "drive", use: "url", lastUsedAt: null },
+    ]);
+    const script = await make(relay, robot, { kind: "drive", replace: true });
+    expect(script.urls).toBeNull();
+    expect(await list()).toHaveLength(1);
+    const next = await make(relay, robot, { kind: "drive", use: "url", replace: made.id });
+    const wrong = { kind: "drive", use: "url", replace: script.id };
+    const answer = await relay.ask(robot, "/keys", {
+      method: "POST",
+      key: robot.ownerKey,
+      body: wrong,
+    });
+    expect(answer.status).toBe(409);
+    expect(await revoke(relay, robot, next.id)).toBe(204);
+    expect(await list()).toEqual([]);
+    expect(await driveKeys(relay, robot)).toEqual([script.id]);
+  });
+
   it("include when they were created and last used, without a write for each message", async () => {
     const clock = new FakeClock();
     const dataDir = testFolder();

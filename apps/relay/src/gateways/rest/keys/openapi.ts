@@ -12,8 +12,9 @@ export const keyCalls: ZodOpenApiPathsObject = {
       operationId: "createKey",
       summary: "Create a driver or watch key",
       description:
-        "`replace` revokes earlier keys in the same transaction: true revokes all keys of this kind, an id " +
-        "revokes one. The key is returned only once.",
+        "`replace` revokes earlier keys in the same transaction: true revokes all keys of this kind and use, an id " +
+        "revokes one. The key is returned only once. A key with the `use` `url` stands in the path of a gateway's " +
+        "URL, and is accepted nowhere else. `urls` are null while this service has no gateway.",
       security: owner,
       requestBody: {
         required: true,

@@ -19,9 +19,16 @@ export function keyRoutes(registry: RobotRegistry, guard: RequestGuard): Router 
     .route("/robots/:id/keys")
     .post(async (request, response) => {
       const { robot } = await registry.authorise(request.params.id, readBearer(request), "grant");
-      const made = await robot.keys.make(await readKeyRequest(request, response));
-      const address = `${guard.originOf(request)}/r/${robot.id}#${made.key}`;
-      const created: CreatedKey = { ...made, address };
+      const wanted = await readKeyRequest(request, response);
+      const made = await robot.keys.make(wanted);
+      const created: CreatedKey =
+        wanted.use === "url"
+          ? { ...made, address: null, urls: { ros: null, mcp: null } }
+          : {
+              ...made,
+              address: `${guard.originOf(request)}/r/${robot.id}#${made.key}`,
+              urls: null,
+            };
       response
         .status(201)
         .location(`/api/v1/robots/${robot.id}/keys/${made.id}`)

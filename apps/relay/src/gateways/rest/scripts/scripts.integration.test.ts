@@ -66,6 +66,28 @@ describe("the scripts of a robot", () => {
     expect(new Set(list.map(({ driver }) => driver)).size).toBe(1);
   });
 
+  it("are listed with the problem for which the relay last refused a command", async () => {
+    const { scripts, as, socketOf, relay, robot } = await withRobot();
+    await as("Anna", "/commands", { action: "move", distance: 30_000 });
+    await as("Ben", "/commands", LEFT);
+    const clara = await socketOf("Clara");
+    clara.send({ type: "command", command: { action: "fly" } });
+    await clara.next("problem");
+    await relay.ask(robot, "/pause", { method: "PUT", key: robot.ownerKey });
+    const dora = await socketOf("Dora");
+    dora.send({ type: "command", command: LEFT });
+    await dora.next("problem");
+    const list = await scripts();
+    expect(list.map(({ name, lastProblem }) => [name, lastProblem?.detail ?? null])).toEqual([
+      ["Anna", expect.stringMatching(/^Invalid command\. distance: found 30000, expected /)],
+      ["Ben", null],
+      ["Clara", expect.stringMatching(/^Invalid message\. command\.action: found 'fly'/)],
+      ["Dora", PAUSED_REASON],
+    ]);
+    const at = Date.parse(list[0]?.lastProblem?.at ?? "");
+    expect(Math.abs(Date.now() - at)).toBeLessThan(60_000);
+  });
+
   it("are also reported to the page", async () => {
     const { relay, robot, as } = await withRobot();
     const { socket: page } = await TestSocket.page(relay, robot);

@@ -270,6 +270,10 @@ CREATE TABLE progress (
 ) STRICT, WITHOUT ROWID;
 `;
 
+const KEY_USE = `
+ALTER TABLE keys ADD COLUMN use TEXT;
+`;
+
 /** The migration for each version. The first one creates version 1 from an empty file. */
 const STEPS: readonly string[] = [
   SESSIONS,
@@ -289,6 +293,7 @@ const STEPS: readonly string[] = [
   BLOCKED_SCRIPTS,
   RULES_IN_ENTRIES,
   CLASSES,
+  KEY_USE,
 ];
 
 /**
