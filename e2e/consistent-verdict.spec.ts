@@ -180,7 +180,7 @@ test("replaces the earlier verdict by that of a failed check", async ({ corridor
   await corridor.program.addLine("right >", "60", "delayed right 90");
   await lessons.button("Check in all 3 mazes").click();
   await expect(page.getByRole("region", { name: "Solved!" })).toBeVisible();
-  await expect(lessons.outcome).toHaveText("Challenge solved. Lines used: 2 of 3");
+  await expect(lessons.outcome).toHaveText("Task solved. Lines used: 2 of 3");
   await expect(page.getByRole("button", { name: "Next mission" })).toHaveCount(1);
 });
 

@@ -60,7 +60,7 @@ test("shows the time of the clock on the card of a mission whose program was edi
   await corridor.pause.click();
   await corridor.program.action(1).selectOption("turn 180");
   await corridor.run.click();
-  await expect(lessons.outcome).toHaveText("Challenge solved. Lines used: 1 of 1");
+  await expect(lessons.outcome).toHaveText("Task solved. Lines used: 1 of 1");
   const solved = page.getByRole("region", { name: "Solved!" });
   const clock = (await corridor.clock.textContent()) ?? "";
   const seconds = Number(/0:(\d\d\.\d)$/.exec(clock)?.[1]);

@@ -97,7 +97,7 @@ test("opens a mission and solves it by keyboard alone", async ({ corridor, page 
   await user.choose(corridor.program.action(1), "turn 180");
   await user.choose(corridor.speed, "16×");
   await user.key("Control+Enter");
-  await expect(lessons.outcome).toHaveText("Challenge solved. Lines used: 1 of 1");
+  await expect(lessons.outcome).toHaveText("Task solved. Lines used: 1 of 1");
   const solved = page.getByRole("region", { name: "Solved!" });
   await user.press(solved.getByRole("button", { name: "Next mission" }));
   await lessons.expectMission(4);

@@ -116,7 +116,7 @@ test("marks a solved task in words, also after a reload, and leads to the next o
   await opened.expectTask(1);
   await corridor.speed.selectOption("16×");
   await corridor.run.click();
-  await expect(opened.outcome).toHaveText("Challenge solved. Lines used: 0 of 3");
+  await expect(opened.outcome).toHaveText("Task solved. Lines used: 0 of 3");
   await expect(opened.task(1)).toHaveAccessibleName("1 Straight on solved");
   await page.reload();
   await expect(opened.task(1)).toHaveAccessibleName("1 Straight on solved");
@@ -175,7 +175,7 @@ test("counts a task as solved only after a check in its unseen mazes", async ({
   await corridor.program.addLine("right >", "60", "delayed right 90");
   await corridor.program.addLine("front <", "50", "left 90");
   await check.click();
-  await expect(opened.outcome).toHaveText("Challenge solved. Lines used: 2 of 3");
+  await expect(opened.outcome).toHaveText("Task solved. Lines used: 2 of 3");
   await expect(opened.task(1)).toHaveAccessibleName("1 Every maze solved");
 });
 

@@ -19,7 +19,7 @@ test("reports what failed, with the number, while the robot drives", async ({ co
   await corridor.program.action(1).selectOption("left 90");
   await corridor.reset.click();
   await corridor.run.click();
-  await expect(lessons.outcome).toHaveText("Challenge solved. Lines used: 1 of 1");
+  await expect(lessons.outcome).toHaveText("Task solved. Lines used: 1 of 1");
 });
 
 test("explains why a run that reaches the goal does not count", async ({ corridor, page }) => {
@@ -46,7 +46,7 @@ test("solves the mission when the key is released at the required reading", asyn
     /^The sensor reads [56]\d\d cm\. Drive forward until it reads 130 to 170 cm\.$/,
   );
   await driveToWall(corridor, 130, 170);
-  await expect(lessons.outcome).toHaveText(/^Challenge solved after \d\.\d s$/);
+  await expect(lessons.outcome).toHaveText(/^Task solved after \d\.\d s$/);
   const solved = page.getByRole("region", { name: "Solved!" });
   await expect(solved).toContainText(/^Solved!The robot stopped where the sensor reads 1\d\d cm\./);
   await solved.getByRole("button", { name: "Next mission" }).click();
@@ -132,7 +132,7 @@ test("reports which maze fails", async ({ corridor, page }) => {
   await corridor.program.number(2).fill("60");
   await corridor.program.action(2).selectOption("delayed right 90");
   await lessons.button("Check in all 3 mazes").click();
-  await expect(lessons.outcome).toHaveText("Challenge solved. Lines used: 2 of 3");
+  await expect(lessons.outcome).toHaveText("Task solved. Lines used: 2 of 3");
   const solved = page.getByRole("region", { name: "Solved!" });
   await expect(solved).toContainText("Your program works in every maze: 3 of 3.");
   // The clock displays only the run in one of the mazes.
@@ -237,7 +237,7 @@ test("judges a run although the network was lost while the mission opened", asyn
   await corridor.run.click();
   await expect.poll(() => requests).toBeGreaterThan(1);
   isDown = false;
-  await expect(lessons.outcome).toHaveText("Challenge solved. Lines used: 1 of 1");
+  await expect(lessons.outcome).toHaveText("Task solved. Lines used: 1 of 1");
   // The browser logs an error for each missing file.
   pageErrors.messages.splice(0);
 });

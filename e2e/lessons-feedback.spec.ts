@@ -111,7 +111,7 @@ test("the card at the dead end of mission 10 leads to the line that must change"
   await corridor.program.action(3).selectOption("turn 180");
   await corridor.reset.click();
   await corridor.run.click();
-  await expect(lessons.outcome).toHaveText("Challenge solved. Lines used: 3 of 3");
+  await expect(lessons.outcome).toHaveText("Task solved. Lines used: 3 of 3");
 });
 
 test("mission 11 without a bump: names the line that lacks its delay, though another is wrong too", async ({

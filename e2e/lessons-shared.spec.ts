@@ -28,7 +28,7 @@ test("shares a challenge with its task, its rules and the return to the recipien
   await recipient.program.action(1).selectOption("delayed right 90");
   await recipient.speed.selectOption("16×");
   await recipient.run.click();
-  await expect(recipientLessons.outcome).toHaveText("Challenge solved. Lines used: 1 of 1");
+  await expect(recipientLessons.outcome).toHaveText("Task solved. Lines used: 1 of 1");
   await recipient.open();
   await expect(recipientLessons.card).toContainText("The side opening");
   await recipientLessons.button("Back to my maze").click();
@@ -82,7 +82,7 @@ test("opens a teacher's challenge from a link: every square in one line", async 
   await expect(corridor.message("You opened a shared challenge.")).toBeVisible();
   await corridor.program.addLine("front <", "50", "right 90");
   await lessons.button("Check the program").click();
-  await expect(lessons.outcome).toHaveText("Challenge solved. Lines used: 1 of 1");
+  await expect(lessons.outcome).toHaveText("Task solved. Lines used: 1 of 1");
   await corridor.program.number(1).fill("20");
   await lessons.button("Check the program").click();
   await expect(lessons.outcome).toHaveText(

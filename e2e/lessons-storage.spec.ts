@@ -11,7 +11,7 @@ test("keeps progress after a reload", async ({ corridor, page }) => {
   await corridor.program.action(1).selectOption("turn 180");
   await corridor.speed.selectOption("16×");
   await corridor.run.click();
-  await expect(lessons.outcome).toHaveText("Challenge solved. Lines used: 1 of 1");
+  await expect(lessons.outcome).toHaveText("Task solved. Lines used: 1 of 1");
   await corridor.open();
   await lessons.expectMission(3);
   await expect(corridor.program.action(1)).toHaveValue("turn 180");
@@ -59,12 +59,12 @@ test("merges the progress of two tabs", async ({ corridor, page, context }) => {
   await other.page.keyboard.press("Alt+ArrowUp");
   await other.speed.selectOption("16×");
   await other.run.click();
-  await expect(otherLessons.outcome).toHaveText("Challenge solved. Lines used: 2 of 2");
+  await expect(otherLessons.outcome).toHaveText("Task solved. Lines used: 2 of 2");
   await page.bringToFront();
   await corridor.program.action(1).selectOption("turn 180");
   await corridor.speed.selectOption("16×");
   await corridor.run.click();
-  await expect(lessons.outcome).toHaveText("Challenge solved. Lines used: 1 of 1");
+  await expect(lessons.outcome).toHaveText("Task solved. Lines used: 1 of 1");
   await lessons.openPath();
   await expect(lessons.path).toContainText("2 of 14 done");
   await other.page.bringToFront();

@@ -16,9 +16,9 @@ test("a new student solves the first mission within a minute of the first visit"
   await expect(corridor.driver("Me")).toBeChecked();
   await expect(lessons.card).toContainText("or hold W or ↑.");
   await page.keyboard.down("w");
-  await expect(lessons.outcome).toHaveText(/^Challenge solved after \d\.\d s$/);
+  await expect(lessons.outcome).toHaveText(/^Task solved after \d\.\d s$/);
   await page.keyboard.up("w");
-  await expect(page.getByRole("main").getByText(/^Challenge solved after/)).toBeVisible();
+  await expect(page.getByRole("main").getByText(/^Task solved after/)).toBeVisible();
   const solved = page.getByRole("region", { name: "Solved!" });
   await solved.getByRole("button", { name: "Next mission" }).click();
   await lessons.expectMission(2);
@@ -31,7 +31,7 @@ test("stops the robot where the mission is solved while the key is held, and dri
   const lessons = new LessonsPanel(page);
   await lessons.openMission(1);
   await page.keyboard.down("w");
-  await expect(lessons.outcome).toHaveText(/^Challenge solved after/);
+  await expect(lessons.outcome).toHaveText(/^Task solved after/);
   // A keyboard repeats a held key.
   await page.keyboard.down("w");
   await corridor.waitForRobotToStop();
@@ -49,7 +49,7 @@ test("accepts Run as a solution of the first mission", async ({ corridor, page }
   await lessons.expectMission(1);
   await corridor.run.click();
   // A manual mission has no line count.
-  await expect(lessons.outcome).toHaveText(/^Challenge solved after \d\.\d s$/);
+  await expect(lessons.outcome).toHaveText(/^Task solved after \d\.\d s$/);
   const solved = page.getByRole("region", { name: "Solved!" });
   await expect(solved.getByRole("term")).toHaveText(["run time", "bumps"]);
   await solved.getByRole("button", { name: "Next mission" }).click();
@@ -89,7 +89,7 @@ test("solves a mission by keyboard alone", async ({ corridor, page }) => {
   await corridor.program.line(2).focus();
   await page.keyboard.press("Alt+ArrowUp");
   await page.keyboard.press("Control+Enter");
-  await expect(lessons.outcome).toHaveText("Challenge solved. Lines used: 2 of 2", {
+  await expect(lessons.outcome).toHaveText("Task solved. Lines used: 2 of 2", {
     timeout: 20_000,
   });
 });

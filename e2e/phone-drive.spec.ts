@@ -82,7 +82,7 @@ test("solves manual missions with a thumb, with every button in full view", asyn
   );
   const touch = await TouchInput.of(page);
   await touch.down(await centreOf(corridor.driveKey("forward")));
-  await expect(page.getByRole("note")).toHaveText(/^Challenge solved after/);
+  await expect(page.getByRole("note")).toHaveText(/^Task solved after/);
   // The thumb is still down: the robot stops fully on the goal, and no button appears pressed.
   await expect(corridor.driveKey("forward")).toHaveAttribute("aria-pressed", "false");
   await corridor.waitForRobotToStop();

@@ -279,9 +279,9 @@ test("solves a mission with a screen reader: its task, its hint, its outcome", a
   await user.choose(corridor.program.action(1), "turn 180");
   await user.choose(corridor.speed, "16×");
   await user.key("Control+Enter");
-  await expect(corridor.announcement).toHaveText("Challenge solved. Lines used: 1 of 1");
+  await expect(corridor.announcement).toHaveText("Task solved. Lines used: 1 of 1");
   const texts = (await announcements()).map(({ text }) => text);
-  expect(texts.filter((text) => text.startsWith("Challenge solved"))).toHaveLength(1);
+  expect(texts.filter((text) => text.startsWith("Task solved"))).toHaveLength(1);
 });
 
 test("gives full names and no bare numbers in the transport", async ({ corridor }) => {
