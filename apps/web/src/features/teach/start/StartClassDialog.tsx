@@ -1,7 +1,7 @@
 /** Starts a class with a lesson: the names of the students, and how many will come. */
 import { parseLesson, type LessonDocument } from "@corridor/challenge";
 import { MAX_STUDENTS } from "@corridor/protocol";
-import { useId, useState, type SubmitEvent } from "react";
+import { useId, useMemo, useState, type SubmitEvent } from "react";
 import { useTranslation } from "react-i18next";
 import type { ClassRefusal } from "../../../model/classroom/class-calls.ts";
 import { MAX_CLASS_LABEL, OwnClasses } from "../../../model/classroom/own-classes.ts";
@@ -18,6 +18,7 @@ import { TextArea } from "../../../ui/TextArea.tsx";
 import { TextField } from "../../../ui/TextField.tsx";
 import { SavedLessons } from "../../../model/teaching/saved-lessons.ts";
 import { study2013 } from "../lessons/study-2013.ts";
+import { unsolvedTasks } from "./unsolved-tasks.ts";
 import { shareSizesOf, type Excess } from "../share/share-sizes.ts";
 import { useExcessText } from "../share/use-excess-text.ts";
 import styles from "./start-class-dialog.module.css";
@@ -65,6 +66,11 @@ function StartClassForm({ lesson, device }: Pick<StartClassDialogProps, "lesson"
   const [isStarting, setStarting] = useState(false);
   const errorId = useId();
   const excessText = useExcessText();
+
+  // Corridor itself has solved the study.
+  const own = lesson ?? saved.find(({ id }) => id === chosen)?.lesson ?? null;
+  const unsolved = useMemo(() => (own === null ? [] : unsolvedTasks(own, saved)), [own, saved]);
+  const isUnsolved = own !== null && unsolved.length === own.tasks.length;
 
   const lessonToStart = async (): Promise<LessonDocument | null> => {
     if (lesson !== null) return parseLesson(lesson).ok ? lesson : null;
@@ -131,6 +137,12 @@ function StartClassForm({ lesson, device }: Pick<StartClassDialogProps, "lesson"
           />
         </label>
       )}
+      <output className={styles["warning"]}>
+        {isUnsolved && t("lessonEditor:share.unsolved")}
+        {!isUnsolved &&
+          unsolved.length > 0 &&
+          t("teach:class.unsolved", { count: unsolved.length, tasks: unsolved.join(", ") })}
+      </output>
       <TextField
         label={t("teach:class.label")}
         value={label}
