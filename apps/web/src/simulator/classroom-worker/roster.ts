@@ -119,7 +119,7 @@ export class Roster {
       const hasDriven = tile !== null && before.tile !== null && tile.tick !== before.tile.tick;
       const drivenAt = hasDriven ? this.#activeMs() : before.drivenAt;
       const work = withTile(before, tile, drivenAt, this.#activeMs());
-      const live = withTileBumps(before.live, before.tile, tile, work.lesson);
+      const live = withTileBumps(before.live, before.tile, tile, work);
       if (live.places !== before.live.places) this.#hasNewBumps = true;
       const isSame =
         before.isConnected === connected &&
