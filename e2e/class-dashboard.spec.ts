@@ -195,3 +195,20 @@ test("the sheet of a student has the time, the program, and each attempt, but no
   await expectNoAxeViolations(page, "the sheet of a student");
   closeAll(students);
 });
+
+test("the dialog that starts a class warns of tasks that the teacher has not solved", async ({
+  page,
+}) => {
+  await page.goto("/teach#make");
+  await page.getByRole("button", { name: /^The 2013 study/ }).click();
+  await expect(page.getByRole("heading", { name: "The 2013 study" })).toBeVisible();
+  await page.goto("/teach");
+  await page.getByRole("button", { name: "Start a class" }).click();
+  const dialog = page.getByRole("dialog", { name: "Start a class" });
+  const warning = dialog.getByText("You have not solved this lesson yet.");
+  await expect(warning).toBeVisible();
+  await expectNoAxeViolations(page, "start a class with an unsolved lesson");
+  // The study of Corridor itself has solutions.
+  await dialog.getByRole("combobox", { name: "Lesson" }).selectOption("study");
+  await expect(warning).toHaveCount(0);
+});
