@@ -30,7 +30,7 @@ export function WatchedAttempts({ student }: { student: SeenStudent }) {
           <h3 className={styles["heading"]}>{t("watch.newest")}</h3>
           <ol className={styles["failures"]}>
             {recent.map((attempt) => (
-              <li key={attempt.at}>
+              <li key={attempt.seq}>
                 <AttemptText attempt={attempt} />
                 <span dir="ltr">{clockText(attempt.at - (work?.openedAt ?? 0))}</span>
               </li>

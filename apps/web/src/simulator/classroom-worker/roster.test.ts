@@ -145,8 +145,8 @@ describe("the students of a class", () => {
     expect(roster.takeChanges().changed).toMatchObject([{ recent: [] }]);
     roster.watch(1);
     follow(record(2, 3_000, { ...check, failure: null }));
-    const newest = { task: 1, at: 3_000, check: { passes: 3, mazes: 5 }, failure: null };
-    const before = { task: 1, at: 2_000, check: null, failure };
+    const newest = { seq: 2, task: 1, at: 3_000, check: { passes: 3, mazes: 5 }, failure: null };
+    const before = { seq: 1, task: 1, at: 2_000, check: null, failure };
     expect(roster.takeChanges().changed).toMatchObject([{ recent: [newest, before] }]);
   });
 

@@ -3,6 +3,7 @@ import type { ProgressRecord } from "@corridor/protocol";
 import type {
   CountedBump,
   CountedFailure,
+  RecentAttempt,
   SeenStudent,
   TaskWork,
 } from "../protocol/classroom-messages.ts";
@@ -62,7 +63,7 @@ export function withRestart(work: Work, at: number): Work {
 }
 
 /** Adds the next record. */
-export function withRecord(work: Work, { event, activeMs: at }: ProgressRecord): Work {
+export function withRecord(work: Work, { event, activeMs: at, seq }: ProgressRecord): Work {
   switch (event.kind) {
     case "opened": {
       const inLesson = withLesson(work, event.lesson, at);
@@ -71,7 +72,7 @@ export function withRecord(work: Work, { event, activeMs: at }: ProgressRecord):
     }
     case "run":
     case "check":
-      return withAttempt(work, event, at);
+      return withAttempt(work, event, { seq, at });
     case "hint": {
       const { hints } = taskOf(work, event.task);
       return withTask(work, event.task, { hints: hints + 1 });
@@ -111,7 +112,11 @@ function withLesson(work: Work, lesson: string, lessonAt: number): Work {
 
 type AttemptEvent = Extract<ProgressRecord["event"], { kind: "run" | "check" }>;
 
-function withAttempt(work: Work, event: AttemptEvent, at: number): Work {
+function withAttempt(
+  work: Work,
+  event: AttemptEvent,
+  { seq, at }: Pick<RecentAttempt, "seq" | "at">,
+): Work {
   const before = taskOf(work, event.task);
   const { failure } = event;
   const isBest = event.kind === "check" && event.passes > work.best;
@@ -133,7 +138,7 @@ function withAttempt(work: Work, event: AttemptEvent, at: number): Work {
   const repeats = failure === null ? 0 : isSame ? work.repeats + counted : 1;
   const places = event.bumpPlaces ?? [];
   const check = event.kind === "check" ? { passes: event.passes, mazes: event.mazes } : null;
-  const recent = { task: event.task, at, check, failure };
+  const recent = { seq, task: event.task, at, check, failure };
   return {
     ...next,
     recent: [recent, ...work.recent].slice(0, MAX_RECENT),

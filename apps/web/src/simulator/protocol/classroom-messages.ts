@@ -52,6 +52,8 @@ export interface CountedFailure {
 
 /** A run or a check of a student. */
 export interface RecentAttempt {
+  /** number of its record */
+  seq: number;
   task: number;
   /** active time at which its record arrived */
   at: number;
