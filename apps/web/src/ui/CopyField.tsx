@@ -1,6 +1,7 @@
 /** A text in a field that selects itself, and the button that copies it. */
 import { useId, useRef, useState } from "react";
 import { CopyButton } from "./CopyButton.tsx";
+import labels from "./field.module.css";
 import styles from "./copy-field.module.css";
 
 interface CopyFieldProps {
@@ -22,7 +23,7 @@ export function CopyField({ label, text, copy, copied, byHand, look }: CopyField
   const [isByHand, setByHand] = useState(false);
   return (
     <div className={styles["stack"]} data-look={look}>
-      <label className={look === "link" ? styles["label"] : "visually-hidden"} htmlFor={id}>
+      <label className={look === "link" ? labels["label"] : "visually-hidden"} htmlFor={id}>
         {label}
       </label>
       <div className={styles["row"]}>

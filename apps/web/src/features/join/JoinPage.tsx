@@ -6,8 +6,10 @@ import { storedMembership, storeMembership } from "../../model/classes/membershi
 import type { KeyValueStorage } from "../../model/storage/key-value-storage.ts";
 import { Brand } from "../../ui/Brand.tsx";
 import { ErrorBoundary } from "../../ui/ErrorBoundary.tsx";
+import { classNames } from "../../ui/class-names.ts";
 import { JoinedClassCard } from "./JoinedClassCard.tsx";
 import { JoinForm } from "./JoinForm.tsx";
+import layout from "../../ui/page.module.css";
 import styles from "./join.module.css";
 
 interface JoinPageProps {
@@ -43,14 +45,14 @@ export function JoinPage({ tab, tools }: JoinPageProps) {
   };
   return (
     <ErrorBoundary onError={() => undefined}>
-      <div className={styles["page"]}>
-        <header className={styles["bar"]}>
-          <a className={styles["brand"]} href="/">
+      <div className={layout["page"]}>
+        <header className={layout["bar"]}>
+          <a className={layout["brand"]} href="/">
             <Brand />
           </a>
-          <div className={styles["end"]}>{tools}</div>
+          <div className={layout["end"]}>{tools}</div>
         </header>
-        <main className={styles["main"]}>
+        <main className={classNames(layout["main"], styles["main"])}>
           {joined === null ? (
             <JoinForm key={code} code={code} onJoin={enter} />
           ) : (

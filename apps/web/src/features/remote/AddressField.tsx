@@ -8,6 +8,7 @@ import { CopyButton } from "../../ui/CopyButton.tsx";
 import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { useMinutesLeft } from "./use-minutes-left.ts";
 import type { RobotAddress } from "./robot-address.ts";
+import field from "../../ui/field.module.css";
 import styles from "./fields.module.css";
 
 interface AddressFieldProps {
@@ -21,7 +22,7 @@ export function AddressField({ address, session }: AddressFieldProps) {
   const timeLeft = useTimeText(useMinutesLeft(session));
   return (
     <dl className={styles["fields"]}>
-      <dt className={styles["label"]}>{t("remote.address")}</dt>
+      <dt className={field["label"]}>{t("remote.address")}</dt>
       <dd className={styles["value"]}>
         <span dir="ltr" className={styles["text"]}>
           {/* Where the browser refuses to copy, the user needs the whole address to select it. */}

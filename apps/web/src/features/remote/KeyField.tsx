@@ -10,6 +10,7 @@ import { CopyButton } from "../../ui/CopyButton.tsx";
 import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { NewKey } from "./NewKey.tsx";
 import { maskKey } from "./robot-address.ts";
+import field from "../../ui/field.module.css";
 import styles from "./fields.module.css";
 
 export function KeyField({ session }: { session: RemoteSession }) {
@@ -20,7 +21,7 @@ export function KeyField({ session }: { session: RemoteSession }) {
   const { driverKey: key } = session;
   return (
     <>
-      <dt className={styles["label"]}>{t("remote.key")}</dt>
+      <dt className={field["label"]}>{t("remote.key")}</dt>
       <dd className={styles["value"]}>
         <span dir="ltr" className={styles["text"]}>
           {isKeyShown ? key : maskKey(key)}

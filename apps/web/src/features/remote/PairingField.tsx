@@ -13,6 +13,7 @@ import { newsText, questionText } from "./pairing-words.ts";
 import { pairingOf } from "./robot-pairing.ts";
 import { useTimeLeft } from "./use-time-left.ts";
 import panel from "./remote.module.css";
+import labels from "../../ui/field.module.css";
 import fields from "./fields.module.css";
 import styles from "./pairing-field.module.css";
 
@@ -49,7 +50,7 @@ export function PairingField({ session }: { session: RemoteSession }) {
   };
   return (
     <>
-      <dt className={fields["label"]}>{t("remote.pair.title")}</dt>
+      <dt className={labels["label"]}>{t("remote.pair.title")}</dt>
       <dd ref={field} className={classNames(isShown && styles["pairing"])}>
         {view.kind === "open" && <Code code={view.code} />}
         <output className={classNames(view.kind === "asked" && styles["question"])}>

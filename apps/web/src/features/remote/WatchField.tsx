@@ -7,6 +7,7 @@ import { CopyButton } from "../../ui/CopyButton.tsx";
 import { watchAddress } from "./owner-calls.ts";
 import { maskKey } from "./robot-address.ts";
 import panel from "./remote.module.css";
+import field from "../../ui/field.module.css";
 import fields from "./fields.module.css";
 
 export function WatchField({ session }: { session: RemoteSession }) {
@@ -20,7 +21,7 @@ export function WatchField({ session }: { session: RemoteSession }) {
   };
   return (
     <>
-      <dt className={fields["label"]}>{t("remote.watch")}</dt>
+      <dt className={field["label"]}>{t("remote.watch")}</dt>
       {address === null ? (
         <dd>
           <Button size="small" className={panel["long"]} onClick={() => void make()}>

@@ -20,6 +20,8 @@ import { PrintButton } from "../../ui/print/PrintButton.tsx";
 import { printedLink, printedMazes, type PrintedContent } from "../../ui/print/printed-content.ts";
 import { QrCard } from "../../ui/QrCard.tsx";
 import { RunChoice } from "./RunChoice.tsx";
+import { classNames } from "../../ui/class-names.ts";
+import field from "../../ui/field.module.css";
 import styles from "./share.module.css";
 import { TeachLink } from "./TeachLink.tsx";
 import { ShortLinkChoice } from "../../ui/ShortLinkChoice.tsx";
@@ -144,7 +146,9 @@ function ShareForm({ onContent }: { onContent: (content: SharedContent) => void 
           )}
         </div>
         <fieldset className={styles["choices"]}>
-          <legend className={styles["label"]}>{t("share.contents")}</legend>
+          <legend className={classNames(field["label"], styles["legend"])}>
+            {t("share.contents")}
+          </legend>
           <Checkbox
             label={t("share.maze")}
             note={t("share.mazeNote", { ...sizeOf(maze), count: maze.goals.length })}

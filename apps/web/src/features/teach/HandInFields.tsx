@@ -54,7 +54,7 @@ export function HandInFields({ work }: { work: HandInsWork }) {
         )}
       </div>
       <div className={styles["lines"]}>
-        <label className={styles["label"]} htmlFor={id}>
+        <label className={field["label"]} htmlFor={id}>
           {t("handIns.lines")}
         </label>
         <textarea

@@ -4,11 +4,13 @@ import { useId } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { Button } from "../../ui/Button.tsx";
+import { classNames } from "../../ui/class-names.ts";
 import { Checkbox } from "../../ui/Checkbox.tsx";
 import { MazePicture } from "../../ui/MazePicture.tsx";
 import type { HandInsWork } from "./hand-ins-work.ts";
 import { lessonName } from "../../model/lessons/lesson-name.ts";
 import { LessonProblemNote } from "./lessons/LessonProblemNote.tsx";
+import field from "../../ui/field.module.css";
 import styles from "./open-lesson.module.css";
 
 export function OpenLesson({ work }: { work: HandInsWork }) {
@@ -56,7 +58,7 @@ function TaskChoice({ work, tasks }: { work: HandInsWork; tasks: readonly Lesson
   const chosen = useStore(work.store, (state) => state.chosen);
   return (
     <fieldset className={styles["tasks"]}>
-      <legend className={styles["legend"]}>{t("tasks.legend")}</legend>
+      <legend className={classNames(field["label"], styles["legend"])}>{t("tasks.legend")}</legend>
       {tasks.map((task, at) => (
         // oxlint-disable-next-line react/no-array-index-key -- tasks have no other identity
         <Checkbox

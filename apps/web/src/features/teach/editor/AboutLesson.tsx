@@ -9,6 +9,7 @@ import { TextArea } from "../../../ui/TextArea.tsx";
 import { TextField } from "../../../ui/TextField.tsx";
 import { useDraft, useLesson } from "./draft-context.ts";
 import { FormSection } from "./FormSection.tsx";
+import field from "../../../ui/field.module.css";
 import styles from "./form.module.css";
 import { useNameFocus } from "./use-name-focus.ts";
 
@@ -51,7 +52,7 @@ export function AboutLesson({ isNew, onNamed, onNext }: AboutLessonProps) {
         onChange={(next) => draft.edit({ intro: next }, "intro")}
       />
       <div className={styles["choice"]}>
-        <span className={styles["label"]} aria-hidden="true">
+        <span className={field["label"]} aria-hidden="true">
           {t("about.language")}
         </span>
         <Select

@@ -1,7 +1,9 @@
 /** Who may drive in the open task. The task opens with the first driver of the list. */
 import { useTranslation } from "react-i18next";
 import { Checkbox } from "../../../ui/Checkbox.tsx";
+import { classNames } from "../../../ui/class-names.ts";
 import { useDraft, useOpenTask } from "./draft-context.ts";
+import field from "../../../ui/field.module.css";
 import styles from "./form.module.css";
 import { withDriver } from "./task-edits.ts";
 
@@ -14,7 +16,9 @@ export function DriverFields() {
   const chosen = allowed.drivers;
   return (
     <fieldset className={styles["drivers"]}>
-      <legend className={styles["label"]}>{t("words:drive.who")}</legend>
+      <legend className={classNames(field["label"], styles["legend"])}>
+        {t("words:drive.who")}
+      </legend>
       {drivers.map((driver) => {
         const isChosen = chosen.includes(driver);
         return (

@@ -5,6 +5,7 @@ import { useTranslation } from "react-i18next";
 import { Select } from "../../../ui/Select.tsx";
 import { BoundedNumber } from "./BoundedNumber.tsx";
 import { useDraft, useOpenTask } from "./draft-context.ts";
+import field from "../../../ui/field.module.css";
 import styles from "./form.module.css";
 import { withGoal, withGoalKind } from "./task-edits.ts";
 
@@ -40,7 +41,7 @@ function GoalNumbers({ goal }: { goal: Goal }) {
       return (
         <div className={styles["pair"]}>
           <div className={styles["choice"]}>
-            <span className={styles["label"]} aria-hidden="true">
+            <span className={field["label"]} aria-hidden="true">
               {t("lessonEditor:goal.sensor")}
             </span>
             <Select

@@ -6,6 +6,7 @@ import { Button } from "../../../ui/Button.tsx";
 import { Dialog } from "../../../ui/Dialog.tsx";
 import { Select } from "../../../ui/Select.tsx";
 import { useDraft, useOpenTask } from "./draft-context.ts";
+import field from "../../../ui/field.module.css";
 import styles from "./form.module.css";
 
 /** @param lines the editor of the lines */
@@ -20,7 +21,7 @@ export function StartLines({ lines }: { lines: ReactNode }) {
   const own = program === null || preset !== undefined ? [] : [{ value: "own" }];
   return (
     <div className={styles["choice"]}>
-      <span className={styles["label"]} aria-hidden="true">
+      <span className={field["label"]} aria-hidden="true">
         {t("lessonEditor:start.label")}
       </span>
       <div className={styles["row"]}>

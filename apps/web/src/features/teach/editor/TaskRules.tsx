@@ -8,6 +8,7 @@ import { BoundedNumber } from "./BoundedNumber.tsx";
 import { useDraft, useOpenTask } from "./draft-context.ts";
 import { DriverFields } from "./DriverFields.tsx";
 import { FormSection } from "./FormSection.tsx";
+import field from "../../../ui/field.module.css";
 import styles from "./form.module.css";
 import { GoalFields } from "./GoalFields.tsx";
 import { MoreAboutTask } from "./MoreAboutTask.tsx";
@@ -55,7 +56,7 @@ function BumpLimit() {
     draft.editTask({ checks: { ...draft.task.checks, bumps: next } }, group);
   return (
     <div className={styles["choice"]}>
-      <span className={styles["label"]} aria-hidden="true">
+      <span className={field["label"]} aria-hidden="true">
         {t("checks.bumps")}
       </span>
       <Select

@@ -2,6 +2,8 @@
 import { useEffect, type ReactNode, type RefObject } from "react";
 import { useTranslation } from "react-i18next";
 import { Brand } from "../../../ui/Brand.tsx";
+import { classNames } from "../../../ui/class-names.ts";
+import layout from "../../../ui/page.module.css";
 import styles from "./teach.module.css";
 
 interface TeachFrameProps {
@@ -24,8 +26,8 @@ export function TeachFrame({ title, bar, end, main, isFull = false, children }: 
     document.title = title;
   }, [title, i18n.language]);
   return (
-    <div className={styles["page"]} data-full={isFull}>
-      <header className={styles["bar"]}>
+    <div className={classNames(layout["page"], styles["page"])} data-full={isFull}>
+      <header className={classNames(layout["bar"], styles["bar"])}>
         <a
           className={styles["skip"]}
           href="#main"
@@ -37,7 +39,7 @@ export function TeachFrame({ title, bar, end, main, isFull = false, children }: 
         >
           {t("teach:skip")}
         </a>
-        <a className={styles["brand"]} href="/">
+        <a className={layout["brand"]} href="/">
           <Brand />
         </a>
         {bar ?? (
@@ -45,9 +47,14 @@ export function TeachFrame({ title, bar, end, main, isFull = false, children }: 
             {t("teach:teach")}
           </a>
         )}
-        <div className={styles["end"]}>{end}</div>
+        <div className={layout["end"]}>{end}</div>
       </header>
-      <main ref={main} id="main" className={styles["main"]} tabIndex={-1}>
+      <main
+        ref={main}
+        id="main"
+        className={classNames(layout["main"], styles["main"])}
+        tabIndex={-1}
+      >
         {children}
       </main>
     </div>

@@ -21,6 +21,7 @@ import { study2013 } from "../lessons/study-2013.ts";
 import { unsolvedTasks } from "./unsolved-tasks.ts";
 import { shareSizesOf, type Excess } from "../share/share-sizes.ts";
 import { useExcessText } from "../share/use-excess-text.ts";
+import field from "../../../ui/field.module.css";
 import styles from "./start-class-dialog.module.css";
 
 const STUDY = "study";
@@ -122,7 +123,7 @@ function StartClassForm({ lesson, device }: Pick<StartClassDialogProps, "lesson"
       )}
       {lesson === null && (
         <label className={styles["stack"]}>
-          <span className={styles["label"]}>{t("teach:class.lesson")}</span>
+          <span className={field["label"]}>{t("teach:class.lesson")}</span>
           <Select
             label={t("teach:class.lesson")}
             value={chosen}
