@@ -109,3 +109,64 @@ it("nothing moves the robot while the class is paused", () => {
     { numRuns: 60 },
   );
 });
+
+it("a run that the class interrupted continues as the same run", () => {
+  let time = 0;
+  const pass = (loop: RunLoop, ms: number): void => {
+    for (let i = 0; i < ms; i += 50) {
+      time += 50;
+      loop.advance();
+    }
+  };
+  const begin = (): RunLoop => {
+    const loop = new RunLoop(firstMaze, firstProgram, () => time);
+    loop.run();
+    pass(loop, 1_000);
+    return loop;
+  };
+  const whole = begin();
+  pass(whole, 2_000);
+  const interrupted = begin();
+  interrupted.suspend(true);
+  // The relay states the same pause again whenever the page connects.
+  interrupted.suspend(true);
+  const { tick } = interrupted.snapshot();
+  pass(interrupted, 60_000);
+  expect(interrupted.snapshot()).toMatchObject({ tick, state: "paused" });
+  interrupted.suspend(false);
+  expect(interrupted.isRunning).toBe(true);
+  pass(interrupted, 2_000);
+  expect(interrupted.saveRun()).toEqual(whole.saveRun());
+});
+
+it.each([
+  { name: "stood still", prepare: (loop: RunLoop) => loop.pause() },
+  { name: "was driven by hand", prepare: (loop: RunLoop) => loop.hold("forward") },
+])("a robot that $name before a pause of the class waits after it", ({ prepare }) => {
+  const loop = new RunLoop(firstMaze, firstProgram, () => 0);
+  loop.run();
+  prepare(loop);
+  loop.suspend(true);
+  loop.suspend(false);
+  expect(loop.isRunning).toBe(false);
+});
+
+it("a run that was reset during a pause of the class does not continue", () => {
+  const loop = new RunLoop(firstMaze, firstProgram, () => 0);
+  loop.run();
+  loop.suspend(true);
+  loop.reset();
+  loop.suspend(false);
+  expect(loop.isRunning).toBe(false);
+});
+
+it("a step that the class interrupted ends at its decision", () => {
+  let time = 0;
+  const loop = new RunLoop(firstMaze, firstProgram, () => time);
+  loop.step("tick");
+  loop.suspend(true);
+  loop.suspend(false);
+  time += 1_000;
+  loop.advance();
+  expect(loop.snapshot()).toMatchObject({ tick: 1, state: "paused" });
+});

@@ -33,6 +33,8 @@ export class RunLoop {
   /** pause after the next tick, or at the next change of decision */
   #stepping: StepLength | null = null;
   #isSuspended = false;
+  /** continues what the suspension interrupted; null: nothing drove, or it has ended since */
+  #continue: (() => void) | null = null;
 
   /** @param now monotonic milliseconds */
   constructor(maze: MazeDocument, program: ProgramDocument, now: () => number) {
@@ -107,13 +109,21 @@ export class RunLoop {
     this.#live.isRunning = false;
     this.#stepping = null;
     this.#resumesNow = false;
+    this.#continue = null;
     this.updates.changed();
   }
 
-  /** Pauses; until it ends, nothing starts the clock: no button, script or playback. */
+  /**
+   * Pauses; until it ends, nothing starts the clock: no button, script or playback. Then the same
+   * run continues, but a drive by hand waits for its next key.
+   */
   suspend(isSuspended: boolean): void {
+    if (isSuspended === this.#isSuspended) return;
     this.#isSuspended = isSuspended;
+    const resume = isSuspended ? this.#interrupted() : null;
     if (isSuspended) this.pause();
+    else this.#continue?.();
+    this.#continue = resume;
   }
 
   /**
@@ -274,6 +284,7 @@ export class RunLoop {
     if (!this.#screen.isPast) this.#resumesNow = this.#live.isRunning && this.driver === "remote";
     this.#live.isRunning = false;
     this.#stepping = null;
+    this.#continue = null;
     this.updates.changed();
   }
 
@@ -295,6 +306,17 @@ export class RunLoop {
     this.#live.bringProgram();
     if (this.driver !== "remote") return;
     this.recording.addInput(wasRemote ? { do: "cancel" } : { do: "driver", driver: "program" });
+  }
+
+  /** What continues after a suspension that begins now. */
+  #interrupted(): (() => void) | null {
+    if (this.#screen.isPlaying) return () => this.play();
+    if (!this.#live.isRunning || this.driver === "me") return null;
+    const stepping = this.#stepping;
+    return () => {
+      this.#start();
+      this.#stepping = stepping;
+    };
   }
 
   #start(): void {
