@@ -39,8 +39,12 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
   // A mission opens in the tab where it is solved, whatever tab was open before.
   const chosenTab = useStore(screen, (state) => state.sheetTab);
   const hasPresets = useTool("presets");
-  const isThere = hasPresets || chosenTab !== "presets";
-  const tab = (isThere ? chosenTab : null) ?? tabFor(rights);
+  const tabs = sheetTabs.filter((each) =>
+    each === "presets"
+      ? hasPresets
+      : each === "program" || rights?.drivers.includes("me") !== false,
+  );
+  const tab = tabs.find((each) => each === chosenTab) ?? tabFor(rights);
   const [chosen, setPosition] = useState<SheetPosition>("half");
   useEffect(
     () =>
@@ -87,9 +91,11 @@ export function PhoneSheet({ hold }: { hold: HoldStore }) {
         <Tabs
           label={t("shell.panel")}
           value={tab}
-          tabs={sheetTabs
-            .filter((each) => hasPresets || each !== "presets")
-            .map((each) => ({ value: each, label: t(`shell.tabs.${each}`), icon: icons[each] }))}
+          tabs={tabs.map((each) => ({
+            value: each,
+            label: t(`shell.tabs.${each}`),
+            icon: icons[each],
+          }))}
           onChange={(next) => {
             screen.setState({ sheetTab: next });
             if (position === "closed") setPosition("half");

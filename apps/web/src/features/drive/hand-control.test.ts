@@ -109,10 +109,10 @@ const rows: Row[] = [
     stop: "none",
   },
   {
-    state: "in a mission for the program, where the student chose Me to look around",
+    state: "in a mission for the program, where a restored run was driven by hand",
     run: now({ driver: "me", state: "paused" }),
     drivers: ["program"],
-    drive: "drive",
+    drive: "refuse",
     stop: "drive",
   },
   {

@@ -34,6 +34,6 @@ export function handAction(
   const isDriving = snapshot?.driver === "me" && (view === "now" || nowDriver === "me");
   if (key === "stop" && (!isDriving || view !== "now"))
     return snapshot?.state === "running" ? "pause" : "none";
-  if (isDriving) return "drive";
-  return rights === null || rights.drivers.includes("me") ? "take-over" : "refuse";
+  if (key !== "stop" && rights?.drivers.includes("me") === false) return "refuse";
+  return isDriving ? "drive" : "take-over";
 }
