@@ -31,8 +31,8 @@ export function SidePanel({ hold }: { hold: HoldStore }) {
         ) : (
           <>
             <div className={styles["program"]}>
-              <CardDock />
               <MissionPlace />
+              <CardDock />
               <ProgramEditor />
             </div>
             <DriveFoot hold={hold} />

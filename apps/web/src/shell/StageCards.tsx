@@ -2,10 +2,20 @@ import { Cards } from "../features/cards/Cards.tsx";
 import { RaceButton } from "../features/race/RaceButton.tsx";
 import { RaceOutcome } from "../features/race/RaceOutcome.tsx";
 import type { StageViewStore } from "../stage/page/stage-view.ts";
+import { lazyPart } from "../ui/lazy-part.tsx";
+
+const TaskSentence = lazyPart(
+  async () => (await import("../features/lessons/TaskSentence.tsx")).TaskSentence,
+);
 
 /** The cards on the stage. Their code is a separate chunk. */
 export function StageCards({ view }: { view: StageViewStore }) {
   return (
-    <Cards view={view} raceOutcome={<RaceOutcome />} raceButton={<RaceButton kind="quiet" />} />
+    <Cards
+      view={view}
+      task={<TaskSentence />}
+      raceOutcome={<RaceOutcome />}
+      raceButton={<RaceButton kind="quiet" />}
+    />
   );
 }

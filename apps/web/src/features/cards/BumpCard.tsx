@@ -4,7 +4,7 @@
  */
 import { applyFix, causeLine, type Fix } from "@corridor/coach";
 import { History, Play } from "lucide";
-import { useMemo } from "react";
+import { useMemo, type ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useHelp } from "../../model/use-rights.ts";
@@ -40,10 +40,11 @@ const WATCHED_TICKS = 240;
 interface BumpCardProps {
   view: StageViewStore;
   explanation: Explanation;
+  task: ReactNode;
   onClose: () => void;
 }
 
-export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
+export function BumpCard({ view, explanation, task, onClose }: BumpCardProps) {
   const { t, i18n, ready } = useTranslation(["diagnosis", "words"], { useSuspense: false });
   const { workspace, simulator, screen, run, timeline, challenge } = useServices();
   const { event: moment, program, diagnosis } = explanation;
@@ -92,6 +93,7 @@ export function BumpCard({ view, explanation, onClose }: BumpCardProps) {
       tone="bad"
       icon={<BurstIcon size={18} />}
       title={diagnosisTitle(words, diagnosis)}
+      task={task}
       onClose={onClose}
     >
       <p className={styles["sentence"]}>

@@ -1,5 +1,5 @@
 /** The card for the displayed tick: why the robot bumped, or that the maze is solved. */
-import { useEffect, useState } from "react";
+import { useEffect, useState, type ReactNode } from "react";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
 import type { Explanation } from "../../model/run/card-store.ts";
@@ -18,9 +18,11 @@ type Met = Extract<ChallengeResult, { state: "met" }>;
 
 interface CardsProps extends SolvedRace {
   view: StageViewStore;
+  /** the sentence of the open task, if there is one */
+  task: ReactNode;
 }
 
-export function Cards({ view, ...race }: CardsProps) {
+export function Cards({ view, task, ...race }: CardsProps) {
   const { run, cards, workspace, challenge } = useServices();
   const { bump, goal } = useStore(cards);
   const result = useStore(challenge, challengeResult);
@@ -53,7 +55,9 @@ export function Cards({ view, ...race }: CardsProps) {
   if (open === null) return null;
   const close = () => setClosed(open);
   if (kind === "bump" && "event" in open) {
-    return <BumpCard key={open.event.tick} view={view} explanation={open} onClose={close} />;
+    return (
+      <BumpCard key={open.event.tick} view={view} explanation={open} task={task} onClose={close} />
+    );
   }
   const solved: Solved | null =
     "event" in open

@@ -45,12 +45,14 @@ interface FloatingCardProps {
   tone: "bad" | "good";
   icon: ReactNode;
   title: string;
+  /** the open task, above a card that covers it in the sheet */
+  task?: ReactNode;
   onClose: () => void;
   children: ReactNode;
 }
 
 export function FloatingCard(props: FloatingCardProps) {
-  const { view, pose, keepClear, trailSides, tone, icon, title, onClose, children } = props;
+  const { view, pose, keepClear, trailSides, tone, icon, title, task, onClose, children } = props;
   const { t } = useTranslation();
   const layout = useStore(view, (state) => state.layout);
   const { cardDock } = useServices();
@@ -76,15 +78,18 @@ export function FloatingCard(props: FloatingCardProps) {
   }, [half, isDocked]);
 
   useLayoutEffect(() => {
+    if (tone !== "bad") return undefined;
+    cardDock.setState({ hasBump: true });
+    return () => cardDock.setState({ hasBump: false });
+  }, [cardDock, tone]);
+
+  useLayoutEffect(() => {
     if (!isDocked) return undefined;
     const room = dock.parentElement?.clientHeight ?? 0;
-    cardDock.setState({
-      need: dock.offsetHeight > room ? "more" : "half",
-      hasBump: tone === "bad",
-    });
+    cardDock.setState({ need: dock.offsetHeight > room ? "more" : "half" });
     showFromTop(dock);
-    return () => cardDock.setState({ need: null, hasBump: false });
-  }, [cardDock, isDocked, dock, tone]);
+    return () => cardDock.setState({ need: null });
+  }, [cardDock, isDocked, dock]);
 
   useLayoutEffect(() => {
     const element = card.current;
@@ -146,6 +151,7 @@ export function FloatingCard(props: FloatingCardProps) {
       style={isDocked ? undefined : at === null ? HIDDEN : { left: at.x, top: at.y }}
     >
       {at !== null && <Tail place={at} />}
+      {isDocked && isSmall && task}
       <header className={styles["header"]}>
         <span className={styles["icon"]}>{icon}</span>
         <h2 id={titleId} className={styles["title"]}>

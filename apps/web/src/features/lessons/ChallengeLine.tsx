@@ -55,7 +55,7 @@ export function ChallengeLine() {
         <TeacherText
           className={styles["short"]}
           language={language}
-          text={task.words.short || task.name}
+          text={task.words.short || task.words.task || task.name}
         />
       ) : (
         <span className={styles["short"]}>

@@ -33,7 +33,7 @@ export interface CardDockState {
   element: HTMLElement | null;
   /** how far a sheet has to be open for the docked card; null without one */
   need: "half" | "more" | null;
-  /** whether it holds the card of a bump, which explains the failed run */
+  /** whether the card of a bump explains the failed run, in the dock or beside the robot */
   hasBump: boolean;
 }
 
