@@ -242,6 +242,25 @@ describe("the pace of the class", () => {
 });
 
 describe("a hint of the teacher", () => {
+  it("is still there after a reload, and one that the student closed stays closed", async () => {
+    const { lesson, challenge, tab } = await joinedPage();
+    lesson.showHint({ task: 1, hint: 2 });
+    challenge.setState({ hintsRead: { 0: 1 } });
+    const again = newPage(tab);
+    again.challenge.setState({ ...challenge.getState(), hints: undefined });
+    await again.receive(sampleLesson, "v1");
+    expect(again.challenge.getState()).toMatchObject({ hints: { 0: 2 }, hintsRead: { 0: 1 } });
+  });
+
+  it("includes hints that the student opened before", async () => {
+    const { lesson, challenge, tab } = await joinedPage();
+    lesson.openHint(1);
+    expect(challenge.getState()).toMatchObject({ hints: { 0: 1 }, hintsRead: { 0: 1 } });
+    const stored = newPage(tab);
+    await stored.receive(other, "v2");
+    expect(stored.challenge.getState().hintsRead ?? {}).toEqual({});
+  });
+
   it("appears in the open task", async () => {
     const { lesson, challenge, hints, texts } = await joinedPage();
     lesson.showHint({ task: 1, hint: 2 });

@@ -13,6 +13,7 @@ import { dismiss, showMessage, type Message, type ScreenStore } from "../screen/
 import type { KeyValueStorage } from "../storage/key-value-storage.ts";
 import type { ClassLessonMark } from "./class-lesson-mark.ts";
 import type { ClassLessonResult } from "./read-class-lesson.ts";
+import { storedHints, storeHints, withHint, type Hints } from "./stored-hints.ts";
 import { LESSON_KEY } from "./stored-keys.ts";
 
 /** Time until a lesson that the teacher sent opens by itself, in ms. */
@@ -63,8 +64,6 @@ interface ClassLessonState {
   isOpen: boolean;
 }
 
-type Hints = Readonly<Record<number, number>>;
-
 /** A lesson that the teacher has sent while the student works on the one before it. */
 interface NextLesson {
   document: LessonDocument;
@@ -88,8 +87,13 @@ export class ClassLesson {
 
   constructor(ports: ClassLessonPorts) {
     this.#ports = ports;
-    this.#unsubscribe = ports.challenge.subscribe((next, before) => {
+    const { challenge, lesson, tab } = ports;
+    const { hints, read } = storedHints(tab, lesson.mark);
+    this.#hints = hints;
+    challenge.setState({ hintsRead: read });
+    this.#unsubscribe = challenge.subscribe((next, before) => {
       if (next.lesson !== before.lesson) this.#apply();
+      if (next.hintsRead !== before.hintsRead) this.#storeHints();
     });
     this.#apply();
   }
@@ -110,6 +114,7 @@ export class ClassLesson {
     if (this.#next === null) this.#hints = withHint(this.#hints, index, hint);
     else this.#next.hints = withHint(this.#next.hints, index, hint);
     this.#apply();
+    this.#storeHints();
     if (this.#next === null && lesson.openIndex(challenge.getState()) === index) {
       onHint(hint);
       showMessage(screen, { tone: "info", text: t("join:inClass.hint", { hint }) });
@@ -121,6 +126,17 @@ export class ClassLesson {
       run: () => void this.#openTask(index),
     };
     showMessage(screen, { tone: "info", text, stays: true, action });
+  }
+
+  /** The student opens a hint, and all hints before it. */
+  openHint(hint: number): void {
+    const { challenge, lesson } = this.#ports;
+    const index = lesson.openIndex(challenge.getState());
+    if (index === null || this.#next !== null) return;
+    this.#hints = withHint(this.#hints, index, hint);
+    const { hintsRead = {} } = challenge.getState();
+    challenge.setState({ hintsRead: withHint(hintsRead, index, hint) });
+    this.#apply();
   }
 
   /** Opens the lesson beside the student's work. One that is already open stays as it is. */
@@ -204,7 +220,14 @@ export class ClassLesson {
     lesson.set(mark);
     this.state.setState({ document });
     this.#apply();
+    this.#storeHints();
     onLesson();
+  }
+
+  #storeHints(): void {
+    const { challenge, lesson, tab } = this.#ports;
+    const { hintsRead = {} } = challenge.getState();
+    storeHints(tab, lesson.mark, { hints: this.#hints, read: hintsRead });
   }
 
   #storeOpened(): void {
@@ -280,9 +303,4 @@ export class ClassLesson {
     const hints = isThere ? this.#hints : undefined;
     if (openTo !== state.openTo || hints !== state.hints) challenge.setState({ openTo, hints });
   }
-}
-
-/** The teacher shows a hint, and all hints before it. */
-function withHint(hints: Hints, index: number, hint: number): Hints {
-  return { ...hints, [index]: Math.max(hint, hints[index] ?? 0) };
 }

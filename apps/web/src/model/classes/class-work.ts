@@ -107,7 +107,12 @@ export class ClassWork {
       onHint: (hint) => this.#reporter.hint(hint),
       later,
     });
-    classes.setState({ onHint: (hint) => this.#reporter.hint(hint) });
+    classes.setState({
+      onHint: (hint) => {
+        this.#reporter.hint(hint);
+        this.lesson.openHint(hint);
+      },
+    });
     this.#unsubscribe = simulator.listen((message) => {
       if (message.type === "class-hint") this.lesson.showHint(message.hint);
     });
