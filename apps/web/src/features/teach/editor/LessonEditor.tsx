@@ -32,6 +32,8 @@ interface Trial {
   program: ProgramDocument | null;
   /** whether the trial is to solve the open task */
   isSolving: boolean;
+  /** index of the open task */
+  task: number;
 }
 
 interface LessonEditorProps {
@@ -62,18 +64,27 @@ export function LessonEditor(props: LessonEditorProps) {
   const title = t("lessonEditor:pageTitle", {
     name: lessonName(lesson) || t("teach:lesson.unnamed"),
   });
-  const tryLesson = () => setTrial({ lesson: shared, program: null, isSolving: false });
+  const tryLesson = () =>
+    setTrial({
+      lesson: shared,
+      program: null,
+      isSolving: false,
+      task: draft.store.getState().task,
+    });
   const solve = (): void => {
     const { task } = draft;
-    const program = solutionOf(draft.store.getState().solutions, task)?.program ?? null;
+    const { solutions: known, task: index } = draft.store.getState();
+    const program = solutionOf(known, task)?.program ?? null;
     // Only this task: in a lesson in turn, it may not be open yet.
     const alone = { ...draft.lesson, order: "any" as const, tasks: [task] };
     setSharing(false);
-    setTrial({ lesson: alone, program, isSolving: true });
+    setTrial({ lesson: alone, program, isSolving: true, task: index });
   };
   if (trial !== null) {
     return (
       <slots.Trial
+        // Each task to solve opens a student's page of its own.
+        key={trial.task}
         lesson={trial.lesson}
         program={trial.program}
         onSolved={(task, solution) => draft.solve(task, solution)}
@@ -81,6 +92,10 @@ export function LessonEditor(props: LessonEditorProps) {
           <TrialBand
             title={title}
             isSolving={trial.isSolving}
+            onNext={(task) => {
+              draft.openTask(task);
+              solve();
+            }}
             onClose={() => {
               setTrial(null);
               // The button is gone.

@@ -1,5 +1,5 @@
 /** Above the student's page in a trial: what it is, whether the task is solved, and the way back. */
-import { Check } from "lucide";
+import { ArrowLeft, Check } from "lucide";
 import { useEffect, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
@@ -14,15 +14,20 @@ interface TrialBandProps {
   title: string;
   /** whether the trial is to solve the open task */
   isSolving: boolean;
+  /** @param task index of a task that is not solved yet */
+  onNext: (task: number) => void;
   onClose: () => void;
 }
 
-export function TrialBand({ title, isSolving, onClose }: TrialBandProps) {
+export function TrialBand({ title, isSolving, onNext, onClose }: TrialBandProps) {
   const { t, i18n } = useTranslation("lessonEditor", { useSuspense: false });
   const draft = useDraft();
   const task = useOpenTask();
   const solution = useStore(draft.store, ({ solutions }) => solutionOf(solutions, task));
   const solved = useSolutionText(solution);
+  const next = useStore(draft.store, ({ lesson, solutions }) =>
+    lesson.tasks.findIndex((each) => solutionOf(solutions, each) === null),
+  );
   const region = useRef<HTMLElement>(null);
   useEffect(() => {
     region.current?.focus();
@@ -32,6 +37,9 @@ export function TrialBand({ title, isSolving, onClose }: TrialBandProps) {
   }, [title, i18n.language]);
   return (
     <section ref={region} className={styles["band"]} aria-label={t("try.label")} tabIndex={-1}>
+      <Button size="small" icon={<Icon of={ArrowLeft} isDirectional />} onClick={onClose}>
+        {t("try.back")}
+      </Button>
       <p>{t(isSolving ? "try.solving" : "try.note")}</p>
       <output className={styles["solved"]}>
         {isSolving && solved !== null && (
@@ -41,9 +49,11 @@ export function TrialBand({ title, isSolving, onClose }: TrialBandProps) {
           </>
         )}
       </output>
-      <Button size="small" onClick={onClose}>
-        {t("try.back")}
-      </Button>
+      {isSolving && solved !== null && next !== -1 && (
+        <Button size="small" onClick={() => onNext(next)}>
+          {t("try.next", { task: next + 1 })}
+        </Button>
+      )}
     </section>
   );
 }
