@@ -27,12 +27,14 @@ test("a student joins with small letters, and stays in the class after a reload"
   await page.goto("/join");
   await expect(lettersOf(page)).toBeFocused();
   await join(page, `${code.slice(0, 3)} - ${code.slice(3)}`.toLowerCase());
-  const title = page.getByRole("heading", { name: /^You are / });
+  const title = page.getByRole("heading", { name: /^Your name in this class is / });
   await expect(title).toBeFocused();
-  const name = (await title.textContent())?.replace("You are ", "") ?? "";
+  const name = (await title.textContent())?.replace("Your name in this class is ", "") ?? "";
   expect(Object.values(names.words)).toContain(name);
   await page.reload();
-  await expect(page.getByRole("heading", { name: `You are ${name}` })).toBeVisible();
+  await expect(
+    page.getByRole("heading", { name: `Your name in this class is ${name}` }),
+  ).toBeVisible();
   await page.getByText("What my teacher sees").click();
   await expect(page.getByText("Deleted when the lesson ends.")).toBeVisible();
   await expectNoAxeViolations(page, "joined");
@@ -93,7 +95,7 @@ test("a page that is older than the relay offers to reload", async ({ page, rela
   await page.unroute("**/api/v1/joins");
   await page.getByRole("button", { name: "Reload" }).click();
   await page.getByRole("button", { name: "Join" }).click();
-  await expect(page.getByRole("heading", { name: /^You are / })).toBeVisible();
+  await expect(page.getByRole("heading", { name: /^Your name in this class is / })).toBeVisible();
 });
 
 test("a student without a network reads what still works", async ({
@@ -138,7 +140,7 @@ test("a student takes another name before the start, at most twice", async ({ pa
   const teacher = await ClassTeacher.start(relay, ["One", "Two", "Three", "Four"]);
   await page.goto(`/join#${teacher.code}`);
   await page.getByRole("button", { name: "Join" }).click();
-  const title = page.getByRole("heading", { name: /^You are / });
+  const title = page.getByRole("heading", { name: /^Your name in this class is / });
   const other = page.getByRole("button", { name: /^Another name/ });
   let name = await title.textContent();
   for (const left of [1, 0]) {
