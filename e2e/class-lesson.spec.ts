@@ -204,9 +204,7 @@ test("a lesson with eight students, until no byte of it is left", async ({
     network.cut();
     await Promise.all([
       writer.program.addLine("right >", "60", "right 90"),
-      classButton(helper.page)
-        .click()
-        .then(() => helper.page.getByRole("button", { name: "I need help" }).click()),
+      helper.lesson.getByRole("button", { name: "I need help" }).click(),
       bumper.runWith("reverse"),
       driver.runWith("turn 180", "1×"),
       solver.runWith("forward"),

@@ -86,7 +86,6 @@ test("a teacher starts a class, and a student joins with the letters on the boar
   await student.getByRole("link", { name: "Start" }).click();
   const corridor = new CorridorPage(student);
   await corridor.waitUntilReady();
-  await student.getByRole("button", { name: /, in class/ }).click();
   await student.getByRole("button", { name: "I need help" }).click();
   await expect(cards(page)).toHaveAccessibleName(/Asked for help, Task 1/);
   // A closed tab loses no lesson.

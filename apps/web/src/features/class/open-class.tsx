@@ -6,6 +6,7 @@ import { StudentClass } from "../../model/classes/student-class.ts";
 import type { Services } from "../../model/services.ts";
 import type { KeyValueStorage } from "../../model/storage/key-value-storage.ts";
 import { ClassMenu } from "./ClassMenu.tsx";
+import { HelpRequest } from "./HelpRequest.tsx";
 import { PauseBand } from "./PauseBand.tsx";
 
 /**
@@ -35,13 +36,16 @@ export async function openClass(
   let work: ClassWork | null = null;
   const onEnd = () => {
     work?.close();
-    classes.setState({ menu: null });
+    classes.setState({ menu: null, help: null });
   };
   const studentClass = new StudentClass(
     { simulator, screen, tab, words, now: Date.now, onPause, onEnd, later },
     joined,
   );
-  classes.setState({ menu: <ClassMenu joined={studentClass} work={null} /> });
+  classes.setState({
+    menu: <ClassMenu joined={studentClass} work={null} />,
+    help: <HelpRequest joined={studentClass} />,
+  });
   window.addEventListener("online", () => studentClass.reconnect());
   return () => {
     if (storedMembership(tab) === null) return;

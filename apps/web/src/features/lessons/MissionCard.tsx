@@ -12,6 +12,7 @@ import {
 } from "../../model/challenge/challenge-store.ts";
 import { allOf } from "../../text/all-of.ts";
 import { groupedNumber } from "../../text/grouped-number.ts";
+import { classNames } from "../../ui/class-names.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { lazyPart } from "../../ui/lazy-part.tsx";
@@ -96,10 +97,13 @@ function OpenMission({ service }: { service: LessonsService }) {
       className={styles["card"]}
       aria-label={t(hasTasks ? "missions:lesson.label" : "missions:card.label")}
     >
-      <LessonHead lesson={lesson} service={service} />
+      <div className={styles["top"]}>
+        <LessonHead lesson={lesson} service={service} />
+        <HelpPlace />
+      </div>
       <div className={styles["head"]}>
         <div className={styles["title"]}>
-          <p className={styles["number"]}>
+          <p className={classNames(styles["number"], hasTasks && "visually-hidden")}>
             {bonus !== null
               ? t("missions:bonus.number", {
                   number: bonusMissionIds.indexOf(bonus) + 1,
@@ -206,19 +210,31 @@ function SlimMission({ service }: { service: LessonsService }) {
         )}
         <RunningCheck service={service} />
         <NextStep service={service} />
+        <HelpPlace />
       </div>
       <TeacherHint />
     </section>
   );
 }
 
-/** The code of a solved task of a lesson. Corridor's own missions need none. */
+/** The request for help of a student in a class. */
+function HelpPlace() {
+  const { classes } = useServices();
+  return useStore(classes, (state) => state.help);
+}
+
+/**
+ * The code of a solved task of a lesson. Corridor's own missions need none, and the teacher of a
+ * class has it already.
+ */
 function CompletionCodePlace() {
   const { challenge: store } = useServices();
+  // Only the lesson of a class has hints from the teacher, or none yet.
+  const isOfClass = useStore(store, ({ hints }) => hints !== undefined);
   const lesson = useStore(store, (state) => state.lesson);
   const index = useStore(store, (state) => state.index);
   const driver = useStore(store, ({ result }) => (result.state === "met" ? result.driver : null));
-  if (lesson === null || driver === null || driver === "remote") return null;
+  if (isOfClass || lesson === null || driver === null || driver === "remote") return null;
   return <CompletionCode lesson={lesson} task={index} driver={driver} />;
 }
 

@@ -10,6 +10,8 @@ interface ClassState {
    * class is not paused
    */
   pause: ReactNode;
+  /** asks the teacher for help, in the card of the task; absent: this tab has joined no class */
+  help?: ReactNode;
   /** Called when the student opens a hint of the open task, by its number. */
   onHint?: ((hint: number) => void) | undefined;
 }
