@@ -50,7 +50,9 @@ test("the code of an address is in the field, and is gone once the student has j
   await page.goto(`/join#${code}`);
   await expect(lettersOf(page)).toHaveValue(`${code.slice(0, 3)} ${code.slice(3)}`);
   await page.getByRole("button", { name: "Join" }).click();
-  await expect(page.getByRole("heading", { name: "You are Team 4" })).toBeVisible();
+  await expect(
+    page.getByRole("heading", { name: "Your name in this class is Team 4" }),
+  ).toBeVisible();
   expect(new URL(page.url()).hash).toBe("");
 });
 
@@ -75,7 +77,9 @@ test("each refusal says what to do, and the letters stay in the field", async ({
   await expect(alert).toHaveText("This class is locked. Ask your teacher to unlock it.");
   await teacher.direct("DELETE", "/lock");
   await join(page, teacher.code);
-  await expect(page.getByRole("heading", { name: "You are Only one" })).toBeVisible();
+  await expect(
+    page.getByRole("heading", { name: "Your name in this class is Only one" }),
+  ).toBeVisible();
   await page.goto(`/join#${teacher.code}`);
   await page.getByRole("button", { name: "Join" }).click();
   await expect(alert).toHaveText("This class is full. It has 1 student.");
@@ -155,9 +159,11 @@ test("a student takes another name before the start, at most twice", async ({ pa
   await other.click();
   await expect(other).toHaveText("Another name (0 left)");
   await expect(title).toHaveText(name ?? "");
-  expect((await teacher.read()).students.map(({ name: { text } }) => `You are ${text}`)).toEqual([
-    name,
-  ]);
+  expect(
+    (await teacher.read()).students.map(
+      ({ name: { text } }) => `Your name in this class is ${text}`,
+    ),
+  ).toEqual([name]);
 });
 
 test("a student whose class has ended reads it when asking for another name", async ({

@@ -251,6 +251,32 @@ test("lets the teacher solve a task, which sets its numbers", async ({ page }) =
   await expect(student.mazeMenu).toHaveAccessibleName(/^Long way round/);
 });
 
+test("leads from a task that the teacher has solved to the next one", async ({ page }) => {
+  const editor = new LessonEditor(page);
+  await editor.beginEmpty();
+  // A solution belongs to its maze, so that equal tasks have one.
+  await editor.maze.click({ column: 4, row: 3 });
+  await editor.button("Task").click();
+  await page.getByRole("button", { name: /^An empty maze/ }).click();
+  await expect(editor.tasks).toHaveCount(2);
+  const band = page.getByRole("region", { name: "Trial" });
+  const student = new CorridorPage(page);
+  // The added task is open.
+  await editor.button("Solve it once").click();
+  await student.program.addLine("front <", "60", "left 90");
+  await student.run.click();
+  await band.getByRole("button", { name: "Solve task 1" }).click({ timeout: 40_000 });
+  await expect(band.getByRole("button", { name: /^Solve task/ })).toBeHidden();
+  await expect(band.getByRole("status")).toBeEmpty();
+  await student.program.addLine("front <", "60", "left 90");
+  await student.run.click();
+  await expect(band.getByRole("status")).toContainText("passes: 1 line", { timeout: 40_000 });
+  // Both are solved.
+  await expect(band.getByRole("button", { name: /^Solve task/ })).toBeHidden();
+  await band.getByRole("button", { name: "Back to the editor" }).click();
+  await expect(page.getByText("You have not solved this task yet.")).toBeHidden();
+});
+
 test("warns of a maze that nobody can solve, and of a lesson that was not solved", async ({
   page,
 }) => {

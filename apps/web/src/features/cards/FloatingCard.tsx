@@ -64,6 +64,7 @@ export function FloatingCard(props: FloatingCardProps) {
   const [tooFull, setTooFull] = useState<typeof layout>(null);
   const isDocked = dock !== null && (isSmall || (layout !== null && tooFull === layout));
   const [half, setHalf] = useState<"upper" | "lower">("upper");
+  const hasTask = isDocked && isSmall && task !== undefined;
   const titleId = useId();
 
   // Messages stand in the other half (messages.module.css). The attribute is on the root: a
@@ -86,10 +87,10 @@ export function FloatingCard(props: FloatingCardProps) {
   useLayoutEffect(() => {
     if (!isDocked) return undefined;
     const room = dock.parentElement?.clientHeight ?? 0;
-    cardDock.setState({ need: dock.offsetHeight > room ? "more" : "half" });
+    cardDock.setState({ need: dock.offsetHeight > room ? "more" : "half", hasTask });
     showFromTop(dock);
-    return () => cardDock.setState({ need: null });
-  }, [cardDock, isDocked, dock]);
+    return () => cardDock.setState({ need: null, hasTask: false });
+  }, [cardDock, isDocked, dock, hasTask]);
 
   useLayoutEffect(() => {
     const element = card.current;
@@ -151,7 +152,7 @@ export function FloatingCard(props: FloatingCardProps) {
       style={isDocked ? undefined : at === null ? HIDDEN : { left: at.x, top: at.y }}
     >
       {at !== null && <Tail place={at} />}
-      {isDocked && isSmall && task}
+      {hasTask && task}
       <header className={styles["header"]}>
         <span className={styles["icon"]}>{icon}</span>
         <h2 id={titleId} className={styles["title"]}>

@@ -36,7 +36,7 @@ export async function openClass(
   let work: ClassWork | null = null;
   const onEnd = () => {
     work?.close();
-    classes.setState({ menu: null, help: null });
+    classes.setState({ menu: null, help: undefined });
   };
   const studentClass = new StudentClass(
     { simulator, screen, tab, words, now: Date.now, onPause, onEnd, later },
@@ -44,7 +44,7 @@ export async function openClass(
   );
   classes.setState({
     menu: <ClassMenu joined={studentClass} work={null} />,
-    help: <HelpRequest joined={studentClass} />,
+    help: (look) => <HelpRequest joined={studentClass} look={look} />,
   });
   window.addEventListener("online", () => studentClass.reconnect());
   return () => {

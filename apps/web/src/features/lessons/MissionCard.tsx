@@ -64,7 +64,9 @@ export function MissionCard({ look = "full" }: MissionCardProps) {
 
 function OpenMission({ service }: { service: LessonsService }) {
   const { t } = useTranslation(["missions", "words"], { useSuspense: false });
-  const { challenge: store, classes, screen } = useServices();
+  const { challenge: store, classes, screen, cardDock } = useServices();
+  // Directly above, so that the lines stay in sight.
+  const isTaskAbove = useStore(cardDock, (state) => state.hasTask);
   const lesson = useStore(store, (state) => state.lesson);
   const index = useStore(store, (state) => state.index);
   const open = useStore(store, openTask);
@@ -99,7 +101,7 @@ function OpenMission({ service }: { service: LessonsService }) {
     >
       <div className={styles["top"]}>
         <LessonHead lesson={lesson} service={service} />
-        <HelpPlace />
+        <HelpPlace look="full" />
       </div>
       <div className={styles["head"]}>
         <div className={styles["title"]}>
@@ -149,7 +151,7 @@ function OpenMission({ service }: { service: LessonsService }) {
           {isFolded ? <Icon of={ChevronDown} /> : <Icon of={ChevronUp} />}
         </IconButton>
       </div>
-      {!isFolded && (
+      {!isFolded && !isTaskAbove && (
         <TeacherText
           as="p"
           className={shared["task"]}
@@ -195,22 +197,24 @@ function SlimMission({ service }: { service: LessonsService }) {
     >
       {hasTasks && <TaskRow lesson={lesson} service={service} />}
       <div className={styles["slim"]}>
-        {!isMet && (
-          <TeacherText
-            as="p"
-            className={shared["slimTask"]}
-            text={task}
-            language={mission === null ? lesson.language : null}
-          />
-        )}
-        {bonus === null ? (
-          <MissionOutcome task={open} />
-        ) : (
-          <BonusOutcome id={bonus} service={service} />
-        )}
+        <div className={styles["slimText"]}>
+          {!isMet && (
+            <TeacherText
+              as="p"
+              className={shared["slimTask"]}
+              text={task}
+              language={mission === null ? lesson.language : null}
+            />
+          )}
+          {bonus === null ? (
+            <MissionOutcome task={open} />
+          ) : (
+            <BonusOutcome id={bonus} service={service} />
+          )}
+        </div>
         <RunningCheck service={service} />
         <NextStep service={service} />
-        <HelpPlace />
+        <HelpPlace look="slim" />
       </div>
       <TeacherHint />
     </section>
@@ -218,9 +222,9 @@ function SlimMission({ service }: { service: LessonsService }) {
 }
 
 /** The request for help of a student in a class. */
-function HelpPlace() {
+function HelpPlace({ look }: { look: "full" | "slim" }) {
   const { classes } = useServices();
-  return useStore(classes, (state) => state.help);
+  return useStore(classes, (state) => state.help)?.(look);
 }
 
 /**

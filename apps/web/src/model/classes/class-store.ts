@@ -11,7 +11,7 @@ interface ClassState {
    */
   pause: ReactNode;
   /** asks the teacher for help, in the card of the task; absent: this tab has joined no class */
-  help?: ReactNode;
+  help?: ((look: "full" | "slim") => ReactNode) | undefined;
   /** Called when the student opens a hint of the open task, by its number. */
   onHint?: ((hint: number) => void) | undefined;
 }

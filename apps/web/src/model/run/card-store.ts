@@ -35,10 +35,17 @@ export interface CardDockState {
   need: "half" | "more" | null;
   /** whether the card of a bump explains the failed run, in the dock or beside the robot */
   hasBump: boolean;
+  /** whether the docked card states the open task, too */
+  hasTask: boolean;
 }
 
 export function createCardDock() {
-  return createStore<CardDockState>()(() => ({ element: null, need: null, hasBump: false }));
+  return createStore<CardDockState>()(() => ({
+    element: null,
+    need: null,
+    hasBump: false,
+    hasTask: false,
+  }));
 }
 
 /**
