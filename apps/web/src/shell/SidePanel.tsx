@@ -31,8 +31,8 @@ export function SidePanel({ hold }: { hold: HoldStore }) {
         ) : (
           <>
             <div className={styles["program"]}>
-              <MissionPlace />
               <CardDock />
+              <MissionPlace />
               <ProgramEditor />
             </div>
             <DriveFoot hold={hold} />

@@ -45,7 +45,7 @@ interface FloatingCardProps {
   tone: "bad" | "good";
   icon: ReactNode;
   title: string;
-  /** the open task, above a card that covers it in the sheet */
+  /** the open task, in a card that covers it in the sheet or the panel */
   task?: ReactNode;
   onClose: () => void;
   children: ReactNode;
@@ -64,7 +64,7 @@ export function FloatingCard(props: FloatingCardProps) {
   const [tooFull, setTooFull] = useState<typeof layout>(null);
   const isDocked = dock !== null && (isSmall || (layout !== null && tooFull === layout));
   const [half, setHalf] = useState<"upper" | "lower">("upper");
-  const hasTask = isDocked && isSmall && task !== undefined;
+  const hasTask = isDocked && task !== undefined;
   const titleId = useId();
 
   // Messages stand in the other half (messages.module.css). The attribute is on the root: a
