@@ -85,9 +85,9 @@ test("a student finds help in the task, and sees that the request has arrived", 
 test("the run continues after a pause of the class, as one run", async ({ page, relay }) => {
   const teacher = await ClassTeacher.start(relay, NAMES, turns);
   await enterClass(page, teacher.code);
-  await expect(page.getByRole("region", { name: "Lesson" })).toBeVisible();
+  await expect(page.getByText(SENTENCE).first()).toBeVisible();
   await page.getByRole("button", { name: "Run", exact: true }).click();
-  await expect(page.getByRole("button", { name: "Pause" })).toBeVisible();
+  await expect(page.getByRole("button", { name: "Pause", exact: true })).toBeVisible();
   await teacher.direct("PUT", "/pause", { seconds: 600 });
   await expect(page.getByText("Eyes to the front.", { exact: false }).first()).toBeVisible();
   await teacher.direct("DELETE", "/pause");
