@@ -141,6 +141,9 @@ test("has no horizontal overflow in a mission at 320 x 700", async ({ openWindow
   await lessons.button("Check in all 3 mazes").click();
   await expect(lessons.card).toContainText("Passes in 1 of 3.");
   expect(await horizontalOverflow(page), "mission").toEqual([]);
-  await page.getByRole("tab", { name: "Drive" }).click();
+  // Only a program may drive there. The keys have the slim card.
+  await expect(page.getByRole("tab", { name: "Drive" })).toBeHidden();
+  await lessons.openMissionOnPhone(2);
+  await expect(page.getByRole("tab", { name: "Drive", selected: true })).toBeVisible();
   expect(await horizontalOverflow(page), "slim").toEqual([]);
 });
