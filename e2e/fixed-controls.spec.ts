@@ -26,14 +26,13 @@ test("disables the tools of a maze that a mission fixes with a reason, and keeps
   await expect(page.getByRole("radio", { name: "Measure" })).toBeEnabled();
 });
 
-test("shows the reason in place of the drive keys on a phone where a mission excludes manual driving", async ({
+test("has no drive keys on a phone where a mission excludes manual driving", async ({
   openWindow,
 }) => {
   const page = await openMission(openWindow, 390, "centimetres");
-  await page.getByRole("tab", { name: "Drive" }).click();
-  await expect(page.getByText("You cannot drive by hand here.")).toBeVisible();
+  await expect(page.getByRole("tab", { name: "Program" })).toBeVisible();
+  await expect(page.getByRole("tab", { name: "Drive" })).toBeHidden();
   await expect(page.getByRole("group", { name: "Hold to drive" })).toBeHidden();
-  await expect(page.getByRole("button", { name: "Run program" })).toBeVisible();
 });
 
 test("shows the drive keys in a mission for manual driving", async ({ openWindow }) => {

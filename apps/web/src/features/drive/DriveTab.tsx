@@ -1,5 +1,6 @@
 /**
- * The Drive tab of the phone: readings in a row, big keys under the thumbs, and the current driver.
+ * The Drive tab of the phone, where the task allows to drive by hand: readings in a row, big keys
+ * under the thumbs, and the current driver.
  */
 import { Pause, Play, RotateCcw } from "lucide";
 import { useTranslation } from "react-i18next";
@@ -10,7 +11,6 @@ import { Button, IconButton } from "../../ui/Button.tsx";
 import { useRights } from "../../model/use-rights.ts";
 import { runButton } from "../../model/run/run-button.ts";
 import { DrivePad } from "./DrivePad.tsx";
-import { isHandRefused } from "./hand-control.ts";
 import styles from "./drive-tab.module.css";
 import type { HoldStore } from "./hold-store.ts";
 import { SensorCross } from "./SensorCross.tsx";
@@ -24,21 +24,16 @@ export function DriveTab({ hold }: { hold: HoldStore }) {
   });
   const isNow = useStore(run, ({ view }) => view === "now");
   const rights = useRights();
-  const isRefused = useStore(run, (state) => isHandRefused(state, rights));
   return (
     <div className={styles["tab"]}>
       <div className={styles["head"]}>
-        <h2 className={styles["caption"]}>{t(isRefused ? "drive.sensors" : "drive.hold")}</h2>
+        <h2 className={styles["caption"]}>{t("drive.hold")}</h2>
         <SensorCross look="row" />
       </div>
-      {isRefused ? (
-        <p className={styles["refused"]}>{t("runDetails:hand.refused")}</p>
-      ) : (
-        <div className={styles["pad"]}>
-          <DrivePad hold={hold} caps="words" />
-          {isNow && <Reset />}
-        </div>
-      )}
+      <div className={styles["pad"]}>
+        <DrivePad hold={hold} caps="words" />
+        {isNow && <Reset />}
+      </div>
       <div className={styles["foot"]}>
         <p className={styles["status"]}>{t(`drive.status.${status}`)}</p>
         {/* The transport has its own button in the past; some missions refuse the program. */}
