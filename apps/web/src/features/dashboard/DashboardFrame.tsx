@@ -1,6 +1,8 @@
 /** The bar and the content of the pages of a class. */
 import type { ReactNode } from "react";
 import { Brand } from "../../ui/Brand.tsx";
+import { classNames } from "../../ui/class-names.ts";
+import layout from "../../ui/page.module.css";
 import styles from "./dashboard.module.css";
 
 interface DashboardFrameProps {
@@ -14,15 +16,15 @@ interface DashboardFrameProps {
 
 export function DashboardFrame({ bar, end, hasSheet, children }: DashboardFrameProps) {
   return (
-    <div className={styles["page"]}>
-      <header className={styles["bar"]}>
-        <a className={styles["brand"]} href="/teach">
+    <div className={layout["page"]}>
+      <header className={classNames(layout["bar"], styles["bar"])}>
+        <a className={classNames(layout["brand"], styles["brand"])} href="/teach">
           <Brand />
         </a>
         {bar}
-        <div className={styles["end"]}>{end}</div>
+        <div className={classNames(layout["end"], styles["end"])}>{end}</div>
       </header>
-      <main className={styles["main"]} data-sheet={hasSheet}>
+      <main className={classNames(layout["main"], styles["main"])} data-sheet={hasSheet}>
         {children}
       </main>
     </div>
