@@ -103,6 +103,8 @@ function send(client: RobotClient, { action, ...order }: Order): Promise<Command
       return client.reverse(options);
     case "stop":
       return client.stop(options);
+    case "reset":
+      return client.reset(options);
     case "left 90":
       return client.left90(options);
     case "right 90":

@@ -20,6 +20,7 @@ const usages = {
   delayedLeft90: { none: "number", instead: () => "delayedLeft90()" },
   delayedRight90: { none: "number", instead: () => "delayedRight90()" },
   stop: { none: "number", instead: () => "stop()" },
+  reset: { none: "number", instead: () => "reset()" },
   move: { none: "second number", instead: () => "move(100)" },
   turn: { none: "second number", instead: () => "turn(90)" },
   drive: { none: "fourth number", instead: () => "drive(0.5, 0.5, 1000)" },

@@ -274,7 +274,14 @@ describe("HostLink", () => {
     platform.socket.receive({ type: "time", at: 3_010 });
     platform.socket.receive({ ...command(2), at: 3_010, remaining: 2_000 });
     const scripts = { connected: 1, client: "Python", silentMs: 0, alive: [] };
-    platform.socket.receive({ type: "drivers", at: 3_010, scripts: [], paused: false, ...scripts });
+    platform.socket.receive({
+      type: "drivers",
+      at: 3_010,
+      scripts: [],
+      paused: false,
+      mayReset: true,
+      ...scripts,
+    });
     expect(delivered.map(({ remaining }) => remaining)).toEqual([0, 1_990]);
     expect(requests()).toHaveLength(1);
   });
@@ -293,6 +300,7 @@ describe("HostLink", () => {
       alive: scripts,
       scripts: [],
       paused: false,
+      mayReset: true,
       at: 1_500,
     });
     expect(delivered.map(({ remaining }) => remaining)).toEqual([9_000, 0]);

@@ -89,7 +89,7 @@ export interface HostLinkOptions {
   /**
    * The state of scripts, about once a second.
    * @param alive scripts whose endless motions may continue; stop them 3 s after their last message
-   * @param owned all scripts by name, including blocked ones, and whether remote driving is paused
+   * @param owned all scripts by name, including blocked ones, and what the owner permits
    */
   onDrivers(drivers: Drivers, alive: readonly AliveDriver[], owned: ScriptList): void;
   /** default: the platform of browsers, workers and Node */
@@ -289,7 +289,7 @@ export class HostLink {
       case "state":
         return this.#options.onState(message.record, message.ttl);
       case "drivers": {
-        const { type: _type, alive, scripts, paused, at, ...drivers } = message;
+        const { type: _type, alive, scripts, paused, mayReset, at, ...drivers } = message;
         const transitMs = this.#transit.transitMs(at, this.#clock.now());
         const now = alive.map(({ driver, silentMs, connectionMs }) => ({
           driver,
@@ -297,7 +297,7 @@ export class HostLink {
           connectionMs: connectionMs === null ? null : connectionMs + transitMs,
         }));
         this.#requestTime();
-        return this.#options.onDrivers(drivers, now, { scripts, paused });
+        return this.#options.onDrivers(drivers, now, { scripts, paused, mayReset });
       }
       case "time":
         return this.#transit.answered(message.at, this.#clock.now());

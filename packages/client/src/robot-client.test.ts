@@ -51,6 +51,47 @@ async function connected() {
   return { platform, robot, sent, report, welcome };
 }
 
+describe("reset", () => {
+  it("resolves when the robot is at its start, and is sent again while the robot accepts none", async () => {
+    const { platform, robot, sent, report } = await connected();
+    const reset = robot.reset();
+    expect(sent()[0]?.command).toEqual({ action: "reset" });
+    const problem = { ...tooLate, type: "/problems/too-fast", status: 429 };
+    platform.socket.receive({ type: "problem", key: sent()[0]?.key, problem });
+    platform.pass(1_000);
+    expect(sent().map(({ key }) => key)).toEqual([sent()[0]?.key, sent()[0]?.key]);
+    report("ack", 1);
+    report("state", 1, { state: "completed", distance: 0 });
+    expect(await reset).toMatchObject({ action: "reset", state: "completed" });
+  });
+
+  it.each([
+    { status: 403, type: "/problems/reset-disabled" },
+    { status: 422, type: "/problems/not-supported" },
+  ])("rejects with $type, and the script continues", async (refusal) => {
+    const { platform, robot, sent, report } = await connected();
+    const reset = robot.reset();
+    const problem = { ...tooLate, ...refusal };
+    platform.socket.receive({ type: "problem", key: sent()[0]?.key, problem });
+    await expect(reset).rejects.toMatchObject({ code: "refused" });
+    const next = robot.left90();
+    report("ack", 1);
+    report("state", 1, { state: "completed" });
+    expect(await next).toMatchObject({ state: "completed" });
+  });
+});
+
+describe("a record with an action that this version does not know", () => {
+  it("is read, like any other", async () => {
+    const { platform, robot } = await connected();
+    const events = robot.events();
+    const command = { action: "fly", height: 3 };
+    const later = { ...record(7, "key-0001", { action: "stop" }), action: "fly", command };
+    platform.socket.receive({ type: "state", n: 1, record: later });
+    expect((await events.next()).value).toMatchObject({ command: { action: "fly", command } });
+  });
+});
+
 describe("RobotClient", () => {
   it("sends its key in the first message, never in the address", async () => {
     const { platform } = await connected();

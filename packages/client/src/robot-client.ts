@@ -131,6 +131,19 @@ export class RobotClient {
   }
 
   /**
+   * Puts the robot at its start, which begins a new run. Ends all earlier commands, from every script,
+   * as `superseded`. A robot accepts one reset a second; the client waits for its turn.
+   *
+   * It rejects with `refused` if the robot's owner has forbidden it, or if the robot cannot do it,
+   * such as a physical robot: `catch` the error to continue from where the robot is.
+   * @param options options of this command
+   * @returns the record, once the robot is at its start
+   */
+  reset(options: CommandOptions = {}): Promise<CommandRecord> {
+    return this.#do("reset", { action: "reset" }, options, "ended");
+  }
+
+  /**
    * Turns left by 90 degrees on the spot.
    * @param options options of this command
    * @returns the record, once the robot has finished

@@ -5,7 +5,7 @@
  * ending. An ending is final. Times are ISO 8601 in UTC.
  */
 import { z } from "zod";
-import { recordActionSchema, remoteCommandSchema, type RemoteCommand } from "./command.ts";
+import { recordActionSchema, recordedCommandSchema } from "./command.ts";
 import { poseSchema } from "./quantities.ts";
 
 export const endingStates = [
@@ -33,7 +33,7 @@ export const commandRecordSchema = z.strictObject({
   /** such as `move` or `left 90`. An open list: readers accept actions that they do not know */
   action: recordActionSchema,
   /** the command with its parameters. Old records have no `until` */
-  command: remoteCommandSchema as z.ZodType<RemoteCommand>,
+  command: recordedCommandSchema,
   /**
    * accepted, delivered, started, or an ending: completed, collided, cancelled, superseded or
    * expired

@@ -16,12 +16,14 @@ export const plainActions = [
 export type PlainAction = (typeof plainActions)[number];
 
 export const actionNames = [...plainActions, "move", "turn", "drive"] as const;
+/** The actions that a script may send: those of all drivers, and `reset`. */
+export const remoteActionNames = [...actionNames, "reset"] as const;
 
 /** The action of a record, an open list: readers accept actions that they do not know. */
 export const recordActionSchema = z
   .string()
   .max(40)
-  .meta({ examples: [...actionNames] });
+  .meta({ examples: [...remoteActionNames] });
 
 const MAX_MOVE = 25_600;
 const MAX_TURN = 3_600;
@@ -79,8 +81,9 @@ const guardedActions: readonly string[] = ["forward", "reverse"];
 const until = untilSchema.optional();
 
 /**
- * A command of a script. Unlike other drivers, a script may guard a motion. Programs, recorded runs
- * and links contain no `until`.
+ * A command of a script. Unlike other drivers, a script may guard a motion, and may `reset` the
+ * robot: it ends all earlier commands and starts a new run. Programs, recorded runs and links contain
+ * neither `until` nor `reset`.
  */
 export const remoteCommandSchema = z.discriminatedUnion(
   "action",
@@ -91,8 +94,20 @@ export const remoteCommandSchema = z.discriminatedUnion(
     ...plain.map((each) =>
       guardedActions.includes(each.shape.action.value) ? each.extend({ until }) : each,
     ),
+    z.strictObject({ action: z.literal("reset") }),
   ],
-  { error: `one of ${actionNames.join(", ")}` },
+  { error: `one of ${remoteActionNames.join(", ")}` },
 );
 
-export type RemoteCommand = Command & { until?: UntilCondition[] | undefined };
+export type RemoteCommand = (Command | { action: "reset" }) & {
+  until?: UntilCondition[] | undefined;
+};
+
+/** A command with an action that this version does not know. */
+export const otherCommandSchema = z.looseObject({ action: recordActionSchema });
+
+/** The command of a record. Its type lists the known actions; readers also accept others. */
+export const recordedCommandSchema = z.union([
+  remoteCommandSchema,
+  otherCommandSchema,
+]) as z.ZodType as z.ZodType<RemoteCommand>;

@@ -11,6 +11,7 @@ export const hostFeatures = [
   "bumps",
   "goal",
   "maze",
+  "reset",
   "websocket",
   "long-poll",
 ] as const;

@@ -84,7 +84,9 @@ export { decodeFrame, encodeFrame, MAX_FRAME_BYTES, MAX_HELLO_BYTES } from "./co
 export {
   actionNames,
   commandSchema,
+  otherCommandSchema,
   plainActions,
+  remoteActionNames,
   remoteCommandSchema,
   type Command,
   type PlainAction,

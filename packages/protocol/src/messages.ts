@@ -188,6 +188,8 @@ export const relayToPageSchema = z.discriminatedUnion(
       scripts: z.array(scriptSchema).max(MAX_SCRIPTS + MAX_BLOCKED_SCRIPTS),
       /** whether the owner has paused remote driving */
       paused: z.boolean(),
+      /** whether scripts may reset the robot */
+      mayReset: z.boolean(),
       at,
     }),
     /** the response to `time` */

@@ -5,7 +5,7 @@
  * The relay does not store `age`, because it grows with each retry of the same command.
  */
 import { z } from "zod";
-import { actionNames, remoteCommandSchema, type RemoteCommand } from "./command.ts";
+import { remoteActionNames, remoteCommandSchema, type RemoteCommand } from "./command.ts";
 
 export const TTL_MS = { min: 200, max: 60_000, default: 10_000 } as const;
 export const LEASE_MS = { min: 100, max: 2_000, default: 500 } as const;
@@ -52,7 +52,7 @@ export const orderSchema = z.discriminatedUnion(
     }),
     ...plain.map((command) => command.extend(terms)),
   ],
-  { error: `one of ${actionNames.join(", ")}` },
+  { error: `one of ${remoteActionNames.join(", ")}` },
 );
 
 /** A command with optional terms. */

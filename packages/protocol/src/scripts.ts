@@ -80,6 +80,8 @@ export type ScriptView = z.infer<typeof scriptSchema>;
 export const scriptListSchema = z.strictObject({
   /** whether remote driving is paused: the relay refuses all commands except `stop` */
   paused: z.boolean(),
+  /** whether scripts may reset the robot; otherwise the relay refuses `reset` */
+  mayReset: z.boolean(),
   scripts: z.array(scriptSchema).max(MAX_SCRIPTS + MAX_BLOCKED_SCRIPTS),
 });
 export type ScriptList = z.infer<typeof scriptListSchema>;

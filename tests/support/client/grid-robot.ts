@@ -1,4 +1,10 @@
-import type { Command, DeliveredCommand, Pose, Registration, Snapshot } from "@corridor/protocol";
+import type {
+  RemoteCommand,
+  DeliveredCommand,
+  Pose,
+  Registration,
+  Snapshot,
+} from "@corridor/protocol";
 import { HostLink, type HostStatus } from "../../../packages/client/src/host-link.ts";
 
 /** x and y by quarter turns clockwise from north */
@@ -15,7 +21,7 @@ const STEPS = [
  */
 export class GridRobot {
   readonly link: HostLink;
-  readonly done: Command[] = [];
+  readonly done: RemoteCommand[] = [];
   readonly visited = new Set<string>();
   /** null: there is none */
   goal: { column: number; row: number } | null = null;
@@ -102,7 +108,7 @@ export class GridRobot {
     });
   }
 
-  #move(command: Command): boolean {
+  #move(command: RemoteCommand): boolean {
     if (command.action === "left 90") this.#quarter = (this.#quarter + 3) % 4;
     if (command.action === "right 90") this.#quarter = (this.#quarter + 1) % 4;
     if (command.action === "turn") {

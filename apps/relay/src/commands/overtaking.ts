@@ -2,7 +2,7 @@
  * Commands that overtake: they end the accepted commands before them, and are delivered regardless
  * of the window.
  */
-import type { Command } from "@corridor/protocol";
+import type { RemoteCommand } from "@corridor/protocol";
 
 /**
  * A stop cancels the commands before it, a replacement supersedes them. In order of precedence: a
@@ -15,7 +15,7 @@ export type Overtaking = (typeof overtakingKinds)[number];
  * How a command overtakes; null: it waits. This is the only place that decides it. Rows hold the
  * result, and queries of a store use the stored result.
  */
-export function overtakingOf(command: Command, replace: boolean): Overtaking | null {
+export function overtakingOf(command: RemoteCommand, replace: boolean): Overtaking | null {
   if (command.action === "stop") return "stop";
-  return replace ? "replace" : null;
+  return replace || command.action === "reset" ? "replace" : null;
 }

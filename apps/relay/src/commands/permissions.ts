@@ -64,6 +64,18 @@ export function changeBlocked(
   return { blocked, ended };
 }
 
+/** Permits or forbids scripts to reset the robot. @returns false if there is no such robot */
+export function permitResetStep(mayReset: boolean): RobotStep<boolean> {
+  return {
+    none: false,
+    changesRobot: true,
+    apply: ({ commands }) => {
+      commands.accessState.mayReset = mayReset;
+      return true;
+    },
+  };
+}
+
 /** Creates and revokes keys. Keys can be revoked on a full disk. */
 export function changeKeysStep(change: KeyChange): RobotStep<KeysResult> {
   return {

@@ -11,6 +11,8 @@ export interface AccessState {
   epoch: number;
   lastSeq: number;
   isPaused: boolean;
+  /** whether scripts may reset the robot */
+  mayReset: boolean;
   /** hashes */
   keys: ReadonlySet<string>;
   /** ids of blocked scripts */

@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import type { RobotCommands } from "./robot-commands.ts";
 import * as pages from "./page-transitions.ts";
 import * as machine from "./state-machine.ts";
-import type { PageState } from "./steps.ts";
+import type { NewCommand, PageState } from "./steps.ts";
 import {
   DRIVER,
   endingOf,
@@ -177,6 +177,45 @@ describe("a new command", () => {
     expect(machine.add(robot, newCommand(), none)).toEqual({ outcome: "paused" });
     const stop = newCommand({ command: { action: "stop" }, maxWaiting: 0 });
     expect(machine.add(robot, stop, none)).toMatchObject({ outcome: "stored" });
+  });
+});
+
+describe("a new reset", () => {
+  const reset = (change: Partial<NewCommand> = {}) =>
+    newCommand({ command: { action: "reset" }, ...change });
+
+  it("supersedes all waiting commands, and does not wait for the robot's free places", () => {
+    const robot = robotWith([rowOf({ seq: 1, state: "started" }), rowOf({ seq: 2 })]);
+    expect(machine.add(robot, reset({ maxWaiting: 1 }), none)).toMatchObject({
+      outcome: "stored",
+      record: { seq: 3, action: "reset" },
+      ended: [
+        { record: { seq: 2, state: "superseded", reason: "Command 3 replaced this command." } },
+      ],
+    });
+    machine.deliver(robot, { epoch: EPOCH, window: 1, now: NOW });
+    expect(statesOf(robot).at(-1)).toEqual([3, "delivered"]);
+  });
+
+  it("is rejected too soon after another one, or while the owner forbids it, and ends nothing", () => {
+    const robot = robotWith([rowOf()]);
+    expect(machine.add(robot, reset({ resetFrom: NOW + 1 }), none)).toEqual({
+      outcome: "too-soon",
+    });
+    robot.accessState.mayReset = false;
+    expect(machine.add(robot, reset(), none)).toEqual({ outcome: "reset-disabled" });
+    expect(statesOf(robot)).toEqual([[1, "accepted"]]);
+    expect(machine.add(robot, newCommand(), none)).toMatchObject({ outcome: "stored" });
+  });
+
+  it("with a known idempotency key returns its record, however soon it follows", () => {
+    const text = '{"action":"reset"}';
+    const robot = robotWith([rowOf({ key: "key-0001", text })]);
+    const [earlier] = robot.rows();
+    const again = reset({ key: "key-0001", resetFrom: NOW + 1 });
+    expect(machine.add(robot, again, () => earlier ?? null)).toMatchObject({
+      outcome: "duplicate",
+    });
   });
 });
 

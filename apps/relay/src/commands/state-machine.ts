@@ -56,7 +56,10 @@ function addNew(robot: RobotCommands, command: NewCommand, known: KnownCommand):
   const overtakes = overtakingOf(known.command, replace);
   const stops = overtakes === "stop";
   if (accessState.isPaused && !stops) return { outcome: "paused" };
+  const isReset = known.command.action === "reset";
+  if (isReset && !accessState.mayReset) return { outcome: "reset-disabled" };
   if (deadline <= acceptedAt) return { outcome: "late" };
+  if (isReset && acceptedAt < command.resetFrom) return { outcome: "too-soon" };
   const seq = accessState.lastSeq + 1;
   const ended = overtakes === null ? [] : overtake(robot, { seq, overtakes });
   if (!stops && robot.waitingCount >= command.maxWaiting) return { outcome: "full" };

@@ -19,6 +19,8 @@ export interface NewCommand {
   replace: boolean;
   /** ms for which a drive continues without a renewal, if the sender chose it */
   lease: number | null;
+  /** earliest time at which a reset is accepted */
+  resetFrom: number;
   /** limit for the number of accepted commands; stops are never rejected */
   maxWaiting: number;
   /**
@@ -43,6 +45,10 @@ export type AddResult =
   | { outcome: "blocked" }
   /** the owner has paused all scripts */
   | { outcome: "paused" }
+  /** the owner does not let scripts reset the robot */
+  | { outcome: "reset-disabled" }
+  /** a reset before `resetFrom` */
+  | { outcome: "too-soon" }
   | { outcome: "no-robot" };
 
 /** A record with the command details that only the relay and the robot need. */

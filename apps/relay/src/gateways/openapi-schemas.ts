@@ -28,6 +28,7 @@ import {
   joinRequestSchema,
   openedConnectionSchema,
   orderSchema,
+  otherCommandSchema,
   paceSchema,
   pairingAnswerSchema,
   requestedPairingSchema,
@@ -73,6 +74,7 @@ const task = lessonSchema.shape.tasks.element;
 export const schemas: Record<string, z.ZodType> = {
   Command: remoteCommandSchema,
   ...alternatives("Command", "action", remoteCommandSchema),
+  OtherCommand: otherCommandSchema,
   UntilCondition: untilConditionSchema,
   CommandLog: commandLogSchema,
   CommandRecord: commandRecordSchema,

@@ -33,7 +33,7 @@ async function withReport({ isElsewhere = false } = {}) {
   });
   const presence = new Presence(clock);
   const toPage: RelayToPage[] = [];
-  const access = { blocked: [] as StoredScript[], isPaused: false };
+  const access = { blocked: [] as StoredScript[], isPaused: false, mayReset: true };
   const display = { sendWith: (message: RelayToPage) => void toPage.push(message) };
   const ownership = { isElsewhere };
   const report = new ScriptReport({ clock, presence, access, channel, ownership, display });

@@ -14,7 +14,7 @@ import type { RobotChannel } from "./presence/robot-channel.ts";
 export interface ScriptReportParts {
   clock: Clock;
   presence: Presence;
-  access: Pick<ScriptAccess, "blocked" | "isPaused">;
+  access: Pick<ScriptAccess, "blocked" | "isPaused" | "mayReset">;
   channel: Pick<RobotChannel, "announce" | "repeatAnnouncement" | "withOthers">;
   ownership: Pick<PageOwnership, "isElsewhere">;
   display: Pick<PageDisplay, "sendWith">;
@@ -43,6 +43,7 @@ export class ScriptReport {
       at: clock.now(),
       ...channel.withOthers(this.#own()),
       paused: access.isPaused,
+      mayReset: access.mayReset,
     });
   }
 

@@ -381,6 +381,21 @@ describe("page and script at different relays", () => {
     expect(() => atScripts.keys.check(key, "command")).not.toThrow();
   });
 
+  it("forbids resets at every relay immediately, and limits them for all relays together", async () => {
+    const { clock, host, atScripts, key, submit } = await withRelays();
+    const reset = { action: "reset" } as const;
+    await submit(reset);
+    await settled();
+    const viaPage = host.robot.submit.bind(host.robot);
+    const second = viaPage(key, { key: null, ...termsOf(reset) }, () => undefined);
+    await expect(second).rejects.toMatchObject({ kind: "too-fast" });
+    await clock.pass(1_000);
+    await host.robot.scriptAccess.permitReset(false);
+    await settled();
+    expect(atScripts.scriptAccess.mayReset).toBe(false);
+    await expect(submit(reset)).rejects.toMatchObject({ kind: "reset-disabled" });
+  });
+
   it("pauses remote driving at every relay immediately", async () => {
     const { host, atScripts, submit } = await withRelays();
     await submit(LEFT);

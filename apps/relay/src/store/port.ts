@@ -54,12 +54,16 @@ export interface StoredRobot {
   blocked: StoredScript[];
   /** the owner has paused all scripts */
   isPaused: boolean;
+  /** scripts may reset the robot */
+  mayReset: boolean;
 }
 
+/** What the store sets itself when a robot is created. */
+type InitialState = "epoch" | "page" | "lastUsedAt" | "blocked" | "isPaused" | "mayReset";
+export type NewRobot = Omit<StoredRobot, InitialState>;
+
 export interface RobotStore {
-  create(
-    robot: Omit<StoredRobot, "epoch" | "page" | "lastUsedAt" | "blocked" | "isPaused">,
-  ): Promise<void>;
+  create(robot: NewRobot): Promise<void>;
   find(id: string): Promise<StoredRobot | null>;
   /**
    * Applies a step to the robot and stores what it changes, if nothing has changed the robot since:

@@ -148,6 +148,10 @@ class AsyncRobot:
         """Stops at once: cancels the running command and all waiting ones, from every script."""
         return await self._run(self._protocol.stop())
 
+    async def reset(self) -> Command:
+        """Puts the robot at its start, which begins a new run, and ends all earlier commands."""
+        return await self._do(plain("reset"))
+
     # --- reading and waiting ---
 
     async def sensors(self) -> Sensors:

@@ -75,6 +75,8 @@ def error_of(response: Response, address: Optional[Address] = None) -> RobotErro
             "This is a watch link: it can only read",
             "Copy the robot's address: press 'Copy address with key' under Remote on the robot's page.",
         )
+    if kind == "reset-disabled":
+        return CommandError("refused", "Scripts may not reset this robot", reason)
     if status in (401, 403):
         return NotAuthorisedError("not-authorised", "The robot rejects this key", reason)
     if status == 407:

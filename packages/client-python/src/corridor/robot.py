@@ -256,6 +256,18 @@ class Robot:
         """
         return self._run(self._protocol.stop())
 
+    def reset(self) -> Command:
+        """Puts the robot at its start, which begins a new run, and ends all earlier commands.
+
+        A robot accepts one reset a second; this method waits for its turn. It raises
+        `CommandError` with the code `refused` if the robot's owner has forbidden it, or if the
+        robot cannot do it, such as a physical robot: catch it to continue from where the robot is.
+
+        Returns:
+            The record, once the robot is at its start.
+        """
+        return self._do(plain("reset"))
+
     # --- reading and waiting ---
 
     @property

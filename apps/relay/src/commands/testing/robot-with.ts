@@ -45,6 +45,7 @@ export function robotWith(
     epoch: EPOCH,
     lastSeq: 0,
     isPaused: false,
+    mayReset: true,
     keys: new Set([DRIVER]),
     blocked: new Set<string>(),
   };
@@ -64,6 +65,7 @@ export function newCommand(change: Partial<NewCommand> = {}): NewCommand {
     deadline: NOW + 10_000,
     replace: false,
     lease: null,
+    resetFrom: 0,
     maxWaiting: 64,
     keep: 100,
     ...change,

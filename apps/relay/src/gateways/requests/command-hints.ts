@@ -2,7 +2,7 @@
  * Hints for invalid commands that the error of a field does not explain to beginners: a number in
  * the wrong place, and misspelt actions.
  */
-import { actionNames, type FieldProblem } from "@corridor/protocol";
+import { remoteActionNames, type FieldProblem } from "@corridor/protocol";
 import leven from "leven";
 
 /** Maximum number of wrong letters in an action. */
@@ -59,10 +59,10 @@ function move(cm: number): string {
 }
 
 function nearest(action: string): string | null {
-  const [name] = actionNames
+  const [name] = remoteActionNames
     .map((each) => ({ each, distance: leven(each, action) }))
     .filter(({ each, distance }) => distance <= Math.min(MAX_MISSPELT, each.length / 2 - 1))
     .toSorted((a, b) => a.distance - b.distance);
   if (name === undefined) return null;
-  return `${name.each}, or another of ${actionNames.filter((each) => each !== name.each).join(", ")}`;
+  return `${name.each}, or another of ${remoteActionNames.filter((each) => each !== name.each).join(", ")}`;
 }

@@ -31,6 +31,8 @@ const calls: { verb: Verb; method: string; path: string; body?: unknown }[] = [
   { verb: "moderate", method: "GET", path: "/scripts" },
   { verb: "moderate", method: "PUT", path: "/pause" },
   { verb: "moderate", method: "DELETE", path: "/pause" },
+  { verb: "moderate", method: "PUT", path: "/script-reset" },
+  { verb: "moderate", method: "DELETE", path: "/script-reset" },
   {
     verb: "moderate",
     method: "POST",

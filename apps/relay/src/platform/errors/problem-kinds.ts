@@ -2,19 +2,9 @@
  * Every kind of problem that the relay returns: its HTTP status, its title, and the text of its
  * page. The `type` in a problem document points to that page, `/problems/KIND`.
  */
+import type { ProblemText } from "./problem-text.ts";
 
-export interface ProblemText {
-  status: number;
-  title: string;
-  /** effect on the request */
-  what: string;
-  /** usual causes */
-  why: string;
-  /** solutions, most likely first */
-  fix: readonly string[];
-}
-
-/** By the last part of `type`. Texts are single-line Markdown. */
+/** By the last part of `type`. */
 export const problemKinds = {
   "bad-request": {
     status: 400,
@@ -53,6 +43,16 @@ export const problemKinds = {
     what: "The relay rejects all requests of this script because the robot's owner has blocked it.",
     why: "The owner pressed **Block** next to the script under **Remote**, **More**.",
     fix: ["Ask the owner to press **Unblock** there, then start the script again."],
+  },
+  "reset-disabled": {
+    status: 403,
+    title: "Scripts may not reset the robot",
+    what: "The command `reset` was not stored.",
+    why: "The owner switched off **Scripts may reset the robot** under **Remote**, **More**.",
+    fix: [
+      "Ask the owner to switch it on there, or to press **Reset**.",
+      "Drive the robot back, or let the script continue from where the robot is.",
+    ],
   },
   "pairing-refused": {
     status: 403,
@@ -308,6 +308,13 @@ export const problemKinds = {
       "Use a longer `ttl` on a slow network. It must be longer than the round trip.",
     ],
   },
+  "not-supported": {
+    status: 422,
+    title: "The robot cannot do this",
+    what: "The command was not stored. Other commands work.",
+    why: "The robot's host does not offer the action. For example, a physical robot cannot put itself at its start, so that it rejects `reset`.",
+    fix: ["Put the robot there by hand. Let the script continue without this action."],
+  },
   "queue-full": {
     status: 429,
     title: "Too many waiting commands",
@@ -322,7 +329,7 @@ export const problemKinds = {
     status: 429,
     title: "Too many requests",
     what: "The relay did not process the request.",
-    why: "A key can send 20 commands and 5 stops a second. Registrations, short links, classes, joins and wrong codes have limits for each network. [Limits](/docs/limits#rate-limits) has all of them.",
+    why: "A key can send 20 commands and 5 stops a second, and a robot accepts one reset a second. Registrations, short links, classes, joins and wrong codes have limits for each network. [Limits](/docs/limits#rate-limits) has all of them.",
     fix: ["Wait for the seconds in the header `Retry-After`, then send the same request again."],
   },
   "too-many-readers": {

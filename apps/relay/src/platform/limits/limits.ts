@@ -6,6 +6,8 @@
 export const limits = {
   /** accepted, waiting commands of one robot; a script that far ahead of its robot is a mistake */
   waitingCommands: 64,
+  /** least ms between two accepted resets of one robot */
+  resetIntervalMs: 1_000,
   /** newest commands of one robot that are stored; an older one is deleted once it has ended */
   storedCommands: 10_000,
   /**

@@ -31,4 +31,6 @@ export interface PermissionChanges {
   changeBlocked(change: ScriptChange): Promise<BlockResult>;
   /** @returns false if there is no such robot */
   pause(isPaused: boolean): Promise<boolean>;
+  /** @returns false if there is no such robot */
+  permitReset(mayReset: boolean): Promise<boolean>;
 }

@@ -21,26 +21,38 @@ export interface ScriptAccessParts {
   rights: RightsVersion;
   stored: ScriptPermissions;
   store: Pick<RobotStore, "find">;
-  changes: Pick<PermissionChanges, "changeBlocked" | "pause">;
+  changes: Pick<PermissionChanges, "changeBlocked" | "pause" | "permitReset">;
   listener: Pick<AccessListener, "scriptsChanged" | "blocked" | "paused">;
 }
 
 /** Permissions of scripts, as the owner has set them. */
-type ScriptPermissions = Pick<StoredRobot, "blocked" | "isPaused">;
+type ScriptPermissions = Pick<StoredRobot, "blocked" | "isPaused" | "mayReset">;
+
+/** What is missing has not changed. */
+type ChangedPermissions = Partial<Omit<ScriptPermissions, "blocked">> & {
+  blocked: readonly StoredScript[];
+};
 
 export class ScriptAccess {
   readonly #parts: ScriptAccessParts;
   #blocked: readonly StoredScript[];
   #isPaused: boolean;
+  #mayReset: boolean;
 
   constructor(parts: ScriptAccessParts) {
     this.#parts = parts;
     this.#blocked = parts.stored.blocked;
     this.#isPaused = parts.stored.isPaused;
+    this.#mayReset = parts.stored.mayReset;
   }
 
   get isPaused(): boolean {
     return this.#isPaused;
+  }
+
+  /** Whether scripts may reset the robot. */
+  get mayReset(): boolean {
+    return this.#mayReset;
   }
 
   get blocked(): readonly StoredScript[] {
@@ -89,13 +101,21 @@ export class ScriptAccess {
     this.#parts.listener.scriptsChanged();
   }
 
+  /** Permits or forbids scripts to reset the robot. Repeated calls have no further effect. */
+  async permitReset(mayReset: boolean): Promise<void> {
+    if (!(await this.#parts.changes.permitReset(mayReset))) throw noRobot();
+    this.#mayReset = mayReset;
+    this.#parts.listener.scriptsChanged();
+  }
+
   /** Applies the stored permissions, which another relay may have changed. */
-  apply({ blocked, isPaused }: { blocked: readonly StoredScript[]; isPaused?: boolean }): void {
+  apply({ blocked, isPaused, mayReset }: ChangedPermissions): void {
     const before = this.#blocked;
     const wasPaused = this.#isPaused;
     this.#blocked = blocked;
     this.#parts.rights.changed();
     this.#isPaused = isPaused ?? wasPaused;
+    this.#mayReset = mayReset ?? this.#mayReset;
     if (this.#isPaused && !wasPaused) this.#parts.listener.paused();
     for (const script of blocked) {
       if (!before.some(({ id }) => id === script.id)) this.#parts.listener.blocked(script);

@@ -40,6 +40,8 @@ export class CommandIntake {
   readonly #rateLimiter = new DriverRateLimiter();
   /** seq of the newest command if that is a stop; otherwise null */
   #newestStop: number | null = null;
+  /** time of the newest reset, here or at another relay */
+  #resetAt = Number.NEGATIVE_INFINITY;
 
   constructor(parts: CommandIntakeParts) {
     this.#parts = parts;
@@ -89,6 +91,7 @@ export class CommandIntake {
           command,
           ...terms,
           acceptedAt: arrivedAt,
+          resetFrom: this.#resetFrom(arrivedAt),
           maxWaiting: limits.waitingCommands,
           keep: limits.storedCommands,
         }),
@@ -108,10 +111,11 @@ export class CommandIntake {
       }
       if (result.outcome !== "stored") {
         delivery.send(await due);
-        throw notStored(result, request);
+        throw notStored(result, request, this.#resetFrom(arrivedAt) - arrivedAt);
       }
       const { record, ended } = result;
       this.#newestStop = isStop ? record.seq : null;
+      if (record.action === "reset") this.#resetAt = arrivedAt;
       observer.stored(Math.max(0, clock.now() - arrivedAt) / 1000);
       acknowledge(record);
       const delivered = await due;
@@ -125,6 +129,12 @@ export class CommandIntake {
   /** Records a command that another relay has stored. */
   storedElsewhere({ record }: TermedRecord): void {
     this.#newestStop = record.action === "stop" ? record.seq : null;
+    if (record.action === "reset") this.#resetAt = Date.parse(record.acceptedAt);
+  }
+
+  /** When the robot accepts the next reset. A clock that was set back does not delay it. */
+  #resetFrom(now: number): number {
+    return this.#resetAt > now ? now : this.#resetAt + limits.resetIntervalMs;
   }
 
   /** The newest command, if it is a stop that has not ended. Another stop would change nothing. */
@@ -168,7 +178,8 @@ class DriverRateLimiter {
 /** Results of the store for a command that is neither stored nor a duplicate. */
 type NotStored = Exclude<AddResult, { outcome: "stored" | "duplicate" }>;
 
-function notStored(result: NotStored, { ttl, age }: CommandTerms): Refusal {
+/** @param resetMs ms until the robot accepts a reset */
+function notStored(result: NotStored, { ttl, age }: CommandTerms, resetMs: number): Refusal {
   switch (result.outcome) {
     case "no-robot":
       return noRobot();
@@ -178,6 +189,17 @@ function notStored(result: NotStored, { ttl, age }: CommandTerms): Refusal {
       return scriptIsBlocked();
     case "paused":
       return new Refusal("driving-paused", PAUSED_REASON);
+    case "reset-disabled":
+      return new Refusal(
+        "reset-disabled",
+        "The robot's owner does not let scripts reset the robot. Ask the owner to switch on 'Scripts may reset the robot', or continue without a reset.",
+      );
+    case "too-soon":
+      return new Refusal(
+        "too-fast",
+        "Too many resets: a robot accepts one a second. Wait a second, then send this command again.",
+        { headers: retryAfter(resetMs) },
+      );
     case "full":
       return new Refusal(
         "queue-full",

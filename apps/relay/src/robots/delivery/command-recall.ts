@@ -4,7 +4,7 @@
  * page is asked when it reconnects.
  */
 import type { CommandRecord, RecallCause } from "@corridor/protocol";
-import { changeBlockedStep, changeKeysStep } from "../../commands/permissions.ts";
+import { changeBlockedStep, changeKeysStep, permitResetStep } from "../../commands/permissions.ts";
 import { cancelStep, pauseStep, recalledStep } from "../../commands/state-machine.ts";
 import type {
   BlockResult,
@@ -93,6 +93,12 @@ export class CommandRecall {
       if (ended !== null) this.#parts.ended(ended);
       return ended !== null;
     });
+  }
+
+  /** Permits or forbids resets by scripts. @returns false if there is no such robot */
+  async permitReset(mayReset: boolean): Promise<boolean> {
+    const { robot, store, work } = this.#parts;
+    return work.run(async () => store.commit(robot, permitResetStep(mayReset)));
   }
 
   /** Asks the page to end all recalled commands, because earlier requests may have been lost. */

@@ -147,6 +147,7 @@ export const messageExamples: { [S in keyof MessageKinds]: OfEachKind<MessageKin
         },
       ],
       paused: false,
+      mayReset: true,
       at,
     },
     time: { type: "time", at },

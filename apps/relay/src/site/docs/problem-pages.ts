@@ -1,5 +1,6 @@
 /** A page for each kind of problem, at the path in `type`, and their index. */
-import { problemKinds, type ProblemText } from "../../platform/errors/problem-kinds.ts";
+import { problemKinds } from "../../platform/errors/problem-kinds.ts";
+import type { ProblemText } from "../../platform/errors/problem-text.ts";
 import type { Page } from "./frame.ts";
 import { htmlOf } from "./markdown.ts";
 

@@ -21,6 +21,7 @@ export const sent: NewCommand = {
   deadline: NOW + 10_000,
   replace: false,
   lease: null,
+  resetFrom: 0,
   maxWaiting: 64,
   keep: 100,
 };

@@ -1,6 +1,6 @@
 /** Requirements for every store: robots. */
 import { describe, expect, it } from "vitest";
-import { changeBlockedStep, changeKeysStep } from "../../commands/permissions.ts";
+import { changeBlockedStep, changeKeysStep, permitResetStep } from "../../commands/permissions.ts";
 import { pauseStep, recalledStep } from "../../commands/state-machine.ts";
 import { because, ID, LEFT, STOP, keyChange, type OpenStore, robotIn } from "./robot-in-store.ts";
 
@@ -127,6 +127,31 @@ export function robotCases(name: string, open: () => Promise<OpenStore>): void {
       const again = await reopen();
       expect((await again.find(ID))?.isPaused).toBe(true);
       expect(await again.commit("B".repeat(22), pauseStep(true))).toBeNull();
+    });
+  });
+
+  describe(`${name}: resets by scripts`, () => {
+    const RESET = { action: "reset" } as const;
+
+    it("are permitted until the owner forbids them, also after a restart", async () => {
+      const { store, add, reopen } = await withRobot();
+      expect((await store.find(ID))?.mayReset).toBe(true);
+      expect(await add(RESET)).toMatchObject({ outcome: "stored" });
+      expect(await store.commit(ID, permitResetStep(false))).toBe(true);
+      expect(await add(RESET, "key-0001")).toEqual({ outcome: "reset-disabled" });
+      expect(await add(LEFT)).toMatchObject({ outcome: "stored" });
+      const again = await reopen();
+      expect((await again.find(ID))?.mayReset).toBe(false);
+      await again.commit(ID, permitResetStep(true));
+      expect((await again.find(ID))?.mayReset).toBe(true);
+      expect(await again.commit("B".repeat(22), permitResetStep(true))).toBe(false);
+    });
+
+    it("supersede the waiting commands in the same step", async () => {
+      const { add, states } = await withRobot();
+      await add(LEFT);
+      await add(RESET);
+      expect(await states()).toEqual(["1 superseded", "2 accepted"]);
     });
   });
 

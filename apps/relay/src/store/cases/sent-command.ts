@@ -13,6 +13,7 @@ export function sentCommand(change: Partial<NewCommand> = {}): NewCommand {
     deadline: acceptedAt + 10_000,
     replace: false,
     lease: null,
+    resetFrom: 0,
     maxWaiting: 64,
     keep: 100,
     ...change,

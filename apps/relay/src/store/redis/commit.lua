@@ -20,7 +20,7 @@ local expected, version, absent = ARGV[1], ARGV[2], ARGV[3]
 local FIRST = 4
 
 local function unchanged(outcome)
-  local fields = { 'version', 'epoch', 'seq', 'n', 'keys', 'blocked', 'paused' }
+  local fields = { 'version', 'epoch', 'seq', 'n', 'keys', 'blocked', 'paused', 'mayReset' }
   return { outcome, redis.call('HMGET', KEYS[1], unpack(fields)), redis.call('HVALS', KEYS[2]) }
 end
 

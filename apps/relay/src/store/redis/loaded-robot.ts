@@ -8,7 +8,7 @@ import type { CommandRow } from "../../commands/command-row.ts";
 import { newestOvertaking } from "../../commands/page-transitions.ts";
 import type { Overtaking } from "../../commands/overtaking.ts";
 import { accessStateOf } from "../../commands/permissions.ts";
-import { RobotCommands } from "../../commands/robot-commands.ts";
+import { RobotCommands, type AccessState } from "../../commands/robot-commands.ts";
 import type { KeysChange, RobotState, SeqRange } from "../../commands/robot-state.ts";
 import type { Permissions, StoredScript } from "../../commands/steps.ts";
 import { endedOf, keysOf, channelOf, madeAt, openOf, robotKeyOf, usedAt } from "./redis-keys.ts";
@@ -25,6 +25,7 @@ export const robotAnswer = z.tuple([
     z.coerce.number(),
     keysText,
     blockedText.nullable(),
+    z.string().nullable(),
     z.string().nullable(),
   ]),
   z.array(z.string()),
@@ -54,7 +55,7 @@ export class LoadedRobot implements RobotState {
   readonly #relay: string;
   /** number of the last step on the robot's channel */
   #n: number;
-  #stored: { epoch: number; lastSeq: number; isPaused: boolean; deletedUpTo: number };
+  #stored: Omit<AccessState, "keys" | "blocked"> & { deletedUpTo: number };
   readonly #rows = new Map<number, CommandRow>();
   /** seqs of rows that had ended before */
   readonly #rewritten = new Set<number>();
@@ -67,16 +68,16 @@ export class LoadedRobot implements RobotState {
   #hasNewRights = false;
 
   constructor(id: string, relay: string, answer: z.output<typeof robotAnswer>) {
-    const [[version, epoch, lastSeq, n, keys, blocked, paused], open] = answer;
-    const isPaused = paused === "1";
+    const [[version, epoch, lastSeq, n, keys, blocked, paused, mayReset], open] = answer;
+    const state = { epoch, lastSeq, isPaused: paused === "1", mayReset: mayReset !== "0" };
     this.#id = id;
     this.#relay = relay;
     this.version = version;
     this.#n = n;
     this.permissions = { keys, blocked: blocked ?? [] };
-    this.#stored = { epoch, lastSeq, isPaused, deletedUpTo: 0 };
+    this.#stored = { ...state, deletedUpTo: 0 };
     const rows = open.map(rowIn).toSorted((a, b) => a.seq - b.seq);
-    const accessState = { epoch, lastSeq, isPaused, ...accessStateOf(this.permissions) };
+    const accessState = { ...state, ...accessStateOf(this.permissions) };
     this.commands = new RobotCommands(accessState, rows, (row, before) => {
       this.#rows.set(row.seq, row);
       if (before !== null && hasEnded(before)) this.#rewritten.add(row.seq);
@@ -188,14 +189,19 @@ export class LoadedRobot implements RobotState {
   }
 
   #ofAccessState(): Words[] {
-    const { epoch, lastSeq, isPaused } = this.commands.accessState;
+    const { epoch, lastSeq, isPaused, mayReset } = this.commands.accessState;
     const before = this.#stored;
-    this.#stored = { epoch, lastSeq, isPaused, deletedUpTo: this.commands.deletedUpTo };
+    const { deletedUpTo } = this.commands;
+    this.#stored = { epoch, lastSeq, isPaused, mayReset, deletedUpTo };
     const fields: string[] = [];
     if (epoch !== before.epoch) fields.push("epoch", String(epoch));
     if (lastSeq !== before.lastSeq) fields.push("seq", String(lastSeq));
     if (isPaused !== before.isPaused) {
       fields.push("paused", isPaused ? "1" : "0");
+      this.#hasNewRights = true;
+    }
+    if (mayReset !== before.mayReset) {
+      fields.push("mayReset", mayReset ? "1" : "0");
       this.#hasNewRights = true;
     }
     return fields.length === 0 ? [] : [["HSET", robotKeyOf(this.#id), ...fields]];

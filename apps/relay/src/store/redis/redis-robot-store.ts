@@ -8,7 +8,7 @@ import { z } from "zod";
 import { recordOfRow } from "../../commands/command-row.ts";
 import type { RobotStep } from "../../commands/robot-state.ts";
 import { StoreFull } from "../../platform/errors/disk-full.ts";
-import type { KeyTimes, KeyUse, RobotStore, StoredRobot } from "../port.ts";
+import type { KeyTimes, KeyUse, NewRobot, RobotStore, StoredRobot } from "../port.ts";
 import { asked, type Redis } from "./connection.ts";
 import { lookUp, storedAfter, storedCommand, storedOpen } from "./ended-commands.ts";
 import type { DeletedBytes } from "./deleted-bytes.ts";
@@ -43,11 +43,7 @@ export class RedisRobotStore implements RobotStore {
     this.#deletedBytes = deletedBytes;
   }
 
-  async create({
-    id,
-    createdAt,
-    keys,
-  }: Omit<StoredRobot, "epoch" | "page" | "lastUsedAt" | "blocked" | "isPaused">) {
+  async create({ id, createdAt, keys }: NewRobot): Promise<void> {
     const at = String(createdAt);
     const made = keys.flatMap(({ hash }) => [madeAt(hash), at]);
     const fields = ["epoch", "0", "seq", "0", "createdAt", at, "keys", JSON.stringify(keys)];

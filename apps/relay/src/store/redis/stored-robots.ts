@@ -18,13 +18,14 @@ const robotReply = z.tuple([
     blockedText.nullable(),
     text,
     text,
+    text,
   ]),
   z.coerce.number(),
 ]);
 const holderReply = z.object({ relay: z.string() }).nullable();
 
 export async function robotIn(read: Script, id: string): Promise<StoredRobot | null> {
-  const fields = ["version", "epoch", "createdAt", "keys", "blocked", "paused", "name"];
+  const fields = ["version", "epoch", "createdAt", "keys", "blocked", "paused", "name", "mayReset"];
   const replies = await read.call(
     [robotKeyOf(id), USES],
     counted([
@@ -34,7 +35,7 @@ export async function robotIn(read: Script, id: string): Promise<StoredRobot | n
   );
   if (!isThere.safeParse(replies).success) return null;
   const [found, lastUsedAt] = robotReply.parse(replies);
-  const [, epoch, createdAt, keys, blocked, paused, page] = found;
+  const [, epoch, createdAt, keys, blocked, paused, page, mayReset] = found;
   return {
     id,
     epoch,
@@ -44,6 +45,7 @@ export async function robotIn(read: Script, id: string): Promise<StoredRobot | n
     keys,
     blocked: blocked ?? [],
     isPaused: paused === "1",
+    mayReset: mayReset !== "0",
   };
 }
 

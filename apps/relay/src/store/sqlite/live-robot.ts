@@ -129,14 +129,15 @@ export class LiveRobot implements RobotState {
   }
 
   /** Stores what a step has changed. @param before the state before the step */
-  storeAccessState(before: Pick<AccessState, "epoch" | "lastSeq" | "isPaused">): void {
-    const { epoch, lastSeq, isPaused } = this.commands.accessState;
+  storeAccessState(before: Omit<AccessState, "keys" | "blocked">): void {
+    const { epoch, lastSeq, isPaused, mayReset } = this.commands.accessState;
     // The journal contains the seqs of new commands.
     const seq = lastSeq === before.lastSeq ? 0 : lastSeq;
-    if (seq === 0 && epoch === before.epoch && isPaused === before.isPaused) return;
+    const isPermitted = isPaused === before.isPaused && mayReset === before.mayReset;
+    if (seq === 0 && epoch === before.epoch && isPermitted) return;
     this.#statements.run(
-      "UPDATE sessions SET epoch = ?, paused = ?, last_seq = max(last_seq, ?) WHERE id = ?",
-      [epoch, isPaused ? 1 : 0, seq, this.#id],
+      "UPDATE sessions SET epoch = ?, paused = ?, may_reset = ?, last_seq = max(last_seq, ?) WHERE id = ?",
+      [epoch, isPaused ? 1 : 0, mayReset ? 1 : 0, seq, this.#id],
     );
   }
 

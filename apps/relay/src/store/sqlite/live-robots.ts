@@ -44,6 +44,7 @@ interface RobotRow {
   epoch: number;
   last_seq: number;
   paused: 0 | 1;
+  may_reset: 0 | 1;
   open_from: number;
 }
 
@@ -189,11 +190,12 @@ export class LiveRobots implements Memory {
     if (known !== undefined) return known;
     const broken = this.#broken.get(id);
     if (broken !== undefined) throw broken.error;
-    const sql = "SELECT epoch, last_seq, paused, open_from FROM sessions WHERE id = ?";
+    const sql = "SELECT epoch, last_seq, paused, may_reset, open_from FROM sessions WHERE id = ?";
     const [row] = this.#statements.all(sql, [id]) as unknown as RobotRow[];
     if (row === undefined) return null;
-    const { epoch, last_seq: lastSeq, paused, open_from: openFrom } = row;
-    const accessState = { epoch, lastSeq, isPaused: paused === 1, ...this.#accessStateOf(id) };
+    const { epoch, last_seq: lastSeq, open_from: openFrom } = row;
+    const permitted = { isPaused: row.paused === 1, mayReset: row.may_reset === 1 };
+    const accessState = { epoch, lastSeq, ...permitted, ...this.#accessStateOf(id) };
     const open = rowsIn(this.#statements, OPEN_ROWS, [id, openFrom]);
     const robot = new LiveRobot({
       id,

@@ -51,7 +51,15 @@ it("finds the commands of a robot by index, for any number of ended ones", async
   onTestFinished(() => prepare.mockRestore());
   const id = "AAAAAAAAAAAAAAAAAAAAAA";
   await store.create({ id, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
-  const terms = { ttl: 9, deadline: 10, replace: false, lease: null, maxWaiting: 64, keep: 100 };
+  const terms = {
+    ttl: 9,
+    deadline: 10,
+    replace: false,
+    lease: null,
+    resetFrom: 0,
+    maxWaiting: 64,
+    keep: 100,
+  };
   const command = { driver: "d", script: null, key: "a-key-0001", acceptedAt: 1, ...terms };
   await store.commit(id, addStep({ ...command, command: { action: "left 90" } }));
   await store.commit(id, addStep({ ...command, key: null, command: { action: "stop" } }));

@@ -14,7 +14,7 @@ import type { RobotCommands } from "../../commands/robot-commands.ts";
 import type { RobotStep } from "../../commands/robot-state.ts";
 import type { LiveRobot } from "./live-robot.ts";
 import { LiveRobots, LONG } from "./live-robots.ts";
-import type { KeyTimes, KeyUse, RobotStore, StoredRobot } from "../port.ts";
+import type { KeyTimes, KeyUse, NewRobot, RobotStore, StoredRobot } from "../port.ts";
 import { blockedScriptsIn } from "./sqlite-blocked-scripts.ts";
 import { SqliteFile } from "./file/sqlite-file.ts";
 import { addKeys, keysIn, keyTimesIn, noteKeyUses } from "./sqlite-keys.ts";
@@ -28,6 +28,7 @@ const robotRow = z.object({
   created_at: z.int(),
   last_used_at: z.int(),
   paused: z.int(),
+  may_reset: z.int(),
 });
 
 /** Reads may use all of a robot in memory. */
@@ -52,11 +53,7 @@ export class SqliteRobotStore implements RobotStore {
     if (this.#live.hasOrphans) this.#deleteOrphans().catch(() => undefined);
   }
 
-  async create({
-    id,
-    createdAt,
-    keys,
-  }: Omit<StoredRobot, "epoch" | "page" | "lastUsedAt" | "blocked" | "isPaused">) {
+  async create({ id, createdAt, keys }: NewRobot): Promise<void> {
     await this.#file.growingStep(() => {
       this.#writing.run("INSERT INTO sessions (id, created_at, last_used_at) VALUES (?, ?, ?)", [
         id,
@@ -80,6 +77,7 @@ export class SqliteRobotStore implements RobotStore {
       keys: keysIn(reading, id),
       blocked: blockedScriptsIn(reading, id),
       isPaused: row.paused === 1,
+      mayReset: row.may_reset === 1,
     };
   }
 

@@ -1,6 +1,6 @@
 /**
- * The scripts by name, with the last command of each, a button that blocks or unblocks each, and a
- * button that pauses all.
+ * The scripts by name, with the last command of each, a button that blocks or unblocks each, a
+ * button that pauses all, and whether they may reset the robot.
  */
 import { useId, useState } from "react";
 import { useTranslation } from "react-i18next";
@@ -8,10 +8,11 @@ import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
 import { joinList } from "../../text/joined.ts";
 import { Button } from "../../ui/Button.tsx";
+import { Checkbox } from "../../ui/Checkbox.tsx";
 import { classNames } from "../../ui/class-names.ts";
 import type { ListedScript, RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { quietSeconds, shownScripts } from "./listed-scripts.ts";
-import { unblockScript, pauseDriving, blockScript } from "./owner-calls.ts";
+import { unblockScript, pauseDriving, permitReset, blockScript } from "./owner-calls.ts";
 import { useNow } from "./use-now.ts";
 import panel from "./remote.module.css";
 import rows from "./list-rows.module.css";
@@ -24,9 +25,13 @@ export function ScriptList({ session }: { session: RemoteSession }) {
   const now = useNow(scripts.length > 0);
   const [isFailed, setFailed] = useState(false);
   const isPaused = useStore(remote, (state) => state.isPaused);
+  const mayReset = useStore(remote, (state) => state.mayReset);
   const shown = shownScripts(scripts, now);
   const pause = async (): Promise<void> => {
     setFailed(!(await pauseDriving(fetch, session, !isPaused)));
+  };
+  const permit = async (isPermitted: boolean): Promise<void> => {
+    setFailed(!(await permitReset(fetch, session, isPermitted)));
   };
   const change = async (script: ListedScript): Promise<void> => {
     const isDone = script.isBlocked
@@ -52,6 +57,11 @@ export function ScriptList({ session }: { session: RemoteSession }) {
       <output className={isPaused ? styles["paused"] : panel["note"]}>
         {isPaused && t("remote.pausedNote")}
       </output>
+      <Checkbox
+        label={t("remote.mayReset")}
+        checked={mayReset}
+        onChange={(isPermitted) => void permit(isPermitted)}
+      />
       <ul className={rows["rows"]}>
         {shown.map((script) => (
           <ScriptRow

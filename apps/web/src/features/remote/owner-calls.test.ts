@@ -3,6 +3,7 @@ import { keyIdOf } from "./key-id.ts";
 import {
   unblockScript,
   pauseDriving,
+  permitReset,
   secondsLeft,
   blockScript,
   watchAddress,
@@ -90,6 +91,16 @@ describe("a script", () => {
     expect(asked).toEqual([
       `PUT /api/v1/robots/${id}/pause Bearer own_secret`,
       `DELETE /api/v1/robots/${id}/pause Bearer own_secret`,
+    ]);
+  });
+
+  it("may not reset the robot while the owner forbids it", async () => {
+    const { asked, ask } = service(() => new Response(null, { status: 204 }));
+    expect(await permitReset(ask, session, false)).toBe(true);
+    expect(await permitReset(ask, session, true)).toBe(true);
+    expect(asked).toEqual([
+      `DELETE /api/v1/robots/${id}/script-reset Bearer own_secret`,
+      `PUT /api/v1/robots/${id}/script-reset Bearer own_secret`,
     ]);
   });
 

@@ -89,6 +89,15 @@ export async function pauseDriving(
   return isDone(ask, session, "/pause", { method: isPaused ? "PUT" : "DELETE" });
 }
 
+/** Lets scripts reset the robot, or not. @returns whether the service did so */
+export async function permitReset(
+  ask: Ask,
+  session: RemoteSession,
+  mayReset: boolean,
+): Promise<boolean> {
+  return isDone(ask, session, "/script-reset", { method: mayReset ? "PUT" : "DELETE" });
+}
+
 /** @returns whether the service accepted the request */
 export async function isDone(
   ask: Ask,

@@ -12,6 +12,7 @@ export function createRemoteStore() {
     commands: [],
     scripts: [],
     isPaused: false,
+    mayReset: true,
   }));
 }
 export type RemoteStore = ReturnType<typeof createRemoteStore>;

@@ -1,6 +1,7 @@
 /** Remote commands in the robot, as reported to the relay. */
 import type { DeliveredCommand, RemoteCommand } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
+import { firstProgram } from "../protocol/first-project.ts";
 import { Bench, deliveryOf } from "../worker/testing/bench.ts";
 
 const MOVE: RemoteCommand = { action: "move", distance: 100 };
@@ -388,5 +389,117 @@ describe("a burst of wheel powers", () => {
     deliver({ action: "left 90" });
     bench.pass(30);
     expect(bench.story).toEqual(["started 1"]);
+  });
+});
+
+describe("a reset by a script", () => {
+  const RESET: RemoteCommand = { action: "reset" };
+
+  it("ends all earlier commands, puts the robot at its start and begins a run that Remote drives", () => {
+    const { bench, deliver } = robot();
+    const start = bench.loop.snapshot().pose;
+    const { recording } = bench.loop;
+    deliver({ action: "forward" });
+    deliver(MOVE);
+    bench.pass(500);
+    deliver({ action: "turn", degrees: 720 });
+    deliver(RESET);
+    bench.pass(8);
+    expect(bench.story.slice(-4)).toEqual([
+      "superseded 2",
+      "superseded 3",
+      "started 4",
+      "completed 4",
+    ]);
+    expect(bench.endings.get(4)).toEqual({
+      state: "completed",
+      reason: null,
+      pose: start,
+      distance: 0,
+    });
+    expect(bench.loop.recording).not.toBe(recording);
+    expect(bench.loop.snapshot()).toMatchObject({
+      state: "running",
+      driver: "remote",
+      pose: start,
+      bumps: 0,
+      command: null,
+    });
+    expect(bench.loop.snapshot().tick).toBeLessThan(2);
+    deliver(MOVE);
+    bench.pass(2_000);
+    expect(bench.endings.get(5)).toMatchObject({ state: "completed" });
+  });
+
+  it.each(["max", 16, 0.25] as const)(
+    "is possible at speed %s, before any other command",
+    (speed) => {
+      const { bench, deliver } = robot();
+      bench.loop.setSpeed(speed);
+      deliver(RESET);
+      bench.pass(16);
+      expect(bench.story).toEqual(["started 1", "completed 1"]);
+    },
+  );
+
+  it("waits while the robot is paused, and expires like any command", () => {
+    const { bench, deliver } = robot();
+    deliver(MOVE);
+    bench.pass(2_000);
+    bench.loop.pause();
+    const { tick } = bench.loop.snapshot();
+    deliver(RESET);
+    bench.pass(100);
+    expect(bench.loop.snapshot()).toMatchObject({ tick, state: "paused" });
+    bench.loop.run();
+    bench.pass(8);
+    expect(bench.endings.get(2)).toMatchObject({ state: "completed" });
+    bench.loop.pause();
+    deliver(RESET, { remaining: 200 });
+    bench.pass(300);
+    expect(bench.endings.get(3)).toMatchObject({ state: "expired" });
+  });
+
+  it.each(["me", "program"] as const)(
+    "is cancelled while %s drives, and the run continues",
+    (driver) => {
+      const { bench, deliver } = robot();
+      bench.loop.setDriver(driver);
+      if (driver === "program") bench.loop.run();
+      else bench.loop.hold("forward");
+      bench.pass(500);
+      const { recording } = bench.loop;
+      deliver(RESET);
+      bench.pass(100);
+      expect(bench.endings.get(1)).toMatchObject({ state: "cancelled", reason: "notRemote" });
+      expect(bench.loop.recording).toBe(recording);
+      expect(bench.loop.snapshot().tick).toBeGreaterThan(30);
+    },
+  );
+
+  it("is superseded by a later replacement, and taken back with the other queued commands", () => {
+    const { bench, deliver } = robot();
+    deliver(RESET);
+    deliver(MOVE, { replace: true });
+    bench.pass(100);
+    expect(bench.story).toEqual(["superseded 1", "started 2"]);
+    deliver(RESET);
+    bench.loop.remote?.reset();
+    bench.pass(2_000);
+    expect(bench.endings.has(3)).toBe(false);
+  });
+
+  it("starts with the newest program, and displays the newest tick again", () => {
+    const { bench, deliver } = robot();
+    deliver(MOVE);
+    bench.pass(2_000);
+    bench.loop.seek(10);
+    const edited = { ...firstProgram, rules: firstProgram.rules.slice(1) };
+    bench.loop.editProgram(edited);
+    deliver(RESET);
+    bench.pass(8);
+    expect(bench.endings.get(2)).toMatchObject({ state: "completed" });
+    expect(bench.frame().view).toBe("now");
+    expect(bench.loop.recording.run.program).toEqual(edited);
   });
 });

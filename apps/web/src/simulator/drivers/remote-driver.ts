@@ -84,7 +84,7 @@ export class RemoteDriver {
   /** Queues a delivered command. One that replaces ends all before it. */
   accept(delivery: DeliveredCommand): void {
     const now = this.#now();
-    if (delivery.replace) {
+    if (delivery.replace || isReset(delivery)) {
       const isRunning = this.#running !== null;
       this.#endAll("superseded", "replaced");
       this.#robot.addInput(isRunning ? { do: "cancel", superseded: true } : { do: "cancel" });
@@ -119,11 +119,26 @@ export class RemoteDriver {
     for (const { delivery } of expired) this.#report(delivery.seq, "expired", null, 0);
   }
 
+  /**
+   * Between two ticks: resets the robot if that is the next command, which has ended all earlier
+   * ones. @param reset moves the robot to its start, which starts a new run
+   */
+  takeReset(reset: () => void): void {
+    const next = this.#queue[0]?.delivery;
+    if (next === undefined || !isReset(next)) return;
+    this.#queue.shift();
+    reset();
+    this.#events.started(next.seq);
+    this.#report(next.seq, "completed", null, 0);
+  }
+
   /** Before a tick: starts the next command unless a manoeuvre or a guarded motion runs. */
   start(): void {
     const { run } = this.#robot;
     const next = this.#queue[0]?.delivery;
     if (next === undefined || run.isManoeuvring || this.#isGuarded) return;
+    // It is not part of the run: see `takeReset`.
+    if (next.command.action === "reset") return;
     const now = this.#now();
     if (isVelocity(next) && this.#bursts.isHeld(now)) return;
     this.#queue.shift();
@@ -219,4 +234,8 @@ export class RemoteDriver {
   #report(seq: number, state: EndingState, reason: CancelReason | null, distance: number): void {
     this.#events.ended(seq, { state, reason, pose: this.#robot.run.pose, distance });
   }
+}
+
+function isReset({ command }: DeliveredCommand): boolean {
+  return command.action === "reset";
 }

@@ -222,6 +222,8 @@ export interface RemoteView {
   scripts: ListedScript[];
   /** remote driving is paused by its owner */
   isPaused: boolean;
+  /** scripts may reset the robot */
+  mayReset: boolean;
 }
 
 /** The answer to `load-run`: the last documents of the run, or why nothing was loaded. */

@@ -81,6 +81,7 @@ export class RemoteHost implements RemoteDriverEvents {
   #drivers = noDrivers;
   #scripts: ListedScript[] = [];
   #isPaused = false;
+  #mayReset = true;
   /** increases with each open and close; results of older attempts are dropped */
   #attempt = 0;
 
@@ -220,9 +221,10 @@ export class RemoteHost implements RemoteDriverEvents {
       },
       onStored: (seq) => this.#sweep.confirmed(seq),
       onStatus: (status) => this.#linkChanged(status, trouble.troubleOf),
-      onDrivers: (drivers, alive, { scripts, paused }) => {
+      onDrivers: (drivers, alive, { scripts, paused, mayReset }) => {
         this.#drivers = drivers;
         this.#isPaused = paused;
+        this.#mayReset = mayReset;
         this.#scripts = scripts.map((script) => this.#listed(script));
         this.#ports.renew(alive);
         if (this.isOpen) this.#setStatus(this.#connectedStatus());
@@ -335,6 +337,7 @@ export class RemoteHost implements RemoteDriverEvents {
       session: this.#session,
       scripts: this.#scripts,
       isPaused: this.#isPaused,
+      mayReset: this.#mayReset,
       commands: this.#commands.toArray(),
     });
   }

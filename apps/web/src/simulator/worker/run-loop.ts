@@ -255,6 +255,8 @@ export class RunLoop {
   /** Runs the ticks for the real time since the last call. */
   advance(): void {
     this.#remote?.update();
+    if (this.driver === "remote" && this.#live.isRunning)
+      this.#remote?.takeReset(() => this.#startRun());
     const isAtSpeed = !this.#isByHand && !this.#isAwaitingScript;
     const flow = !this.isRunning ? "standing" : isAtSpeed ? "at-speed" : "real-time";
     this.#clock.advance(flow, (count) => this.#runTicks(count, isAtSpeed));

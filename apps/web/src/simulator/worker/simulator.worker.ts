@@ -34,6 +34,7 @@ const unreachable: RemoteView = {
   commands: [],
   scripts: [],
   isPaused: false,
+  mayReset: true,
 };
 
 /** The same for the class. */

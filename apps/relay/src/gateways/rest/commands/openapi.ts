@@ -39,6 +39,7 @@ export const commandCalls: ZodOpenApiPathsObject = {
           ...asScript,
           "key-conflict",
           "driving-paused",
+          "reset-disabled",
           "too-late",
           "too-large",
           "not-json",

@@ -1,4 +1,4 @@
-/** Operations on a robot's scripts: list, block and pause. */
+/** Operations on a robot's scripts: list, block and pause, and whether they may reset it. */
 import { scriptListSchema, scriptRefSchema, blockedScriptSchema } from "@corridor/protocol";
 import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { answer, location, parameters, refusals } from "../../../platform/openapi/parts.ts";
@@ -34,6 +34,22 @@ export const scriptCalls: ZodOpenApiPathsObject = {
       summary: "Resume remote driving",
       security: owner,
       responses: { 204: { description: "Scripts can drive." }, ...refusals(...keyed) },
+    },
+  },
+  "/api/v1/robots/{id}/script-reset": {
+    parameters: robot,
+    put: {
+      operationId: "permitReset",
+      summary: "Let scripts reset the robot, which is the default",
+      security: owner,
+      responses: { 204: { description: "Scripts may send `reset`." }, ...refusals(...keyed) },
+    },
+    delete: {
+      operationId: "forbidReset",
+      summary: "Do not let scripts reset the robot",
+      description: "The relay rejects `reset` with `reset-disabled`. It persists across restarts.",
+      security: owner,
+      responses: { 204: { description: "Resets are rejected." }, ...refusals(...keyed) },
     },
   },
   "/api/v1/robots/{id}/blocked": {

@@ -1,4 +1,4 @@
-/** Scripts of a robot, for its owner: list, block, unblock, pause all. */
+/** Scripts of a robot, for its owner: list, block, unblock, pause all, permit resets. */
 import {
   scriptIdSchema,
   scriptRefSchema,
@@ -28,8 +28,9 @@ export function scriptRoutes(registry: RobotRegistry): Router {
         readBearer(request),
         "moderate",
       );
-      const list: ScriptList = { paused: robot.scriptAccess.isPaused, scripts: robot.scripts };
-      response.json(list);
+      const { scriptAccess: access, scripts } = robot;
+      const { isPaused: paused, mayReset } = access;
+      response.json({ paused, mayReset, scripts } satisfies ScriptList);
     })
     .all(methodNotAllowed("GET"));
 
@@ -51,6 +52,28 @@ export function scriptRoutes(registry: RobotRegistry): Router {
         "moderate",
       );
       await robot.scriptAccess.pause(false);
+      response.status(204).end();
+    })
+    .all(methodNotAllowed("PUT, DELETE"));
+
+  router
+    .route("/robots/:id/script-reset")
+    .put(async (request, response) => {
+      const { robot } = await registry.authorise(
+        request.params.id,
+        readBearer(request),
+        "moderate",
+      );
+      await robot.scriptAccess.permitReset(true);
+      response.status(204).end();
+    })
+    .delete(async (request, response) => {
+      const { robot } = await registry.authorise(
+        request.params.id,
+        readBearer(request),
+        "moderate",
+      );
+      await robot.scriptAccess.permitReset(false);
       response.status(204).end();
     })
     .all(methodNotAllowed("PUT, DELETE"));

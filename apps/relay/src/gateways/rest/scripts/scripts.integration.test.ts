@@ -269,3 +269,41 @@ describe("paused remote driving", () => {
     expect((await after.as("Anna", "/commands", LEFT)).status).toBe(202);
   });
 });
+
+describe("resets by scripts", () => {
+  const RESET = { action: "reset" };
+  const permit = async ({ relay, robot }: Awaited<ReturnType<typeof withRobot>>, method: string) =>
+    (await relay.ask(robot, "/script-reset", { method, key: robot.ownerKey })).status;
+
+  it("are accepted at most once a second, and the key of a rejected one stays free", async () => {
+    const { as } = await withRobot();
+    const first = await as("Anna", "/commands", RESET);
+    expect([first.status, await first.json()]).toMatchObject([202, { action: "reset" }]);
+    const second = await as("Ben", "/commands", RESET);
+    expect(second.headers.get("Retry-After")).toBe("1");
+    expect([second.status, await second.json()]).toMatchObject([
+      429,
+      { type: "/problems/too-fast" },
+    ]);
+    const later = async (): Promise<number> => (await as("Ben", "/commands", RESET)).status;
+    await expect.poll(later, { timeout: 5_000 }).toBe(202);
+  });
+
+  it("are rejected while the owner forbids them, which the page and the list of scripts show", async () => {
+    const world = await withRobot();
+    const { relay, robot, as } = world;
+    const { socket: page } = await TestSocket.page(relay, robot);
+    expect([await permit(world, "DELETE"), await permit(world, "DELETE")]).toEqual([204, 204]);
+    await expect.poll(async () => (await page.next("drivers"))["mayReset"]).toBe(false);
+    const refused = await as("Anna", "/commands", RESET);
+    expect([refused.status, await refused.json()]).toMatchObject([
+      403,
+      { type: "/problems/reset-disabled" },
+    ]);
+    expect((await as("Anna", "/commands", LEFT)).status).toBe(202);
+    const list = await relay.ask(robot, "/scripts", { key: robot.ownerKey });
+    expect(await list.json()).toMatchObject({ paused: false, mayReset: false });
+    expect(await permit(world, "PUT")).toBe(204);
+    expect((await as("Anna", "/commands", RESET)).status).toBe(202);
+  });
+});

@@ -102,6 +102,7 @@ describe("the journal", () => {
     const db = openDatabase(file, WITHOUT_RULES);
     db.prepare("ATTACH ? AS newer").run(newer);
     db.exec(`
+      ALTER TABLE newer.sessions DROP COLUMN may_reset;
       INSERT INTO sessions SELECT * FROM newer.sessions;
       INSERT INTO keys SELECT robot, hash, kind, made_at, last_used_at FROM newer.keys;
       INSERT INTO journal SELECT id, robot, json_remove(entry, '$[18]', '$[17]', '$[16]') FROM newer.journal;

@@ -59,6 +59,7 @@ async function onFillingDisk() {
         deadline: 10_001,
         replace: false,
         lease: null,
+        resetFrom: 0,
         maxWaiting: 10_000,
         keep: 20_000,
       }),

@@ -117,7 +117,7 @@ describe("a file of an earlier Corridor", () => {
     const file = fileOfBefore();
     openDatabase(file).close();
     expect(() => openDatabase(file, BY_ROBOT)).toThrow(
-      /newer Corridor \(schema 18, this version supports 10\)/,
+      /newer Corridor \(schema 19, this version supports 10\)/,
     );
   });
 

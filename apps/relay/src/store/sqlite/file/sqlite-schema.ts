@@ -274,6 +274,11 @@ const KEY_USE = `
 ALTER TABLE keys ADD COLUMN use TEXT;
 `;
 
+// Whether scripts may reset the robot.
+const SCRIPT_RESET = `
+ALTER TABLE sessions ADD COLUMN may_reset INTEGER NOT NULL DEFAULT 1;
+`;
+
 /** The migration for each version. The first one creates version 1 from an empty file. */
 const STEPS: readonly string[] = [
   SESSIONS,
@@ -294,6 +299,7 @@ const STEPS: readonly string[] = [
   RULES_IN_ENTRIES,
   CLASSES,
   KEY_USE,
+  SCRIPT_RESET,
 ];
 
 /**

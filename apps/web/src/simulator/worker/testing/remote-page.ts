@@ -130,6 +130,7 @@ export function openPage() {
     commands: [],
     scripts: [],
     isPaused: false,
+    mayReset: true,
   };
   const host: RemoteHost = new RemoteHost({
     origin: "http://localhost",
