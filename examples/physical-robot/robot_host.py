@@ -28,6 +28,8 @@ def not_offered(options: argparse.Namespace, body: SimulatedBody) -> Dict[str, s
     }
     if not options.tracked:
         missing["pose"] = "It counts the turns of its wheels: its pose is an estimate."
+    if not options.reset:
+        missing["reset"] = "It cannot put itself at its start: carry it there."
     if not body.has_goal:
         missing["goal"] = "There is no goal in its room."
     return missing
@@ -47,10 +49,13 @@ def main() -> None:
     parser.add_argument(
         "--tracked", action="store_true", help="the pose is measured, for example by a camera"
     )
+    parser.add_argument(
+        "--reset", action="store_true", help="scripts may put the simulated body at its start"
+    )
     options = parser.parse_args()
 
     robot_id, key = secrets.token_urlsafe(16), "drv_" + secrets.token_urlsafe(16)
-    store = CommandStore()
+    store = CommandStore(can_reset=options.reset)
     body = SimulatedBody(options.room.split(","))
     controller = Controller(store, body, options.speedup)
     address = (options.host, options.port)

@@ -40,6 +40,11 @@ class SimulatedBody:
         The robot starts at `S`, or on the first floor cell if there is no `S`, and faces north.
         """
         self._plan = plan
+        self.reset()
+
+    def reset(self) -> None:
+        """Puts the body at its start. Only a simulated body can do this."""
+        plan = self._plan
         start = "S" if any("S" in cells for cells in plan) else "."
         row = next(index for index, cells in enumerate(plan) if start in cells)
         self.pose = Pose((plan[row].index(start) + 0.5) * CELL, (row + 0.5) * CELL, 0.0)

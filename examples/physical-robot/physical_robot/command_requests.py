@@ -19,7 +19,7 @@ SIMPLE_ACTIONS = (
     "delayed left 90",
     "delayed right 90",
 )
-ACTIONS = (*SIMPLE_ACTIONS, "move", "turn", "drive")
+ACTIONS = (*SIMPLE_ACTIONS, "move", "turn", "drive", "reset")
 Range = Tuple[float, float, str]
 #: Required numbers of each action: minimum, maximum, description.
 REQUIRED_FIELDS: Dict[str, Dict[str, Range]] = {

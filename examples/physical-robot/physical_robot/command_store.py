@@ -22,6 +22,8 @@ MAX_WAITING = 64
 MAX_EVENTS = 1_000
 CANCELLED_BY_SCRIPT = "The script cancelled this command. To run it, send a new command."
 LOG_PAGE = 200
+#: Least seconds between two resets.
+RESET_INTERVAL = 1.0
 
 
 @dataclass
@@ -57,7 +59,10 @@ class Entry:
 
 
 class CommandStore:
-    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+    def __init__(
+        self, clock: Callable[[], float] = time.monotonic, can_reset: bool = False
+    ) -> None:
+        """`can_reset`: whether the body can put itself at its start."""
         self.changed = threading.Condition()
         self.running: Optional[Entry] = None
         #: returns the pose, and the distance of the running command; set by the controller
@@ -68,6 +73,8 @@ class CommandStore:
         self.open_requests = 0
         self.stream = secrets.token_hex(4)
         self._clock = clock
+        self._can_reset = can_reset
+        self._next_reset = 0.0
         self._entries: List[Entry] = []
         self._by_key: Dict[str, Entry] = {}
         self._waiting: Deque[Entry] = deque()
@@ -94,7 +101,11 @@ class CommandStore:
             )
             raise Problem(422, "too-late", detail)
         is_stop = request.command["action"] == "stop"
-        if len(self._waiting) >= MAX_WAITING and not is_stop and not request.replace:
+        is_reset = request.command["action"] == "reset"
+        if is_reset:
+            self._check_reset()
+        replaces = request.replace or is_reset
+        if len(self._waiting) >= MAX_WAITING and not is_stop and not replaces:
             detail = (
                 f"{MAX_WAITING} commands wait at this robot, the maximum. "
                 "Wait until one ends, then send this command again."
@@ -107,11 +118,24 @@ class CommandStore:
             self._by_key[key] = entry
         if is_stop:
             self._end_all("cancelled", f"Command {entry.seq} stopped this command.")
-        elif request.replace:
+        elif replaces:
             self._end_all("superseded", f"Command {entry.seq} replaced this command.")
         self._waiting.append(entry)
         self.changed.notify_all()
         return entry.record()
+
+    def _check_reset(self) -> None:
+        if not self._can_reset:
+            detail = (
+                "This robot cannot put itself at its start. Carry it there, or continue from "
+                "where it is."
+            )
+            raise Problem(422, "not-supported", detail)
+        now = self._clock()
+        if now < self._next_reset:
+            detail = "A robot accepts one reset a second. Wait a second, then send this command again."
+            raise Problem(429, "too-fast", detail, headers={"Retry-After": "1"})
+        self._next_reset = now + RESET_INTERVAL
 
     def cancel(self, seq: int) -> Json:
         """Cancels a command unless it has ended."""

@@ -104,6 +104,13 @@ class Controller:
             self._phases = [("wheels", command["milliseconds"] / 1_000)]
         else:
             self._phases = list(PHASES.get(action, []))
+        if action == "reset":
+            self._reset(now)
+
+    def _reset(self, now: float) -> None:
+        """Puts the robot at its start, which begins a new run."""
+        self._body.reset()
+        self._up_since, self._goal_reached = now, False
 
     def _is_over(self, entry: Entry, now: float) -> bool:
         """Ends a motion without an end if another command waits or its script is disconnected."""

@@ -15,7 +15,9 @@ _TITLES = {
     "too-large": "The body is too large",
     "not-json": "The body is not JSON",
     "too-late": "The command arrived too late",
+    "not-supported": "The robot cannot do this",
     "queue-full": "Too many waiting commands",
+    "too-fast": "Too many requests",
     "internal": "Internal server error",
 }
 

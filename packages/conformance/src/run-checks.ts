@@ -11,6 +11,7 @@ import { life } from "./checks/life-cycle.ts";
 import { limits } from "./checks/limits.ts";
 import { pose } from "./checks/pose.ts";
 import { reading } from "./checks/reading.ts";
+import { reset } from "./checks/reset.ts";
 import { retries } from "./checks/retries.ts";
 import { stops } from "./checks/stops.ts";
 import type { Check, CheckGroup } from "./check.ts";
@@ -30,6 +31,7 @@ export const groups: readonly CheckGroup[] = [
   invalidInput,
   leases,
   guardedMotion,
+  reset,
   limits,
   connections,
 ];

@@ -84,6 +84,9 @@ describe("the physical robot", () => {
         "pose-axes",
         "pose-ending",
         "maze",
+        "reset",
+        "reset-replaces",
+        "reset-rate",
         ...webSocketSection.checks.map(({ promise }) => promise),
       ]);
       expect(passes(results)).toBe(true);

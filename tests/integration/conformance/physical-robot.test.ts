@@ -27,6 +27,25 @@ function has([program = "", ...words]: string[]): boolean {
 }
 
 describe("the physical robot", () => {
+  it("rejects a reset, after which a script continues", async () => {
+    const script = `
+import sys
+from corridor import CommandError, Robot
+
+with Robot(sys.argv[1]) as robot:
+    try:
+        robot.reset()
+    except CommandError as error:
+        print(error.code, error.hint)
+    print(robot.right().state)
+`;
+    const env = { ...process.env, PYTHONPATH: join(EXAMPLES, "../packages/client-python/src") };
+    const { stdout } = await run("python3", ["-c", script, await startHost(TREE)], { env });
+    expect(stdout).toBe(
+      "refused This robot cannot put itself at its start. Carry it there, or continue from where it is.\ncompleted\n",
+    );
+  });
+
   it("is driven by the Python library, including motions without an end", async () => {
     const script = `
 import sys, time

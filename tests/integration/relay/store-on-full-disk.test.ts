@@ -13,7 +13,14 @@ describe("a store on a full disk", () => {
     const store = new SqliteRobotStore(join(disk.folder, "corridor.sqlite"));
     onTestFinished(() => store.close());
     const ids = ["A".repeat(22), "B".repeat(22)];
-    const terms = { ttl: 10_000, deadline: 10_001, replace: false, lease: null, keep: 10_000 };
+    const terms = {
+      ttl: 10_000,
+      deadline: 10_001,
+      replace: false,
+      lease: null,
+      resetFrom: 0,
+      keep: 10_000,
+    };
     for (const id of ids) {
       await store.create({ id, createdAt: 1, keys: [{ kind: "drive", hash: "d" }] });
       for (let n = 0; n < 2_000; n++) {

@@ -11,6 +11,7 @@ import { longPollFaults } from "./faults/long-poll.ts";
 import { messageFlowFaults } from "./faults/message-flow.ts";
 import { poseFaults } from "./faults/pose.ts";
 import { readingFaults } from "./faults/reading.ts";
+import { resetFaults } from "./faults/reset.ts";
 import { retriesFaults } from "./faults/retries.ts";
 import { stopsFaults } from "./faults/stops.ts";
 import { webSocketFaults } from "./faults/websocket.ts";
@@ -28,6 +29,7 @@ export const injectedFaults: readonly InjectedFault[] = [
   ...invalidInputFaults,
   ...leasesFaults,
   ...guardedMotionFaults,
+  ...resetFaults,
   ...limitsFaults,
   ...longPollFaults,
   ...webSocketFaults,

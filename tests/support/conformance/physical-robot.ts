@@ -12,7 +12,7 @@ interface RobotOptions {
   room: string;
   /** speed factor of the motors; leases and ttls are unchanged */
   speedup?: number;
-  /** whether the robot measures its pose */
+  /** whether the robot measures its pose, and can put itself at its start */
   isTracked?: boolean;
   edits?: readonly Edit[];
 }
@@ -26,7 +26,7 @@ export async function startPhysicalRobot(options: RobotOptions): Promise<Running
   const { room, speedup = 4, isTracked = false, edits = [] } = options;
   const folder = edits.length > 0 ? copyWith(edits) : null;
   const args = ["--port", "0", "--speedup", String(speedup), "--room", room];
-  if (isTracked) args.push("--tracked");
+  if (isTracked) args.push("--tracked", "--reset");
   const removeFolder = (): void => {
     if (folder !== null) rmSync(folder, { recursive: true, force: true });
   };
