@@ -75,7 +75,13 @@ it("reports the longest names and problems of all scripts in one message", () =>
   }));
   for (const each of names) presence.refused(each, "x".repeat(1_000));
   const report = presence.report(names.slice(0, MAX_BLOCKED_SCRIPTS));
-  const message = { type: "drivers", at: clock.now(), paused: false, ...report } as const;
+  const message = {
+    type: "drivers",
+    at: clock.now(),
+    paused: false,
+    mayReset: true,
+    ...report,
+  } as const;
   expect(report.scripts).toHaveLength(MAX_SCRIPTS + MAX_BLOCKED_SCRIPTS);
   expect(encodeFrame(message).length).toBeLessThan(MAX_FRAME_BYTES);
 });
