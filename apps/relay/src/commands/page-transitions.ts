@@ -3,12 +3,15 @@
  * return.
  */
 import type { CommandRecord } from "@corridor/protocol";
-import { recordOfRow, type CommandRow } from "./command-row.ts";
-import { overtakingKinds, type Overtaking } from "./overtaking.ts";
-import type { RobotCommands } from "./robot-commands.ts";
-import type { KnownCommands, RobotStep } from "./robot-state.ts";
+import {
+  recordOfRow,
+  type CommandRow,
+  overtakingKinds,
+  type Overtaking,
+  type RobotCommands,
+} from "./robot-commands.ts";
+import type { KnownCommands, RobotStep, Acquired, PageState } from "./steps.ts";
 import { becauseOf, finish, isWithRobot, overtake, waiting } from "./state-machine.ts";
-import type { Acquired, PageState } from "./steps.ts";
 
 /**
  * Gives up the page of this epoch, because it does not return, and cancels all delivered and

@@ -1,8 +1,7 @@
 /** What a robot's owner permits: its keys, and the scripts that are blocked. */
-import type { RobotCommands, AccessState } from "./robot-commands.ts";
-import type { RobotStep } from "./robot-state.ts";
-import { recallAllOf } from "./state-machine.ts";
+import type { RobotCommands, AccessState, TermedRecord } from "./robot-commands.ts";
 import type {
+  RobotStep,
   BlockResult,
   KeyChange,
   KeysResult,
@@ -10,8 +9,8 @@ import type {
   ScriptChange,
   StoredKey,
   StoredScript,
-  TermedRecord,
 } from "./steps.ts";
+import { recallAllOf } from "./state-machine.ts";
 
 /**
  * Creates and revokes keys, and recalls the commands of revoked ones. Their scripts are no longer

@@ -1,6 +1,6 @@
 import { commandRecordSchema, expiredReason } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { recordOfRow } from "./command-row.ts";
+import { recordOfRow } from "./robot-commands.ts";
 import { causes, reasonText, recallCauseIn } from "./reasons.ts";
 import { rowOf } from "./testing/robot-with.ts";
 

@@ -2,8 +2,7 @@
 import { hasEnded, type EndingState } from "@corridor/protocol";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import type { CommandRow } from "./command-row.ts";
-import type { RobotCommands } from "./robot-commands.ts";
+import type { CommandRow, RobotCommands } from "./robot-commands.ts";
 import * as pages from "./page-transitions.ts";
 import * as machine from "./state-machine.ts";
 import { DRIVER, endingOf, newCommand, NOW, pageWith, robotWith } from "./testing/robot-with.ts";

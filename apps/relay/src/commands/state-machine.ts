@@ -12,21 +12,22 @@ import {
   commandIn,
   type CommandRow,
   type KnownCommand,
-} from "./command-row.ts";
-import { overtakingOf, type Overtaking } from "./overtaking.ts";
+  overtakingOf,
+  type Overtaking,
+  type RobotCommands,
+  type TermedRecord,
+} from "./robot-commands.ts";
 import type { Cause, RelayReason } from "./reasons.ts";
-import type { RobotCommands } from "./robot-commands.ts";
-import type { RobotStep } from "./robot-state.ts";
-import { isSameCommand, shorten, shownRecordIn, toShorten } from "./stored-conditions.ts";
 import {
+  type RobotStep,
   CLOCK_TOLERANCE_MS,
   type AddResult,
   type CancelResult,
   type EndResult,
   type Expired,
   type NewCommand,
-  type TermedRecord,
 } from "./steps.ts";
+import { isSameCommand, shorten, shownRecordIn, toShorten } from "./stored-conditions.ts";
 
 /**
  * Stores a command, unless its sender may not send commands or its idempotency key is known.

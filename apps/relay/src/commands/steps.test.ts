@@ -4,7 +4,7 @@ import { describe, expect, it } from "vitest";
 import { abandonStep, acquireStep, newestOvertaking } from "./page-transitions.ts";
 import { changeBlockedStep, changeKeysStep } from "./permissions.ts";
 import type { RobotCommands } from "./robot-commands.ts";
-import type { RobotState, RobotStep } from "./robot-state.ts";
+import type { RobotState, RobotStep, KeyChange } from "./steps.ts";
 import {
   addStep,
   cancelStep,
@@ -15,7 +15,6 @@ import {
   recalledStep,
   startStep,
 } from "./state-machine.ts";
-import type { KeyChange } from "./steps.ts";
 import {
   DRIVER,
   endingOf,

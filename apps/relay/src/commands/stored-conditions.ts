@@ -7,8 +7,7 @@
  */
 import { createHash } from "node:crypto";
 import { hasEnded, type CommandRecord } from "@corridor/protocol";
-import { commandIn, recordOfRow, type CommandRow } from "./command-row.ts";
-import type { RobotCommands } from "./robot-commands.ts";
+import { commandIn, recordOfRow, type CommandRow, type RobotCommands } from "./robot-commands.ts";
 
 /** Ended commands that retain their conditions. */
 export const GUARDED_RECORDS = 200;

@@ -2,7 +2,7 @@ import { expect, it } from "vitest";
 import { FakeClock } from "../platform/testing/fake-clock.ts";
 import type { StoredScript } from "../store/port.ts";
 import { AccessEnforcement } from "./access-enforcement.ts";
-import { callerOf } from "./access/caller.ts";
+import { callerOf } from "./access/callers.ts";
 import { EventLog } from "../platform/events/event-log.ts";
 import { recordPacking } from "./readers/packed-record.ts";
 import { Subscribers } from "./readers/subscribers.ts";

@@ -27,7 +27,7 @@ import {
   type Verb,
   type Caller,
   type Introduction,
-} from "./access/caller.ts";
+} from "./access/callers.ts";
 import { Robot } from "./robot.ts";
 import { TokenBucket } from "../platform/limits/token-bucket.ts";
 import { noObserver, type CommandObserver } from "./delivery/command-observer.ts";

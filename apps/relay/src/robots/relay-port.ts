@@ -15,9 +15,8 @@ import {
 } from "@corridor/protocol";
 import { asRefusal, noRobot, Refusal, restarting } from "../platform/errors/problems.ts";
 import { StoreUnavailableError } from "../platform/errors/store-unavailable.ts";
-import type { Caller, Verb } from "./access/caller.ts";
+import { type Caller, type Verb, scriptIsBlocked } from "./access/callers.ts";
 import { keyRevoked } from "./access/key-ring.ts";
-import { scriptIsBlocked } from "./access/script-access.ts";
 import { noMaze } from "./maze-board.ts";
 import type { OverReason, ReaderSink } from "./readers/feed.ts";
 import type { JoinedReader } from "./readers/readers.ts";

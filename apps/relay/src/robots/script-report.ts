@@ -5,8 +5,8 @@
 import type { ScriptView } from "@corridor/protocol";
 import type { Clock } from "../platform/time/clock.ts";
 import type { Scripts } from "../bus/bus.ts";
-import type { ScriptAccess } from "./access/script-access.ts";
-import type { PageDisplay } from "./page/page-display.ts";
+import type { ScriptAccess } from "./access/callers.ts";
+import type { PageDisplay } from "./delivery/command-delivery.ts";
 import type { PageOwnership } from "./page/page-ownership.ts";
 import type { Presence } from "./presence/presence.ts";
 import type { RobotChannel } from "./presence/robot-channel.ts";

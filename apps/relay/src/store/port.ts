@@ -7,8 +7,7 @@
  */
 import type { CommandRecord } from "@corridor/protocol";
 import type { RobotCommands } from "../commands/robot-commands.ts";
-import type { RobotStep } from "../commands/robot-state.ts";
-import type { StoredKey, StoredScript } from "../commands/steps.ts";
+import type { RobotStep, StoredKey, StoredScript } from "../commands/steps.ts";
 
 export type { LeftCause } from "../commands/reasons.ts";
 export {
@@ -24,8 +23,8 @@ export {
   type ScriptChange,
   type StoredKey,
   type StoredScript,
-  type TermedRecord,
 } from "../commands/steps.ts";
+export type { TermedRecord } from "../commands/robot-commands.ts";
 
 /** When a key was created and last used, as far as recorded; null: never used. */
 export interface KeyTimes {

@@ -1,8 +1,12 @@
 /** A robot in memory, for tests of the state machine. */
 import type { CommandState, Ending } from "@corridor/protocol";
-import { commandIn, type CommandRow } from "../command-row.ts";
-import { overtakingOf } from "../overtaking.ts";
-import { RobotCommands, type OnChange } from "../robot-commands.ts";
+import {
+  commandIn,
+  type CommandRow,
+  overtakingOf,
+  RobotCommands,
+  type OnChange,
+} from "../robot-commands.ts";
 import type { NewCommand, PageState } from "../steps.ts";
 
 export const NOW = 5_000;

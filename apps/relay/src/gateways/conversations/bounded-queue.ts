@@ -4,8 +4,7 @@
  */
 import { closeReasons } from "@corridor/protocol";
 import { limits } from "../../platform/limits/limits.ts";
-import { closeWith, type Conversation } from "./conversation.ts";
-import type { ReaderConnection } from "./reader-connection.ts";
+import { closeWith, type Conversation, type ReaderConnection } from "./conversation.ts";
 
 /** Wraps a conversation and closes its connection when too many messages are unfinished. */
 export function withBoundedQueue(

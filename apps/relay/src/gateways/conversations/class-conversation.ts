@@ -26,8 +26,7 @@ import { limits } from "../../platform/limits/limits.ts";
 import { MessageRates } from "../../platform/limits/message-rates.ts";
 import type { Clock } from "../../platform/time/clock.ts";
 import { withBoundedQueue } from "./bounded-queue.ts";
-import { closeWith, type Conversation } from "./conversation.ts";
-import type { ReaderConnection } from "./reader-connection.ts";
+import { closeWith, type Conversation, type ReaderConnection } from "./conversation.ts";
 import type { GatewayMetrics } from "./start-conversation.ts";
 
 type Connection = Pick<ReaderConnection, "send" | "close" | "isOpen">;

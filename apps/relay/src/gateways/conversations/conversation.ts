@@ -2,9 +2,10 @@
  * Protocol of one connection after its first message, as a page or a script. Independent of the
  * transport.
  */
-import { closeReasons, type CloseReason } from "@corridor/protocol";
-import type { OverReason } from "../../robots/readers/feed.ts";
-import { scriptIsBlocked } from "../../robots/access/script-access.ts";
+import { closeReasons, type CloseReason, type SocketPort } from "@corridor/protocol";
+import type { OverReason, ReaderFlow } from "../../robots/readers/feed.ts";
+import { scriptIsBlocked } from "../../robots/access/callers.ts";
+import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
 
 export interface Conversation {
   /**
@@ -63,4 +64,13 @@ function shortReason(text: string): string {
   const bytes = new TextEncoder().encode(text);
   if (bytes.length <= 123) return text;
   return new TextDecoder().decode(bytes.slice(0, 120)).replace(/\uFFFD+$/, "") + "…";
+}
+
+export interface ReaderConnection extends SocketPort {
+  readonly transport: "websocket" | "long-poll-connection";
+  readonly flow: ReaderFlow;
+  /** Sends messages in one write. Does nothing once the connection is closed. */
+  send(...texts: string[]): void;
+  /** Forwards a snapshot in its encoded form. */
+  sendSnapshot(snapshot: CarriedSnapshot): void;
 }

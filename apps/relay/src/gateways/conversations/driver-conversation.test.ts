@@ -1,7 +1,7 @@
 /** A script whose commands wait for a slow store. */
 import { decodeFrame, relayToDriverSchema, type RelayToDriver } from "@corridor/protocol";
 import { expect, it } from "vitest";
-import { RightsVersion, callerOf, unknownScript } from "../../robots/access/caller.ts";
+import { RightsVersion, callerOf, unknownScript } from "../../robots/access/callers.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { FakeClock } from "../../platform/testing/fake-clock.ts";
 import type { Robot } from "../../robots/robot.ts";

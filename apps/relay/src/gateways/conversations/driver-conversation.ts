@@ -25,8 +25,12 @@ import type { Grant } from "../../robots/registry.ts";
 import type { JoinedReader } from "../../robots/readers/readers.ts";
 import { TransitEstimate } from "../../robots/delivery/script-clocks.ts";
 import { withUntilHint } from "../requests/command-hints.ts";
-import { closeWith, closeReader, type Conversation } from "./conversation.ts";
-import type { ReaderConnection } from "./reader-connection.ts";
+import {
+  closeWith,
+  closeReader,
+  type Conversation,
+  type ReaderConnection,
+} from "./conversation.ts";
 
 const keyedSchema = z.object({ key: idempotencyKeySchema });
 

@@ -16,10 +16,9 @@ import type { Clock } from "../../platform/time/clock.ts";
 import type { ProblemKind } from "../../platform/errors/problem-kinds.ts";
 import type { Refusal } from "../../platform/errors/problems.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import { verbOfRole } from "../../robots/access/caller.ts";
+import { verbOfRole } from "../../robots/access/callers.ts";
 import type { RobotRegistry } from "../../robots/registry.ts";
-import type { Conversation } from "./conversation.ts";
-import type { ReaderConnection } from "./reader-connection.ts";
+import type { Conversation, ReaderConnection } from "./conversation.ts";
 import { startConversation, type GatewayMetrics } from "./start-conversation.ts";
 
 /** A client whose key is valid. */

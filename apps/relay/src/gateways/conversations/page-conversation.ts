@@ -13,8 +13,7 @@ import {
 import { readSnapshotMessage } from "../../bus/carried-snapshot.ts";
 import type { PageLink } from "../../robots/page/page-ownership.ts";
 import type { Grant } from "../../robots/registry.ts";
-import { closeWith, type Conversation } from "./conversation.ts";
-import type { ReaderConnection } from "./reader-connection.ts";
+import { closeWith, type Conversation, type ReaderConnection } from "./conversation.ts";
 
 type PageConnection = Pick<ReaderConnection, "send" | "close" | "isOpen">;
 

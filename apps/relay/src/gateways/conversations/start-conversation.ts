@@ -4,10 +4,9 @@ import type { Clock } from "../../platform/time/clock.ts";
 import type { ProblemKind } from "../../platform/errors/problem-kinds.ts";
 import type { Grant } from "../../robots/registry.ts";
 import { withBoundedQueue } from "./bounded-queue.ts";
-import type { Conversation } from "./conversation.ts";
+import type { Conversation, ReaderConnection } from "./conversation.ts";
 import { DriverConversation } from "./driver-conversation.ts";
 import { PageConversation } from "./page-conversation.ts";
-import type { ReaderConnection } from "./reader-connection.ts";
 
 /** Counts what the gateways reject and close. */
 export interface GatewayMetrics {

@@ -15,8 +15,12 @@ import type { Clock } from "../../platform/time/clock.ts";
 import type { WaitLimit } from "../../platform/time/wait-limit.ts";
 import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import { closeWith, handleMessage, type Conversation } from "../conversations/conversation.ts";
-import type { ReaderConnection } from "../conversations/reader-connection.ts";
+import {
+  closeWith,
+  handleMessage,
+  type Conversation,
+  type ReaderConnection,
+} from "../conversations/conversation.ts";
 
 /**
  * Size limit of a response with several messages, because clients read a response only as a whole.

@@ -11,7 +11,7 @@ import type { z } from "zod";
 import type { oas31, ZodOpenApiPathsObject } from "zod-openapi";
 import type { ProblemKind } from "../../platform/errors/problem-kinds.ts";
 import { classPath } from "../rest/classes/reading.ts";
-import { fetchQuery } from "../requests/reading.ts";
+import { fetchQuery } from "../requests/script-requests.ts";
 import { answer, parameters, refusals } from "../../platform/openapi/parts.ts";
 import { asScript, robot } from "../requests/openapi-parts.ts";
 

@@ -5,7 +5,7 @@ import type { RequestGuard } from "../../platform/http/request-guard.ts";
 import type { LongPollConnections } from "./long-poll-connections.ts";
 import { methodNotAllowed } from "../../platform/http/fallbacks.ts";
 import { bodyReader, readBearer, readClient, waitLimitOf } from "../../platform/http/reading.ts";
-import { readFetch } from "../requests/reading.ts";
+import { readFetch } from "../requests/script-requests.ts";
 
 export function longPollRoutes<H extends { role: string; key: string }>(
   connections: LongPollConnections<H>,

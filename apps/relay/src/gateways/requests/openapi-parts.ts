@@ -3,7 +3,7 @@ import { robotIdSchema } from "@corridor/protocol";
 import { z } from "zod";
 import type { oas31 } from "zod-openapi";
 import { parameters } from "../../platform/openapi/parts.ts";
-import { clockHeader, idempotencyHeader, nameHeader } from "./reading.ts";
+import { clockHeader, idempotencyHeader, nameHeader } from "./script-requests.ts";
 
 /** Errors of every operation with a key. */
 export const keyed = ["bad-request", "not-authorised", "forbidden", "no-robot"] as const;

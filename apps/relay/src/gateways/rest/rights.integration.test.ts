@@ -2,7 +2,7 @@
 import { createdKeySchema, type Registration } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import { rights, type Verb } from "../../robots/access/caller.ts";
+import { rights, type Verb } from "../../robots/access/callers.ts";
 import { maze } from "../../platform/testing/sample-documents.ts";
 import { startTestRelay, type TestRelay } from "../../testing/test-relay.ts";
 import { TestSocket } from "../../testing/test-socket.ts";

@@ -3,7 +3,7 @@ import { eventPageSchema } from "@corridor/protocol";
 import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { parameters, refusals } from "../../platform/openapi/parts.ts";
 import { asScript, ofScript, reader, robot } from "../requests/openapi-parts.ts";
-import { eventsQuery, lastEventHeader } from "../requests/reading.ts";
+import { eventsQuery, lastEventHeader } from "../requests/script-requests.ts";
 import { streamedEventSchema } from "./streamed-event.ts";
 
 export const eventCalls: ZodOpenApiPathsObject = {

@@ -10,8 +10,7 @@ import type { OverReason, ReaderSink } from "../../robots/readers/feed.ts";
 import type { RobotRegistry } from "../../robots/registry.ts";
 import type { JoinedReader } from "../../robots/readers/readers.ts";
 import { methodNotAllowed } from "../../platform/http/fallbacks.ts";
-import { authoriseScript } from "../requests/authorise-script.ts";
-import { callerWaitOf, readEvents } from "../requests/reading.ts";
+import { authoriseScript, callerWaitOf, readEvents } from "../requests/script-requests.ts";
 
 const HEADERS = {
   "Content-Type": "text/event-stream",

@@ -16,11 +16,15 @@ import type { RequestGuard } from "../../platform/http/request-guard.ts";
 import { asRefusal, Refusal } from "../../platform/errors/problems.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { StaggeredInterval } from "../../platform/time/staggered-interval.ts";
-import { closeWith, handleMessage, type Conversation } from "../conversations/conversation.ts";
+import {
+  closeWith,
+  handleMessage,
+  type Conversation,
+  type ReaderConnection,
+} from "../conversations/conversation.ts";
 import { closeOnError } from "../conversations/close-on-error.ts";
 import type { Endpoint } from "../conversations/endpoint.ts";
 import type { GatewayMetrics } from "../conversations/start-conversation.ts";
-import type { ReaderConnection } from "../conversations/reader-connection.ts";
 import { refuseUpgrade } from "../../platform/http/refuse-upgrade.ts";
 import { SocketWithReasons } from "./socket-with-reasons.ts";
 import { WsPort } from "./ws-port.ts";

@@ -17,8 +17,7 @@ import { limits } from "../../platform/limits/limits.ts";
 import { textFrame } from "../../platform/text-frame.ts";
 import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
 import type { ReaderFlow } from "../../robots/readers/feed.ts";
-import { closeWith } from "../conversations/conversation.ts";
-import type { ReaderConnection } from "../conversations/reader-connection.ts";
+import { closeWith, type ReaderConnection } from "../conversations/conversation.ts";
 
 /**
  * A class, because a relay has thousands of instances. An object of closures and getters takes five

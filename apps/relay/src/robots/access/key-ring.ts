@@ -7,8 +7,7 @@ import type { KeyChange, KeyUse, RobotStore, StoredKey, StoredRobot } from "../.
 import { StoreUnavailableError } from "../../platform/errors/store-unavailable.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import type { AccessListener, PermissionChanges } from "./access-listener.ts";
-import { checkRight, type RightsVersion, type Verb } from "./caller.ts";
-import type { ScriptAccess } from "./script-access.ts";
+import { checkRight, type RightsVersion, type Verb, type ScriptAccess } from "./callers.ts";
 
 export interface KeyRingParts {
   robot: string;

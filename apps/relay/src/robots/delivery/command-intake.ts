@@ -10,12 +10,10 @@ import { noRobot, Refusal, restarting, retryAfter } from "../../platform/errors/
 import type { AddResult, RobotStore, TermedRecord } from "../../store/port.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { TokenBucket } from "../../platform/limits/token-bucket.ts";
-import type { Caller } from "../access/caller.ts";
+import { scriptIsBlocked, type Caller } from "../access/callers.ts";
 import { keyRevoked } from "../access/key-ring.ts";
-import { scriptIsBlocked } from "../access/script-access.ts";
 import type { CommandDelivery } from "./command-delivery.ts";
 import type { CommandObserver } from "./command-observer.ts";
-import type { SerialQueue } from "./serial-queue.ts";
 
 export interface CommandIntakeParts {
   robot: string;
@@ -216,5 +214,16 @@ function notStored(result: NotStored, { ttl, age }: CommandTerms, resetMs: numbe
         "key-conflict",
         `Command ${result.record.seq} (${result.record.action}) already uses this idempotency key. Use a new key for each command.`,
       );
+  }
+}
+
+export class SerialQueue {
+  #newest: Promise<unknown> = Promise.resolve();
+
+  /** Runs a task in its turn. A failed task does not stop the next one. */
+  run<T>(change: () => Promise<T>): Promise<T> {
+    const result = this.#newest.then(change);
+    this.#newest = result.catch(() => undefined);
+    return result;
   }
 }

@@ -17,7 +17,7 @@ import type {
 } from "../../store/port.ts";
 import { Refusal } from "../../platform/errors/problems.ts";
 import { noCommand } from "./command-log.ts";
-import type { SerialQueue } from "./serial-queue.ts";
+import type { SerialQueue } from "./command-intake.ts";
 
 export interface CommandRecallParts {
   robot: string;

@@ -6,7 +6,7 @@ import type { Subscribers, CallerWait, ReaderTransport } from "./subscribers.ts"
 import type { Presence } from "../presence/presence.ts";
 import { nextEvents, type WantedEvents } from "./next-events.ts";
 import { ReaderFeed, type ReaderSink, type ReaderSource } from "./feed.ts";
-import type { Caller } from "../access/caller.ts";
+import type { Caller } from "../access/callers.ts";
 
 /** A reader's subscription. */
 export interface JoinedReader {

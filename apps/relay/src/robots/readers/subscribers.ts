@@ -11,8 +11,7 @@ import type { EventLog } from "../../platform/events/event-log.ts";
 import { StoreUnavailableError } from "../../platform/errors/store-unavailable.ts";
 import { keyRevoked } from "../access/key-ring.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import type { Caller } from "../access/caller.ts";
-import { scriptIsBlocked } from "../access/script-access.ts";
+import { type Caller, scriptIsBlocked } from "../access/callers.ts";
 
 /** A subscriber: a reader's feed or a waiting request. */
 interface Listener {

@@ -1,10 +1,9 @@
 /** Reads commands of a robot, of which only the open ones are in memory. */
 import type { CommandRecord } from "@corridor/protocol";
 import { z } from "zod";
-import type { CommandRow } from "../../commands/command-row.ts";
+import type { CommandRow, RobotCommands } from "../../commands/robot-commands.ts";
 import { conditionsEndAt, shownRecord } from "../../commands/stored-conditions.ts";
-import type { RobotCommands } from "../../commands/robot-commands.ts";
-import type { Lookup } from "../../commands/robot-state.ts";
+import type { Lookup } from "../../commands/steps.ts";
 import { asked, type Redis } from "./connection.ts";
 import { keyMember, type Found } from "./loaded-robot.ts";
 import { endedOf, keysOf, openOf, robotKeyOf } from "./redis-keys.ts";

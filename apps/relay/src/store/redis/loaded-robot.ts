@@ -4,13 +4,21 @@
  */
 import { hasEnded } from "@corridor/protocol";
 import { z } from "zod";
-import type { CommandRow } from "../../commands/command-row.ts";
+import {
+  type AccessState,
+  type CommandRow,
+  type Overtaking,
+  RobotCommands,
+} from "../../commands/robot-commands.ts";
 import { newestOvertaking } from "../../commands/page-transitions.ts";
-import type { Overtaking } from "../../commands/overtaking.ts";
 import { accessStateOf } from "../../commands/permissions.ts";
-import { RobotCommands, type AccessState } from "../../commands/robot-commands.ts";
-import type { KeysChange, RobotState, SeqRange } from "../../commands/robot-state.ts";
-import type { Permissions, StoredScript } from "../../commands/steps.ts";
+import type {
+  KeysChange,
+  RobotState,
+  SeqRange,
+  Permissions,
+  StoredScript,
+} from "../../commands/steps.ts";
 import { endedOf, keysOf, channelOf, madeAt, openOf, robotKeyOf, usedAt } from "./redis-keys.ts";
 import { rowIn, textOf } from "./rows.ts";
 import { blockedText, keysText } from "./permission-texts.ts";

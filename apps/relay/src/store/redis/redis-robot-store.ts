@@ -5,8 +5,8 @@
  */
 import type { CommandRecord } from "@corridor/protocol";
 import { z } from "zod";
-import { recordOfRow } from "../../commands/command-row.ts";
-import type { RobotStep } from "../../commands/robot-state.ts";
+import { recordOfRow } from "../../commands/robot-commands.ts";
+import type { RobotStep } from "../../commands/steps.ts";
 import { StoreFull } from "../../platform/errors/disk-full.ts";
 import type { KeyTimes, KeyUse, NewRobot, RobotStore, StoredRobot } from "../port.ts";
 import { asked, type Redis } from "./connection.ts";

@@ -2,8 +2,12 @@
 import { commandRecordSchema } from "@corridor/protocol";
 import { z } from "zod";
 import { causes, recallCauseIn } from "../../commands/reasons.ts";
-import { termedOfRow, commandIn, type CommandRow } from "../../commands/command-row.ts";
-import { overtakingOf } from "../../commands/overtaking.ts";
+import {
+  termedOfRow,
+  commandIn,
+  type CommandRow,
+  overtakingOf,
+} from "../../commands/robot-commands.ts";
 
 const { state, pose, distance } = commandRecordSchema.shape;
 

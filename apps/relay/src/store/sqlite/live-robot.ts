@@ -7,15 +7,23 @@
  * All methods must be called within a step, except those of `commands` that only read.
  */
 import { hasEnded, type CommandRecord } from "@corridor/protocol";
-import type { CommandRow } from "../../commands/command-row.ts";
+import {
+  type CommandRow,
+  RobotCommands,
+  type AccessState,
+  type Overtaking,
+} from "../../commands/robot-commands.ts";
 import { KeyIndex } from "../../commands/key-index.ts";
-import { RobotCommands, type AccessState } from "../../commands/robot-commands.ts";
-import type { Overtaking } from "../../commands/overtaking.ts";
 import { newestOvertaking } from "../../commands/page-transitions.ts";
-import type { KeysChange, RobotState, SeqRange } from "../../commands/robot-state.ts";
+import type {
+  KeysChange,
+  RobotState,
+  SeqRange,
+  Permissions,
+  StoredScript,
+} from "../../commands/steps.ts";
 import { shownRecordIn } from "../../commands/stored-conditions.ts";
-import type { Permissions, StoredScript } from "../../commands/steps.ts";
-import { rowsIn } from "./command-entry.ts";
+import { rowsIn } from "./file/journal.ts";
 import type { Statements } from "./file/statements.ts";
 import { blockedScriptsIn, setBlockedScripts } from "./sqlite-blocked-scripts.ts";
 import { addKeys, keysIn, removeKeys } from "./sqlite-keys.ts";
@@ -37,10 +45,10 @@ export interface LiveRobotParts {
   /** the open commands in the tables, in order */
   open: readonly CommandRow[];
   /**
-   * receives each row that a step has changed, and the seq up to which ended commands are deleted
-   * with it (0: none). @returns the number of its entry
+   * Adds a row that a step has changed to the journal, and the seq up to which ended commands are
+   * deleted with it (0: none). @returns the number of its entry
    */
-  keep: (row: CommandRow, deletedTo: number) => number;
+  append: (row: CommandRow, deletedTo: number) => number;
 }
 
 export class LiveRobot implements RobotState {
@@ -57,13 +65,13 @@ export class LiveRobot implements RobotState {
   #recorded = 0;
   #recordedAt = 0;
 
-  constructor({ id, statements, accessState, open, keep }: LiveRobotParts) {
+  constructor({ id, statements, accessState, open, append }: LiveRobotParts) {
     this.#id = id;
     this.#statements = statements;
     this.#left = accessState.lastSeq > open.length ? null : new KeyIndex();
     this.commands = new RobotCommands(accessState, open, (row) => {
       const { deletedUpTo } = this.commands;
-      this.#note(row.seq, keep(row, deletedUpTo > this.#recorded ? deletedUpTo : 0));
+      this.#note(row.seq, append(row, deletedUpTo > this.#recorded ? deletedUpTo : 0));
     });
   }
 

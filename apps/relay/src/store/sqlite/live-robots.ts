@@ -11,13 +11,12 @@
  * All methods except `peek`, `due` and `compacted` must be called in steps of the file. No other code
  * may change commands in the tables.
  */
-import type { CommandRow } from "../../commands/command-row.ts";
-import type { AccessState } from "../../commands/robot-commands.ts";
-import { entryOf, rowIn, rowsIn } from "./command-entry.ts";
+import type { CommandRow, AccessState } from "../../commands/robot-commands.ts";
+import { entryOf, rowIn, rowsIn, type Bringing, type Compaction } from "./file/journal.ts";
 import { EntryOwners } from "./entry-owners.ts";
 import type { Memory } from "./file/group-commit.ts";
-import type { Bringing, Entry, Compaction } from "./file/journal.ts";
 import { LiveRobot } from "./live-robot.ts";
+import type { SqliteFile } from "./file/sqlite-file.ts";
 import type { Statements } from "./file/statements.ts";
 
 /** Journal length in entries at which checkpoints start: about 5 MB. */
@@ -40,6 +39,9 @@ const ENTRIES_AT_A_TIME = 256;
 const OPEN_ROWS =
   "SELECT entry FROM commands WHERE robot = ? AND seq >= ? AND is_open = 1 ORDER BY seq";
 
+/** The file of the journal; `writing` is rolled back together with its step. */
+type JournalFile = Pick<SqliteFile, "writing" | "append">;
+
 interface RobotRow {
   epoch: number;
   last_seq: number;
@@ -49,8 +51,8 @@ interface RobotRow {
 }
 
 export class LiveRobots implements Memory {
+  readonly #file: JournalFile;
   readonly #statements: Statements;
-  readonly #append: (entry: Entry) => void;
   readonly #long: number;
   readonly #live = new Map<string, LiveRobot>();
   /** first entry of each robot with entries that the tables lack, in order of these entries */
@@ -68,13 +70,12 @@ export class LiveRobots implements Memory {
   #isRolledBack = true;
 
   /**
-   * @param statements rolled back together with their step
-   * @param append adds an entry to the journal in the current step
+   * @param file receives the changes in the current step
    * @param long journal length in entries at which checkpoints start
    */
-  constructor(statements: Statements, append: (entry: Entry) => void, long: number) {
-    this.#statements = statements;
-    this.#append = append;
+  constructor(file: JournalFile, long: number) {
+    this.#file = file;
+    this.#statements = file.writing;
     this.#long = long;
     this.#restore();
   }
@@ -202,7 +203,7 @@ export class LiveRobots implements Memory {
       statements: this.#statements,
       accessState,
       open,
-      keep: (...stored) => this.#keep(id, ...stored),
+      append: (row, deletedTo) => this.#append(id, row, deletedTo),
     });
     this.#live.set(id, robot);
     return robot;
@@ -247,9 +248,9 @@ export class LiveRobots implements Memory {
     this.#isRolledBack = false;
   }
 
-  #keep(id: string, row: CommandRow, deletedTo: number): number {
+  #append(id: string, row: CommandRow, deletedTo: number): number {
     const entry = this.#next++;
-    this.#append([entry, id, entryOf(row, deletedTo)]);
+    this.#file.append([entry, id, entryOf(row, deletedTo)]);
     this.#owners.add(entry, id);
     this.#note(id, entry);
     return entry;

@@ -8,10 +8,9 @@
  */
 import type { CommandRecord } from "@corridor/protocol";
 import { z } from "zod";
-import { recordOfRow } from "../../commands/command-row.ts";
+import { recordOfRow, type RobotCommands } from "../../commands/robot-commands.ts";
 import { shownRecordIn } from "../../commands/stored-conditions.ts";
-import type { RobotCommands } from "../../commands/robot-commands.ts";
-import type { RobotStep } from "../../commands/robot-state.ts";
+import type { RobotStep } from "../../commands/steps.ts";
 import type { LiveRobot } from "./live-robot.ts";
 import { LiveRobots, LONG } from "./live-robots.ts";
 import type { KeyTimes, KeyUse, NewRobot, RobotStore, StoredRobot } from "../port.ts";
@@ -46,7 +45,7 @@ export class SqliteRobotStore implements RobotStore {
    */
   constructor(file: SqliteFile | string, journal = LONG) {
     this.#file = typeof file === "string" ? new SqliteFile(file) : file;
-    this.#live = new LiveRobots(this.#file.writing, (entry) => this.#file.append(entry), journal);
+    this.#live = new LiveRobots(this.#file, journal);
     this.#file.remember(this.#live);
     // A relay that was killed during a deletion leaves orphans. If this fails, the next deletion
     // retries it.

@@ -12,7 +12,7 @@ import {
   ofScript,
   robot,
 } from "../../requests/openapi-parts.ts";
-import { logQuery, seqPath, waitQuery } from "../../requests/reading.ts";
+import { logQuery, seqPath, waitQuery } from "../../requests/script-requests.ts";
 
 export const commandLogSchema = z.strictObject({
   /** in order of their numbers */

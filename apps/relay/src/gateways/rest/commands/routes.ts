@@ -5,15 +5,15 @@ import type { RobotRegistry } from "../../../robots/registry.ts";
 import type { CommandLog } from "./openapi.ts";
 import { Refusal } from "../../../platform/errors/problems.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
-import { authoriseScript } from "../../requests/authorise-script.ts";
 import {
+  authoriseScript,
   callerWaitOf,
   readAfter,
   readCommandRequest,
   readIdempotencyKey,
   readSeq,
   readWait,
-} from "../../requests/reading.ts";
+} from "../../requests/script-requests.ts";
 
 export function commandRoutes(registry: RobotRegistry): Router {
   const router = Router();

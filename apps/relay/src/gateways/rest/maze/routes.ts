@@ -6,7 +6,7 @@ import { noMaze } from "../../../robots/maze-board.ts";
 import type { RobotRegistry } from "../../../robots/registry.ts";
 import { entityTag, matchesTag } from "../../../platform/http/entity-tags.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
-import { authoriseScript } from "../../requests/authorise-script.ts";
+import { authoriseScript } from "../../requests/script-requests.ts";
 import { bodyReader, readBearer } from "../../../platform/http/reading.ts";
 
 const readMaze = bodyReader(mazeSchema, "Invalid maze.", { limit: MAX_DOCUMENT_BYTES });

@@ -8,7 +8,7 @@ import {
   pairingRequestSchema,
 } from "@corridor/protocol";
 import type { ZodOpenApiPathsObject } from "zod-openapi";
-import { nameHeader, waitQuery } from "../../requests/reading.ts";
+import { nameHeader, waitQuery } from "../../requests/script-requests.ts";
 import { answer, location, parameters, refusals } from "../../../platform/openapi/parts.ts";
 import { keyed, owner, robot } from "../../requests/openapi-parts.ts";
 

@@ -8,7 +8,7 @@ import { notAuthorised } from "../../../platform/errors/problems.ts";
 import type { RobotRegistry } from "../../../robots/registry.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
 import { bodyReader, readBearer, readClient, waitLimitOf } from "../../../platform/http/reading.ts";
-import { readIntroduction, readWait } from "../../requests/reading.ts";
+import { readIntroduction, readWait } from "../../requests/script-requests.ts";
 
 const readReply = bodyReader(pairingReplySchema, "Invalid answer.");
 const readPairingRequest = bodyReader(pairingRequestSchema, "Invalid pairing code.");

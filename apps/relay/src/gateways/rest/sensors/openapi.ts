@@ -3,7 +3,7 @@ import { snapshotSchema } from "@corridor/protocol";
 import type { ZodOpenApiPathsObject } from "zod-openapi";
 import { answer, parameters, refusals } from "../../../platform/openapi/parts.ts";
 import { asScript, ofScript, reader, robot } from "../../requests/openapi-parts.ts";
-import { newerQuery } from "../../requests/reading.ts";
+import { newerQuery } from "../../requests/script-requests.ts";
 
 export const sensorCalls: ZodOpenApiPathsObject = {
   "/api/v1/robots/{id}/sensors": {

@@ -3,8 +3,7 @@ import { Router } from "express";
 import { Refusal } from "../../../platform/errors/problems.ts";
 import type { RobotRegistry } from "../../../robots/registry.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
-import { authoriseScript } from "../../requests/authorise-script.ts";
-import { callerWaitOf, readNewer } from "../../requests/reading.ts";
+import { authoriseScript, callerWaitOf, readNewer } from "../../requests/script-requests.ts";
 
 export function sensorRoutes(registry: RobotRegistry): Router {
   const router = Router();

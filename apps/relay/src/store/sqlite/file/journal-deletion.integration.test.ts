@@ -132,7 +132,7 @@ describe("the journal", () => {
     await store.close();
     const db = openDatabase(file);
     onTestFinished(() => db.close());
-    const live = new LiveRobots(new Statements(db), () => undefined, 100);
+    const live = new LiveRobots({ writing: new Statements(db), append: () => undefined }, 100);
     live.remove([id]);
     live.rolledBack();
     live.deleteOrphans();

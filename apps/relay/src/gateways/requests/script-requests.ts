@@ -1,4 +1,6 @@
-/** Reads the parts of a request that scripts and viewers of a robot send: queries and headers. */
+/**
+ * Requests of scripts and viewers of a robot: authorises them, and reads their queries and headers.
+ */
 import {
   idempotencyKeySchema,
   orderSchema,
@@ -18,11 +20,13 @@ import {
   waitSchema,
   waitText,
   wholeNumber,
+  readBearer,
 } from "../../platform/http/reading.ts";
-import type { Caller, Introduction } from "../../robots/access/caller.ts";
+import type { Caller, Introduction, Verb } from "../../robots/access/callers.ts";
 import type { ScriptTime } from "../../robots/delivery/script-clocks.ts";
 import type { CallerWait } from "../../robots/readers/subscribers.ts";
 import { withCommandHint } from "./command-hints.ts";
+import type { Grant, RobotRegistry } from "../../robots/registry.ts";
 
 /** Header for the name of a script. Characters outside of ASCII are percent-encoded. */
 export const nameHeader = z.object({
@@ -169,4 +173,36 @@ export function readIdempotencyKey(request: Request): string | null {
 /** Limits of a wait by a caller. A revoked key also ends it. */
 export function callerWaitOf(response: Response, seconds: number, key: Caller): CallerWait {
   return { ...waitLimitOf(response, seconds), key };
+}
+
+export interface AuthorisedRequest extends Grant {
+  /** arrival time of the request in ms, by the relay's clock */
+  arrivedAt: number;
+  /** ms that the request took longer than the fastest one of its script; 0 without a timestamp */
+  transitMs: number;
+  /** ends the activity of the script before the response ends */
+  markAnswered: () => void;
+}
+
+/** @throws Refusal with the same errors as `RobotRegistry.authorise` */
+export async function authoriseScript(
+  registry: RobotRegistry,
+  request: Request<{ id: string }>,
+  response: Response,
+  verb: Verb,
+): Promise<AuthorisedRequest> {
+  const arrivedAt = registry.clock.now();
+  const grant = await registry.authorise(
+    request.params.id,
+    readBearer(request),
+    verb,
+    readIntroduction(request),
+  );
+  const { robot, key } = grant;
+  const transitMs = robot.scriptClocks.came(key.hash, readScriptTime(request), arrivedAt);
+  const markAnswered = robot.received(key);
+  response.once("close", markAnswered);
+  // The client may have disconnected during authorisation.
+  if (response.closed) markAnswered();
+  return { ...grant, arrivedAt, transitMs, markAnswered };
 }

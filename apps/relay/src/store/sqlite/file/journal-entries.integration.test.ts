@@ -2,10 +2,10 @@ import { join } from "node:path";
 import type { SQLOutputValue } from "node:sqlite";
 import { commandRecordSchema, hasEnded } from "@corridor/protocol";
 import { expect, it, onTestFinished } from "vitest";
-import { rowOf, STOP } from "../../commands/testing/robot-with.ts";
-import { testFolder } from "../../testing/test-relay.ts";
-import { entryOf, rowIn } from "./command-entry.ts";
-import { openDatabase } from "./file/sqlite-schema.ts";
+import { rowOf, STOP } from "../../../commands/testing/robot-with.ts";
+import { testFolder } from "../../../testing/test-relay.ts";
+import { entryOf, rowIn } from "./journal.ts";
+import { openDatabase } from "./sqlite-schema.ts";
 
 /** The columns of a row in the table of commands. */
 function columnsOf(entry: string): Record<string, SQLOutputValue> | undefined {

@@ -1,6 +1,6 @@
 import type { Command } from "@corridor/protocol";
 import { expect, it } from "vitest";
-import { overtakingOf } from "./overtaking.ts";
+import { overtakingOf } from "./robot-commands.ts";
 
 const stop: Command = { action: "stop" };
 const turn: Command = { action: "left 90" };

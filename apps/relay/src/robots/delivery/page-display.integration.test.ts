@@ -5,8 +5,8 @@ import type { TermedRecord } from "../../store/port.ts";
 import { FakeClock } from "../../platform/testing/fake-clock.ts";
 import { completed } from "../../platform/testing/messages.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import { PageDisplay } from "./page-display.ts";
-import { PageOwnership } from "./page-ownership.ts";
+import { PageDisplay } from "./command-delivery.ts";
+import { PageOwnership } from "../page/page-ownership.ts";
 import { LEFT, page, withRobot, type Host } from "../testing/robot-at-relay.ts";
 
 const { shownIntervalMs } = limits;
