@@ -135,7 +135,7 @@ test("a dashboard is usable at 400 %", async ({ openWindow, relay }) => {
     await control.scrollIntoViewIfNeeded();
     await expect(control).toBeInViewport();
   }
-  await expect(button("Pause everyone")).toBeInViewport();
+  await expect(button("Pause everyone (5 min)")).toBeInViewport();
   await button("More").click();
   for (const control of [button("End lesson"), button("Theme")]) {
     await control.scrollIntoViewIfNeeded();
