@@ -44,7 +44,7 @@ describe("a store on a full disk", () => {
     journal.write([[1, "robot", "entry 1"]], null);
     disk.fill();
     const much: Entry = [2, "robot", "x".repeat(1024 * 1024)];
-    const nothing = { bringing: [], deleted: 0, stored: [] };
+    const nothing = { checkpoints: [], deleted: 0, unreadable: [] };
     expect(() => journal.write([much], nothing)).toThrow(expect.objectContaining({ errcode: 13 }));
     expect(count()).toBe(1);
     disk.freeSpace();

@@ -34,12 +34,12 @@ async function withRobots(count: number) {
     );
   const robots = await enter();
   /** Delivers a command to the robot's page, then disconnects the page. */
-  const leftAlone = async ({ robot, key }: Grant): Promise<void> => {
+  const leftAlone = async ({ robot, caller }: Grant): Promise<void> => {
     const link: PageLink = { isOpen: true, send: () => undefined, close: () => undefined };
     const nothing: Resume = { type: "resume", lastApplied: 0, fresh: false, endings: [] };
     await robot.page.acquire(link, nothing);
     const command = { key: null, ...termsOf({ action: "left 90" }) };
-    await robot.submit(key, command, () => undefined);
+    await robot.submit(caller, command, () => undefined);
     robot.page.leave(link, true);
   };
   return { clock, store, registry, instead, robots, enter, leftAlone };
@@ -76,7 +76,7 @@ it("spreads the writes of last uses over some seconds", async () => {
     return store.touch(id, ...rest);
   };
   await clock.pass(limits.touchMs);
-  for (const { robot, key } of robots) robot.received(key)();
+  for (const { robot, caller } of robots) robot.received(caller)();
   await clock.pass(10_000);
   const perSecond = [...Map.groupBy(notedAt.values(), (second) => second).values()];
   expect(notedAt.size).toBe(60);
@@ -87,7 +87,7 @@ it("deletes no robot that is used just before its deletion, for any number of ro
   const { clock, enter } = await withRobots(60);
   await clock.pass(limits.robotIdleMs + 500);
   const robots = await enter();
-  for (const { robot, key } of robots) robot.received(key)();
+  for (const { robot, caller } of robots) robot.received(caller)();
   await clock.pass(3 * 60_000);
   expect(robots.filter(({ robot }) => robot.isOver)).toEqual([]);
 });
@@ -98,7 +98,7 @@ it("deletes no robot in use even if the use of another cannot be stored", async 
   instead.touch = (id, ...rest) =>
     id === stuck?.robot.id ? new Promise(() => undefined) : store.touch(id, ...rest);
   for (let passed = 0; passed < limits.robotIdleMs + 5 * 60_000; passed += 60_000) {
-    for (const { robot, key } of robots) robot.received(key)();
+    for (const { robot, caller } of robots) robot.received(caller)();
     await clock.pass(60_000);
   }
   expect(robots.filter(({ robot }) => robot.isOver)).toEqual([]);
@@ -110,7 +110,7 @@ it("skips a robot that was deleted before its check", async () => {
   await clock.pass(limits.touchMs);
   const last = robots[14];
   if (last === undefined) throw new Error("there are 15");
-  last.robot.received(last.key)();
+  last.robot.received(last.caller)();
   const noted: string[] = [];
   instead.touch = async (id) => void noted.push(id);
   await registry.remove(last.robot);

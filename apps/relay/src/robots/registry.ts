@@ -48,8 +48,8 @@ export interface ConnectionCounts {
   readers: Record<ReaderTransport, number>;
 }
 
-/** Optional parts of a hub. */
-export interface HubOptions {
+/** Optional parts of a registry. */
+export interface RegistryOptions {
   /** metrics observer of commands; default: none */
   observer?: CommandObserver;
   /** message bus to other relays; default: a local one */
@@ -58,7 +58,7 @@ export interface HubOptions {
 
 export interface Grant {
   robot: Robot;
-  key: Caller;
+  caller: Caller;
 }
 
 const URL_KEY_ELSEWHERE =
@@ -80,7 +80,7 @@ export class RobotRegistry {
   /** number of robots whose use may still be stored before the next pass */
   #notesLeft = 0;
 
-  constructor(store: RobotStore, clock: Clock, log: Logger, options: HubOptions = {}) {
+  constructor(store: RobotStore, clock: Clock, log: Logger, options: RegistryOptions = {}) {
     this.#store = store;
     this.#clock = clock;
     this.#timers = new CoalescedTimers(clock);
@@ -156,7 +156,7 @@ export class RobotRegistry {
     checkRight(stored.kind, verb);
     const caller = callerOf(stored, introduction);
     robot.scriptAccess.check(caller);
-    return { robot, key: caller };
+    return { robot, caller };
   }
 
   async connectionCounts(): Promise<ConnectionCounts> {

@@ -34,10 +34,10 @@ export class RelayPort implements RobotPort {
   readonly #readers = new Set<JoinedReader>();
   readonly #waits = new Set<AbortController>();
 
-  constructor({ robot, key }: Grant, connection: PortConnection) {
-    this.capability = key.kind === "drive" ? "drive" : "watch";
+  constructor({ robot, caller }: Grant, connection: PortConnection) {
+    this.capability = caller.kind === "drive" ? "drive" : "watch";
     this.#robot = robot;
-    this.#caller = key;
+    this.#caller = caller;
     this.#connection = connection;
   }
 
@@ -85,7 +85,7 @@ export class RelayPort implements RobotPort {
       try {
         checkCommand(order, key);
       } catch (error) {
-        if (error instanceof RefusedError) this.#robot.refused(this.#caller, error.problem.detail);
+        this.#robot.refused(this.#caller, error);
         throw error;
       }
       const { promise, resolve, reject } = Promise.withResolvers<CommandRecord>();

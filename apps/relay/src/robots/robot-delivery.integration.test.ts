@@ -54,7 +54,7 @@ describe("a robot: delivery", () => {
     await page(setup);
     const said: string[] = [];
     setup.robot.readers.join(
-      setup.key,
+      setup.caller,
       {
         snapshot: () => undefined,
         state: ({ record }) => said.push(record.state),
@@ -62,7 +62,7 @@ describe("a robot: delivery", () => {
       },
       null,
     );
-    await setup.robot.submit(setup.key, { key: null, ...termsOf(LEFT) }, ({ state }) =>
+    await setup.robot.submit(setup.caller, { key: null, ...termsOf(LEFT) }, ({ state }) =>
       said.push(`ack ${state}`),
     );
     expect(said).toEqual(["ack accepted", "delivered"]);

@@ -11,7 +11,7 @@ describe("a robot: snapshots and states for scripts", () => {
     const host = await page(setup);
     const seen: number[] = [];
     setup.robot.readers.join(
-      setup.key,
+      setup.caller,
       { snapshot: ({ seq }) => seen.push(seq), state: () => undefined, ...deafReader },
       null,
     );
@@ -36,7 +36,7 @@ describe("a robot: snapshots and states for scripts", () => {
       flow.sentBytes += 400;
     };
     setup.robot.readers.join(
-      setup.key,
+      setup.caller,
       {
         ...deafReader,
         snapshot,
@@ -66,7 +66,7 @@ describe("a robot: snapshots and states for scripts", () => {
     await setup.submit(LEFT);
     const said: string[] = [];
     setup.robot.readers.join(
-      setup.key,
+      setup.caller,
       {
         snapshot: ({ seq }) => said.push(`snapshot ${seq}`),
         state: ({ record }) => said.push(record.state),
@@ -188,7 +188,7 @@ describe("a robot: snapshots and states for scripts", () => {
     await setup.clock.pass(2_000);
     const before = host.sent.length;
     for (let n = 0; n < 50; n++) {
-      setup.robot.received(setup.key)();
+      setup.robot.received(setup.caller)();
       await setup.clock.pass(100);
     }
     const drivers = host.sent.slice(before).filter(({ type }) => type === "drivers");

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { deafReader, withRobot, page, type Setup, type Host } from "./testing/robot-at-relay.ts";
 
 describe("a robot: activity of its scripts", () => {
-  const name = (setup: Setup): string => setup.key.hash.slice(0, 6);
+  const name = (setup: Setup): string => setup.caller.hash.slice(0, 6);
   const alive = (host: Host) =>
     host.sent.flatMap((message) => (message.type === "drivers" ? [message.alive] : [])).at(-1);
 
@@ -10,10 +10,10 @@ describe("a robot: activity of its scripts", () => {
     const setup = await withRobot();
     const host = await page(setup);
     await setup.clock.pass(2_000);
-    setup.robot.received(setup.key)();
+    setup.robot.received(setup.caller)();
     expect(alive(host)).toEqual([{ driver: name(setup), silentMs: 0, connectionMs: null }]);
     await setup.clock.pass(300);
-    setup.robot.received(setup.key)();
+    setup.robot.received(setup.caller)();
     await setup.clock.pass(700);
     expect(alive(host)).toEqual([{ driver: name(setup), silentMs: 700, connectionMs: null }]);
   });
@@ -21,7 +21,7 @@ describe("a robot: activity of its scripts", () => {
   it("counts a waiting request as activity each second, and an answered one no longer", async () => {
     const setup = await withRobot();
     const host = await page(setup);
-    const answered = setup.robot.received(setup.key);
+    const answered = setup.robot.received(setup.caller);
     await setup.clock.pass(10_500);
     const before = host.sent.length;
     await setup.clock.pass(2_000);
@@ -38,7 +38,7 @@ describe("a robot: activity of its scripts", () => {
     const setup = await withRobot();
     const host = await page(setup);
     await setup.clock.pass(2_000);
-    for (let n = 0; n < 3; n++) setup.robot.spoke(setup.key);
+    for (let n = 0; n < 3; n++) setup.robot.spoke(setup.caller);
     expect(alive(host)).toEqual([{ driver: name(setup), silentMs: 0, connectionMs: null }]);
     await setup.clock.pass(1_000);
     expect(alive(host)).toEqual([{ driver: name(setup), silentMs: 1_000, connectionMs: null }]);
@@ -46,7 +46,7 @@ describe("a robot: activity of its scripts", () => {
     const sent = host.sent.length;
     await setup.clock.pass(5_000);
     expect(host.sent).toHaveLength(sent);
-    setup.robot.spoke(setup.key);
+    setup.robot.spoke(setup.caller);
     expect(alive(host)).toMatchObject([{ silentMs: 0 }]);
     await setup.clock.pass(130_000);
     expect(setup.robot.scripts).toEqual([]);
@@ -55,8 +55,8 @@ describe("a robot: activity of its scripts", () => {
   it("counts a request as waiting while its script sends messages on its connection", async () => {
     const setup = await withRobot();
     await page(setup);
-    const answered = setup.robot.received(setup.key);
-    setup.robot.spoke(setup.key);
+    const answered = setup.robot.received(setup.caller);
+    setup.robot.spoke(setup.caller);
     await setup.clock.pass(3_000);
     expect(setup.robot.scripts).toMatchObject([{ silentMs: 0 }]);
     answered();
@@ -67,9 +67,9 @@ describe("a robot: activity of its scripts", () => {
   it("reports a new connection of a script immediately", async () => {
     const setup = await withRobot();
     const host = await page(setup);
-    setup.robot.received(setup.key)();
+    setup.robot.received(setup.caller)();
     setup.robot.readers.join(
-      setup.key,
+      setup.caller,
       { snapshot: () => undefined, state: () => undefined, ...deafReader },
       null,
     );

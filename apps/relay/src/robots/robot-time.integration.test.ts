@@ -26,7 +26,7 @@ describe("a robot: time to live", () => {
       seq: 1,
       ttl: 2_000,
       remaining: 1_200,
-      driver: setup.key.hash.slice(0, 6),
+      driver: setup.caller.hash.slice(0, 6),
       replace: false,
       lease: null,
     });

@@ -21,12 +21,14 @@ describe("a robot: replacing and cancelling", () => {
     const setup = await withRobot();
     const host = await page(setup);
     for (let n = 0; n < 9; n++) await setup.submit(LEFT);
-    expect(await setup.robot.cancel(setup.key, 9)).toMatchObject({ state: "cancelled" });
-    expect(await setup.robot.cancel(setup.key, 8)).toMatchObject({ state: "delivered" });
+    expect(await setup.robot.cancel(setup.caller, 9)).toMatchObject({ state: "cancelled" });
+    expect(await setup.robot.cancel(setup.caller, 8)).toMatchObject({ state: "delivered" });
     expect(host.sent.at(-1)).toEqual({ type: "cancel", seq: 8, cause: "sender" });
     await host.ended({ ...completed(8), state: "cancelled" });
-    expect(await setup.robot.cancel(setup.key, 8)).toMatchObject({ state: "cancelled" });
-    await expect(setup.robot.cancel(setup.key, 10)).rejects.toMatchObject({ kind: "no-command" });
+    expect(await setup.robot.cancel(setup.caller, 8)).toMatchObject({ state: "cancelled" });
+    await expect(setup.robot.cancel(setup.caller, 10)).rejects.toMatchObject({
+      kind: "no-command",
+    });
     const other = setup.robot.cancel({ kind: "drive", hash: "other" }, 1);
     await expect(other).rejects.toMatchObject({ kind: "forbidden" });
   });
@@ -40,7 +42,7 @@ describe("a robot: withdrawing commands while the page is disconnected", () => {
     await before.started(1);
     setup.robot.page.leave(before.link, true);
     for (const seq of [1, 2])
-      expect(await setup.robot.cancel(setup.key, seq)).toHaveProperty("seq");
+      expect(await setup.robot.cancel(setup.caller, seq)).toHaveProperty("seq");
     const after = await page(setup, { lastApplied: 1 });
     expect(after.seqs("command")).toEqual([3]);
     expect(after.sent).toContainEqual({ type: "cancel", seq: 1, cause: "sender" });

@@ -8,6 +8,7 @@ import {
   hasEnded,
   ABSENT_ROBOT_REASON,
   PAUSED_RUN_REASON,
+  RefusedError,
   SILENT_ROBOT_REASON,
   type CommandRecord,
   type CommandTerms,
@@ -205,7 +206,7 @@ export class Robot {
     const isUnused = this.#clock.now() - this.use.lastAt > limits.touchMs;
     const isAlone = !this.hasPage && this.#subscribers.isEmpty;
     const isHeldElsewhere = this.#ownership.isElsewhere || this.newest === null;
-    return isUnused && isAlone && !this.#ownership.isAwayOpen && isHeldElsewhere;
+    return isUnused && isAlone && !this.#ownership.awaitsPage && isHeldElsewhere;
   }
 
   // --- scripts ---
@@ -233,14 +234,15 @@ export class Robot {
         acknowledge(record);
       });
     } catch (error) {
-      this.refused(caller, asRefusal(error).problem.detail);
+      this.refused(caller, error);
       throw error;
     }
   }
 
   /** Records why the relay refused a command, as a sentence for the robot's owner. */
-  refused({ script }: Caller, detail: string): void {
-    if (script !== null) this.presence.refused(script, detail);
+  refused({ script }: Caller, error: unknown): void {
+    const { problem } = error instanceof RefusedError ? error : asRefusal(error);
+    if (script !== null) this.presence.refused(script, problem.detail);
   }
 
   /** Recalls one command: see `CommandRecall.one`. */

@@ -74,7 +74,7 @@ async function withRelays() {
     return { robot, link, sent, closed, epoch };
   };
   const host = await page();
-  const { robot: atScripts, key } = await scripts.authorise(
+  const { robot: atScripts, caller: key } = await scripts.authorise(
     registration.id,
     registration.driverKey,
     "command",

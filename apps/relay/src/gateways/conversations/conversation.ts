@@ -1,10 +1,11 @@
 /**
- * Protocol of one connection after its first message, as a page or a script. Independent of the
- * transport.
+ * Protocol of one connection after its first message, as a page, a script or a member of a class.
+ * Independent of the transport.
  */
 import { closeReasons, type CloseReason, type SocketPort } from "@corridor/protocol";
 import type { OverReason, ReaderFlow } from "../../robots/readers/feed.ts";
 import { scriptIsBlocked } from "../../robots/access/callers.ts";
+import { keyRevoked } from "../../robots/access/key-ring.ts";
 import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
 
 export interface Conversation {
@@ -50,8 +51,7 @@ export function closeWith(
 /** Closes the connection of a reader with the reason. */
 export function closeReader(port: Parameters<typeof closeWith>[0], reason: OverReason): void {
   if (reason === "revoked") {
-    const detail = "This key was revoked. Copy the robot's new address from its page.";
-    return closeWith(port, closeReasons.notAuthorised, detail);
+    return closeWith(port, closeReasons.notAuthorised, keyRevoked().problem.detail);
   }
   if (reason === "blocked") {
     return closeWith(port, closeReasons.forbidden, scriptIsBlocked().problem.detail);

@@ -1,7 +1,13 @@
 /** A script whose commands wait for a slow store. */
 import { decodeFrame, relayToDriverSchema, type RelayToDriver } from "@corridor/protocol";
 import { expect, it } from "vitest";
-import { RightsVersion, callerOf, unknownScript } from "../../robots/access/callers.ts";
+import {
+  RightsVersion,
+  callerOf,
+  unknownScript,
+  type Caller,
+} from "../../robots/access/callers.ts";
+import type { Refusal } from "../../platform/errors/problems.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { FakeClock } from "../../platform/testing/fake-clock.ts";
 import type { Robot } from "../../robots/robot.ts";
@@ -11,18 +17,19 @@ function withSlowStore() {
   const waiting: (() => void)[] = [];
   const sent: RelayToDriver[] = [];
   const closed: number[] = [];
-  const key = callerOf({ kind: "drive", hash: "d" }, unknownScript);
+  const refused: string[] = [];
+  const caller = callerOf({ kind: "drive", hash: "d" }, unknownScript);
   const robot = {
     check: () => undefined,
     spoke: () => undefined,
-    refused: () => undefined,
     rights: new RightsVersion(),
     readers: { join: () => ({ seen: () => undefined, leave: () => undefined }) },
+    refused: (_caller: Caller, error: Refusal) => void refused.push(error.problem.detail),
     submit: async () => new Promise<void>((resolve) => void waiting.push(resolve)),
   };
   const conversation = new DriverConversation({
     // oxlint-disable-next-line typescript/consistent-type-assertions -- the part of a robot that a conversation uses
-    grant: { robot: robot as unknown as Robot, key },
+    grant: { robot: robot as unknown as Robot, caller },
     connection: {
       transport: "websocket",
       flow: { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined },
@@ -50,7 +57,7 @@ function withSlowStore() {
   const problems = (): string[] =>
     sent.flatMap((message) => (message.type === "problem" ? [message.problem.type] : []));
   const say = (text: string): void => void conversation.received(Buffer.from(text));
-  return { say, send, sent, waiting, problems, closed, turn };
+  return { say, send, sent, waiting, problems, refused, closed, turn };
 }
 
 it("accepts 64 commands ahead, repeatedly", async () => {
@@ -61,11 +68,12 @@ it("accepts 64 commands ahead, repeatedly", async () => {
 });
 
 it("rejects further commands, but not a stop, until the first are answered", async () => {
-  const { send, problems, turn, waiting, closed } = withSlowStore();
+  const { send, problems, refused, turn, waiting, closed } = withSlowStore();
   send(limits.unfinishedCommands + 3);
   send(1, "stop");
   await turn();
   expect(problems()).toEqual(Array(3).fill("/problems/too-fast"));
+  expect(refused).toEqual(Array(3).fill(expect.stringMatching(/^Too many unanswered commands\./)));
   expect(waiting).toHaveLength(limits.unfinishedCommands + 1);
   for (const answer of waiting.splice(0)) answer();
   await turn();

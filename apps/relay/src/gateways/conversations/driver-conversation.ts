@@ -77,8 +77,8 @@ export class DriverConversation implements Conversation, ReaderSink {
     // Before the welcome: the time until it arrives bounds the transit time of the hello for the
     // script.
     this.#transitTime(sentAt);
-    this.#reader = grant.robot.readers.join(grant.key, this, since);
-    grant.robot.spoke(grant.key);
+    this.#reader = grant.robot.readers.join(grant.caller, this, since);
+    grant.robot.spoke(grant.caller);
   }
 
   // --- messages to the client, as a ReaderSink ---
@@ -112,7 +112,7 @@ export class DriverConversation implements Conversation, ReaderSink {
 
   received(bytes: Buffer): Promise<void> | undefined {
     const text = bytes.toString();
-    const { robot, key: grant } = this.#options.grant;
+    const { robot, caller } = this.#options.grant;
     const message = decodeDriverFrame(text);
     if (!message.ok) {
       return this.#refuse(
@@ -124,21 +124,21 @@ export class DriverConversation implements Conversation, ReaderSink {
     const { type } = value;
     // The result of a check holds until rights change or a second has passed.
     if (this.#checkedAt[type] !== robot.rights.value) {
-      robot.check(grant, verbs[type]);
+      robot.check(caller, verbs[type]);
       this.#checkedAt[type] = robot.rights.value;
     }
     if (value.type === "command") {
-      robot.spoke(grant);
+      robot.spoke(caller);
       return this.#submit(value);
     }
     // Motions without an end continue while their script is active.
-    if (grant.script !== null) robot.spoke(grant);
+    if (caller.script !== null) robot.spoke(caller);
     this.#reader.seen(value.seq);
     return undefined;
   }
 
   async #submit(message: CommandMessage): Promise<void> {
-    const { robot, key: grant } = this.#options.grant;
+    const { robot, caller } = this.#options.grant;
     const { key = null, command, sentAt } = message;
     const terms = termsOf(command);
     terms.age += this.#transitTime(sentAt);
@@ -146,8 +146,12 @@ export class DriverConversation implements Conversation, ReaderSink {
     const maxUnfinished = limits.unfinishedCommands + (isStop ? limits.unfinishedStops : 0);
     this.#unfinished += 1;
     try {
-      if (this.#unfinished > maxUnfinished) throw tooManyUnfinished();
-      await robot.submit(grant, { key, ...terms }, (record) => {
+      if (this.#unfinished > maxUnfinished) {
+        const refusal = tooManyUnfinished();
+        robot.refused(caller, refusal);
+        throw refusal;
+      }
+      await robot.submit(caller, { key, ...terms }, (record) => {
         this.#tooFastInARow = 0;
         this.#send({ type: "ack", record });
       });
@@ -179,8 +183,8 @@ export class DriverConversation implements Conversation, ReaderSink {
 
   #refuse(refusal: ReturnType<typeof badRequest>, key: string | null): undefined {
     this.#badFrames += 1;
-    const { robot, key: caller } = this.#options.grant;
-    robot.refused(caller, refusal.problem.detail);
+    const { robot, caller } = this.#options.grant;
+    robot.refused(caller, refusal);
     this.#options.onRefusal(refusal.kind);
     this.#send({ type: "problem", problem: refusal.problem, key });
     if (this.#badFrames >= limits.badFrames)

@@ -86,7 +86,7 @@ export function robotEndpoint(parts: {
       const grant = await registry.authorise(id, key, verbOfRole[role], introduction);
       return {
         requested: () => {
-          if (role !== "own") grant.robot.spoke(grant.key);
+          if (role !== "own") grant.robot.spoke(grant.caller);
         },
         start: (connection) => startConversation({ hello, grant, connection, metrics, clock }),
       };

@@ -38,10 +38,10 @@ export class PageConversation implements Conversation {
   }
 
   received(bytes: Buffer): Promise<void> | undefined {
-    const { robot, key } = this.#grant;
+    const { robot, caller } = this.#grant;
     // The result of a check holds until rights change or a second has passed.
     if (this.#checkedAt !== robot.rights.value) {
-      robot.check(key, "host");
+      robot.check(caller, "host");
       this.#checkedAt = robot.rights.value;
     }
     if (!this.#hasResumed) {

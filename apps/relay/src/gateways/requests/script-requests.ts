@@ -171,15 +171,16 @@ export function readIdempotencyKey(request: Request): string | null {
 }
 
 /** Limits of a wait by a caller. A revoked key also ends it. */
-export function callerWaitOf(response: Response, seconds: number, key: Caller): CallerWait {
-  return { ...waitLimitOf(response, seconds), key };
+export function callerWaitOf(response: Response, seconds: number, caller: Caller): CallerWait {
+  return { ...waitLimitOf(response, seconds), key: caller };
 }
 
 export interface AuthorisedRequest extends Grant {
-  /** arrival time of the request in ms, by the relay's clock */
-  arrivedAt: number;
-  /** ms that the request took longer than the fastest one of its script; 0 without a timestamp */
-  transitMs: number;
+  /**
+   * ms since the request was sent: the time since its arrival, and what it took longer than the
+   * fastest one of its script (0 without a timestamp)
+   */
+  ageMs: () => number;
   /** ends the activity of the script before the response ends */
   markAnswered: () => void;
 }
@@ -198,11 +199,12 @@ export async function authoriseScript(
     verb,
     readIntroduction(request),
   );
-  const { robot, key } = grant;
-  const transitMs = robot.scriptClocks.came(key.hash, readScriptTime(request), arrivedAt);
-  const markAnswered = robot.received(key);
+  const { robot, caller } = grant;
+  const transitMs = robot.scriptClocks.came(caller.hash, readScriptTime(request), arrivedAt);
+  const markAnswered = robot.received(caller);
   response.once("close", markAnswered);
   // The client may have disconnected during authorisation.
   if (response.closed) markAnswered();
-  return { ...grant, arrivedAt, transitMs, markAnswered };
+  const ageMs = (): number => transitMs + registry.clock.now() - arrivedAt;
+  return { ...grant, ageMs, markAnswered };
 }

@@ -24,7 +24,7 @@ export function eventRoutes(registry: RobotRegistry, clock: Clock): Router {
   router
     .route("/robots/:id/events")
     .get(async (request, response) => {
-      const { robot, key, markAnswered } = await authoriseScript(
+      const { robot, caller, markAnswered } = await authoriseScript(
         registry,
         request,
         response,
@@ -34,13 +34,13 @@ export function eventRoutes(registry: RobotRegistry, clock: Clock): Router {
       if (wait !== undefined) {
         const page = await robot.readers.nextEvents(
           { since, after },
-          callerWaitOf(response, wait, key),
+          callerWaitOf(response, wait, caller),
         );
         return void response.json(page);
       }
       // A script that only reads does not count as active while its stream is open.
       markAnswered();
-      streamTo(response, clock, (sink) => robot.readers.join(key, sink, since ?? null));
+      streamTo(response, clock, (sink) => robot.readers.join(caller, sink, since ?? null));
     })
     .all(methodNotAllowed("GET"));
   return router;

@@ -54,14 +54,14 @@ export class CommandIntake {
    * @throws Refusal too-fast, restarting, no-robot or a reason of `notStored`
    */
   async submit(
-    grant: Caller,
+    caller: Caller,
     request: { key: string | null } & CommandTerms,
     acknowledge: (record: CommandRecord) => void,
   ): Promise<void> {
     const { robot, store, clock, observer, work, delivery } = this.#parts;
     const arrivedAt = clock.now();
     const isStop = request.command.action === "stop";
-    const tooFast = this.#rateLimiter.take(grant.hash, isStop, arrivedAt);
+    const tooFast = this.#rateLimiter.take(caller.hash, isStop, arrivedAt);
     if (tooFast !== null && !isStop) throw tooFast;
     await work.run(async () => {
       const end = this.#parts.end();
@@ -75,8 +75,8 @@ export class CommandIntake {
       }
       const { key, command, ttl, age, replace, lease } = request;
       const terms = {
-        driver: grant.hash,
-        script: grant.script?.id ?? null,
+        driver: caller.hash,
+        script: caller.script?.id ?? null,
         ttl,
         deadline: arrivedAt + ttl - age,
         replace,

@@ -73,7 +73,7 @@ export class PageOwnership {
   }
 
   /** Whether work is due once the page has been disconnected for long enough. */
-  get isAwayOpen(): boolean {
+  get awaitsPage(): boolean {
     return this.#disconnectedAt !== null;
   }
 

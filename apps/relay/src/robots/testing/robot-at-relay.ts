@@ -45,7 +45,7 @@ export async function withRobot() {
   const cut = cutStore(store);
   const registry = new RobotRegistry(cut.store, clock, pino({ level: "silent" }));
   const registration = await registry.register("10.0.0.1", "http://localhost");
-  const { robot, key } = await registry.authorise(
+  const { robot, caller } = await registry.authorise(
     registration.id,
     registration.driverKey,
     "command",
@@ -57,7 +57,7 @@ export async function withRobot() {
   const submit = async (order: Order, idempotencyKey: string | null = null) => {
     const records: CommandRecord[] = [];
     const request = { key: idempotencyKey, ...termsOf(order) };
-    await robot.submit(key, request, (record) => records.push(record));
+    await robot.submit(caller, request, (record) => records.push(record));
     return records[0];
   };
   const states = async () =>
@@ -72,13 +72,13 @@ export async function withRobot() {
       registry: anew,
       registration,
       robot: again,
-      key,
+      caller,
       submit,
       states,
       restarted,
     };
   };
-  return { clock, cut, registry, registration, robot, key, submit, states, restarted };
+  return { clock, cut, registry, registration, robot, caller, submit, states, restarted };
 }
 
 export type Setup = Awaited<ReturnType<typeof withRobot>>;

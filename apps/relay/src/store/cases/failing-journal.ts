@@ -11,7 +11,7 @@ import { JournalWriter, type Entry, type Compaction } from "../sqlite/file/journ
 import { openDatabase } from "../sqlite/file/sqlite-schema.ts";
 
 export const LOST = new Error("lost");
-export const NOTHING: Compaction = { bringing: [], deleted: 0, stored: [] };
+export const NOTHING: Compaction = { checkpoints: [], deleted: 0, unreadable: [] };
 
 const namesOf = (entries: readonly Entry[]): string[] => entries.map(([, , text]) => text);
 

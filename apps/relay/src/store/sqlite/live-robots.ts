@@ -12,7 +12,7 @@
  * may change commands in the tables.
  */
 import type { CommandRow, AccessState } from "../../commands/robot-commands.ts";
-import { entryOf, rowIn, rowsIn, type Bringing, type Compaction } from "./file/journal.ts";
+import { entryOf, rowIn, rowsIn, type Checkpoint, type Compaction } from "./file/journal.ts";
 import { EntryOwners } from "./entry-owners.ts";
 import type { Memory } from "./file/group-commit.ts";
 import { LiveRobot } from "./live-robot.ts";
@@ -65,7 +65,7 @@ export class LiveRobots implements Memory {
   /** entries of deleted robots */
   #orphans: number[] = [];
   /** robots whose commands cannot be read: the error, and the entries to retain */
-  readonly #broken = new Map<string, { error: unknown; entries: number[] }>();
+  readonly #unreadable = new Map<string, { error: unknown; entries: number[] }>();
   /** memory is invalid and must be restored */
   #isRolledBack = true;
 
@@ -107,10 +107,10 @@ export class LiveRobots implements Memory {
     if (this.#isRolledBack) this.#restore();
     const gone = new Set(ids);
     for (const id of gone) {
-      this.#orphan(this.#broken.get(id)?.entries ?? []);
+      this.#orphan(this.#unreadable.get(id)?.entries ?? []);
       this.#live.delete(id);
       this.#unsettled.delete(id);
-      this.#broken.delete(id);
+      this.#unreadable.delete(id);
     }
     this.#orphan(this.#owners.deleteOf(gone));
   }
@@ -145,7 +145,7 @@ export class LiveRobots implements Memory {
   due(entries: number, isIdle: boolean): Compaction | null {
     const isLong = this.#owners.size > this.#long * (isIdle ? 1 : MUCH_LONGER);
     if (this.#isRolledBack || (!isLong && this.#crowded.size === 0)) return null;
-    const bringing: Bringing[] = [];
+    const checkpoints: Checkpoint[] = [];
     const chosen = new Set<string>();
     let left = Math.max(ROWS_AT_A_TIME, 2 * entries);
     for (const id of this.#inTurn(isLong)) {
@@ -158,20 +158,20 @@ export class LiveRobots implements Memory {
       const { toDelete: deletedTo } = robot;
       const { rows, gone } = robot.unsettled();
       const upTo = this.#next - 1;
-      bringing.push({ robot: id, entries: rows, gone, upTo, lastSeq, openFrom, deletedTo });
+      checkpoints.push({ robot: id, entries: rows, gone, upTo, lastSeq, openFrom, deletedTo });
       left -= rows.length + gone.length;
       if (left <= 0) break;
     }
     const most = Math.max(ENTRIES_AT_A_TIME, 4 * entries);
     const deleted = isLong ? this.#settledEntries(most) : 0;
-    if (bringing.length === 0 && deleted === 0) return null;
-    return { bringing, deleted, stored: [...this.#broken.keys()] };
+    if (checkpoints.length === 0 && deleted === 0) return null;
+    return { checkpoints, deleted, unreadable: [...this.#unreadable.keys()] };
   }
 
   /** Called after a compaction. @param failed the error; null if it succeeded */
-  compacted({ bringing, deleted }: Compaction, failed: unknown): void {
+  compacted({ checkpoints, deleted }: Compaction, failed: unknown): void {
     if (failed !== null) return;
-    for (const { robot: id, upTo } of bringing) {
+    for (const { robot: id, upTo } of checkpoints) {
       this.#unsettled.delete(id);
       const robot = this.#live.get(id);
       robot?.settled(upTo);
@@ -189,8 +189,8 @@ export class LiveRobots implements Memory {
   #load(id: string): LiveRobot | null {
     const known = this.#live.get(id);
     if (known !== undefined) return known;
-    const broken = this.#broken.get(id);
-    if (broken !== undefined) throw broken.error;
+    const unreadable = this.#unreadable.get(id);
+    if (unreadable !== undefined) throw unreadable.error;
     const sql = "SELECT epoch, last_seq, paused, may_reset, open_from FROM sessions WHERE id = ?";
     const [row] = this.#statements.all(sql, [id]) as unknown as RobotRow[];
     if (row === undefined) return null;
@@ -214,7 +214,7 @@ export class LiveRobots implements Memory {
     this.#live.clear();
     this.#unsettled.clear();
     this.#crowded.clear();
-    this.#broken.clear();
+    this.#unreadable.clear();
     this.#orphans = [];
     this.#owners.clear();
     const settled = this.#statements.number("SELECT max(settled) AS found FROM sessions") ?? 0;
@@ -227,22 +227,22 @@ export class LiveRobots implements Memory {
     for (const { id, robot, settled: until, entry } of entries) {
       this.#next = Math.max(this.#next, id + 1);
       if (until === null) this.#orphans.push(id);
-      if (until === null || id <= until || this.#broken.has(robot)) continue;
+      if (until === null || id <= until || this.#unreadable.has(robot)) continue;
       try {
         this.#load(robot)?.restore(rowIn(entry), id);
         this.#note(robot, id);
       } catch (error) {
         // An unreadable robot must not affect others. Each access to it throws this error.
-        this.#broken.set(robot, { error, entries: [] });
+        this.#unreadable.set(robot, { error, entries: [] });
         this.#live.delete(robot);
         this.#unsettled.delete(robot);
       }
     }
     for (const { id, robot, settled: until } of entries) {
       if (until === null) continue;
-      const broken = this.#broken.get(robot);
+      const unreadable = this.#unreadable.get(robot);
       // Its entries that the tables lack are retained, whatever part of the journal is deleted.
-      if (broken !== undefined && id > until) broken.entries.push(id);
+      if (unreadable !== undefined && id > until) unreadable.entries.push(id);
       else this.#owners.add(id, robot);
     }
     this.#isRolledBack = false;

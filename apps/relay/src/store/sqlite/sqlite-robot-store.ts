@@ -4,7 +4,8 @@
  * Steps are synchronous, so each one ends before any other code runs. Its result is returned once
  * its group is on disk. Steps are short. Changes of commands happen in memory and are appended to a
  * journal (`LiveRobots`). All other steps read rows of one robot by index. Only the deletion of
- * expired robots, once a minute, reads all robots, but not their commands.
+ * expired robots, once a minute, reads all robots, but not their commands. After a rollback, the
+ * next step reads the journal of all robots again.
  */
 import type { CommandRecord } from "@corridor/protocol";
 import { z } from "zod";

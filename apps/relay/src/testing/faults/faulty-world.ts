@@ -145,9 +145,9 @@ export class FaultyWorld {
     const back = this.#random.between(0, 4);
     this.#time.touch();
     void (async () => {
-      const { robot, key } = await registry.authorise(id, driverKey, "command");
+      const { robot, caller } = await registry.authorise(id, driverKey, "command");
       const { seq = 0 } = (await robot.commandsAfter(0)).at(-1) ?? {};
-      await robot.cancel(key, seq - back);
+      await robot.cancel(caller, seq - back);
     })().catch(() => undefined);
   }
 

@@ -1,7 +1,7 @@
 /** Commands of scripts: send a command, read its record, read the log, stop everything. */
 import { termsOf, type CommandRecord } from "@corridor/protocol";
 import { Router, type Response } from "express";
-import type { RobotRegistry } from "../../../robots/registry.ts";
+import type { Grant, RobotRegistry } from "../../../robots/registry.ts";
 import type { CommandLog } from "./openapi.ts";
 import { Refusal } from "../../../platform/errors/problems.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
@@ -21,20 +21,12 @@ export function commandRoutes(registry: RobotRegistry): Router {
   router
     .route("/robots/:id/commands")
     .post(async (request, response) => {
-      const { robot, key, arrivedAt, transitMs } = await authoriseScript(
-        registry,
-        request,
-        response,
-        "command",
-      );
+      const script = await authoriseScript(registry, request, response, "command");
       // The store checks again whether the key may send commands when it stores this one.
-      const command = await readCommandRequest(request, response).catch((error: unknown) => {
-        if (error instanceof Refusal) robot.refused(key, error.problem.detail);
-        throw error;
-      });
-      const age = command.age + transitMs + registry.clock.now() - arrivedAt;
-      const order = { ...command, age };
-      await robot.submit(key, order, (record) => accepted(response, robot.id, record));
+      const { robot, caller } = script;
+      const command = await readFor(script, () => readCommandRequest(request, response));
+      const order = { ...command, age: command.age + script.ageMs() };
+      await robot.submit(caller, order, (record) => accepted(response, robot.id, record));
     })
     .get(async (request, response) => {
       const { robot } = await authoriseScript(registry, request, response, "log");
@@ -43,34 +35,40 @@ export function commandRoutes(registry: RobotRegistry): Router {
       response.json(log);
     })
     .delete(async (request, response) => {
-      const { robot, key, transitMs } = await authoriseScript(
-        registry,
-        request,
-        response,
-        "command",
-      );
-      const terms = { ...termsOf({ action: "stop" }), age: transitMs };
-      const stop = { key: readIdempotencyKey(request), ...terms };
-      await robot.submit(key, stop, (record) => accepted(response, robot.id, record));
+      const script = await authoriseScript(registry, request, response, "command");
+      const { robot, caller } = script;
+      const key = await readFor(script, () => readIdempotencyKey(request));
+      const stop = { key, ...termsOf({ action: "stop" }), age: script.ageMs() };
+      await robot.submit(caller, stop, (record) => accepted(response, robot.id, record));
     })
     .all(methodNotAllowed("POST, GET, DELETE"));
 
   router
     .route("/robots/:id/commands/:seq")
     .get(async (request, response) => {
-      const { robot, key } = await authoriseScript(registry, request, response, "log");
+      const { robot, caller } = await authoriseScript(registry, request, response, "log");
       const { wait } = readWait(request);
       const seq = readSeq(request.params.seq);
-      response.json(await robot.endOf(seq, callerWaitOf(response, wait, key)));
+      response.json(await robot.endOf(seq, callerWaitOf(response, wait, caller)));
     })
     .delete(async (request, response) => {
-      const { robot, key } = await authoriseScript(registry, request, response, "command");
+      const { robot, caller } = await authoriseScript(registry, request, response, "command");
       const seq = readSeq(request.params.seq);
-      accepted(response, robot.id, await robot.cancel(key, seq));
+      accepted(response, robot.id, await robot.cancel(caller, seq));
     })
     .all(methodNotAllowed("GET, DELETE"));
 
   return router;
+}
+
+/** Reads a command. If it is invalid, the robot's owner sees why. */
+async function readFor<T>({ robot, caller }: Grant, reading: () => T | Promise<T>): Promise<T> {
+  try {
+    return await reading();
+  } catch (error) {
+    if (error instanceof Refusal) robot.refused(caller, error);
+    throw error;
+  }
 }
 
 function accepted(response: Response, id: string, record: CommandRecord): void {

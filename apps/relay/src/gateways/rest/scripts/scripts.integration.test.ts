@@ -77,12 +77,15 @@ describe("the scripts of a robot", () => {
     const dora = await socketOf("Dora");
     dora.send({ type: "command", command: LEFT });
     await dora.next("problem");
+    const headers = { "Script-Name": "Emil", "Idempotency-Key": "short" };
+    await relay.ask(robot, "/commands", { method: "DELETE", headers });
     const list = await scripts();
     expect(list.map(({ name, lastProblem }) => [name, lastProblem?.detail ?? null])).toEqual([
       ["Anna", expect.stringMatching(/^Invalid command\. distance: found 30000, expected /)],
       ["Ben", null],
       ["Clara", expect.stringMatching(/^Invalid message\. command\.action: found 'fly'/)],
       ["Dora", PAUSED_REASON],
+      ["Emil", expect.stringMatching(/^Invalid header\. Idempotency-Key: /)],
     ]);
     const at = Date.parse(list[0]?.lastProblem?.at ?? "");
     expect(Math.abs(Date.now() - at)).toBeLessThan(60_000);

@@ -10,9 +10,12 @@ export function sensorRoutes(registry: RobotRegistry): Router {
   router
     .route("/robots/:id/sensors")
     .get(async (request, response) => {
-      const { robot, key } = await authoriseScript(registry, request, response, "read");
+      const { robot, caller } = await authoriseScript(registry, request, response, "read");
       const { after = -1, wait } = readNewer(request);
-      const snapshot = await robot.readers.nextSnapshot(after, callerWaitOf(response, wait, key));
+      const snapshot = await robot.readers.nextSnapshot(
+        after,
+        callerWaitOf(response, wait, caller),
+      );
       if (snapshot === null) {
         throw new Refusal(
           "no-snapshot",

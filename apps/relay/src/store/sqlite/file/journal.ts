@@ -12,7 +12,7 @@ import { recallCauseIn, type Reason } from "../../../commands/reasons.ts";
 export type Entry = [id: number, robot: string, text: string];
 
 /** The checkpoint of one robot. */
-export interface Bringing {
+export interface Checkpoint {
   robot: string;
   /** numbers of the entries that hold the current rows */
   entries: number[];
@@ -29,10 +29,11 @@ export interface Bringing {
 
 /** Rows to copy to the tables, and journal entries to delete. */
 export interface Compaction {
-  bringing: Bringing[];
-  /** entries up to this number are deleted, except those of the robots in `stored` */
+  checkpoints: Checkpoint[];
+  /** entries up to this number are deleted, except those of unreadable robots */
   deleted: number;
-  stored: string[];
+  /** ids of the robots whose commands cannot be read */
+  unreadable: string[];
 }
 
 /** CROSS JOIN makes SQLite process the entries in the given order. */
@@ -81,15 +82,15 @@ export class JournalWriter {
     for (const entry of entries) this.#statements.run(sql, entry);
   }
 
-  #compact({ bringing, deleted, stored }: Compaction): void {
-    for (const each of bringing) this.#bringIn(each);
+  #compact({ checkpoints, deleted, unreadable }: Compaction): void {
+    for (const each of checkpoints) this.#copy(each);
     if (deleted === 0) return;
-    const isStored = "robot IN (SELECT value FROM json_each(?))";
-    const sql = `DELETE FROM journal WHERE id <= ? AND NOT ${isStored}`;
-    this.#statements.run(sql, [deleted, JSON.stringify(stored)]);
+    const isUnreadable = "robot IN (SELECT value FROM json_each(?))";
+    const sql = `DELETE FROM journal WHERE id <= ? AND NOT ${isUnreadable}`;
+    this.#statements.run(sql, [deleted, JSON.stringify(unreadable)]);
   }
 
-  #bringIn({ robot, entries, gone, upTo, lastSeq, openFrom, deletedTo }: Bringing): void {
+  #copy({ robot, entries, gone, upTo, lastSeq, openFrom, deletedTo }: Checkpoint): void {
     // Deletions come first, because another command may reuse the key of a deleted one.
     if (deletedTo > 0) this.#statements.run(DELETE_ENDED, [robot, deletedTo]);
     for (const seq of gone) this.#statements.run(DELETE_ONE, [robot, seq]);
