@@ -1,11 +1,15 @@
 /**
- * Reasons of commands that the owner cancelled or refused, with what to do next. In its own file so
+ * Reasons of commands that the owner or a reload of the page ended, with what to do next. In its own file so
  * that the page's worker imports no schemas.
  */
 
 /** Remote driving is paused. */
 export const PAUSED_REASON =
   "The owner paused remote driving. Press 'Let scripts drive' under Remote on the robot's page, then send a new command.";
+
+/** The page was reloaded while it executed the command. The page and the relay both end it. */
+export const RELOADED_REASON =
+  "The robot's page was reloaded and ended this command. Send a new command.";
 
 export const REVOKED_REASON =
   "The owner revoked the key that sent this command. Ask the owner for the robot's new address.";

@@ -7,6 +7,7 @@ import {
   expiredReason,
   PAUSED_REASON,
   recallCauses,
+  RELOADED_REASON,
   REVOKED_REASON,
   type RecallCause,
 } from "@corridor/protocol";
@@ -61,7 +62,7 @@ const sentences: Record<Cause, string | ((by: number | null, ttl: number) => str
   "expired-absent": (_by, ttl) => expiredReason(ttl, "absent"),
   disconnected:
     "The robot disconnected. Check that its page is open and connected under Remote, then send a new command.",
-  reloaded: `The robot's page was reloaded and ended this command. ${NEW_COMMAND}`,
+  reloaded: RELOADED_REASON,
   "reloaded-unsure": `The robot's page was reloaded, ${CHECK_POSITION}`,
   "taken-over": `Another page took over the robot and ended this command. ${NEW_COMMAND}`,
   "taken-over-unsure": `Another page took over the robot, ${CHECK_POSITION}`,

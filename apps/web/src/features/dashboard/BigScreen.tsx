@@ -18,7 +18,7 @@ import { qrPath } from "../../ui/qr-path.ts";
 import type { BigScreenState } from "./big-screen-state.ts";
 import { BumpMaze } from "./BumpMaze.tsx";
 import { BumpPlaces } from "./BumpPlaces.tsx";
-import { clockText } from "./clock-text.ts";
+import { classTimeText } from "./class-time-text.ts";
 import { LazyScreenProgram } from "./lazy-screen-program.ts";
 import { LazyRaceView } from "./lazy-race-view.ts";
 import { taskMaze } from "./task-maze.ts";
@@ -104,7 +104,7 @@ function Results({ lesson, content }: { lesson: LessonDocument; content: ScreenC
           <span style={{ inlineSize: `${(solved / Math.max(1, all)) * 100}%` }} />
         </div>
         {medianMs !== null && (
-          <p>{t("screen.median", { time: clockText(medianMs), count: solved })}</p>
+          <p>{t("screen.median", { time: classTimeText(medianMs), count: solved })}</p>
         )}
         {lines !== null && (
           <p>{t("screen.lines", { count: lines.value, part: lines.count, all: lines.all })}</p>

@@ -1,6 +1,6 @@
 /** The time of a student, in minutes and seconds. */
 import { useEffect, useLayoutEffect, useRef, useState } from "react";
-import { clockText } from "./clock-text.ts";
+import { classTimeText } from "./class-time-text.ts";
 import type { CardTime } from "./use-card.ts";
 import styles from "./card-clock.module.css";
 
@@ -30,10 +30,10 @@ export function CardClock(time: CardTime) {
   return (
     <span className={styles["clock"]} dir="ltr">
       {time.startedAt === null ? (
-        clockText(minutes * MINUTE_MS + time.seconds * SECOND_MS)
+        classTimeText(minutes * MINUTE_MS + time.seconds * SECOND_MS)
       ) : (
         <>
-          {clockText(minutes * MINUTE_MS).slice(0, -2)}
+          {classTimeText(minutes * MINUTE_MS).slice(0, -2)}
           <Seconds from={time.startedAt + minutes * MINUTE_MS} />
         </>
       )}

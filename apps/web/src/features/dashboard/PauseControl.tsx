@@ -4,7 +4,7 @@ import { useTranslation } from "react-i18next";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { Icon } from "../../ui/Icon.tsx";
 import { MenuItem, Popover, usePopover } from "../../ui/Popover.tsx";
-import { clockText } from "./clock-text.ts";
+import { classTimeText } from "./class-time-text.ts";
 import { useContent, useDashboard } from "./dashboard-context.ts";
 import styles from "./pause-control.module.css";
 
@@ -33,8 +33,8 @@ export function PauseControl({ isSmall }: { isSmall: boolean }) {
           onClick={() => void calls.resume().then(report)}
         >
           {isSmall
-            ? clockText(leftMs + 999)
-            : t("pause.endLeft", { left: clockText(leftMs + 999) })}
+            ? classTimeText(leftMs + 999)
+            : t("pause.endLeft", { left: classTimeText(leftMs + 999) })}
         </Button>
       )}
       <IconButton

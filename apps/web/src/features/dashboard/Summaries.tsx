@@ -12,7 +12,7 @@ import { localNumber } from "../../text/numbers.ts";
 import { Select } from "../../ui/Select.tsx";
 import { BumpMaze } from "./BumpMaze.tsx";
 import { BumpPlaces } from "./BumpPlaces.tsx";
-import { clockText } from "./clock-text.ts";
+import { classTimeText } from "./class-time-text.ts";
 import { useContent, useDashboard } from "./dashboard-context.ts";
 import { RaceButton } from "./RaceButton.tsx";
 import { taskMaze } from "./task-maze.ts";
@@ -77,7 +77,7 @@ export function Summaries({ raceChoice, onRaceChoice }: SummariesProps) {
       </div>
       <Part
         name={t("summary.time")}
-        figure={medianMs === null ? none : clockText(medianMs)}
+        figure={medianMs === null ? none : classTimeText(medianMs)}
         note={medianMs === null ? "" : t("summary.medianMinutes")}
         bars={summary.times}
         unit={t("chart.minutes")}

@@ -10,7 +10,7 @@ import type { SeenStudent } from "../../simulator/protocol/classroom-messages.ts
 import { directionOf } from "../../text/direction.ts";
 import { Button, IconButton } from "../../ui/Button.tsx";
 import { Icon } from "../../ui/Icon.tsx";
-import { clockText } from "./clock-text.ts";
+import { classTimeText } from "./class-time-text.ts";
 import { useContent, useDashboard, useStudentName } from "./dashboard-context.ts";
 import { ProgramText } from "./ProgramText.tsx";
 import { StandingChip } from "./StandingChip.tsx";
@@ -97,7 +97,7 @@ function SheetHead({ student, onClose }: { student: SeenStudent; onClose: () => 
       {state !== "unverified" && <StandingChip state={state} />}
       {urgentSeconds !== null && (
         <span className={styles["time"]}>
-          {t("watch.since", { time: clockText(urgentSeconds * 1_000) })}
+          {t("watch.since", { time: classTimeText(urgentSeconds * 1_000) })}
         </span>
       )}
       <IconButton label={t("close")} size="medium" onClick={onClose}>
@@ -117,7 +117,7 @@ function Facts({ student }: { student: SeenStudent }) {
     <p className={styles["facts"]}>
       {facts.hasTasks && <span>{t("card.task", { task: facts.task })}</span>}
       <span>
-        {t("watch.onTask")} <strong>{clockText(seconds * 1_000)}</strong>
+        {t("watch.onTask")} <strong>{classTimeText(seconds * 1_000)}</strong>
       </span>
       {facts.lines !== null && <span>{t("card.lines", { count: facts.lines })}</span>}
     </p>

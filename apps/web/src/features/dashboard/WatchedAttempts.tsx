@@ -6,7 +6,7 @@ import type {
   RecentAttempt,
   SeenStudent,
 } from "../../simulator/protocol/classroom-messages.ts";
-import { clockText } from "./clock-text.ts";
+import { classTimeText } from "./class-time-text.ts";
 import styles from "./watch-sheet.module.css";
 
 export function WatchedAttempts({ student }: { student: SeenStudent }) {
@@ -32,7 +32,7 @@ export function WatchedAttempts({ student }: { student: SeenStudent }) {
             {recent.map((attempt) => (
               <li key={attempt.seq}>
                 <AttemptText attempt={attempt} />
-                <span dir="ltr">{clockText(attempt.at - (work?.openedAt ?? 0))}</span>
+                <span dir="ltr">{classTimeText(attempt.at - (work?.openedAt ?? 0))}</span>
               </li>
             ))}
           </ol>

@@ -4,7 +4,7 @@ import { useTranslation } from "react-i18next";
 import { Button } from "../../ui/Button.tsx";
 import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { CopyButton } from "../../ui/CopyButton.tsx";
-import { watchAddress } from "./owner-calls.ts";
+import { createWatchAddress } from "./owner-calls.ts";
 import { maskKey } from "./robot-address.ts";
 import panel from "./remote.module.css";
 import field from "../../ui/field.module.css";
@@ -15,7 +15,7 @@ export function WatchField({ session }: { session: RemoteSession }) {
   const [address, setAddress] = useState<string | null>(null);
   const [isFailed, setFailed] = useState(false);
   const make = async (): Promise<void> => {
-    const made = await watchAddress(fetch, session);
+    const made = await createWatchAddress(fetch, session);
     setAddress(made);
     setFailed(made === null);
   };

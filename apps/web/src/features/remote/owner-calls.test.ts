@@ -6,7 +6,7 @@ import {
   permitReset,
   secondsLeft,
   blockScript,
-  watchAddress,
+  createWatchAddress,
   withNewKey,
   type Ask,
 } from "./owner-calls.ts";
@@ -55,7 +55,7 @@ describe("a new key for scripts", () => {
     const address = `https://host/r/${id}#wch_new`;
     const made = { id: "k3J9x2", kind: "watch", key: "wch_new", address, urls: null };
     const { asked, ask } = service(() => Response.json(made, { status: 201 }));
-    expect(await watchAddress(ask, session)).toBe(address);
+    expect(await createWatchAddress(ask, session)).toBe(address);
     expect(asked[0]).toContain('{"kind":"watch","replace":true}');
   });
 
@@ -66,7 +66,7 @@ describe("a new key for scripts", () => {
   ])("is not available if $what, nor is the remaining time", async ({ answer }) => {
     const { ask } = service(answer);
     expect(await withNewKey(ask, session)).toBeNull();
-    expect(await watchAddress(ask, session)).toBeNull();
+    expect(await createWatchAddress(ask, session)).toBeNull();
     expect(await secondsLeft(ask, session)).toBeNull();
   });
 });

@@ -54,7 +54,7 @@ export async function withNewKey(ask: Ask, session: RemoteSession): Promise<Remo
  * Creates a watch key for viewers, which replaces an earlier one.
  * @returns the address with the key; null if the service created none
  */
-export async function watchAddress(ask: Ask, session: RemoteSession): Promise<string | null> {
+export async function createWatchAddress(ask: Ask, session: RemoteSession): Promise<string | null> {
   const { made } = await makeKey(ask, session, { kind: "watch", replace: true });
   return made?.address ?? null;
 }

@@ -30,7 +30,7 @@ import {
   type HandInEntry,
   type HandInProblem,
 } from "./hand-in-entries.ts";
-import { watchAddress } from "./watch-address.ts";
+import { failureAddress } from "./failure-address.ts";
 
 /** A row of the table: a hand-in and a task, or a hand-in that cannot be read. */
 export interface HandInRow {
@@ -174,7 +174,7 @@ export class HandInCheck {
       (written, at) => {
         const each = failed[at];
         if (each === undefined || this.#subjects !== subjects) return;
-        each.subject.watch = watchAddress(each.run, written);
+        each.subject.watch = failureAddress(each.run, written);
         this.#showLater(each.subject);
       },
     );

@@ -22,9 +22,6 @@ export const cancelReasons = {
   addressEnded: "The robot's page no longer uses this address. Copy its new address.",
 } as const satisfies Record<string, string>;
 
-/** Why a command ended that ran when its page was reloaded; the relay sends the same reason. */
-export const RELOADED = "The robot's page was reloaded and ended this command. Send a new command.";
-
 /**
  * Reasons in the page itself. Commands that were sent before are for an outdated state, so those
  * still queued at the relay end, too.

@@ -4,7 +4,7 @@
  */
 import type { CommandJournal, HostLink, HostLinkOptions, HostStatus } from "@corridor/client/host";
 import type { MazeDocument } from "@corridor/maze";
-import { expiredReason } from "@corridor/protocol";
+import { expiredReason, RELOADED_REASON } from "@corridor/protocol";
 import type {
   AliveDriver,
   DeliveredCommand,
@@ -13,7 +13,7 @@ import type {
   ScriptView,
   Snapshot,
 } from "@corridor/protocol";
-import { cancelReasons, RELOADED, type CancelReason } from "../protocol/cancel-reason.ts";
+import { cancelReasons, type CancelReason } from "../protocol/cancel-reason.ts";
 import type { Ending, RemoteDriverEvents } from "../drivers/remote-driver.ts";
 import { CommandList } from "./command-list.ts";
 import { CommandSweep } from "./command-sweep.ts";
@@ -237,7 +237,7 @@ export class RemoteHost implements RemoteDriverEvents {
   #endedByReload({ lastApplied: seq }: RemoteSession): CommandJournal["endings"] {
     if (seq === 0) return [];
     const pose = this.#ports.snapshot()?.pose ?? null;
-    return [{ seq, state: "cancelled", reason: RELOADED, pose, distance: 0 }];
+    return [{ seq, state: "cancelled", reason: RELOADED_REASON, pose, distance: 0 }];
   }
 
   /** For viewers: snapshots do not contain the maze. */

@@ -3,7 +3,7 @@
  * needs the schemas, and most visits restore nothing.
  */
 import { parseRun, type Run, type RunDocument } from "@corridor/recording";
-import { RELOADED } from "../protocol/cancel-reason.ts";
+import { RELOADED_REASON } from "@corridor/protocol";
 import type { OpenRecording } from "./run-loader.ts";
 import type { RunLoop } from "./run-loop.ts";
 import type { LoadedRun, RestoreRun } from "../protocol/worker-messages.ts";
@@ -48,7 +48,7 @@ function endedBy(journal: WorldJournal, { pose, distance }: Pick<Run, "pose" | "
   const ending = {
     seq: running.seq,
     state: "cancelled",
-    reason: RELOADED,
+    reason: RELOADED_REASON,
     pose,
     distance: Math.max(0, distance - running.distance),
   } as const;

@@ -10,7 +10,7 @@ import type { RunToRecord } from "../../simulator/protocol/pool-messages.ts";
  * @returns an address of the page; of the maze and the program alone if the run does not fit into a
  *   link; null if those do not fit either
  */
-export function watchAddress(
+export function failureAddress(
   { maze, attempt, ticks }: RunToRecord,
   written: WrittenRun | null,
 ): string | null {
