@@ -1,6 +1,6 @@
 /**
  * `npm test`: types, lint, format, spelling, unused code, audit, unit tests, exhaustive tests,
- * integration tests beside the Python tests, component tests, build, end-to-end tests. Every stage
+ * integration tests, Python tests beside the build, component tests, end-to-end tests. Every stage
  * runs even if an earlier stage failed. The last line prints the totals.
  */
 import { spawn } from "node:child_process";
@@ -43,17 +43,17 @@ await stage("unused code", ["knip"]);
 auditStage();
 await vitestStage("unit");
 await vitestStage("exhaustive");
-// The Python tests use one core, and the integration tests wait for timeouts: together they save
-// the time of the Python tests.
+await vitestStage("integration");
+// The Python tests and the build use one core each. Some of the tests need a relay that restarts
+// within seconds, so they do not run beside the integration tests.
 const python = check("Python test tools", requirePythonTools)
   ? testStage("python", [...pythonTests], parseJunitReport, "pipe")
   : null;
-await vitestStage("integration");
+const isBuilt = await stage("build", ["npm", "run", "build"]);
 if (python === null) add("python", { passed: 0, failed: 1, skipped: 0 });
 await python;
 if (hasRequirements) await vitestStage("components");
 else add("components", { passed: 0, failed: 1, skipped: 0 });
-const isBuilt = await stage("build", ["npm", "run", "build"]);
 if (hasRequirements && isBuilt) {
   const args = ["playwright", "test", "--config", "e2e/playwright.config.ts"];
   await testStage("end to end", args, parsePlaywrightReport);
