@@ -23,7 +23,10 @@ export const remoteActionNames = [...actionNames, "reset"] as const;
 export const recordActionSchema = z
   .string()
   .max(40)
-  .meta({ examples: [...remoteActionNames] });
+  .meta({
+    description: "An open list: clients must accept actions that they do not know.",
+    examples: [...remoteActionNames],
+  });
 
 const MAX_MOVE = 25_600;
 const MAX_TURN = 3_600;
