@@ -75,7 +75,7 @@ async function withRelays() {
 describe("a step", () => {
   it("fails if other relays change the robot at each attempt, and does not delay the next step", async () => {
     let calls = 0;
-    const state = ["a version", "1", "0", "0", "[]", null, null];
+    const state = ["a version", "1", "0", "0", "[]", null, null, null];
     const script = {
       call: async () => {
         calls += 1;
@@ -94,7 +94,7 @@ describe("a step", () => {
 });
 
 describe("a step that another relay's change has delayed", () => {
-  const robotNow = (version: string) => [[version, "1", "0", "0", "[]", null, null], []];
+  const robotNow = (version: string) => [[version, "1", "0", "0", "[]", null, null, null], []];
 
   it.each([...Array(12).keys()])(
     "precedes a step that arrives %i promises after the rejection",

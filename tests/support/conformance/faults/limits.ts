@@ -39,8 +39,8 @@ export const limitsFaults: readonly InjectedFault[] = [
     "stop-full",
     "a stop is rejected while the queue is full",
     COMMAND_STORE,
-    "and not is_stop and not request.replace",
-    "and not request.replace",
+    "and not is_stop and not replaces",
+    "and not replaces",
   ),
   fault(
     "queue",

@@ -63,8 +63,8 @@ export const stopsFaults: readonly InjectedFault[] = [
     "replace",
     "replace waits like any other command",
     COMMAND_STORE,
-    "        elif request.replace:\n",
-    "        elif False:\n",
+    "        elif replaces:\n",
+    "        elif is_reset:\n",
   ),
   fault(
     "first-ending",
