@@ -25,16 +25,15 @@ const keyframes: Keyframe[] = [
  * on every card would cost the page more than all its pictures. Each minute starts the animation
  * again, so that it follows the clock of the device.
  */
-export function CardClock(time: CardTime) {
-  const minutes = useMinutes(time);
+export function CardClock({ minutes, startedAt, seconds }: CardTime) {
   return (
     <span className={styles["clock"]} dir="ltr">
-      {time.startedAt === null ? (
-        classTimeText(minutes * MINUTE_MS + time.seconds * SECOND_MS)
+      {startedAt === null ? (
+        classTimeText(minutes * MINUTE_MS + seconds * SECOND_MS)
       ) : (
         <>
           {classTimeText(minutes * MINUTE_MS).slice(0, -2)}
-          <Seconds from={time.startedAt + minutes * MINUTE_MS} />
+          <Seconds from={startedAt + minutes * MINUTE_MS} />
         </>
       )}
     </span>

@@ -12,7 +12,7 @@ import {
 import type { WorkerPool } from "../../simulator/worker-pool.ts";
 
 /** Interval in ms between two updates of the page. */
-export const SHOW_MS = 125;
+export const SHOW_MS = 200;
 
 /** Runs a function after a delay. */
 export type Later = (action: () => void, milliseconds: number) => void;
