@@ -137,7 +137,9 @@ test("a dashboard is usable at 400 %", async ({ openWindow, relay }) => {
   }
   await expect(button("Pause everyone (5 min)")).toBeInViewport();
   await button("More").click();
-  for (const control of [button("End lesson"), button("Theme")]) {
+  const more = page.getByRole("dialog", { name: "More" });
+  for (const name of ["End lesson", "Theme"]) {
+    const control = more.getByRole("button", { name, exact: true });
     await control.scrollIntoViewIfNeeded();
     await expect(control).toBeInViewport();
   }
