@@ -202,6 +202,7 @@ for (const delay of [0, 1000]) {
     page,
   }) => {
     await page.route("**/announce-run-*.js", async (route) => {
+      // A slow network. The wait does not replace an expectation.
       await page.waitForTimeout(delay);
       await route.continue();
     });

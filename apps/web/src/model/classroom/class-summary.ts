@@ -24,7 +24,7 @@ export interface ClassSummary {
   solved: number;
   /** expected students, or those who have joined if they are more */
   all: number;
-  /** number of students in each group; those who have not joined are away */
+  /** number of students in each group; those who have not joined are not here */
   groups: Record<StudentGroup, number>;
   /** ms; null: nobody has solved the task */
   medianMs: number | null;

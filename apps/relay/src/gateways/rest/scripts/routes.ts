@@ -5,9 +5,10 @@ import {
   type ScriptList,
   type BlockedScript,
 } from "@corridor/protocol";
-import { Router } from "express";
+import { Router, type Request, type Response } from "express";
 import { z } from "zod";
 import { keyId } from "../../../platform/keys.ts";
+import type { ScriptAccess } from "../../../robots/access/callers.ts";
 import type { RobotRegistry } from "../../../robots/registry.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
 import { bodyReader, read, readBearer } from "../../../platform/http/reading.ts";
@@ -34,49 +35,27 @@ export function scriptRoutes(registry: RobotRegistry): Router {
     })
     .all(methodNotAllowed("GET"));
 
-  router
-    .route("/robots/:id/pause")
-    .put(async (request, response) => {
-      const { robot } = await registry.authorise(
-        request.params.id,
-        readBearer(request),
-        "moderate",
-      );
-      await robot.scriptAccess.pause(true);
-      response.status(204).end();
-    })
-    .delete(async (request, response) => {
-      const { robot } = await registry.authorise(
-        request.params.id,
-        readBearer(request),
-        "moderate",
-      );
-      await robot.scriptAccess.pause(false);
-      response.status(204).end();
-    })
-    .all(methodNotAllowed("PUT, DELETE"));
+  /** A setting of the owner: PUT switches it on, DELETE off. */
+  function switchRoute(
+    path: string,
+    change: (access: ScriptAccess, isOn: boolean) => Promise<void>,
+  ): void {
+    const handle =
+      (isOn: boolean) =>
+      async (request: Request<{ id: string }>, response: Response): Promise<void> => {
+        const { robot } = await registry.authorise(
+          request.params.id,
+          readBearer(request),
+          "moderate",
+        );
+        await change(robot.scriptAccess, isOn);
+        response.status(204).end();
+      };
+    router.route(path).put(handle(true)).delete(handle(false)).all(methodNotAllowed("PUT, DELETE"));
+  }
 
-  router
-    .route("/robots/:id/script-reset")
-    .put(async (request, response) => {
-      const { robot } = await registry.authorise(
-        request.params.id,
-        readBearer(request),
-        "moderate",
-      );
-      await robot.scriptAccess.permitReset(true);
-      response.status(204).end();
-    })
-    .delete(async (request, response) => {
-      const { robot } = await registry.authorise(
-        request.params.id,
-        readBearer(request),
-        "moderate",
-      );
-      await robot.scriptAccess.permitReset(false);
-      response.status(204).end();
-    })
-    .all(methodNotAllowed("PUT, DELETE"));
+  switchRoute("/robots/:id/pause", async (access, isOn) => access.pause(isOn));
+  switchRoute("/robots/:id/script-reset", async (access, isOn) => access.permitReset(isOn));
 
   router
     .route("/robots/:id/blocked")
