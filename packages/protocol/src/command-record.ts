@@ -1,25 +1,8 @@
-/**
- * The record of one remote command.
- *
- * accepted (stored by the relay) → delivered (about to be sent to the robot) → started → one
- * ending. An ending is final. Times are ISO 8601 in UTC.
- */
+/** The record of one remote command. Times are ISO 8601 in UTC. */
 import { z } from "zod";
 import { recordActionSchema, recordedCommandSchema } from "./command.ts";
+import { commandStates } from "./command-state.ts";
 import { poseSchema } from "./quantities.ts";
-
-export const endingStates = [
-  "completed",
-  "collided",
-  "cancelled",
-  "superseded",
-  /** its time to live ended before it started */
-  "expired",
-] as const;
-export type EndingState = (typeof endingStates)[number];
-
-export const commandStates = ["accepted", "delivered", "started", ...endingStates] as const;
-export type CommandState = (typeof commandStates)[number];
 
 export const idempotencyKeySchema = z
   .string({ error: "8 to 64 letters, digits, - or _" })
@@ -55,8 +38,3 @@ export const commandRecordSchema = z.strictObject({
 });
 /** The record of one command. */
 export type CommandRecord = z.infer<typeof commandRecordSchema>;
-
-/** Whether the state is final. */
-export function hasEnded(state: CommandState): state is EndingState {
-  return (endingStates as readonly CommandState[]).includes(state);
-}

@@ -4,7 +4,8 @@
  * numbers.
  */
 import { z } from "zod";
-import { commandRecordSchema, commandStates } from "./command-record.ts";
+import { commandRecordSchema } from "./command-record.ts";
+import { commandStates } from "./command-state.ts";
 import { snapshotSchema } from "./snapshot.ts";
 
 /** The relay retains this many events per robot, for 10 minutes. */

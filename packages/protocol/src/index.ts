@@ -101,12 +101,10 @@ export {
 } from "./condition.ts";
 export {
   commandRecordSchema,
-  hasEnded,
   idempotencyKeySchema,
   type CommandRecord,
-  type CommandState,
-  type EndingState,
 } from "./command-record.ts";
+export { hasEnded, type CommandState, type EndingState } from "./command-state.ts";
 export {
   ABSENT_ROBOT_REASON,
   expiredReason,

@@ -5,7 +5,8 @@
  * responds with one `welcome`. Field names are camelCase, lengths are in units, times in ms.
  */
 import { z } from "zod";
-import { commandRecordSchema, endingStates, idempotencyKeySchema } from "./command-record.ts";
+import { commandRecordSchema, idempotencyKeySchema } from "./command-record.ts";
+import { endingStates } from "./command-state.ts";
 import { remoteCommandSchema, type RemoteCommand } from "./command.ts";
 import { eventGapSchema, eventStreamSchema, sinceSchema, stateEventSchema } from "./events.ts";
 import { orderSchema, sentAtSchema } from "./order.ts";

@@ -1,6 +1,6 @@
 /** Test cases for every port of a robot: inside the relay, and of a client on the network. */
 import { describe, expect, it, vi } from "vitest";
-import type { EndingState } from "../command-record.ts";
+import type { EndingState } from "../command-state.ts";
 import type { UntilCondition } from "../condition.ts";
 import type { ProblemDocument } from "../problem.ts";
 import { RefusedError, type RobotPort } from "../robot-port.ts";

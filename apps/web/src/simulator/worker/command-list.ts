@@ -1,5 +1,5 @@
 /** The commands of scripts that the Remote panel lists. Beyond a limit, the oldest are removed. */
-import type { CommandRecord, DeliveredCommand } from "@corridor/protocol";
+import { hasEnded, type DeliveredCommand } from "@corridor/protocol";
 import type { ListedCommand } from "../protocol/worker-messages.ts";
 
 const MAX_LISTED = 100;
@@ -60,15 +60,11 @@ export class CommandList {
 
   removeEnded(): void {
     for (const [seq, { state }] of this.#commands) {
-      if (isEnding(state)) this.#commands.delete(seq);
+      if (hasEnded(state)) this.#commands.delete(seq);
     }
   }
 
   clear(): void {
     this.#commands.clear();
   }
-}
-
-function isEnding(state: CommandRecord["state"]): boolean {
-  return state !== "accepted" && state !== "delivered" && state !== "started";
 }
