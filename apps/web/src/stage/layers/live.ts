@@ -19,7 +19,7 @@ import { drawOutline, drawPath } from "./path.ts";
 import { drawRadius, drawRadiusLabel, placeRadiusLabel } from "./radius.ts";
 import { drawRobot, faceOf } from "./robot.ts";
 import { drawRulerMarks } from "./rulers.ts";
-import { drawTags } from "./tags.ts";
+import { drawTags } from "./beam-tags.ts";
 
 /** The displayed state of the run. */
 export interface DisplayedRun {
