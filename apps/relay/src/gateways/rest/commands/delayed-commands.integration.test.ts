@@ -1,5 +1,5 @@
 /** Commands that the network delays before they reach the relay, for each transport of scripts. */
-import type { Registration } from "@corridor/protocol";
+import { TTL_MS, type Registration } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { FakeClock } from "../../../platform/testing/fake-clock.ts";
 import { startTestRelay, type TestRelay } from "../../../testing/test-relay.ts";
@@ -159,3 +159,34 @@ it.each(["7 5", "a-clock-1", "a-clock-1 -5", "a-clock-1 1e9", "a-clock-1 5 5", "
     expect(await answer.json()).toMatchObject({ errors: [{ path: "Script-Clock" }] });
   },
 );
+
+describe("a stop by DELETE that was delayed before the relay", () => {
+  async function script() {
+    const clock = new FakeClock();
+    const relay = await startTestRelay({ clock });
+    const robot = await relay.register();
+    const { socket: page } = await TestSocket.page(relay, robot);
+    const time = { "Script-Clock": "a-clock-1 0" };
+    await relay.ask(robot, "/commands", { headers: time });
+    const stop = () => relay.ask(robot, "/commands", { method: "DELETE", headers: time });
+    return { clock, page, stop };
+  }
+
+  it("has only the rest of its ttl left", async () => {
+    const { clock, page, stop } = await script();
+    await clock.pass(HELD_MS);
+    expect((await stop()).status).toBe(202);
+    const { remaining } = await page.next("stop");
+    expect(Number(remaining)).toBeGreaterThan(TTL_MS.default - HELD_MS - 5);
+    expect(Number(remaining)).toBeLessThanOrEqual(TTL_MS.default - HELD_MS + 1);
+  });
+
+  it("is rejected as too late if its ttl has passed", async () => {
+    const { clock, stop } = await script();
+    // A hundredth of a second more than the ttl: clocks may drift.
+    await clock.pass(TTL_MS.default + 10);
+    const answer = await stop();
+    expect(answer.status).toBe(422);
+    expect(await answer.json()).toMatchObject({ type: "/problems/too-late" });
+  });
+});

@@ -71,7 +71,7 @@ export const commandCalls: ZodOpenApiPathsObject = {
           commandRecordSchema,
           location,
         ),
-        ...refusals(...asScript, "key-conflict", "too-fast", "storage-full"),
+        ...refusals(...asScript, "key-conflict", "too-late", "too-fast", "storage-full"),
       },
     },
   },
