@@ -7,8 +7,8 @@ export default defineConfig({
   testDir: ".",
   testMatch: "**/*.spec.ts",
   fullyParallel: true,
-  // On two cores: a third test uses the processor while another waits for a robot or a timeout.
-  workers: 3,
+  // On two cores: three tests leave a fifth of the processors idle, because they wait for robots.
+  workers: 4,
   timeout: 60_000,
   expect: { timeout: 15_000 },
   forbidOnly: process.env["CI"] !== undefined,
