@@ -99,11 +99,7 @@ export {
   type RuleCondition,
   type UntilCondition,
 } from "./condition.ts";
-export {
-  commandRecordSchema,
-  idempotencyKeySchema,
-  type CommandRecord,
-} from "./command-record.ts";
+export { commandRecordSchema, idempotencyKeySchema, type CommandRecord } from "./command-record.ts";
 export { hasEnded, type CommandState, type EndingState } from "./command-state.ts";
 export {
   ABSENT_ROBOT_REASON,
