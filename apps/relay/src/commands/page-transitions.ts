@@ -18,8 +18,8 @@ import { becauseOf, finish, isWithRobot, overtake, waiting } from "./state-machi
  * started commands. Does nothing if a newer page exists.
  */
 export function abandon(robot: RobotCommands, epoch: number): CommandRecord[] {
-  if (robot.accessState.epoch !== epoch) return [];
-  robot.accessState.epoch += 1;
+  if (robot.admissionState.epoch !== epoch) return [];
+  robot.admissionState.epoch += 1;
   const left = [...robot.open].filter(isWithRobot);
   const ending = { state: "cancelled", reason: becauseOf("disconnected") } as const;
   return left.map((row) => recordOfRow(robot.change(row, ending)));
@@ -31,12 +31,12 @@ export function acquire(
   page: PageState,
   known: Pick<KnownCommands, "row" | "newest">,
 ): Acquired {
-  const { accessState } = robot;
+  const { admissionState } = robot;
   const { lastApplied, fresh, settled, endings, pose, left } = page;
-  const isSettled = settled !== null && settled >= accessState.epoch;
-  accessState.epoch += 1;
+  const isSettled = settled !== null && settled >= admissionState.epoch;
+  admissionState.epoch += 1;
   // A page with later commands than the store saw one that lost its newest commands.
-  accessState.lastSeq = Math.max(accessState.lastSeq, lastApplied);
+  admissionState.lastSeq = Math.max(admissionState.lastSeq, lastApplied);
   // The new page's robot has not moved for these commands.
   const ending = { state: "cancelled", pose, distance: pose === null ? null : 0 } as const;
   const changed = new Map<number, CommandRecord>();
@@ -71,7 +71,7 @@ export function acquire(
     if (seq === null) continue;
     for (const { record } of overtake(robot, { seq, overtakes })) changed.set(record.seq, record);
   }
-  const { epoch } = accessState;
+  const { epoch } = admissionState;
   return { epoch, changed: [...changed.values()].toSorted((a, b) => a.seq - b.seq), refused };
 }
 
@@ -93,7 +93,7 @@ export function abandonStep(epoch: number): RobotStep<CommandRecord[] | null> {
   return {
     none: [],
     changesRobot: true,
-    lookup: ({ accessState }) => ({ holder: accessState.epoch === epoch }),
+    lookup: ({ admissionState }) => ({ holder: admissionState.epoch === epoch }),
     apply: (robot) => (robot.isHeldElsewhere ? null : abandon(robot.commands, epoch)),
   };
 }

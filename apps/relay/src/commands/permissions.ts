@@ -1,5 +1,5 @@
 /** What a robot's owner permits: its keys, and the scripts that are blocked. */
-import type { RobotCommands, AccessState, TermedRecord } from "./robot-commands.ts";
+import type { RobotCommands, AdmissionState, TermedRecord } from "./robot-commands.ts";
 import type {
   RobotStep,
   BlockResult,
@@ -28,16 +28,16 @@ export function changeKeys(
   if (add.length > 0 && keys.length > most) return null;
   const revoked = before.keys.filter(isRevoked).map(({ hash }) => hash);
   const blocked = before.blocked.filter(({ driver }) => !revoked.includes(driver));
-  Object.assign(robot.accessState, accessStateOf({ keys, blocked }));
+  Object.assign(robot.admissionState, admissionStateOf({ keys, blocked }));
   const ended = revoked.flatMap((driver) => recallAllOf(robot, { driver }, "revoked"));
   return { keys, blocked, revoked, ended };
 }
 
 /** What of the permissions decides whether a command is accepted. */
-export function accessStateOf({
+export function admissionStateOf({
   keys,
   blocked,
-}: Permissions): Pick<AccessState, "keys" | "blocked"> {
+}: Permissions): Pick<AdmissionState, "keys" | "blocked"> {
   return {
     keys: new Set(keys.map(({ hash }) => hash)),
     blocked: new Set(blocked.map(({ id }) => id)),
@@ -58,7 +58,7 @@ export function changeBlocked(
     if (blocked.length >= most) return null;
     blocked.push(add);
   }
-  robot.accessState.blocked = new Set(blocked.map(({ id }) => id));
+  robot.admissionState.blocked = new Set(blocked.map(({ id }) => id));
   const ended = add === null ? [] : recallAllOf(robot, { script: add.id }, "blocked");
   return { blocked, ended };
 }
@@ -69,7 +69,7 @@ export function permitResetStep(mayReset: boolean): RobotStep<boolean> {
     none: false,
     changesRobot: true,
     apply: ({ commands }) => {
-      commands.accessState.mayReset = mayReset;
+      commands.admissionState.mayReset = mayReset;
       return true;
     },
   };

@@ -131,7 +131,7 @@ export function termedOfRow(row: CommandRow): TermedRecord {
 }
 
 /** Robot state that determines which commands are accepted. */
-export interface AccessState {
+export interface AdmissionState {
   epoch: number;
   lastSeq: number;
   isPaused: boolean;
@@ -147,7 +147,7 @@ export interface AccessState {
 export type OnChange = (row: CommandRow, before: CommandState | null) => void;
 
 export class RobotCommands {
-  readonly accessState: AccessState;
+  readonly admissionState: AdmissionState;
   readonly #onChange: OnChange;
   readonly #open = new Map<number, CommandRow>();
   readonly #ended = new Map<number, CommandRow>();
@@ -157,8 +157,8 @@ export class RobotCommands {
   readonly #waiting = { overtaking: 0, others: 0 };
 
   /** @param open the open commands, in order */
-  constructor(accessState: AccessState, open: readonly CommandRow[], onChange: OnChange) {
-    this.accessState = accessState;
+  constructor(admissionState: AdmissionState, open: readonly CommandRow[], onChange: OnChange) {
+    this.admissionState = admissionState;
     this.#onChange = onChange;
     for (const row of open) this.#place(row);
   }
@@ -175,7 +175,7 @@ export class RobotCommands {
   /** Every command before this seq has ended. */
   get openFrom(): number {
     const [first] = this.#open.keys();
-    return first ?? this.accessState.lastSeq + 1;
+    return first ?? this.admissionState.lastSeq + 1;
   }
 
   /** Number of ended commands in memory. */
@@ -265,7 +265,7 @@ export class RobotCommands {
 
   #put(row: CommandRow): void {
     this.#place(row);
-    this.accessState.lastSeq = Math.max(this.accessState.lastSeq, row.seq);
+    this.admissionState.lastSeq = Math.max(this.admissionState.lastSeq, row.seq);
   }
 
   #place(row: CommandRow): void {

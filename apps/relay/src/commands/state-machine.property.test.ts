@@ -156,7 +156,7 @@ describe("after any events", () => {
     inEachState((robot) => {
       const numbers = robot.rows().map(({ seq }) => seq);
       expect(numbers).toEqual([...new Set(numbers)].toSorted((a, b) => a - b));
-      expect(robot.accessState.lastSeq).toBeGreaterThanOrEqual(numbers.at(-1) ?? 0);
+      expect(robot.admissionState.lastSeq).toBeGreaterThanOrEqual(numbers.at(-1) ?? 0);
     });
   });
 

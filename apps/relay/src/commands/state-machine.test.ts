@@ -154,14 +154,14 @@ describe("a new command", () => {
     },
   ])("$name is $outcome", ({ change, outcome }) => {
     const robot = robotWith([rowOf()]);
-    robot.accessState.blocked = new Set(["blocked"]);
+    robot.admissionState.blocked = new Set(["blocked"]);
     expect(machine.add(robot, newCommand(change), none)).toMatchObject({ outcome });
   });
 
   it("with a known idempotency key is a duplicate, even if it would be rejected otherwise", () => {
     const earlier = rowOf({ state: "completed", key: "key-0001" });
     const robot = robotWith([earlier]);
-    robot.accessState.isPaused = true;
+    robot.admissionState.isPaused = true;
     const again = newCommand({ key: "key-0001", deadline: NOW, maxWaiting: 0 });
     expect(machine.add(robot, again, () => earlier)).toMatchObject({
       outcome: "duplicate",
@@ -173,7 +173,7 @@ describe("a new command", () => {
 
   it("is rejected while remote driving is paused, unless it is a stop", () => {
     const robot = robotWith([]);
-    robot.accessState.isPaused = true;
+    robot.admissionState.isPaused = true;
     expect(machine.add(robot, newCommand(), none)).toEqual({ outcome: "paused" });
     const stop = newCommand({ command: { action: "stop" }, maxWaiting: 0 });
     expect(machine.add(robot, stop, none)).toMatchObject({ outcome: "stored" });
@@ -202,7 +202,7 @@ describe("a new reset", () => {
     expect(machine.add(robot, reset({ resetFrom: NOW + 1 }), none)).toEqual({
       outcome: "too-soon",
     });
-    robot.accessState.mayReset = false;
+    robot.admissionState.mayReset = false;
     expect(machine.add(robot, reset(), none)).toEqual({ outcome: "reset-disabled" });
     expect(statesOf(robot)).toEqual([[1, "accepted"]]);
     expect(machine.add(robot, newCommand(), none)).toMatchObject({ outcome: "stored" });

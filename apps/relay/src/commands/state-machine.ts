@@ -38,11 +38,11 @@ export function add(
   command: NewCommand,
   earlier: (driver: string, key: string) => CommandRow | null,
 ): AddResult {
-  const { accessState } = robot;
+  const { admissionState } = robot;
   const { driver, script, key } = command;
   const known = commandIn(JSON.stringify(command.command));
-  if (!accessState.keys.has(driver)) return { outcome: "revoked" };
-  if (script !== null && accessState.blocked.has(script)) return { outcome: "blocked" };
+  if (!admissionState.keys.has(driver)) return { outcome: "revoked" };
+  if (script !== null && admissionState.blocked.has(script)) return { outcome: "blocked" };
   const before = key === null ? null : earlier(driver, key);
   if (before !== null) {
     const outcome = isSameCommand(before, known.text) ? "duplicate" : "conflict";
@@ -52,16 +52,16 @@ export function add(
 }
 
 function addNew(robot: RobotCommands, command: NewCommand, known: KnownCommand): AddResult {
-  const { accessState } = robot;
+  const { admissionState } = robot;
   const { driver, script, key, acceptedAt, ttl, deadline, replace, lease } = command;
   const overtakes = overtakingOf(known.command, replace);
   const stops = overtakes === "stop";
-  if (accessState.isPaused && !stops) return { outcome: "paused" };
+  if (admissionState.isPaused && !stops) return { outcome: "paused" };
   const isReset = known.command.action === "reset";
-  if (isReset && !accessState.mayReset) return { outcome: "reset-disabled" };
+  if (isReset && !admissionState.mayReset) return { outcome: "reset-disabled" };
   if (deadline <= acceptedAt) return { outcome: "late" };
   if (isReset && acceptedAt < command.resetFrom) return { outcome: "too-soon" };
-  const seq = accessState.lastSeq + 1;
+  const seq = admissionState.lastSeq + 1;
   const ended = overtakes === null ? [] : overtake(robot, { seq, overtakes });
   if (!stops && robot.waitingCount >= command.maxWaiting) return { outcome: "full" };
   robot.deleteEnded(seq - command.keep);
@@ -93,7 +93,7 @@ export function deliver(
   robot: RobotCommands,
   { epoch, window, now }: { epoch: number; window: number; now: number },
 ): TermedRecord[] {
-  if (robot.accessState.epoch !== epoch) return [];
+  if (robot.admissionState.epoch !== epoch) return [];
   if (robot.hasAll(window)) return [];
   const free = window - robot.deliveredCount;
   const due: CommandRow[] = [];
@@ -160,7 +160,7 @@ export function recallAllOf(
 
 /** Pauses remote driving and recalls all commands except stops, or resumes it. */
 export function pause(robot: RobotCommands, isPaused: boolean): TermedRecord[] {
-  robot.accessState.isPaused = isPaused;
+  robot.admissionState.isPaused = isPaused;
   return isPaused ? recallAllOf(robot, "all", "paused") : [];
 }
 
@@ -174,7 +174,7 @@ export function recalled(open: Iterable<CommandRow>): { seq: number; cause: Reca
 /** delivered → started. @returns null if it was not delivered or the epoch is not the newest */
 export function start(robot: RobotCommands, epoch: number, seq: number): CommandRecord | null {
   const row = robot.row(seq);
-  if (row?.state !== "delivered" || robot.accessState.epoch !== epoch) return null;
+  if (row?.state !== "delivered" || robot.admissionState.epoch !== epoch) return null;
   return recordOfRow(robot.change(row, { state: "started" }));
 }
 
@@ -185,7 +185,7 @@ export function end(
   ending: Ending,
   known: (seq: number) => CommandRow | null,
 ): EndResult {
-  const record = robot.accessState.epoch === epoch ? finish(robot, ending) : null;
+  const record = robot.admissionState.epoch === epoch ? finish(robot, ending) : null;
   if (record !== null) return { outcome: "ended", record };
   const row = known(ending.seq);
   return { outcome: "over", record: row && recordOfRow(row) };

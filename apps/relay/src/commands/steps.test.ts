@@ -58,11 +58,11 @@ function robot({ isHeldElsewhere = false } = {}) {
     setBlocked: (blocked) => void changed.push(`blocked ${blocked.map(({ id }) => id).join()}`),
     setPage: (name) => void changed.push(`page ${name}`),
   };
-  const before = { ...commands.accessState };
+  const before = { ...commands.admissionState };
   /** Applies a step. @returns what it has changed besides commands */
   const apply = (step: RobotStep<unknown>): string[] => {
     step.apply(state);
-    const { epoch, isPaused } = commands.accessState;
+    const { epoch, isPaused } = commands.admissionState;
     if (epoch !== before.epoch) changed.push(`epoch ${epoch}`);
     if (isPaused !== before.isPaused) changed.push(isPaused ? "paused" : "resumed");
     return changed;

@@ -23,9 +23,9 @@ export function conditionsEndAt(lastSeq: number, open: Iterable<number>): number
   return seq;
 }
 
-function endOf({ accessState, open }: RobotCommands): number {
+function endOf({ admissionState, open }: RobotCommands): number {
   const seqs = [...open].map(({ seq }) => seq);
-  return conditionsEndAt(accessState.lastSeq, seqs);
+  return conditionsEndAt(admissionState.lastSeq, seqs);
 }
 
 /** The record for readers. @param endAt of `conditionsEndAt`, if it is needed */
@@ -41,7 +41,7 @@ export function shownRecordIn(commands: RobotCommands, row: CommandRow): Command
 
 /** Ended commands to shorten with the next command; null: none. */
 export function toShorten(commands: RobotCommands): { after: number; upTo: number } | null {
-  if ((commands.accessState.lastSeq + 1) % INTERVAL !== 0) return null;
+  if ((commands.admissionState.lastSeq + 1) % INTERVAL !== 0) return null;
   const upTo = endOf(commands);
   return upTo <= commands.deletedUpTo ? null : { after: upTo - RANGE, upTo };
 }

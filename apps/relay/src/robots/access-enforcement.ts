@@ -8,7 +8,7 @@ import type { CommandRecall } from "./delivery/command-recall.ts";
 import type { ScriptClocks } from "./delivery/script-clocks.ts";
 import type { PageOwnership } from "./page/page-ownership.ts";
 import type { Presence } from "./presence/presence.ts";
-import type { RobotChannel } from "./presence/robot-channel.ts";
+import type { RobotChannel } from "./channel/robot-channel.ts";
 import type { Subscribers } from "./readers/subscribers.ts";
 
 export interface AccessEnforcementParts {

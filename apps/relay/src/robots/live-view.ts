@@ -4,7 +4,7 @@
  */
 import type { Clock } from "../platform/time/clock.ts";
 import type { CarriedSnapshot } from "../bus/carried-snapshot.ts";
-import type { RobotChannel } from "./presence/robot-channel.ts";
+import type { RobotChannel } from "./channel/robot-channel.ts";
 import type { Subscribers } from "./readers/subscribers.ts";
 import { RobotView } from "./robot-view.ts";
 

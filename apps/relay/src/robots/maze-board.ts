@@ -9,7 +9,7 @@ import { hashKey } from "../platform/keys.ts";
 import { noRobot, Refusal, retryAfter } from "../platform/errors/problems.ts";
 import type { RobotStore } from "../store/port.ts";
 import { limits } from "../platform/limits/limits.ts";
-import type { RobotChannel } from "./presence/robot-channel.ts";
+import type { RobotChannel } from "./channel/robot-channel.ts";
 import type { Subscribers } from "./readers/subscribers.ts";
 import { TokenBucket } from "../platform/limits/token-bucket.ts";
 

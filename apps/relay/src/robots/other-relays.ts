@@ -8,7 +8,7 @@ import { limits } from "../platform/limits/limits.ts";
 import type { LiveView } from "./live-view.ts";
 import type { MazeBoard } from "./maze-board.ts";
 import type { PageOwnership } from "./page/page-ownership.ts";
-import type { RobotChannel } from "./presence/robot-channel.ts";
+import type { RobotChannel } from "./channel/robot-channel.ts";
 import type { RobotPage } from "./robot-page.ts";
 import type { ScriptReport } from "./script-report.ts";
 

@@ -5,7 +5,7 @@ import { CarriedSnapshot } from "../bus/carried-snapshot.ts";
 import type { CommandLife } from "./delivery/command-life.ts";
 import type { LiveView } from "./live-view.ts";
 import type { PageLink, PageOwnership } from "./page/page-ownership.ts";
-import type { RobotChannel } from "./presence/robot-channel.ts";
+import type { RobotChannel } from "./channel/robot-channel.ts";
 import type { RobotUse } from "./robot-use.ts";
 import type { ScriptReport } from "./script-report.ts";
 

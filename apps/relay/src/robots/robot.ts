@@ -32,7 +32,7 @@ import { MazeBoard } from "./maze-board.ts";
 import { OtherRelays } from "./other-relays.ts";
 import { PageOwnership } from "./page/page-ownership.ts";
 import { Presence } from "./presence/presence.ts";
-import { RobotChannel } from "./presence/robot-channel.ts";
+import { RobotChannel } from "./channel/robot-channel.ts";
 import { EventLog } from "../platform/events/event-log.ts";
 import { recordPacking } from "./readers/packed-record.ts";
 import { Readers } from "./readers/readers.ts";

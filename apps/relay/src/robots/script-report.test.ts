@@ -7,7 +7,7 @@ import { FakeClock } from "../platform/testing/fake-clock.ts";
 import { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
 import type { StoredScript } from "../store/port.ts";
 import { Presence } from "./presence/presence.ts";
-import { RobotChannel } from "./presence/robot-channel.ts";
+import { RobotChannel } from "./channel/robot-channel.ts";
 import { ScriptReport } from "./script-report.ts";
 
 function script(name: string): StoredScript {

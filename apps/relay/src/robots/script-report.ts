@@ -9,7 +9,7 @@ import type { ScriptAccess } from "./access/callers.ts";
 import type { PageDisplay } from "./delivery/command-delivery.ts";
 import type { PageOwnership } from "./page/page-ownership.ts";
 import type { Presence } from "./presence/presence.ts";
-import type { RobotChannel } from "./presence/robot-channel.ts";
+import type { RobotChannel } from "./channel/robot-channel.ts";
 
 export interface ScriptReportParts {
   clock: Clock;

@@ -45,7 +45,7 @@ export function robotWith(
   rows: readonly CommandRow[],
   onChange: OnChange = () => undefined,
 ): RobotCommands {
-  const accessState = {
+  const admissionState = {
     epoch: EPOCH,
     lastSeq: 0,
     isPaused: false,
@@ -53,7 +53,7 @@ export function robotWith(
     keys: new Set([DRIVER]),
     blocked: new Set<string>(),
   };
-  const robot = new RobotCommands(accessState, [], onChange);
+  const robot = new RobotCommands(admissionState, [], onChange);
   for (const row of rows) robot.restore(row);
   return robot;
 }

@@ -1,7 +1,7 @@
 /** Merges the presence of a robot's scripts at several relays. */
 import { MAX_SCRIPTS, type AliveDriver, type ScriptView } from "@corridor/protocol";
 import type { Scripts } from "../../bus/bus.ts";
-import { MAX_REPORTED } from "./presence.ts";
+import { MAX_REPORTED } from "../presence/presence.ts";
 
 /** The same scripts after a time. */
 export function older({ silentMs, alive, scripts, ...rest }: Scripts, ms: number): Scripts {

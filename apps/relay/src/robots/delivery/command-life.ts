@@ -30,7 +30,7 @@ import { DeadlineTimer } from "./deadline-timer.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { PageHandover, type Settled } from "../page/page-handover.ts";
 import type { PageLink, PageOwnership } from "../page/page-ownership.ts";
-import type { RobotChannel } from "../presence/robot-channel.ts";
+import type { RobotChannel } from "../channel/robot-channel.ts";
 import type { CommandObserver } from "./command-observer.ts";
 
 export interface CommandLifeParts {

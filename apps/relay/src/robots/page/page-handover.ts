@@ -8,7 +8,7 @@ import type { Clock } from "../../platform/time/clock.ts";
 import type { LeftCause } from "../../store/port.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import type { PageOwnership } from "./page-ownership.ts";
-import type { RobotChannel } from "../presence/robot-channel.ts";
+import type { RobotChannel } from "../channel/robot-channel.ts";
 
 export interface PageHandoverParts {
   clock: Clock;

@@ -5,13 +5,13 @@
 import { hasEnded } from "@corridor/protocol";
 import { z } from "zod";
 import {
-  type AccessState,
+  type AdmissionState,
   type CommandRow,
   type Overtaking,
   RobotCommands,
 } from "../../commands/robot-commands.ts";
 import { newestOvertaking } from "../../commands/page-transitions.ts";
-import { accessStateOf } from "../../commands/permissions.ts";
+import { admissionStateOf } from "../../commands/permissions.ts";
 import type {
   KeysChange,
   RobotState,
@@ -63,7 +63,7 @@ export class LoadedRobot implements RobotState {
   readonly #relay: string;
   /** number of the last step on the robot's channel */
   #n: number;
-  #stored: Omit<AccessState, "keys" | "blocked"> & { deletedUpTo: number };
+  #stored: Omit<AdmissionState, "keys" | "blocked"> & { deletedUpTo: number };
   readonly #rows = new Map<number, CommandRow>();
   /** seqs of rows that had ended before */
   readonly #rewritten = new Set<number>();
@@ -85,8 +85,8 @@ export class LoadedRobot implements RobotState {
     this.permissions = { keys, blocked: blocked ?? [] };
     this.#stored = { ...state, deletedUpTo: 0 };
     const rows = open.map(rowIn).toSorted((a, b) => a.seq - b.seq);
-    const accessState = { ...state, ...accessStateOf(this.permissions) };
-    this.commands = new RobotCommands(accessState, rows, (row, before) => {
+    const admissionState = { ...state, ...admissionStateOf(this.permissions) };
+    this.commands = new RobotCommands(admissionState, rows, (row, before) => {
       this.#rows.set(row.seq, row);
       if (before !== null && hasEnded(before)) this.#rewritten.add(row.seq);
       if (before === null) this.#added = row;
@@ -134,7 +134,7 @@ export class LoadedRobot implements RobotState {
   }
 
   setPage(name: string): void {
-    const { epoch } = this.commands.accessState;
+    const { epoch } = this.commands.admissionState;
     this.set({ page: JSON.stringify({ relay: this.#relay, epoch, name }), name });
     this.#publish({ kind: "page", epoch, name });
   }
@@ -156,7 +156,7 @@ export class LoadedRobot implements RobotState {
 
   /** The changes of a step as Redis commands. Releases ended commands from memory. */
   take(): Words[] {
-    const changes = [...this.#also, ...this.#ofRows(), ...this.#ofAccessState()];
+    const changes = [...this.#also, ...this.#ofRows(), ...this.#ofAdmissionState()];
     if (this.#hasNewRights) this.#publish({ kind: "keys" });
     const step = this.#stepMessage();
     if (step !== null) {
@@ -196,8 +196,8 @@ export class LoadedRobot implements RobotState {
     return changes;
   }
 
-  #ofAccessState(): Words[] {
-    const { epoch, lastSeq, isPaused, mayReset } = this.commands.accessState;
+  #ofAdmissionState(): Words[] {
+    const { epoch, lastSeq, isPaused, mayReset } = this.commands.admissionState;
     const before = this.#stored;
     const { deletedUpTo } = this.commands;
     this.#stored = { epoch, lastSeq, isPaused, mayReset, deletedUpTo };

@@ -116,7 +116,7 @@ export class RedisRobotStore implements RobotStore {
       work: (robot, used) => {
         robot.also("ZADD", USES, "XX", "GT", String(now), id);
         for (const { hash, at } of keys) {
-          const isKey = robot.commands.accessState.keys.has(hash);
+          const isKey = robot.commands.admissionState.keys.has(hash);
           if (isKey && at > (used?.get(hash) ?? 0)) robot.set({ [usedAt(hash)]: String(at) });
         }
       },

@@ -10,7 +10,7 @@ import { hasEnded, type CommandRecord } from "@corridor/protocol";
 import {
   type CommandRow,
   RobotCommands,
-  type AccessState,
+  type AdmissionState,
   type Overtaking,
 } from "../../commands/robot-commands.ts";
 import { KeyIndex } from "../../commands/key-index.ts";
@@ -41,7 +41,7 @@ const MOST_LEFT = 1_000;
 export interface LiveRobotParts {
   id: string;
   statements: Statements;
-  accessState: AccessState;
+  admissionState: AdmissionState;
   /** the open commands in the tables, in order */
   open: readonly CommandRow[];
   /**
@@ -65,11 +65,11 @@ export class LiveRobot implements RobotState {
   #recorded = 0;
   #recordedAt = 0;
 
-  constructor({ id, statements, accessState, open, append }: LiveRobotParts) {
+  constructor({ id, statements, admissionState, open, append }: LiveRobotParts) {
     this.#id = id;
     this.#statements = statements;
-    this.#left = accessState.lastSeq > open.length ? null : new KeyIndex();
-    this.commands = new RobotCommands(accessState, open, (row) => {
+    this.#left = admissionState.lastSeq > open.length ? null : new KeyIndex();
+    this.commands = new RobotCommands(admissionState, open, (row) => {
       const { deletedUpTo } = this.commands;
       this.#note(row.seq, append(row, deletedUpTo > this.#recorded ? deletedUpTo : 0));
     });
@@ -137,8 +137,8 @@ export class LiveRobot implements RobotState {
   }
 
   /** Stores what a step has changed. @param before the state before the step */
-  storeAccessState(before: Omit<AccessState, "keys" | "blocked">): void {
-    const { epoch, lastSeq, isPaused, mayReset } = this.commands.accessState;
+  storeAdmissionState(before: Omit<AdmissionState, "keys" | "blocked">): void {
+    const { epoch, lastSeq, isPaused, mayReset } = this.commands.admissionState;
     // The journal contains the seqs of new commands.
     const seq = lastSeq === before.lastSeq ? 0 : lastSeq;
     const isPermitted = isPaused === before.isPaused && mayReset === before.mayReset;

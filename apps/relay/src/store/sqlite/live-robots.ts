@@ -11,7 +11,7 @@
  * All methods except `peek`, `due` and `compacted` must be called in steps of the file. No other code
  * may change commands in the tables.
  */
-import type { CommandRow, AccessState } from "../../commands/robot-commands.ts";
+import type { CommandRow, AdmissionState } from "../../commands/robot-commands.ts";
 import { entryOf, rowIn, rowsIn, type Checkpoint, type Compaction } from "./file/journal.ts";
 import { EntryOwners } from "./entry-owners.ts";
 import type { Memory } from "./file/group-commit.ts";
@@ -153,8 +153,8 @@ export class LiveRobots implements Memory {
       const robot = this.#live.get(id);
       if (robot === undefined || !this.#unsettled.has(id) || chosen.has(id)) continue;
       chosen.add(id);
-      const { openFrom, accessState } = robot.commands;
-      const { lastSeq } = accessState;
+      const { openFrom, admissionState } = robot.commands;
+      const { lastSeq } = admissionState;
       const { toDelete: deletedTo } = robot;
       const { rows, gone } = robot.unsettled();
       const upTo = this.#next - 1;
@@ -196,12 +196,12 @@ export class LiveRobots implements Memory {
     if (row === undefined) return null;
     const { epoch, last_seq: lastSeq, open_from: openFrom } = row;
     const permitted = { isPaused: row.paused === 1, mayReset: row.may_reset === 1 };
-    const accessState = { epoch, lastSeq, ...permitted, ...this.#accessStateOf(id) };
+    const admissionState = { epoch, lastSeq, ...permitted, ...this.#admissionStateOf(id) };
     const open = rowsIn(this.#statements, OPEN_ROWS, [id, openFrom]);
     const robot = new LiveRobot({
       id,
       statements: this.#statements,
-      accessState,
+      admissionState,
       open,
       append: (row, deletedTo) => this.#append(id, row, deletedTo),
     });
@@ -270,7 +270,7 @@ export class LiveRobots implements Memory {
     if (robot.isAtRest) this.#live.delete(id);
   }
 
-  #accessStateOf(id: string): Pick<AccessState, "keys" | "blocked"> {
+  #admissionStateOf(id: string): Pick<AdmissionState, "keys" | "blocked"> {
     return {
       keys: this.#texts("SELECT hash FROM keys WHERE robot = ?", id),
       blocked: this.#texts("SELECT id FROM blocked_scripts WHERE robot = ?", id),

@@ -185,9 +185,9 @@ export class SqliteRobotStore implements RobotStore {
   #of<T>(id: string, step: Pick<RobotStep<T>, "none" | "changesRobot"> & Applied<T>): T {
     const robot = this.#live.open(id);
     if (robot === null) return step.none;
-    const before = step.changesRobot === true ? { ...robot.commands.accessState } : null;
+    const before = step.changesRobot === true ? { ...robot.commands.admissionState } : null;
     const result = step.apply(robot);
-    if (before !== null) robot.storeAccessState(before);
+    if (before !== null) robot.storeAdmissionState(before);
     this.#live.done(id, robot);
     return result;
   }
