@@ -96,6 +96,7 @@ export { MAX_PLUS, MAX_THAN } from "./condition-bounds.ts";
 export {
   ruleConditionSchema,
   untilConditionSchema,
+  untilSchema,
   type RuleCondition,
   type UntilCondition,
 } from "./condition.ts";

@@ -1,0 +1,98 @@
+/** Tools that send commands: `act`, `stop` and `reset`. */
+import {
+  hasEnded,
+  RefusedError,
+  type CommandRecord,
+  type Order,
+  type RobotPort,
+} from "@corridor/protocol";
+import {
+  actArguments,
+  commandResult,
+  MAX_WAIT_SECONDS,
+  noArguments,
+  resetArguments,
+} from "./arguments.ts";
+import { describeSnapshot } from "./snapshot-words.ts";
+import { newestOf, readArguments, textResult, type Tool, type ToolResult } from "./tool.ts";
+
+export const actTool: Tool = {
+  name: "act",
+  description: `Sends one command and waits up to ${MAX_WAIT_SECONDS} s for its end; returns the command's record and the sensors after it.`,
+  input: actArguments,
+  output: commandResult,
+  drives: true,
+  async run({ port }, args) {
+    const { key, ...order } = fieldsOf(args);
+    // The port checks the command and its key, so that the owner sees wrong ones too.
+    return sendAndWait(port, order as Order, key as string | undefined);
+  },
+};
+
+export const stopTool: Tool = {
+  name: "stop",
+  description: "Stops the robot at once, and cancels all commands that run or wait.",
+  input: noArguments,
+  output: commandResult,
+  drives: true,
+  async run({ port }, args) {
+    readArguments(noArguments, args);
+    return sendAndWait(port, { action: "stop" });
+  },
+};
+
+export const resetTool: Tool = {
+  name: "reset",
+  description:
+    "Puts the robot back at the start of its maze and starts a new run. It ends all earlier commands.",
+  input: resetArguments,
+  output: commandResult,
+  drives: true,
+  async run({ port }, args) {
+    const { key } = readArguments(resetArguments, args);
+    return sendAndWait(port, { action: "reset" }, key);
+  },
+};
+
+function fieldsOf(args: unknown): Record<string, unknown> {
+  return typeof args === "object" && args !== null ? { ...args } : {};
+}
+
+async function sendAndWait(port: RobotPort, order: Order, key?: string): Promise<ToolResult> {
+  const sent = await port.send(order, key);
+  const ended = await endOf(port, sent);
+  const record = { ...ended, duplicate: sent.duplicate };
+  const snapshot = newestOf(port);
+  return textResult(`${describeRecord(record)}\n${describeSnapshot(snapshot)}`, {
+    record,
+    snapshot,
+  });
+}
+
+/** @throws RefusedError, whose sentence contains that the command was sent */
+async function endOf(port: RobotPort, { seq }: CommandRecord): Promise<CommandRecord> {
+  try {
+    return await port.endOf(seq, MAX_WAIT_SECONDS * 1000);
+  } catch (error) {
+    if (!(error instanceof RefusedError)) throw error;
+    const { problem, retryAfter } = error;
+    const detail = `${problem.detail} Command ${seq} was sent before.`;
+    throw new RefusedError({ ...problem, detail }, { cause: error, retryAfter });
+  }
+}
+
+function describeRecord(record: CommandRecord): string {
+  const { seq, action, state, reason, distance, duplicate, key } = record;
+  const parts = [`Command ${seq} (${action}): ${state}`];
+  if (distance !== null && distance > 0)
+    parts.push(`, ${Math.round(distance * 10) / 10} cm driven`);
+  parts.push(".");
+  if (state === "collided") parts.push(" The robot touched a wall and stands still.");
+  if (reason !== null) parts.push(` ${reason}`);
+  if (duplicate) parts.push(" This key was sent before, so the robot did not move again.");
+  if (!hasEnded(state)) {
+    const how = key === null ? "call wait or sense" : "send the same act with the same key";
+    parts.push(` It has not ended yet: to follow it, ${how}.`);
+  }
+  return parts.join("");
+}
