@@ -17,12 +17,13 @@ import { descriptionRoutes } from "./site/description.ts";
 import { docsRoutes } from "./site/docs/docs.ts";
 import { documentRoutes } from "./gateways/rest/short-links/routes.ts";
 import { eventRoutes } from "./gateways/sse/routes.ts";
-import { notFound, problemResponses } from "./platform/http/fallbacks.ts";
+import { gatewayRefusals, notFound, problemResponses } from "./platform/http/fallbacks.ts";
 import { healthRoutes } from "./ops/health.ts";
 import { pythonClientRoutes } from "./site/clients/python-client.ts";
 import { builtFileRoutes } from "./site/clients/built-files.ts";
 import { keyRoutes } from "./gateways/rest/keys/routes.ts";
 import { longPollRoutes } from "./gateways/long-poll/routes.ts";
+import { mcpRoutes } from "./gateways/mcp/routes.ts";
 import { mazeRoutes } from "./gateways/rest/maze/routes.ts";
 import { pairingRoutes } from "./gateways/rest/pairing/routes.ts";
 import { oembedRoutes } from "./gateways/rest/embedding/routes.ts";
@@ -95,6 +96,13 @@ export function createApp(dependencies: AppDependencies): Express {
   api.use(longPollRoutes(classLongPolls, guard));
   api.use(notFound);
   app.use("/api/v1", api);
+  app.use(
+    mcpRoutes(
+      registry,
+      guard,
+      gatewayRefusals(log, (kind) => metrics.refused(kind)),
+    ),
+  );
 
   app.use(page);
   app.use(unreadableAddress);

@@ -22,7 +22,12 @@ export interface Agent {
   close(): void;
 }
 
-export function createAgent(port: RobotPort, clock: AgentClock): Agent {
+/** @param onRefused called for each refusal that an agent receives, for metrics and logs */
+export function createAgent(
+  port: RobotPort,
+  clock: AgentClock,
+  onRefused: (error: RefusedError) => void = () => undefined,
+): Agent {
   const context: AgentContext = { port, clock, endWaits: new Set() };
   const mayDrive = port.capability === "drive";
   const server = new Server(
@@ -30,9 +35,15 @@ export function createAgent(port: RobotPort, clock: AgentClock): Agent {
     { capabilities: { tools: {} }, instructions: mayDrive ? instructions : watchInstructions },
   );
   server.setRequestHandler("tools/list", () => ({ tools: listedTools(mayDrive) }));
-  server.setRequestHandler("tools/call", async ({ params }) =>
-    call(context, params.name, params.arguments ?? {}),
-  );
+  server.setRequestHandler("tools/call", async ({ params }) => {
+    try {
+      return await call(context, params.name, params.arguments ?? {});
+    } catch (error) {
+      if (!(error instanceof RefusedError)) throw error;
+      onRefused(error);
+      return refusalOf(error);
+    }
+  });
   const close = (): void => {
     for (const end of context.endWaits) end();
     port.close();
@@ -40,24 +51,18 @@ export function createAgent(port: RobotPort, clock: AgentClock): Agent {
   return { server, close };
 }
 
-/** Refusals are results, so that the agent reads the sentence. */
+/** @throws RefusedError, or ProtocolError if there is no such tool */
 async function call(context: AgentContext, name: string, args: unknown): Promise<CallToolResult> {
   const tool = tools.find((each) => each.name === name);
-  if (tool === undefined) {
-    const names = tools.map((each) => each.name).join(", ");
-    throw new ProtocolError(
-      ProtocolErrorCode.InvalidParams,
-      `No tool of this name. Tools: ${names}.`,
-    );
-  }
-  try {
-    return await tool.run(context, args);
-  } catch (error) {
-    if (!(error instanceof RefusedError)) throw error;
-    return refusalOf(error);
-  }
+  if (tool !== undefined) return tool.run(context, args);
+  const names = tools.map((each) => each.name).join(", ");
+  throw new ProtocolError(
+    ProtocolErrorCode.InvalidParams,
+    `No tool has this name. Tools: ${names}.`,
+  );
 }
 
+/** A refusal is a result, so that the agent reads the sentence. */
 function refusalOf({ problem, retryAfter }: RefusedError): CallToolResult {
   const wait = retryAfter === null ? "" : ` Try again in ${retryAfter} s.`;
   return {

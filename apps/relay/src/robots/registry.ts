@@ -64,6 +64,9 @@ export interface Grant {
 const URL_KEY_ELSEWHERE =
   "A key that starts with url_ works only in the path of the URL that it was made for. For scripts, copy the address with its key: press 'Copy address with key' under Remote on the robot's page.";
 
+const WRONG_IN_URL =
+  "The key in the path of this URL is invalid or was revoked. Copy the whole URL again from the robot's page. A path accepts only keys that start with url_.";
+
 export class RobotRegistry {
   readonly #store: RobotStore;
   readonly #clock: Clock;
@@ -136,6 +139,7 @@ export class RobotRegistry {
   /**
    * Finds the robot and checks the permissions of the key.
    * @param introduction what a script sends about itself
+   * @param use where the key stood: in a header or message by default
    * @throws Refusal no-robot, not-authorised, forbidden, blocked or restarting
    */
   async authorise(
@@ -143,16 +147,17 @@ export class RobotRegistry {
     key: string | null,
     verb: Verb,
     introduction: Introduction = unknownScript,
+    use?: StoredKey["use"],
   ): Promise<Grant> {
     // A client discards a rejected key for good, so a restart must not reject it.
     if (this.#isClosing) throw restarting();
     // Without a key, the response must not reveal which robots exist.
-    if (!canBeKey(key)) throw wrongKey(key);
+    if (!canBeKey(key)) throw wrongKey(key, use);
     const robot = await this.#find(id);
     if (this.#isClosing) throw restarting();
     if (robot === null) throw noRobot();
-    const stored = robot.grantOf(key);
-    if (stored === null) throw wrongKey(key);
+    const stored = robot.grantOf(key, use);
+    if (stored === null) throw wrongKey(key, use);
     checkRight(stored.kind, verb);
     const caller = callerOf(stored, introduction);
     robot.scriptAccess.check(caller);
@@ -284,7 +289,8 @@ export class RobotRegistry {
  * @param key as sent; null: none. Client libraries always send a key, so only the text for a
  * missing key names the header.
  */
-function wrongKey(key: string | null): Refusal {
+function wrongKey(key: string | null, use: StoredKey["use"]): Refusal {
+  if (use === "url") return notAuthorised(WRONG_IN_URL);
   if (key?.startsWith("url_") === true) return notAuthorised(URL_KEY_ELSEWHERE);
   return notAuthorised(
     key === null

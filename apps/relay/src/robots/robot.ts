@@ -161,10 +161,13 @@ export class Robot {
     return robot;
   }
 
-  /** The stored key that matches a bearer key; null if none matches, or the robot has ended. */
-  grantOf(key: string): StoredKey | null {
+  /**
+   * The stored key that matches; null if none matches, or the robot has ended.
+   * @param use where the key stood: in a header or message by default
+   */
+  grantOf(key: string, use?: StoredKey["use"]): StoredKey | null {
     if (this.isOver) return null;
-    const grant = this.keys.match(key);
+    const grant = this.keys.match(key, use);
     if (grant !== null) this.use.used();
     return grant;
   }

@@ -1,7 +1,8 @@
 /** Responses without a route: unknown paths, unsupported methods and errors. */
 import type { ErrorRequestHandler, RequestHandler, Response } from "express";
 import type { Logger } from "pino";
-import type { ProblemKind } from "../errors/problem-kinds.ts";
+import type { ProblemDocument, RefusedError } from "@corridor/protocol";
+import { problemKinds, type ProblemKind } from "../errors/problem-kinds.ts";
 import { asRefusal, Refusal } from "../errors/problems.ts";
 
 /** @param allowed supported methods, such as "GET, DELETE" */
@@ -37,6 +38,23 @@ export function problemResponses(
     if (response.headersSent) return next(error);
     sendProblem(response, refusal);
   };
+}
+
+/** Counts and logs refusals that a gateway answers in its own protocol. */
+export function gatewayRefusals(
+  log: Logger,
+  onRefusal: (kind: ProblemKind) => void,
+): (error: RefusedError) => void {
+  return ({ cause, problem }) => {
+    const kind = cause instanceof Error ? asRefusal(cause).kind : kindOf(problem);
+    onRefusal(kind);
+    if (kind === "internal") log.error({ err: cause }, "request of a gateway failed");
+  };
+}
+
+function kindOf({ type }: ProblemDocument): ProblemKind {
+  const name = type.replace("/problems/", "");
+  return Object.hasOwn(problemKinds, name) ? (name as ProblemKind) : "bad-request";
 }
 
 function sendProblem(response: Response, { problem, headers }: Refusal): void {

@@ -65,7 +65,16 @@ export class RequestGuard {
     if (origin === undefined || origin === this.#publicOrigin) return true;
     return URL.canParse(origin) && new URL(origin).host === this.#visitor(request).host;
   }
+
+  /** Whether a program, a page of this service, or a page of the user's own machine requests. */
+  isOwnOrLocal(request: IncomingMessage): boolean {
+    const { origin = "" } = request.headers;
+    if (this.isOwnPage(request)) return true;
+    return URL.canParse(origin) && LOOPBACK.has(new URL(origin).hostname);
+  }
 }
+
+const LOOPBACK: ReadonlySet<string> = new Set(["localhost", "127.0.0.1", "[::1]"]);
 
 /**
  * Every HTTP/1.1 request has exactly one Host header, whatever its path (RFC 9112, section 3.2).

@@ -39,14 +39,14 @@ export class KeyRing {
   }
 
   /**
-   * The stored key that matches a bearer key; null if no key of this robot matches. A key for URLs
-   * is no bearer key.
+   * The stored key that matches; null if no key of this robot matches.
+   * @param use where the key stood. A key for URLs is no bearer key, and the reverse
    * @throws StoreUnavailableError if it is unknown whether the key is still valid
    */
-  match(key: string): StoredKey | null {
+  match(key: string, use?: StoredKey["use"]): StoredKey | null {
     const held = matchKey(
       key,
-      this.#keys.filter(({ use }) => use === undefined),
+      this.#keys.filter((each) => each.use === use),
     );
     if (held !== null) {
       this.#requireSure(held);

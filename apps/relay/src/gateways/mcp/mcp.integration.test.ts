@@ -1,0 +1,246 @@
+import type { Registration, ScriptList } from "@corridor/protocol";
+import { snapshotOf } from "@corridor/protocol/testing";
+import { describe, expect, it } from "vitest";
+import { completed } from "../../platform/testing/messages.ts";
+import { maze } from "../../platform/testing/sample-documents.ts";
+import {
+  callMessage,
+  callTool,
+  connectAgent,
+  eras,
+  makeKey,
+  mcpUrl,
+} from "../../testing/mcp-client.ts";
+import { startTestRelay, type TestRelay } from "../../testing/test-relay.ts";
+import { TestSocket } from "../../testing/test-socket.ts";
+
+const MOVE = { action: "move", distance: 100, key: "step-0001" };
+
+/** A relay with a robot whose page has reported. */
+async function withPage() {
+  const relay = await startTestRelay();
+  const robot = await relay.register();
+  const { socket: page, epoch } = await TestSocket.page(relay, robot);
+  page.send({ type: "snapshot", epoch, snapshot: snapshotOf() });
+  await relay.ask(robot, "/sensors?wait=5");
+  await relay.ask(robot, "/maze", { method: "PUT", key: robot.ownerKey, body: maze });
+  /** Runs the next command. */
+  const run = async (): Promise<number> => {
+    const { seq } = await page.next("command", "stop");
+    page.send({ type: "started", epoch, seq });
+    page.send({ type: "snapshot", epoch, snapshot: snapshotOf({ seq: 100 + Number(seq) }) });
+    page.send({ type: "ended", epoch, ...completed(Number(seq)) });
+    return Number(seq);
+  };
+  return { relay, robot, page, epoch, run, url: mcpUrl(relay, robot) };
+}
+
+async function post(
+  url: string,
+  key: string | null,
+  message: unknown,
+  headers: Record<string, string> = {},
+): Promise<Response> {
+  return fetch(url, {
+    method: "POST",
+    headers: {
+      "Content-Type": "application/json",
+      ...(key !== null && { Authorization: `Bearer ${key}` }),
+      ...headers,
+    },
+    body: typeof message === "string" ? message : JSON.stringify(message),
+  });
+}
+
+async function scripts(relay: TestRelay, robot: Registration): Promise<ScriptList["scripts"]> {
+  const answer = await relay.ask(robot, "/scripts", { key: robot.ownerKey });
+  return ((await answer.json()) as ScriptList).scripts;
+}
+
+describe.each(eras)("an agent of the era %s", (era) => {
+  it("lists the tools, senses, looks and drives", async () => {
+    const { robot, url, run } = await withPage();
+    const agent = await connectAgent(url, robot.driverKey, era);
+    const { tools } = await agent.listTools();
+    const names = ["sense", "look", "wait", "act", "stop", "reset"];
+    expect(tools.map(({ name }) => name)).toEqual(names);
+    expect(agent.getInstructions()).toContain("You drive a robot through a maze.");
+    expect((await callTool(agent, "sense")).text).toContain("front 250.5, right 50");
+    expect((await callTool(agent, "look")).text).toContain("#");
+    const acting = callTool(agent, "act", MOVE);
+    expect(await run()).toBe(1);
+    expect(await acting).toMatchObject({
+      isError: false,
+      structured: { record: { seq: 1, state: "completed" }, snapshot: { seq: 101 } },
+    });
+  });
+
+  it("uses a key in the path, and with a watch key only reads", async () => {
+    const { relay, robot, url } = await withPage();
+    const { key } = await makeKey(relay, robot, "watch", "url");
+    const agent = await connectAgent(`${url}/${key}`, null, era);
+    const { tools } = await agent.listTools();
+    expect(tools.map(({ name }) => name)).toEqual(["sense", "look", "wait"]);
+    const { isError, text } = await callTool(agent, "act", MOVE);
+    expect(isError).toBe(true);
+    expect(text).toContain("A watch key permits only reading.");
+  });
+
+  it("waits for a condition", async () => {
+    const { robot, url, page, epoch } = await withPage();
+    const agent = await connectAgent(url, robot.driverKey, era);
+    const waiting = callTool(agent, "wait", { until: [{ goal: true }] });
+    page.send({ type: "snapshot", epoch, snapshot: snapshotOf({ seq: 2, goalReached: true }) });
+    expect((await waiting).structured).toMatchObject({ condition: 0, snapshot: { seq: 2 } });
+  });
+
+  it("is in the owner's list as MCP, with the reason of the newest refused command", async () => {
+    const { relay, robot, url } = await withPage();
+    const agent = await connectAgent(url, robot.driverKey, era);
+    const refused = await callTool(agent, "act", { action: "fly" });
+    expect(refused.isError).toBe(true);
+    expect(refused.text).toContain("action: found 'fly', expected one of forward");
+    const listed = (await scripts(relay, robot)).filter(({ client }) => client === "MCP");
+    expect(listed).toMatchObject([{ lastProblem: { detail: refused.text.slice(0, 250) } }]);
+  });
+});
+
+describe("the owner of the robot", () => {
+  it("pauses, blocks and revokes an agent while it waits", async () => {
+    const { relay, robot, url, page } = await withPage();
+    const { id, key } = await makeKey(relay, robot, "drive");
+    const agent = await connectAgent(url, key, "2026-07-28");
+    const own = { method: "PUT", key: robot.ownerKey };
+    await relay.ask(robot, "/pause", own);
+    const paused = await callTool(agent, "act", MOVE);
+    expect(paused).toMatchObject({ isError: true, structured: { problem: { status: 409 } } });
+    await relay.ask(robot, "/pause", { ...own, method: "DELETE" });
+
+    const acting = callTool(agent, "act", MOVE);
+    await page.next("command");
+    const [script] = (await scripts(relay, robot)).filter(({ client }) => client === "MCP");
+    const { driver, name, client } = script ?? {};
+    const block = { method: "POST", key: robot.ownerKey, body: { driver, name, client } };
+    const blocked = (await (await relay.ask(robot, "/blocked", block)).json()) as { id: string };
+    expect(await acting).toMatchObject({
+      isError: true,
+      text: expect.stringContaining("The robot's owner has blocked this script."),
+    });
+    expect((await post(url, key, callMessage("sense"))).status).toBe(403);
+    await relay.ask(robot, `/blocked/${blocked.id}`, { method: "DELETE", key: robot.ownerKey });
+
+    const waiting = callTool(agent, "wait");
+    // A second request, which arrives after the first one.
+    await callTool(agent, "sense");
+    await relay.ask(robot, `/keys/${id}`, { method: "DELETE", key: robot.ownerKey });
+    expect((await waiting).isError).toBe(true);
+    expect((await post(url, key, callMessage("sense"))).status).toBe(401);
+  });
+});
+
+describe("the URL", () => {
+  it("requires a key, and names the scheme without metadata of a login", async () => {
+    const { relay, robot, url } = await withPage();
+    for (const key of [null, `drv_${"A".repeat(22)}`]) {
+      const answer = await post(url, key, callMessage("sense"));
+      expect(answer.status).toBe(401);
+      expect(answer.headers.get("www-authenticate")).toBe("Bearer");
+    }
+    for (const path of [
+      "/.well-known/oauth-protected-resource",
+      `/.well-known/oauth-protected-resource/r/${robot.id}/mcp`,
+      "/.well-known/oauth-authorization-server",
+    ]) {
+      expect((await fetch(`${relay.origin}${path}`)).status).toBe(404);
+    }
+    await expect(connectAgent(url, null, "2025")).rejects.toThrow();
+  });
+
+  it("accepts each kind of key only where it belongs", async () => {
+    const { relay, robot, url } = await withPage();
+    const inUrl = (await makeKey(relay, robot, "drive", "url")).key;
+    const other = await relay.register();
+    const message = callMessage("sense");
+    const status = async (path: string, key: string | null) =>
+      (await post(path, key, message)).status;
+    expect(await status(url, inUrl)).toBe(401);
+    expect(await status(`${url}/${robot.driverKey}`, null)).toBe(401);
+    expect(await status(`${url}/${inUrl}`, null)).toBe(200);
+    expect(await status(url, robot.driverKey)).toBe(200);
+    // The header takes precedence.
+    expect(await status(`${url}/${inUrl}`, other.driverKey)).toBe(401);
+    expect(await status(`${url}/nonsense`, robot.driverKey)).toBe(200);
+    expect(await status(url, robot.ownerKey)).toBe(403);
+    expect(await status(mcpUrl(relay, other), robot.driverKey)).toBe(401);
+    expect(await status(mcpUrl(relay, { ...other, id: "A".repeat(22) }), robot.driverKey)).toBe(
+      404,
+    );
+    expect(await status(`${mcpUrl(relay, other)}/${inUrl}`, null)).toBe(401);
+  });
+
+  it.each(["GET", "DELETE", "PUT", "HEAD"])("answers %s with 405", async (method) => {
+    const { robot, url } = await withPage();
+    const headers = { Authorization: `Bearer ${robot.driverKey}`, Accept: "text/event-stream" };
+    const answer = await fetch(url, { method, headers });
+    expect(answer.status).toBe(405);
+    expect(answer.headers.get("allow")).toBe("POST");
+  });
+
+  it.each([
+    { origin: "https://example.org", status: 403 },
+    { origin: "null", status: 403 },
+    { origin: "http://localhost.example.org", status: 403 },
+    { origin: "http://localhost:6274", status: 200 },
+    { origin: "http://127.0.0.1:9", status: 200 },
+    { origin: "http://[::1]:9", status: 200 },
+  ])("answers a page of $origin with $status", async ({ origin, status }) => {
+    const { robot, url } = await withPage();
+    const answer = await post(url, robot.driverKey, callMessage("sense"), { Origin: origin });
+    expect(answer.status).toBe(status);
+    const allowed = status === 200 ? origin : null;
+    expect(answer.headers.get("access-control-allow-origin")).toBe(allowed);
+    const preflight = await fetch(url, { method: "OPTIONS", headers: { Origin: origin } });
+    expect(preflight.status).toBe(status === 200 ? 204 : 403);
+  });
+
+  it("answers a page of this service", async () => {
+    const { relay, robot, url } = await withPage();
+    const headers = { Origin: relay.origin };
+    expect((await post(url, robot.driverKey, callMessage("sense"), headers)).status).toBe(200);
+  });
+
+  it("answers in JSON, whatever a client accepts, and without a session", async () => {
+    const { robot, url } = await withPage();
+    for (const accept of ["application/json", "text/event-stream", "*/*"]) {
+      const answer = await post(url, robot.driverKey, callMessage("sense"), { Accept: accept });
+      expect(answer.headers.get("content-type")).toMatch(/^application\/json/);
+      expect(answer.headers.get("mcp-session-id")).toBeNull();
+      expect(await answer.json()).toMatchObject({ jsonrpc: "2.0", id: 1 });
+    }
+    // A session of another server does no harm.
+    const session = { "Mcp-Session-Id": "a-session" };
+    expect((await post(url, robot.driverKey, callMessage("sense"), session)).status).toBe(200);
+  });
+
+  it("confirms notifications", async () => {
+    const { robot, url } = await withPage();
+    const message = { jsonrpc: "2.0", method: "notifications/initialized" };
+    const answer = await post(url, robot.driverKey, message);
+    expect([answer.status, await answer.text()]).toEqual([202, ""]);
+  });
+
+  it("refuses streams of changes, because tools never change", async () => {
+    const { robot, url } = await withPage();
+    const meta = {
+      "io.modelcontextprotocol/protocolVersion": "2026-07-28",
+      "io.modelcontextprotocol/clientCapabilities": {},
+    };
+    const params = { notifications: { toolsListChanged: true }, _meta: meta };
+    const method = "subscriptions/listen";
+    const headers = { "MCP-Protocol-Version": "2026-07-28", "Mcp-Method": method };
+    const message = { jsonrpc: "2.0", id: 1, method, params };
+    const answer = await post(url, robot.driverKey, message, headers);
+    expect(answer.headers.get("content-type")).toMatch(/^application\/json/);
+    expect(await answer.json()).toMatchObject({ error: { code: -32603 } });
+  });
+});

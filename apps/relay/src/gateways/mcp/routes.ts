@@ -1,0 +1,92 @@
+/**
+ * The Model Context Protocol for AI agents: Streamable HTTP without sessions. Each request is a POST
+ * with one message, and its answer is JSON. No state remains between requests, so that any relay
+ * behind a balancer answers them.
+ */
+import { createAgent } from "@corridor/agent";
+import { MAX_FRAME_BYTES, type RefusedError } from "@corridor/protocol";
+import { Router, type Request, type Response } from "express";
+import { z } from "zod";
+import { methodNotAllowed } from "../../platform/http/fallbacks.ts";
+import { bodyReader } from "../../platform/http/reading.ts";
+import type { RequestGuard } from "../../platform/http/request-guard.ts";
+import { badRequest, Refusal } from "../../platform/errors/problems.ts";
+import type { RobotRegistry } from "../../robots/registry.ts";
+import { RelayPort, type PortConnection } from "../../robots/relay-port.ts";
+import { authoriseGateway } from "../requests/gateway-requests.ts";
+import { answerMessage } from "./answer-message.ts";
+
+const CLIENT = "MCP";
+
+const readMessage = bodyReader(z.unknown(), "Invalid message.", {
+  limit: MAX_FRAME_BYTES,
+  example: '{"jsonrpc":"2.0","id":1,"method":"tools/list"}',
+});
+
+/** The only reader is a tool that waits: it takes every snapshot at once. */
+const connection: PortConnection = {
+  transport: "events",
+  flow: { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined },
+};
+
+/** @param onRefused called for each refusal inside an answer */
+export function mcpRoutes(
+  registry: RobotRegistry,
+  guard: RequestGuard,
+  onRefused: (error: RefusedError) => void,
+): Router {
+  const router = Router();
+  const answer = async (
+    request: Request<{ id: string; key?: string }>,
+    response: Response,
+  ): Promise<void> => {
+    const grant = await authoriseGateway(registry, request, response, CLIENT);
+    const message = await readMessage(request, response);
+    if (Array.isArray(message)) {
+      const expected = "one message; batches are not supported";
+      throw badRequest("Invalid message.", [{ path: "", found: "a list", expected }]);
+    }
+    const agent = createAgent(new RelayPort(grant, connection), registry.clock, onRefused);
+    response.once("close", () => agent.close());
+    await answerMessage(agent, message, request, response);
+  };
+  for (const path of ["/r/:id/mcp", "/r/:id/mcp/:key"]) {
+    router
+      .route(path)
+      .all((request, response, next) => {
+        checkOrigin(guard, request, response);
+        next();
+      })
+      .options((_request, response) => {
+        response
+          .set({
+            "Access-Control-Allow-Methods": "POST",
+            "Access-Control-Allow-Headers":
+              "Authorization, Content-Type, MCP-Protocol-Version, Mcp-Method, Mcp-Name, Mcp-Session-Id, Script-Name",
+            "Access-Control-Max-Age": "86400",
+          })
+          .status(204)
+          .end();
+      })
+      .post(answer)
+      .all(methodNotAllowed("POST"));
+  }
+  return router;
+}
+
+/**
+ * Servers of this protocol must refuse pages of other sites, because a page could reach a server on
+ * the machine of its visitor.
+ * @throws Refusal forbidden
+ */
+function checkOrigin(guard: RequestGuard, request: Request, response: Response): void {
+  if (!guard.isOwnOrLocal(request)) {
+    throw new Refusal(
+      "forbidden",
+      "Pages of other sites cannot use this URL. Use it in a program, or in a page on localhost.",
+    );
+  }
+  const { origin } = request.headers;
+  response.set({ "Cache-Control": "no-store", Vary: "Origin" });
+  if (origin !== undefined) response.set("Access-Control-Allow-Origin", origin);
+}
