@@ -10,6 +10,8 @@ export class MazeHost {
   readonly connected: Promise<void>;
   /** false: commands start, and end with `endAll` */
   endsCommands = true;
+  /** number of started commands */
+  started = 0;
   readonly #running: DeliveredCommand[] = [];
 
   constructor(origin: string, credentials: Registration, maze: MazeDocument) {
@@ -56,6 +58,7 @@ export class MazeHost {
 
   #start(command: DeliveredCommand): void {
     const { seq } = command;
+    this.started += 1;
     this.link.started(seq);
     if (this.endsCommands) this.#end(seq, this.robot.execute(command.command));
     else this.#running.push(command);

@@ -61,13 +61,13 @@ function badTexts(right: string, limit: number): [BadInput, string | Uint8Array]
 
 // --- by HTTP ---
 
-/** Sends one request below /api/v1, with the driver key unless it has another. */
-export function requesting(request: (target: Target) => Request): Attempt {
+/** Sends one request below a path, with the driver key unless it has another. */
+export function requesting(request: (target: Target) => Request, base = "/api/v1"): Attempt {
   return async (target) => {
     const { path, headers, ...rest } = await request(target);
     const answer = await askBare(target.relay.origin, {
       ...rest,
-      path: `/api/v1${path}`,
+      path: base + path,
       headers: { Authorization: `Bearer ${target.robot.driverKey}`, ...headers },
     });
     return outcomeOf(answer);
@@ -84,9 +84,10 @@ export function bodies(
   right: string,
   limit: number,
   request: (target: Target) => Request,
+  base?: string,
 ): Partial<Record<BadInput, Attempt>> {
   const posting = (more: Partial<BareRequest>): Attempt =>
-    requesting(async (target) => ({ method: "POST", ...(await request(target)), ...more }));
+    requesting(async (target) => ({ method: "POST", ...(await request(target)), ...more }), base);
   return {
     ...Object.fromEntries(badTexts(right, limit).map(([bad, body]) => [bad, posting({ body })])),
     "half-closed": posting({ body: right, isCutOff: true }),

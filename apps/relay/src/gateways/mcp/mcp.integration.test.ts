@@ -243,4 +243,32 @@ describe("the URL", () => {
     expect(answer.headers.get("content-type")).toMatch(/^application\/json/);
     expect(await answer.json()).toMatchObject({ error: { code: -32603 } });
   });
+
+  it.each([
+    { what: "an unknown method", method: "tools/fly", status: 404, code: -32601 },
+    { what: "an unknown version", version: "2027-01-01", status: 400, code: -32022 },
+    { what: "a call without a tool", params: { name: 7 }, status: 200, code: -32602 },
+    { what: "an unknown tool", params: { name: "fly" }, status: 200, code: -32602 },
+  ])("answers $what as the protocol requires", async (wrong) => {
+    const { robot, url } = await withPage();
+    const { method = "tools/call", version = "2026-07-28" } = wrong;
+    const _meta = {
+      "io.modelcontextprotocol/protocolVersion": version,
+      "io.modelcontextprotocol/clientCapabilities": {},
+    };
+    const params = { name: "sense", arguments: {}, ...wrong.params, _meta };
+    const headers = {
+      "MCP-Protocol-Version": version,
+      "Mcp-Method": method,
+      "Mcp-Name": String(params.name),
+    };
+    const message = { jsonrpc: "2.0", id: 1, method, params };
+    const answer = await post(url, robot.driverKey, message, headers);
+    const { error } = (await answer.json()) as { error: { code: number; message: string } };
+    expect({ status: answer.status, code: error.code }).toEqual({
+      status: wrong.status,
+      code: wrong.code,
+    });
+    expect(JSON.stringify(error)).not.toMatch(/node_modules|\.ts:\d|at /);
+  });
 });

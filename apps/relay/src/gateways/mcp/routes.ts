@@ -10,7 +10,7 @@ import { z } from "zod";
 import { methodNotAllowed } from "../../platform/http/fallbacks.ts";
 import { bodyReader } from "../../platform/http/reading.ts";
 import type { RequestGuard } from "../../platform/http/request-guard.ts";
-import { badRequest, Refusal } from "../../platform/errors/problems.ts";
+import { Refusal } from "../../platform/errors/problems.ts";
 import type { RobotRegistry } from "../../robots/registry.ts";
 import { RelayPort, type PortConnection } from "../../robots/relay-port.ts";
 import { authoriseGateway } from "../requests/gateway-requests.ts";
@@ -18,9 +18,23 @@ import { answerMessage } from "./answer-message.ts";
 
 const CLIENT = "MCP";
 
-const readMessage = bodyReader(z.unknown(), "Invalid message.", {
+const EXAMPLE = '{"jsonrpc":"2.0","id":1,"method":"tools/list"}';
+const idError = "a text or a whole number";
+
+/** A request or a notification. Servers without requests of their own receive no results. */
+const messageSchema = z.strictObject(
+  {
+    jsonrpc: z.literal("2.0", { error: '"2.0"' }),
+    id: z.union([z.string({ error: idError }), z.int({ error: idError })]).optional(),
+    method: z.string({ error: "a method, such as tools/list" }),
+    params: z.looseObject({}, { error: "an object" }).optional(),
+  },
+  { error: "one message: an object, no list" },
+);
+
+const readMessage = bodyReader(messageSchema, "Invalid message.", {
   limit: MAX_FRAME_BYTES,
-  example: '{"jsonrpc":"2.0","id":1,"method":"tools/list"}',
+  example: EXAMPLE,
 });
 
 /** The only reader is a tool that waits: it takes every snapshot at once. */
@@ -42,10 +56,6 @@ export function mcpRoutes(
   ): Promise<void> => {
     const grant = await authoriseGateway(registry, request, response, CLIENT);
     const message = await readMessage(request, response);
-    if (Array.isArray(message)) {
-      const expected = "one message; batches are not supported";
-      throw badRequest("Invalid message.", [{ path: "", found: "a list", expected }]);
-    }
     const agent = createAgent(new RelayPort(grant, connection), registry.clock, onRefused);
     response.once("close", () => agent.close());
     await answerMessage(agent, message, request, response);

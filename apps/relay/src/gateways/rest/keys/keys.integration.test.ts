@@ -53,7 +53,8 @@ describe("keys of a robot", () => {
   it("for URLs are accepted nowhere else, listed, and revoked alone", async () => {
     const { relay, robot } = await withRobot();
     const made = await make(relay, robot, { kind: "drive", use: "url" });
-    expect(made).toMatchObject({ kind: "drive", address: null, urls: { ros: null, mcp: null } });
+    const mcp = `${relay.origin}/r/${robot.id}/mcp/${made.key}`;
+    expect(made).toMatchObject({ kind: "drive", address: null, urls: { ros: null, mcp } });
     expect(made.key).toMatch(/^url_[A-Za-z0-9_-]{22}$/);
     const refused = await relay.ask(robot, "/sensors", { key: made.key });
     expect(refused.status).toBe(401);

@@ -21,14 +21,11 @@ export function keyRoutes(registry: RobotRegistry, guard: RequestGuard): Router 
       const { robot } = await registry.authorise(request.params.id, readBearer(request), "grant");
       const wanted = await readKeyRequest(request, response);
       const made = await robot.keys.make(wanted);
+      const page = `${guard.originOf(request)}/r/${robot.id}`;
       const created: CreatedKey =
         wanted.use === "url"
-          ? { ...made, address: null, urls: { ros: null, mcp: null } }
-          : {
-              ...made,
-              address: `${guard.originOf(request)}/r/${robot.id}#${made.key}`,
-              urls: null,
-            };
+          ? { ...made, address: null, urls: { ros: null, mcp: `${page}/mcp/${made.key}` } }
+          : { ...made, address: `${page}#${made.key}`, urls: null };
       response
         .status(201)
         .location(`/api/v1/robots/${robot.id}/keys/${made.id}`)

@@ -1,0 +1,130 @@
+/** Agents of real clients drive a robot through a real relay. */
+import { describe, expect, it, onTestFinished } from "vitest";
+import { callTool, connectAgent, eras } from "../../../apps/relay/src/testing/mcp-client.ts";
+import { registerRobot } from "../../../packages/client/src/register-robot.ts";
+import { mazePresets, type MazeDocument } from "@corridor/maze";
+import { MazeHost } from "../../support/client/maze-host.ts";
+import { startCluster } from "../../support/client/cluster.ts";
+import { startRelayProcess } from "../../support/test-relay-process.ts";
+
+const corridor: MazeDocument = {
+  format: "corridor/maze",
+  version: 1,
+  name: "Corridor",
+  blocks: ["#######", "#.....#", "#####.#", "#...#.#", "#.#...#", "#.#####", "#######"],
+  start: { column: 1, row: 1, heading: "east" },
+  goals: [{ column: 1, row: 5 }],
+};
+
+async function host(origin: string, maze = corridor, pageOrigin = origin) {
+  const registration = await registerRobot(origin, fetch);
+  const page = new MazeHost(pageOrigin, registration, maze);
+  onTestFinished(() => page.link.close());
+  await page.connected;
+  await MazeHost.publish(origin, registration, maze);
+  return { registration, page, url: `${origin}/r/${registration.id}/mcp` };
+}
+
+type Call = (name: string, args?: Record<string, unknown>) => ReturnType<typeof callTool>;
+
+interface Seen {
+  goalReached: boolean;
+  bumps: number;
+  sensors: { front: number; right: number; back: number; left: number };
+}
+
+/** Calls a tool. If it is refused because of a limit, waits, and repeats the same call. */
+async function seenAfter(call: Call, name: string, args?: Record<string, unknown>): Promise<Seen> {
+  for (;;) {
+    const { isError, text, structured } = await call(name, args);
+    if (!isError) return structured["snapshot"] as Seen;
+    const seconds = structured["retryAfter"];
+    if (typeof seconds !== "number") throw new Error(text);
+    await call("wait", { seconds });
+  }
+}
+
+/** Follows the right wall with the sensors of `sense` and of each answer of `act` alone. */
+async function solve(call: Call): Promise<Seen> {
+  let seen = await seenAfter(call, "sense");
+  for (let step = 1; step <= 500 && !seen.goalReached; step++) {
+    const { front, right } = seen.sensors;
+    const turn = right > 100 ? "right 90" : front > 100 ? null : "left 90";
+    const act = async (command: object, part: string): Promise<Seen> =>
+      seenAfter(call, "act", { ...command, key: `step-${step}-${part}`.padEnd(8, "_") });
+    if (turn !== null) seen = await act({ action: turn }, "turn");
+    if (seen.sensors.front > 100) seen = await act({ action: "move", distance: 100 }, "go");
+  }
+  return seen;
+}
+
+describe.each(eras)("an agent of the era %s at a real relay", (era) => {
+  it("solves a corridor with sense and act alone", async () => {
+    const relay = await startRelayProcess();
+    const { registration, url } = await host(relay.url);
+    const agent = await connectAgent(url, registration.driverKey, era);
+    const seen = await solve((name, args) => callTool(agent, name, args));
+    expect(seen).toMatchObject({ goalReached: true, bumps: 0 });
+  });
+});
+
+describe("an agent", () => {
+  it("moves the robot once, although the answer is lost and the call is repeated", async () => {
+    const relay = await startRelayProcess();
+    const { registration, page, url } = await host(relay.url);
+    page.endsCommands = false;
+    const act = { action: "move", distance: 100, key: "step-0001" };
+    const lost = new AbortController();
+    const message = {
+      jsonrpc: "2.0",
+      id: 1,
+      method: "tools/call",
+      params: { name: "act", arguments: act },
+    };
+    const post = fetch(url, {
+      method: "POST",
+      headers: {
+        Authorization: `Bearer ${registration.driverKey}`,
+        "Content-Type": "application/json",
+      },
+      body: JSON.stringify(message),
+      signal: lost.signal,
+    });
+    await expect.poll(() => page.started).toBe(1);
+    lost.abort();
+    await expect(post).rejects.toThrow();
+    const agent = await connectAgent(url, registration.driverKey, "2026-07-28");
+    const again = callTool(agent, "act", act);
+    page.endAll("completed");
+    expect((await again).text).toContain("the robot did not move again");
+    expect(page.started).toBe(1);
+  });
+
+  it("solves a maze that ships with the page", async () => {
+    const relay = await startRelayProcess();
+    const preset = mazePresets.find(({ id }) => id === "tree")?.maze ?? corridor;
+    const { registration, url } = await host(relay.url, preset);
+    const agent = await connectAgent(url, registration.driverKey, "2026-07-28");
+    const seen = await solve((name, args) => callTool(agent, name, args));
+    expect(seen).toMatchObject({ goalReached: true, bumps: 0 });
+  });
+
+  it("is served by any relay: each call by another one than the last", async () => {
+    const cluster = await startCluster();
+    const relays = [await cluster.startRelay(), await cluster.startRelay()] as const;
+    const [atPage, other] = relays;
+    cluster.sendTo(atPage);
+    const { registration, url } = await host(cluster.origin, corridor, atPage.url);
+    const direct = [atPage, other].map(({ url: origin }) => url.replace(cluster.origin, origin));
+    const agents = await Promise.all(
+      direct.map((each) => connectAgent(each, registration.driverKey, "2025")),
+    );
+    let calls = 0;
+    const seen = await solve((name, args) => {
+      const agent = agents[(calls += 1) % 2];
+      if (agent === undefined) throw new Error("no agent");
+      return callTool(agent, name, args);
+    });
+    expect(seen).toMatchObject({ goalReached: true, bumps: 0 });
+  });
+});
