@@ -118,6 +118,29 @@ describe("permissions", () => {
     expect(found).toEqual(expectedFor(verb, { yes: "yes", forbidden: 403, stranger: 401 }));
   });
 
+  it("an agent's message, with the key in the header and in the path", async () => {
+    const { relay, robot, keys } = await withRobot();
+    const url = `${relay.origin}/r/${robot.id}/mcp`;
+    const inHeader: Partial<Record<Holder, unknown>> = {};
+    const inPath: Partial<Record<Holder, unknown>> = {};
+    const statusOf = async (to: string, headers: Record<string, string>): Promise<unknown> => {
+      const body = JSON.stringify({ jsonrpc: "2.0", id: 1, method: "tools/list" });
+      const json = { "Content-Type": "application/json" };
+      const answer = await fetch(to, { method: "POST", headers: { ...json, ...headers }, body });
+      return answer.ok ? "yes" : answer.status;
+    };
+    for (const holder of holders) {
+      const key = keys[holder];
+      inHeader[holder] = await statusOf(url, { Authorization: `Bearer ${key}` });
+      inPath[holder] = await statusOf(`${url}/${key}`, {});
+    }
+    const outcomes = { yes: "yes", forbidden: 403, stranger: 401 };
+    expect(inHeader).toEqual(expectedFor("read", outcomes));
+    const strangers = Object.fromEntries(holders.map((holder) => [holder, 401]));
+    const permitted = { "in a URL, to drive": "yes", "in a URL, to watch": "yes" };
+    expect(inPath).toEqual({ ...strangers, ...permitted });
+  });
+
   it("limits pairing answers to the robot's own keys, while requests need no key", async () => {
     const { relay, robot, keys } = await withRobot();
     const own = { method: "POST", key: robot.ownerKey };

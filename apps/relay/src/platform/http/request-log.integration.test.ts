@@ -29,6 +29,11 @@ describe("the log", () => {
       await (await relay.ask(robot, "/keys", wanted)).json(),
     );
     const post = { method: "POST", body: { action: "left 90" } };
+    const mcp = {
+      method: "POST",
+      headers: { "Content-Type": "application/json" },
+      body: JSON.stringify({ jsonrpc: "2.0", id: 1, method: driverKey }),
+    };
     const statuses = [
       await relay.ask(robot, "/commands", post),
       await relay.ask(robot, "/commands", { ...post, key: ownerKey }),
@@ -40,8 +45,11 @@ describe("the log", () => {
       await relay.ask(robot, "/commands", { ...post, key: urlKey }),
       await relay.ask(robot, `/${urlKey}`, { key: urlKey }),
       await fetch(`${relay.origin}/r/${id}/ros/${urlKey}`),
+      await fetch(`${relay.origin}/r/${id}/mcp/${urlKey}`, mcp),
+      await fetch(`${relay.origin}/r/${id}/mcp/${driverKey}`, mcp),
+      await fetch(`${relay.origin}/r/${id}/mcp/${urlKey}?key=${driverKey}`),
     ].map(({ status }) => status);
-    expect(statuses).toEqual([202, 403, 400, 401, 404, 503, 404, 401, 404, 404]);
+    expect(statuses).toEqual([202, 403, 400, 401, 404, 503, 404, 401, 404, 404, 200, 401, 405]);
     const base = relay.origin.replace("http", "ws");
     const lost = new WebSocket(`${base}/api/v1/robots/${driverKey}/socket?key=${ownerKey}`);
     await new Promise((resolve) => lost.once("open", resolve));
