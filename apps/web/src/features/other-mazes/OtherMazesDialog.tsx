@@ -1,6 +1,6 @@
 /** Runs the open program in a hundred other mazes and displays in which of them it works. */
 import { Eye, RotateCcw, Square } from "lucide";
-import { useDeferredValue, useEffect, useState } from "react";
+import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { RunOpener } from "../../model/projects/run-opener.ts";
@@ -16,12 +16,6 @@ import { TrialChoices } from "./TrialChoices.tsx";
 import { TrialGrid } from "./TrialGrid.tsx";
 import { tryWhileOpen } from "./try-while-open.ts";
 import { countOutcomes, seedsFrom, trialChoice, Trials, TRIALS } from "./trials.ts";
-
-/**
- * Interval between two updates of the results. Each update lays out the grid, on a core that the
- * trials need too.
- */
-const SHOW_MS = 125;
 
 interface OtherMazesDialogProps {
   isOpen: boolean;
@@ -58,8 +52,10 @@ function TrialRun({ onClose }: { onClose: () => void }) {
   const choice = useStore(trialChoice);
   const { state, results, pictured } = useStore(trials.store);
 
-  // Deferred to its own frame: a hundred tiles take as long to render as all the rest.
-  const hasGrid = useDeferredValue(true, false);
+  // A hundred tiles take as long to render as all the rest, so the dialog opens without them.
+  const isGridDue = results.size > 0 || state !== "running";
+  const [hasGrid, setGrid] = useState(isGridDue);
+  if (isGridDue && !hasGrid) setGrid(true);
   const counts = countOutcomes(results);
   const seeds = seedsFrom(choice.first);
   const failure = seeds
@@ -133,13 +129,15 @@ function TrialRun({ onClose }: { onClose: () => void }) {
       <output className="visually-hidden">
         {state === "done" || state === "stopped" ? sentence : ""}
       </output>
-      {hasGrid && (
+      {hasGrid ? (
         <TrialGrid
           seeds={seeds}
           results={results}
           pictured={pictured}
           onOpen={(result) => void open(result)}
         />
+      ) : (
+        <div className={styles["room"]} />
       )}
     </div>
   );
@@ -159,7 +157,7 @@ let pageTrials: PageTrials | null = null;
 function trialsOfPage(services: ReturnType<typeof useServices>): PageTrials {
   if (pageTrials === null) {
     const pool = createWorkerPool();
-    const trials = new Trials(pool, (show) => setTimeout(show, SHOW_MS));
+    const trials = new Trials(pool, (show, milliseconds) => setTimeout(show, milliseconds));
     pageTrials = { trials, opener: new RunOpener(services, pool) };
   }
   return pageTrials;

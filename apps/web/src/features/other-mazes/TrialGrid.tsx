@@ -1,5 +1,12 @@
 /** All mazes of a set as one tab stop; arrow keys move from maze to maze. */
-import { useCallback, useEffect, useRef, useState, type KeyboardEvent } from "react";
+import {
+  useCallback,
+  useDeferredValue,
+  useEffect,
+  useRef,
+  useState,
+  type KeyboardEvent,
+} from "react";
 import { useTranslation } from "react-i18next";
 import type { TrialResult } from "../../simulator/protocol/trial-messages.ts";
 import { nextTile } from "./next-tile.ts";
@@ -15,7 +22,9 @@ interface TrialGridProps {
 }
 
 export function TrialGrid({ seeds, results, pictured, onOpen }: TrialGridProps) {
-  const { t } = useTranslation("otherMazes", { useSuspense: false });
+  const { t, i18n } = useTranslation("otherMazes", { useSuspense: false });
+  // Outcomes are displayed first, and pictures as soon as the page has time.
+  const drawn = useDeferredValue(pictured);
   const list = useRef<HTMLUListElement>(null);
   const [at, setAt] = useState(0);
   const newest = useRef(onOpen);
@@ -55,9 +64,11 @@ export function TrialGrid({ seeds, results, pictured, onOpen }: TrialGridProps) 
           key={seed}
           seed={seed}
           result={results.get(seed) ?? null}
-          picture={pictured.get(seed)?.maze ?? null}
+          picture={drawn.get(seed)?.maze ?? null}
           isStop={index === at}
           onOpen={open}
+          t={t}
+          language={i18n.language}
         />
       ))}
     </ul>

@@ -4,8 +4,8 @@
  */
 import type { MazeDocument } from "@corridor/maze";
 import { Check, Clock, X } from "lucide";
-import { memo, useDeferredValue } from "react";
-import { useTranslation } from "react-i18next";
+import type { TFunction } from "i18next";
+import { memo } from "react";
 import { formatClock } from "../../text/numbers.ts";
 import type { TrialResult } from "../../simulator/protocol/trial-messages.ts";
 import { MazePicture } from "../../ui/MazePicture.tsx";
@@ -21,6 +21,9 @@ interface TrialTileProps {
   /** whether this tile is the tab stop; arrow keys lead to the others */
   isStop: boolean;
   onOpen: (result: TrialResult) => void;
+  /** from the grid, so that a hundred tiles do not subscribe to the language */
+  t: TFunction<"otherMazes">;
+  language: string;
 }
 
 const icons = { works: Check, bump: X, "time-limit": Clock } as const;
@@ -31,13 +34,12 @@ export const TrialTile = memo(function TrialTile({
   picture,
   isStop,
   onOpen,
+  t,
+  language,
 }: TrialTileProps) {
-  const { t, i18n } = useTranslation("otherMazes", { useSuspense: false });
-  // The outcome is displayed first, and the picture as soon as the page has time.
-  const drawn = useDeferredValue(picture);
   const outcome = result?.outcome ?? null;
   const icon = outcome === null ? null : icons[outcome];
-  const time = formatClock(result?.tick ?? 0, i18n.language);
+  const time = formatClock(result?.tick ?? 0, language);
   return (
     <li className={styles["item"]}>
       <button
@@ -51,7 +53,9 @@ export const TrialTile = memo(function TrialTile({
           if (result !== null) onOpen(result);
         }}
       >
-        <span className={styles["picture"]}>{drawn !== null && <MazePicture maze={drawn} />}</span>
+        <span className={styles["picture"]}>
+          {picture !== null && <MazePicture maze={picture} />}
+        </span>
         <span className={styles["caption"]}>
           <span className={styles["seed"]}>{seed}</span>
           {outcome !== null && icon !== null && (

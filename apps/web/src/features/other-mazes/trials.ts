@@ -32,10 +32,17 @@ export interface TrialsState {
 }
 
 /**
- * Drawing a maze takes a core that the trials need too. Until the end, only each fourth update
- * draws pictures.
+ * Delay in ms of the first results. Many programs have all of theirs by then, so that the grid is
+ * rendered once.
  */
-const SHOWN_PER_PICTURES = 4;
+const FIRST_MS = 100;
+/**
+ * Interval in ms between two updates of the results. Each update lays out the grid, on a core that
+ * the trials need too.
+ */
+const SHOW_MS = 200;
+/** As updates, pictures take a core. Until the end, only each second update draws them. */
+const SHOWN_PER_PICTURES = 2;
 const nothing = {
   results: new Map<number, TrialResult>(),
   pictured: new Map<number, TrialResult>(),
@@ -47,17 +54,18 @@ export class Trials {
     ...nothing,
   }));
   readonly pool: WorkerPool;
-  readonly #later: (show: () => void) => void;
+  readonly #later: (show: () => void, milliseconds: number) => void;
   /** results that are not displayed yet */
   #pending: TrialResult[] = [];
-  #isDue = false;
+  /** whether results are displayed after a delay */
+  #isWaiting = false;
   #shown = 0;
 
   /**
    * @param later runs a function after a delay; results between the first and the last are
    *   displayed together
    */
-  constructor(pool: WorkerPool, later: (show: () => void) => void) {
+  constructor(pool: WorkerPool, later: (show: () => void, milliseconds: number) => void) {
     this.pool = pool;
     this.#later = later;
   }
@@ -66,6 +74,7 @@ export class Trials {
     this.#pending = [];
     this.#shown = 0;
     this.store.setState({ state: "running", ...nothing });
+    this.#wait(FIRST_MS);
     this.pool.run({ kind: "trial", program, mazes: { kind, side }, first }, TRIALS, {
       onResult: (result) => {
         if (result.kind !== "trial") return;
@@ -97,16 +106,18 @@ export class Trials {
     this.pool.close();
   }
 
-  #showSoon(): void {
-    const { results } = this.store.getState();
-    const isFirstOrLast = results.size === 0 || results.size + this.#pending.length === TRIALS;
-    if (isFirstOrLast) return this.#show();
-    if (this.#isDue) return;
-    this.#isDue = true;
+  #wait(milliseconds: number): void {
+    if (this.#isWaiting) return;
+    this.#isWaiting = true;
     this.#later(() => {
-      this.#isDue = false;
+      this.#isWaiting = false;
       this.#show();
-    });
+    }, milliseconds);
+  }
+
+  #showSoon(): void {
+    const isLast = this.store.getState().results.size + this.#pending.length === TRIALS;
+    if (isLast || !this.#isWaiting) this.#show();
   }
 
   #show(): void {
@@ -115,9 +126,13 @@ export class Trials {
     const results = new Map(this.store.getState().results);
     for (const result of pending) results.set(result.seed, result);
     this.#shown++;
-    if (results.size === TRIALS) this.store.setState({ state: "done", results, pictured: results });
-    else if (this.#shown % SHOWN_PER_PICTURES > 0) this.store.setState({ results });
+    if (results.size === TRIALS) {
+      this.store.setState({ state: "done", results, pictured: results });
+      return;
+    }
+    if (this.#shown % SHOWN_PER_PICTURES > 0) this.store.setState({ results });
     else this.store.setState({ results, pictured: results });
+    this.#wait(SHOW_MS);
   }
 }
 
