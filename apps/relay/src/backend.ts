@@ -24,7 +24,7 @@ import { RedisClock } from "./store/redis/redis-clock.ts";
 import { RedisDocumentStore } from "./store/redis/redis-document-store.ts";
 import { RedisPairingStore } from "./store/redis/redis-pairing-store.ts";
 import { RedisRobotStore } from "./store/redis/redis-robot-store.ts";
-import type { RobotStore } from "./store/port.ts";
+import type { RobotStore } from "./store/robot-store.ts";
 import { SqliteClassStore } from "./store/sqlite/sqlite-class-store.ts";
 import { SqliteDocumentStore } from "./store/sqlite/sqlite-document-store.ts";
 import { SqliteFile } from "./store/sqlite/file/sqlite-file.ts";

@@ -6,7 +6,7 @@ import { addStep, deliverStep } from "../commands/state-machine.ts";
 import { CarriedSnapshot } from "./carried-snapshot.ts";
 import { pageState } from "../store/cases/robot-in-store.ts";
 import { sentCommand } from "../store/cases/sent-command.ts";
-import type { RobotStore } from "../store/port.ts";
+import type { RobotStore } from "../store/robot-store.ts";
 import type { Channel, BusMessage, Bus } from "./bus.ts";
 
 const ID = "AAAAAAAAAAAAAAAAAAAAAA";

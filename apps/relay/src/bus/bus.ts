@@ -11,7 +11,7 @@ import type {
   ScriptView,
 } from "@corridor/protocol";
 import type { CarriedSnapshot } from "./carried-snapshot.ts";
-import type { TermedRecord } from "../store/port.ts";
+import type { TermedRecord } from "../store/robot-store.ts";
 
 /** Changes of one step of the store. */
 export interface Step {

@@ -10,7 +10,7 @@ import {
   type Overtaking,
   type RobotCommands,
 } from "./robot-commands.ts";
-import type { KnownCommands, RobotStep, Acquired, PageState } from "./steps.ts";
+import type { CommandLookup, RobotStep, Acquired, PageState } from "./robot-step.ts";
 import { becauseOf, finish, isWithRobot, overtake, waiting } from "./state-machine.ts";
 
 /**
@@ -29,7 +29,7 @@ export function abandon(robot: RobotCommands, epoch: number): CommandRecord[] {
 export function acquire(
   robot: RobotCommands,
   page: PageState,
-  known: Pick<KnownCommands, "row" | "newest">,
+  known: Pick<CommandLookup, "row" | "newest">,
 ): Acquired {
   const { admissionState } = robot;
   const { lastApplied, fresh, settled, endings, pose, left } = page;

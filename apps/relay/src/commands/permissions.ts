@@ -9,7 +9,7 @@ import type {
   ScriptChange,
   StoredKey,
   StoredScript,
-} from "./steps.ts";
+} from "./robot-step.ts";
 import { recallAllOf } from "./state-machine.ts";
 
 /**

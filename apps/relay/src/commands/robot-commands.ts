@@ -59,7 +59,7 @@ export interface CommandRow {
 }
 
 /** A command and its text. */
-export interface KnownCommand {
+export interface InternedCommand {
   readonly command: RemoteCommand;
   /** the command as JSON */
   readonly text: string;
@@ -68,7 +68,7 @@ export interface KnownCommand {
 const MAX_KNOWN = 512;
 /** Longer commands, with many conditions, are seldom sent twice. */
 const MAX_KNOWN_LENGTH = 1_024;
-const known = new Map<string, KnownCommand>();
+const known = new Map<string, InternedCommand>();
 
 /**
  * Interns commands, because robots receive the same few commands repeatedly. Equal commands share
@@ -76,7 +76,7 @@ const known = new Map<string, KnownCommand>();
  * @param text a command as JSON
  * @throws SyntaxError if it is not JSON
  */
-export function commandIn(text: string): KnownCommand {
+export function commandIn(text: string): InternedCommand {
   const before = known.get(text);
   if (before !== undefined) return before;
   // A shortened command has a digest in place of its conditions.

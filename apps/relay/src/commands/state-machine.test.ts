@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import type { RobotCommands } from "./robot-commands.ts";
 import * as pages from "./page-transitions.ts";
 import * as machine from "./state-machine.ts";
-import type { NewCommand, PageState } from "./steps.ts";
+import type { NewCommand, PageState } from "./robot-step.ts";
 import {
   DRIVER,
   endingOf,

@@ -11,7 +11,7 @@ import {
   termedOfRow,
   commandIn,
   type CommandRow,
-  type KnownCommand,
+  type InternedCommand,
   overtakingOf,
   type Overtaking,
   type RobotCommands,
@@ -26,7 +26,7 @@ import {
   type EndResult,
   type Expired,
   type NewCommand,
-} from "./steps.ts";
+} from "./robot-step.ts";
 import { isSameCommand, shorten, shownRecordIn, toShorten } from "./stored-conditions.ts";
 
 /**
@@ -51,7 +51,7 @@ export function add(
   return addNew(robot, command, known);
 }
 
-function addNew(robot: RobotCommands, command: NewCommand, known: KnownCommand): AddResult {
+function addNew(robot: RobotCommands, command: NewCommand, known: InternedCommand): AddResult {
   const { admissionState } = robot;
   const { driver, script, key, acceptedAt, ttl, deadline, replace, lease } = command;
   const overtakes = overtakingOf(known.command, replace);

@@ -4,7 +4,7 @@ import { describe, expect, it } from "vitest";
 import { abandonStep, acquireStep, newestOvertaking } from "./page-transitions.ts";
 import { changeBlockedStep, changeKeysStep } from "./permissions.ts";
 import type { RobotCommands } from "./robot-commands.ts";
-import type { RobotState, RobotStep, KeyChange } from "./steps.ts";
+import type { RobotState, RobotStep, KeyChange } from "./robot-step.ts";
 import {
   addStep,
   cancelStep,

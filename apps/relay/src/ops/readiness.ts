@@ -6,7 +6,7 @@
  */
 import type { Logger } from "pino";
 import type { Clock } from "../platform/time/clock.ts";
-import type { RobotStore } from "../store/port.ts";
+import type { RobotStore } from "../store/robot-store.ts";
 
 /** A check costs a commit, so its result is reused for this time. */
 const FRESH_MS = 2_000;

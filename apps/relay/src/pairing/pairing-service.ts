@@ -16,7 +16,7 @@ import type {
   PairingTransition,
   StoredPairing,
 } from "../store/pairing-store.ts";
-import type { RobotStore } from "../store/port.ts";
+import type { RobotStore } from "../store/robot-store.ts";
 import { CheckQueue } from "../platform/limits/check-queue.ts";
 import { Waits } from "./waits.ts";
 

@@ -7,7 +7,7 @@ import type { PublishedMaze } from "@corridor/protocol";
 import type { Clock } from "../platform/time/clock.ts";
 import { hashKey } from "../platform/keys.ts";
 import { noRobot, Refusal, retryAfter } from "../platform/errors/problems.ts";
-import type { RobotStore } from "../store/port.ts";
+import type { RobotStore } from "../store/robot-store.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { RobotChannel } from "./channel/robot-channel.ts";
 import type { Subscribers } from "./readers/subscribers.ts";

@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { termsOf, type Registration, type Resume } from "@corridor/protocol";
 import { pino } from "pino";
 import { expect, it, onTestFinished } from "vitest";
-import type { RobotStore } from "../store/port.ts";
+import type { RobotStore } from "../store/robot-store.ts";
 import { SqliteRobotStore } from "../store/sqlite/sqlite-robot-store.ts";
 import { FakeClock } from "../platform/testing/fake-clock.ts";
 import { testFolder } from "../testing/test-relay.ts";

@@ -1,6 +1,6 @@
 /** Last use of a robot and its keys: immediate in memory, once a minute in the store. */
 import type { Clock } from "../platform/time/clock.ts";
-import type { RobotStore, StoredRobot } from "../store/port.ts";
+import type { RobotStore, StoredRobot } from "../store/robot-store.ts";
 import type { KeyRing } from "./access/key-ring.ts";
 import { limits } from "../platform/limits/limits.ts";
 

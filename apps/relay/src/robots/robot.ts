@@ -19,7 +19,7 @@ import type { Clock } from "../platform/time/clock.ts";
 import type { CoalescedTimers } from "../platform/time/coalesced-timers.ts";
 import type { Bus } from "../bus/bus.ts";
 import type { CarriedSnapshot } from "../bus/carried-snapshot.ts";
-import type { RobotStore, StoredKey, StoredRobot } from "../store/port.ts";
+import type { RobotStore, StoredKey, StoredRobot } from "../store/robot-store.ts";
 import { AccessEnforcement } from "./access-enforcement.ts";
 import { RightsVersion, type Verb, type Caller, ScriptAccess } from "./access/callers.ts";
 import { KeyRing } from "./access/key-ring.ts";

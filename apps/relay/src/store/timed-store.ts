@@ -1,5 +1,5 @@
 /** Measures the commits of a store, for any database. */
-import type { RobotStore } from "./port.ts";
+import type { RobotStore } from "./robot-store.ts";
 
 /** Every step that ends in a commit. */
 const COMMITS: ReadonlySet<string | symbol> = new Set([

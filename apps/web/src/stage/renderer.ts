@@ -18,7 +18,7 @@ import { loadMeasure, measureLayer } from "./layers/lazy-measure.ts";
 import { drawLive, type DisplayedRun } from "./layers/live.ts";
 import { drawPlaces } from "./layers/places.ts";
 import { drawRulers } from "./layers/rulers.ts";
-import { clearTextWidths } from "./layers/beam-tags.ts";
+import { clearTextWidths } from "./layers/beam-labels.ts";
 import { drawTrail } from "./layers/trail.ts";
 import { drawWalls } from "./layers/walls.ts";
 import { nudgeOffset, type Nudge } from "./nudge.ts";

@@ -7,7 +7,7 @@ import {
   RobotCommands,
   type OnChange,
 } from "../robot-commands.ts";
-import type { NewCommand, PageState } from "../steps.ts";
+import type { NewCommand, PageState } from "../robot-step.ts";
 
 export const NOW = 5_000;
 export const EPOCH = 1;

@@ -4,12 +4,12 @@
  */
 import { closeReasons } from "@corridor/protocol";
 import { limits } from "../../platform/limits/limits.ts";
-import { closeWith, type Conversation, type ReaderConnection } from "./conversation.ts";
+import { closeWith, type Conversation, type ClientConnection } from "./conversation.ts";
 
 /** Wraps a conversation and closes its connection when too many messages are unfinished. */
 export function withBoundedQueue(
   conversation: Conversation,
-  connection: Pick<ReaderConnection, "isOpen" | "close">,
+  connection: Pick<ClientConnection, "isOpen" | "close">,
 ): Conversation {
   let unfinished = 0;
   let isCheckScheduled = false;

@@ -26,10 +26,10 @@ import { limits } from "../../platform/limits/limits.ts";
 import { MessageRates } from "../../platform/limits/message-rates.ts";
 import type { Clock } from "../../platform/time/clock.ts";
 import { withBoundedQueue } from "./bounded-queue.ts";
-import { closeWith, type Conversation, type ReaderConnection } from "./conversation.ts";
+import { closeWith, type Conversation, type ClientConnection } from "./conversation.ts";
 import type { GatewayMetrics } from "./start-conversation.ts";
 
-type Connection = Pick<ReaderConnection, "send" | "close" | "isOpen">;
+type Connection = Pick<ClientConnection, "send" | "close" | "isOpen">;
 type RelayToMember = RelayToStudent | RelayToTeacher | RelayToScreen;
 
 const closings: Record<LeaveReason, { reason: CloseReason; detail: string }> = {

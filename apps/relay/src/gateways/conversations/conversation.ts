@@ -66,7 +66,7 @@ function shortReason(text: string): string {
   return new TextDecoder().decode(bytes.slice(0, 120)).replace(/\uFFFD+$/, "") + "…";
 }
 
-export interface ReaderConnection extends SocketPort {
+export interface ClientConnection extends SocketPort {
   readonly transport: "websocket" | "long-poll-connection";
   readonly flow: ReaderFlow;
   /** Sends messages in one write. Does nothing once the connection is closed. */

@@ -29,7 +29,7 @@ import {
   closeWith,
   closeReader,
   type Conversation,
-  type ReaderConnection,
+  type ClientConnection,
 } from "./conversation.ts";
 
 const keyedSchema = z.object({ key: idempotencyKeySchema });
@@ -41,7 +41,7 @@ type CommandMessage = Extract<DriverToRelay, { type: "command" }>;
 
 export interface DriverOptions {
   grant: Grant;
-  connection: ReaderConnection;
+  connection: ClientConnection;
   /** the last event that it received on an earlier connection */
   since: string | null;
   /** when it sent its hello, by its own clock */

@@ -18,7 +18,7 @@ import type { Refusal } from "../../platform/errors/problems.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { verbOfRole } from "../../robots/access/callers.ts";
 import type { RobotRegistry } from "../../robots/registry.ts";
-import type { Conversation, ReaderConnection } from "./conversation.ts";
+import type { Conversation, ClientConnection } from "./conversation.ts";
 import { startConversation, type GatewayMetrics } from "./start-conversation.ts";
 
 /** A client whose key is valid. */
@@ -26,7 +26,7 @@ export interface Admitted {
   /** Counts a request on a long-poll connection as activity, like a message on a socket. */
   requested(): void;
   /** @throws Refusal if there are too many connections */
-  start(connection: ReaderConnection): Conversation;
+  start(connection: ClientConnection): Conversation;
 }
 
 /** Why a connection closes, and a text in place of that of the reason. */

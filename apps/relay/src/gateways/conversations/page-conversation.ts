@@ -13,9 +13,9 @@ import {
 import { readSnapshotMessage } from "../../bus/carried-snapshot.ts";
 import type { PageLink } from "../../robots/page/page-ownership.ts";
 import type { Grant } from "../../robots/registry.ts";
-import { closeWith, type Conversation, type ReaderConnection } from "./conversation.ts";
+import { closeWith, type Conversation, type ClientConnection } from "./conversation.ts";
 
-type PageConnection = Pick<ReaderConnection, "send" | "close" | "isOpen">;
+type PageConnection = Pick<ClientConnection, "send" | "close" | "isOpen">;
 
 export class PageConversation implements Conversation {
   readonly #grant: Grant;

@@ -4,7 +4,7 @@ import type { Clock } from "../../platform/time/clock.ts";
 import type { ProblemKind } from "../../platform/errors/problem-kinds.ts";
 import type { Grant } from "../../robots/registry.ts";
 import { withBoundedQueue } from "./bounded-queue.ts";
-import type { Conversation, ReaderConnection } from "./conversation.ts";
+import type { Conversation, ClientConnection } from "./conversation.ts";
 import { DriverConversation } from "./driver-conversation.ts";
 import { PageConversation } from "./page-conversation.ts";
 
@@ -18,7 +18,7 @@ export interface ConversationOptions {
   hello: Hello;
   /** what its key permits */
   grant: Grant;
-  connection: ReaderConnection;
+  connection: ClientConnection;
   metrics: GatewayMetrics;
   clock: Clock;
 }

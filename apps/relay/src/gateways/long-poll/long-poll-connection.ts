@@ -19,7 +19,7 @@ import {
   closeWith,
   handleMessage,
   type Conversation,
-  type ReaderConnection,
+  type ClientConnection,
 } from "../conversations/conversation.ts";
 
 /**
@@ -41,7 +41,7 @@ export interface LongPollConnectionParts {
   onError(error: unknown): void;
 }
 
-export class LongPollConnection implements ReaderConnection {
+export class LongPollConnection implements ClientConnection {
   readonly transport = "long-poll-connection";
   readonly id: string;
   readonly address: string;

@@ -20,7 +20,7 @@ import {
   closeWith,
   handleMessage,
   type Conversation,
-  type ReaderConnection,
+  type ClientConnection,
 } from "../conversations/conversation.ts";
 import { closeOnError } from "../conversations/close-on-error.ts";
 import type { Endpoint } from "../conversations/endpoint.ts";
@@ -41,7 +41,7 @@ const PATH = /^\/api\/v1\/(robots|classes)\/([^/]{1,64})\/socket$/;
 
 interface Client {
   socket: WebSocket;
-  port: ReaderConnection;
+  port: ClientConnection;
   /** id in the address */
   id: string;
   /** the script's language, such as "Python" */

@@ -17,13 +17,13 @@ import { limits } from "../../platform/limits/limits.ts";
 import { textFrame } from "../../platform/text-frame.ts";
 import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
 import type { ReaderFlow } from "../../robots/readers/feed.ts";
-import { closeWith, type ReaderConnection } from "../conversations/conversation.ts";
+import { closeWith, type ClientConnection } from "../conversations/conversation.ts";
 
 /**
  * A class, because a relay has thousands of instances. An object of closures and getters takes five
  * times the memory.
  */
-export class WsPort implements ReaderConnection, ReaderFlow {
+export class WsPort implements ClientConnection, ReaderFlow {
   readonly transport = "websocket";
   readonly isProof = true;
   sentBytes = 0;

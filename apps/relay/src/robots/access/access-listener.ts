@@ -6,7 +6,7 @@ import type {
   ScriptChange,
   StoredKey,
   StoredScript,
-} from "../../store/port.ts";
+} from "../../store/robot-store.ts";
 
 export interface AccessListener {
   /** This relay has changed the keys. */

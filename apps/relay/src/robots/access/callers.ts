@@ -16,7 +16,7 @@ import type {
   ScriptChange,
   RobotStore,
   StoredRobot,
-} from "../../store/port.ts";
+} from "../../store/robot-store.ts";
 import { keyId } from "../../platform/keys.ts";
 import type { AccessListener, PermissionChanges } from "./access-listener.ts";
 

@@ -7,7 +7,7 @@ import { addStep } from "../../commands/state-machine.ts";
 import type { Clock } from "../../platform/time/clock.ts";
 import type { Step } from "../../bus/bus.ts";
 import { noRobot, Refusal, restarting, retryAfter } from "../../platform/errors/problems.ts";
-import type { AddResult, RobotStore, TermedRecord } from "../../store/port.ts";
+import type { AddResult, RobotStore, TermedRecord } from "../../store/robot-store.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import { TokenBucket } from "../../platform/limits/token-bucket.ts";
 import { scriptIsBlocked, type Caller } from "../access/callers.ts";

@@ -1,6 +1,6 @@
 /** Queries for the commands of one robot: one command, a list, the open ones, or the end of one. */
 import { hasEnded, type CommandRecord, type EventGap } from "@corridor/protocol";
-import type { RobotStore } from "../../store/port.ts";
+import type { RobotStore } from "../../store/robot-store.ts";
 import type { Subscribers, CallerWait } from "../readers/subscribers.ts";
 import { Refusal } from "../../platform/errors/problems.ts";
 import { limits } from "../../platform/limits/limits.ts";

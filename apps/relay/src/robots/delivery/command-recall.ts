@@ -14,7 +14,7 @@ import type {
   RobotStore,
   StoredKey,
   TermedRecord,
-} from "../../store/port.ts";
+} from "../../store/robot-store.ts";
 import { Refusal } from "../../platform/errors/problems.ts";
 import { noCommand } from "./command-log.ts";
 import type { SerialQueue } from "./command-intake.ts";

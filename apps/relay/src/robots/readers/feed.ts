@@ -13,7 +13,7 @@ import {
   type CoalescedTimers,
   type Waiter,
 } from "../../platform/time/coalesced-timers.ts";
-import type { AwayReason, ReaderTransport } from "./subscribers.ts";
+import type { DismissalReason, ReaderTransport } from "./subscribers.ts";
 import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
 import type { EventLog } from "../../platform/events/event-log.ts";
 import { limits } from "../../platform/limits/limits.ts";
@@ -52,7 +52,7 @@ export interface ReaderSink {
   over(reason: OverReason): void;
 }
 
-export type OverReason = AwayReason | "tooSlow";
+export type OverReason = DismissalReason | "tooSlow";
 
 /** The data that readers read. */
 export interface ReaderSource {

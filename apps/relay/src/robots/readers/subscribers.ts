@@ -21,7 +21,7 @@ interface Listener {
   maze(version: string): void;
   /** states may have been missed */
   missed(): void;
-  over(reason: AwayReason): void;
+  over(reason: DismissalReason): void;
 }
 
 /**
@@ -29,7 +29,7 @@ interface Listener {
  * the relay stops; revoked: the key was revoked; busy: the relay cannot read which keys are valid;
  * blocked: the owner blocked the script
  */
-export type AwayReason = "over" | "restart" | "revoked" | "busy" | "blocked";
+export type DismissalReason = "over" | "restart" | "revoked" | "busy" | "blocked";
 
 /** Transports of subscriptions. `long-poll` is a single request. */
 export const readerTransports = [
@@ -103,7 +103,7 @@ export class Subscribers {
   ): Promise<void> {
     if (milliseconds === 0 || signal.aborted) return;
     const { promise, resolve, reject } = Promise.withResolvers<void>();
-    const over = (reason: AwayReason): void => {
+    const over = (reason: DismissalReason): void => {
       if (reason === "revoked") return reject(keyRevoked());
       if (reason === "busy") return reject(new StoreUnavailableError("the valid keys are unknown"));
       if (reason === "blocked") return reject(scriptIsBlocked());
@@ -144,7 +144,7 @@ export class Subscribers {
   }
 
   /** Ends the subscriptions of the matching callers. */
-  dismiss(isMeant: (caller: Caller) => boolean, reason: AwayReason): void {
+  dismiss(isMeant: (caller: Caller) => boolean, reason: DismissalReason): void {
     for (const entry of this.#entries) {
       if (entry.key === null || !isMeant(entry.key)) continue;
       this.#entries.delete(entry);

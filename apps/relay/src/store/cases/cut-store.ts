@@ -1,5 +1,5 @@
 /** A store with simulated failures: before a step, or after it, so that its result is lost. */
-import type { RobotStore } from "../port.ts";
+import type { RobotStore } from "../robot-store.ts";
 import { StoreUnavailableError } from "../../platform/errors/store-unavailable.ts";
 
 export interface CutStore {

@@ -1,7 +1,7 @@
 /** Requirements for every pairing store, for any database. */
 import { describe, expect, it } from "vitest";
 import type { PairingQuestion, PairingState, PairingStore } from "../pairing-store.ts";
-import type { RobotStore } from "../port.ts";
+import type { RobotStore } from "../robot-store.ts";
 
 const ROBOT = "AAAAAAAAAAAAAAAAAAAAAA";
 const OTHER = "BBBBBBBBBBBBBBBBBBBBBB";

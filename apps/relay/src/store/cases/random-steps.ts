@@ -14,7 +14,7 @@ import {
   startStep,
 } from "../../commands/state-machine.ts";
 import { completed } from "../../platform/testing/messages.ts";
-import type { RobotStore } from "../port.ts";
+import type { RobotStore } from "../robot-store.ts";
 import { DRIVERS, keyChange, NOW, pageState, ROBOTS, sent } from "./robot-in-store.ts";
 
 const COMMANDS: Command[] = [{ action: "left 90" }, { action: "forward" }, { action: "stop" }];

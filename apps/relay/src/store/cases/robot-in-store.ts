@@ -3,7 +3,12 @@ import { acquireStep } from "../../commands/page-transitions.ts";
 import { addStep, deliverStep } from "../../commands/state-machine.ts";
 import { reasonText, type Cause } from "../../commands/reasons.ts";
 import type { Command, RemoteCommand } from "@corridor/protocol";
-import { type KeyChange, type NewCommand, type PageState, type RobotStore } from "../port.ts";
+import {
+  type KeyChange,
+  type NewCommand,
+  type PageState,
+  type RobotStore,
+} from "../robot-store.ts";
 
 export const ID = "AAAAAAAAAAAAAAAAAAAAAA";
 export const LEFT: Command = { action: "left 90" };

@@ -1,5 +1,5 @@
 /** A command as a relay stores it. */
-import type { NewCommand } from "../port.ts";
+import type { NewCommand } from "../robot-store.ts";
 
 export function sentCommand(change: Partial<NewCommand> = {}): NewCommand {
   const acceptedAt = 5_000;

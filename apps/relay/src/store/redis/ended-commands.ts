@@ -3,7 +3,7 @@ import type { CommandRecord } from "@corridor/protocol";
 import { z } from "zod";
 import type { CommandRow, RobotCommands } from "../../commands/robot-commands.ts";
 import { conditionsEndAt, shownRecord } from "../../commands/stored-conditions.ts";
-import type { Lookup } from "../../commands/steps.ts";
+import type { Lookup } from "../../commands/robot-step.ts";
 import { asked, type Redis } from "./connection.ts";
 import { keyMember, type Found } from "./loaded-robot.ts";
 import { endedOf, keysOf, openOf, robotKeyOf } from "./redis-keys.ts";

@@ -18,7 +18,7 @@ import type {
   SeqRange,
   Permissions,
   StoredScript,
-} from "../../commands/steps.ts";
+} from "../../commands/robot-step.ts";
 import { endedOf, keysOf, channelOf, madeAt, openOf, robotKeyOf, usedAt } from "./redis-keys.ts";
 import { rowIn, textOf } from "./rows.ts";
 import { blockedText, keysText } from "./permission-texts.ts";

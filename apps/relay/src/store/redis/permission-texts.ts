@@ -1,6 +1,6 @@
 /** The keys and the blocked scripts of a robot, as JSON in its hash. */
 import { z } from "zod";
-import { keyKinds } from "../../commands/steps.ts";
+import { keyKinds } from "../../commands/robot-step.ts";
 
 const keyText = z.object({
   kind: z.enum(keyKinds),

@@ -6,9 +6,9 @@
 import type { CommandRecord } from "@corridor/protocol";
 import { z } from "zod";
 import { recordOfRow } from "../../commands/robot-commands.ts";
-import type { RobotStep } from "../../commands/steps.ts";
+import type { RobotStep } from "../../commands/robot-step.ts";
 import { StoreFull } from "../../platform/errors/disk-full.ts";
-import type { KeyTimes, KeyUse, NewRobot, RobotStore, StoredRobot } from "../port.ts";
+import type { KeyTimes, KeyUse, NewRobot, RobotStore, StoredRobot } from "../robot-store.ts";
 import { asked, type Redis } from "./connection.ts";
 import { lookUp, storedAfter, storedCommand, storedOpen } from "./ended-commands.ts";
 import type { DeletedBytes } from "./deleted-bytes.ts";

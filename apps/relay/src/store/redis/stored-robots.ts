@@ -1,7 +1,7 @@
 /** Reads robots and the times of their keys. */
 import { z } from "zod";
 import { asked, type Redis } from "./connection.ts";
-import type { KeyTimes, StoredRobot } from "../port.ts";
+import type { KeyTimes, StoredRobot } from "../robot-store.ts";
 import { channelOf, madeAt, RELAYS, robotKeyOf, usedAt, USES } from "./redis-keys.ts";
 import type { Script } from "./script.ts";
 import { blockedText, keysText } from "./permission-texts.ts";

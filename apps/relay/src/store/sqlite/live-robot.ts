@@ -21,7 +21,7 @@ import type {
   SeqRange,
   Permissions,
   StoredScript,
-} from "../../commands/steps.ts";
+} from "../../commands/robot-step.ts";
 import { shownRecordIn } from "../../commands/stored-conditions.ts";
 import { rowsIn } from "./file/journal.ts";
 import type { Statements } from "./file/statements.ts";

@@ -1,6 +1,6 @@
 /** The hashed keys of a robot in SQLite. */
 import { z } from "zod";
-import { keyKinds, type KeyTimes, type KeyUse, type StoredKey } from "../port.ts";
+import { keyKinds, type KeyTimes, type KeyUse, type StoredKey } from "../robot-store.ts";
 import type { Statements } from "./file/statements.ts";
 
 const keyRow = z.object({

@@ -4,7 +4,7 @@ import { pino } from "pino";
 import type { Clock } from "../../platform/time/clock.ts";
 import { LocalBus } from "../../bus/local.ts";
 import type { Channel, Bus } from "../../bus/bus.ts";
-import type { Conversation, ReaderConnection } from "../../gateways/conversations/conversation.ts";
+import type { Conversation, ClientConnection } from "../../gateways/conversations/conversation.ts";
 import { DriverConversation } from "../../gateways/conversations/driver-conversation.ts";
 import { PageConversation } from "../../gateways/conversations/page-conversation.ts";
 import { RobotRegistry } from "../../robots/registry.ts";
@@ -82,7 +82,7 @@ export class FaultyRelay {
     let conversation: Conversation | null = null;
     let isClosed = false;
     let work: Promise<void> = Promise.resolve();
-    const connection: ReaderConnection = {
+    const connection: ClientConnection = {
       transport: "websocket",
       flow: { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined },
       send: (...texts) => {

@@ -7,7 +7,7 @@
 import type { DrawingContext } from "./drawing-context.ts";
 
 /**
- * More rectangles than a frame with every beam, tag and arrow has. Beyond it the whole layer is
+ * More rectangles than a frame with every beam, label and arrow has. Beyond it the whole layer is
  * dirty.
  */
 const MAX_BOXES = 64;

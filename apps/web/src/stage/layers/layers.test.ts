@@ -8,7 +8,7 @@ import { isOnReachedGoal } from "./celebration.ts";
 import { drawStart } from "./places.ts";
 import { faceOf } from "./robot.ts";
 import { numberStep } from "./rulers.ts";
-import { visibleMarks } from "./beam-tags.ts";
+import { visibleMarks } from "./beam-labels.ts";
 
 const maze: MazeDocument = {
   format: "corridor/maze",

@@ -1,5 +1,5 @@
 /**
- * The live layer, everything that moves with the run: edit preview, path ahead, beams, robot, tags,
+ * The live layer, everything that moves with the run: edit preview, path ahead, beams, robot, labels,
  * ruler marks, tape.
  */
 import type { Snapshot } from "@corridor/protocol";
@@ -19,7 +19,7 @@ import { drawOutline, drawPath } from "./path.ts";
 import { drawRadius, drawRadiusLabel, placeRadiusLabel } from "./radius.ts";
 import { drawRobot, faceOf } from "./robot.ts";
 import { drawRulerMarks } from "./rulers.ts";
-import { drawTags } from "./beam-tags.ts";
+import { drawBeamLabels } from "./beam-labels.ts";
 
 /** The displayed state of the run. */
 export interface DisplayedRun {
@@ -117,7 +117,7 @@ function drawNumbers(
   const needsLabel = measure !== null && !(hasReadings && bumped !== null);
   const label = needsLabel ? placeRadiusLabel(viewport, measure) : null;
   if (hasReadings) {
-    drawTags(context, viewport, palette, snapshot, dirty, {
+    drawBeamLabels(context, viewport, palette, snapshot, dirty, {
       lit: litSensors(program, numbers),
       limits: limitsOf(program, numbers),
       bumped,

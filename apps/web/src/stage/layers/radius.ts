@@ -9,7 +9,7 @@ import type { Pose } from "@corridor/protocol";
 import type { DrawingContext } from "../drawing/drawing-context.ts";
 import type { DirtyRects } from "../drawing/dirty-rects.ts";
 import type { Palette } from "../drawing/palette.ts";
-import { placeTags, readingCentres, type Beam } from "../drawing/tag-placement.ts";
+import { placeLabels, readingCentres, type Beam } from "../drawing/label-placement.ts";
 import { viewX, viewY, type Box, type Viewport } from "../drawing/viewport.ts";
 import { touchOf } from "./bumps.ts";
 import { robotBox } from "./robot.ts";
@@ -81,7 +81,7 @@ export function placeRadiusLabel(viewport: Viewport, measure: Beam): Box | null 
   const length = ROBOT_RADIUS * viewport.scale;
   const centres = readingCentres(measure, length, robot.width / 2, width, height);
   const request = { name: "radius", sizes: [{ width, height, centres }] };
-  return placeTags([request], [robot], viewport.view)[0] ?? null;
+  return placeLabels([request], [robot], viewport.view)[0] ?? null;
 }
 
 /** @param box its place */

@@ -93,17 +93,17 @@ function expectUnambiguous({ maze, pose, viewport }: Stand): void {
   const placed = placeReadings(viewport, { pose, sensors }, [], [], widthOf(sensors));
   expect(placed.map(({ name }) => name).sort()).toEqual([...sensorNames].sort());
   const origin = { x: viewX(viewport, pose.x), y: viewY(viewport, pose.y) };
-  for (const [index, tag] of placed.entries()) {
-    expect(overlap(tag, robotBox(viewport, origin))).toBe(false);
-    for (const other of placed.slice(index + 1)) expect(overlap(tag, other)).toBe(false);
-    expect(tag.x).toBeGreaterThanOrEqual(0);
-    expect(tag.y).toBeGreaterThanOrEqual(0);
-    expect(tag.x + tag.width).toBeLessThanOrEqual(viewport.view.width);
-    expect(tag.y + tag.height).toBeLessThanOrEqual(viewport.view.height);
-    const { dx, dy } = beamDirection(tag.name, pose.heading);
-    const x = tag.x + tag.width / 2 - origin.x;
-    const y = tag.y + tag.height / 2 - origin.y;
-    // Tags are on whole pixels: half a pixel each way.
+  for (const [index, label] of placed.entries()) {
+    expect(overlap(label, robotBox(viewport, origin))).toBe(false);
+    for (const other of placed.slice(index + 1)) expect(overlap(label, other)).toBe(false);
+    expect(label.x).toBeGreaterThanOrEqual(0);
+    expect(label.y).toBeGreaterThanOrEqual(0);
+    expect(label.x + label.width).toBeLessThanOrEqual(viewport.view.width);
+    expect(label.y + label.height).toBeLessThanOrEqual(viewport.view.height);
+    const { dx, dy } = beamDirection(label.name, pose.heading);
+    const x = label.x + label.width / 2 - origin.x;
+    const y = label.y + label.height / 2 - origin.y;
+    // Labels are on whole pixels: half a pixel each way.
     expect(x * dx + y * dy + 1).toBeGreaterThanOrEqual(Math.abs(y * dx - x * dy));
   }
 }

@@ -4,14 +4,14 @@ import { beamDirection } from "./beams.ts";
 import { robotBox } from "./robot.ts";
 import {
   lengthInside,
-  placeTags,
+  placeLabels,
   readingCentres,
-  type PlacedTag,
-  type TagRequest,
-} from "../drawing/tag-placement.ts";
+  type PlacedLabel,
+  type LabelRequest,
+} from "../drawing/label-placement.ts";
 import { viewX, viewY, type Box, type Viewport } from "../drawing/viewport.ts";
 
-/** Pixels of a reading's tag. */
+/** Pixels of a reading's label. */
 interface ReadingStyle {
   height: number;
   /** on either side of the number */
@@ -30,15 +30,15 @@ const small: ReadingStyle = { height: 14, padding: 3, font: 11, corner: 4 };
  */
 export const MIN_ROOMY_SCALE = 0.45;
 
-export interface PlacedReading extends PlacedTag<SensorName> {
+export interface PlacedReading extends PlacedLabel<SensorName> {
   style: ReadingStyle;
 }
 
 /**
  * Places the readings, each in its beam's quarter. The shortest beam comes first, because it has
  * the fewest positions.
- * @param occupied boxes that no tag may touch
- * @param avoided boxes that a tag covers only if it has no other position
+ * @param occupied boxes that no label may touch
+ * @param avoided boxes that a label covers only if it has no other position
  * @param widthOf width in pixels of a sensor's number at a font size
  */
 export function placeReadings(
@@ -52,7 +52,7 @@ export function placeReadings(
   const origin = { x: viewX(viewport, pose.x), y: viewY(viewport, pose.y) };
   const robot = robotBox(viewport, origin);
   const styles = scale < MIN_ROOMY_SCALE ? [small] : [large, small];
-  const requests = sensorNames.map((name): TagRequest<SensorName> => {
+  const requests = sensorNames.map((name): LabelRequest<SensorName> => {
     const beam = { origin, ...beamDirection(name, pose.heading) };
     // If the wall is outside of the view, the reading stands at the edge of the view.
     const length = Math.min(sensors[name] * scale, lengthInside(beam, port));
@@ -69,21 +69,21 @@ export function placeReadings(
   requests.sort((a, b) => sensors[a.name] - sensors[b.name]);
   // If the robot is scrolled out of view, its readings are confined to the port, where none fits.
   const bounds = isInside(origin, port) ? view : port;
-  const place = (order: readonly TagRequest<SensorName>[]) =>
-    placeTags(order, [robot, ...occupied], bounds, avoided);
-  return placeAll(requests, place).map((tag) => ({
-    ...tag,
-    style: tag.height < large.height ? small : large,
+  const place = (order: readonly LabelRequest<SensorName>[]) =>
+    placeLabels(order, [robot, ...occupied], bounds, avoided);
+  return placeAll(requests, place).map((label) => ({
+    ...label,
+    style: label.height < large.height ? small : large,
   }));
 }
 
-/** Retries with the tags first that found no position, and returns the better result. */
+/** Retries with the labels first that found no position, and returns the better result. */
 function placeAll<Request extends { name: SensorName }>(
   requests: readonly Request[],
-  place: (order: readonly Request[]) => PlacedTag<SensorName>[],
-): PlacedTag<SensorName>[] {
+  place: (order: readonly Request[]) => PlacedLabel<SensorName>[],
+): PlacedLabel<SensorName>[] {
   const placed = place(requests);
-  const isPlaced = ({ name }: Request): boolean => placed.some((tag) => tag.name === name);
+  const isPlaced = ({ name }: Request): boolean => placed.some((label) => label.name === name);
   const leftOut = requests.filter((request) => !isPlaced(request));
   if (leftOut.length === 0) return placed;
   const again = place([...leftOut, ...requests.filter(isPlaced)]);

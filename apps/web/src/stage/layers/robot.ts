@@ -46,10 +46,10 @@ const faces: Record<
 /** Units from the robot's centre to the corner of a wheel, including its outline. */
 const REACH = 32;
 
-/** Units around the robot's disc that no tag may cover, because its wheels protrude. */
+/** Units around the robot's disc that no label may cover, because its wheels protrude. */
 const MARGIN = 1;
 
-/** Pixels around the robot's centre that tags may not cover. */
+/** Pixels around the robot's centre that labels may not cover. */
 export function robotBox({ scale }: Viewport, { x, y }: { x: number; y: number }): Box {
   const radius = (ROBOT_RADIUS + MARGIN) * scale;
   return { x: x - radius, y: y - radius, width: 2 * radius, height: 2 * radius };

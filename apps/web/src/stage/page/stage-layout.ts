@@ -15,10 +15,10 @@ const COMPACT_BELOW_PX = 600;
 /** Side of a square while a camera follows the robot: 0.6 px per unit. */
 const FOLLOW_CELL_PX = 60;
 
-/** Room for the small tag of a reading beside a robot that touches the maze's frame. */
+/** Room for the small label of a reading beside a robot that touches the maze's frame. */
 const tagRoom: Padding = { top: 19, right: 26, bottom: 19, left: 26 };
 /**
- * Also leaves room for the button over the stage, which would cover the tag of a robot at the upper
+ * Also leaves room for the button over the stage, which would cover the label of a robot at the upper
  * end of the maze.
  */
 const belowButton: Padding = { ...tagRoom, top: 78 };

@@ -22,7 +22,7 @@ export function commandRoutes(registry: RobotRegistry): Router {
     .route("/robots/:id/commands")
     .post(async (request, response) => {
       const script = await authoriseScript(registry, request, response, "command");
-      // The store checks again whether the key may send commands when it stores this one.
+      // The key may be revoked meanwhile, so the step that stores the command checks it again.
       const { robot, caller } = script;
       const command = await readFor(script, () => readCommandRequest(request, response));
       const order = { ...command, age: command.age + script.ageMs() };

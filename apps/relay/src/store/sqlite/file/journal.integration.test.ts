@@ -8,7 +8,7 @@ import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { addStep, deliverStep, endStep, startStep } from "../../../commands/state-machine.ts";
 import { completed } from "../../../platform/testing/messages.ts";
 import { testFolder } from "../../../testing/test-relay.ts";
-import type { RobotStore } from "../../port.ts";
+import type { RobotStore } from "../../robot-store.ts";
 import { SqliteRobotStore } from "../sqlite-robot-store.ts";
 import { NOW, ROBOTS, sent, withRobots } from "../../cases/robot-in-store.ts";
 import { stepsKeeping, contentsOf, type StepOfRobot } from "../../cases/random-steps.ts";

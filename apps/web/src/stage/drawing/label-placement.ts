@@ -1,7 +1,7 @@
 /**
- * Placement of tags beside a beam: inside the view, never over the robot and never over each other.
- * A tag stands in the quarter of the view around its own beam, so that it is not mistaken for the
- * tag of another beam. Pure; pixels of the view.
+ * Placement of labels beside a beam: inside the view, never over the robot and never over each other.
+ * A label stands in the quarter of the view around its own beam, so that it is not mistaken for the
+ * label of another beam. Pure; pixels of the view.
  */
 import type { Box } from "./viewport.ts";
 
@@ -10,7 +10,7 @@ interface Point {
   y: number;
 }
 
-/** A possible size of a tag, with the centres for it. */
+/** A possible size of a label, with the centres for it. */
 export interface TagSize {
   width: number;
   height: number;
@@ -18,14 +18,14 @@ export interface TagSize {
   centres: readonly (readonly Point[])[];
 }
 
-/** A tag to place. */
-export interface TagRequest<Name> {
+/** A label to place. */
+export interface LabelRequest<Name> {
   name: Name;
   /** best first; a smaller size is used if a larger one fits nowhere */
   sizes: readonly TagSize[];
 }
 
-export interface PlacedTag<Name> extends Box {
+export interface PlacedLabel<Name> extends Box {
   name: Name;
 }
 
@@ -37,26 +37,26 @@ export interface Beam {
   dy: number;
 }
 
-/** Pixels between a tag and its subject. */
+/** Pixels between a label and its subject. */
 const GAP = 4;
 /** Pixels between two candidate positions beside the robot. */
 const STEP = 3;
 
 /**
- * Places each tag, in list order. A tag that fits nowhere is omitted: covering the robot would be
+ * Places each label, in list order. A label that fits nowhere is omitted: covering the robot would be
  * worse, and the panel shows every number of the stage, too.
- * @param occupied boxes that no tag may touch
- * @param bounds area for tags
- * @param avoided boxes that a tag covers only if it has no other position
+ * @param occupied boxes that no label may touch
+ * @param bounds area for labels
+ * @param avoided boxes that a label covers only if it has no other position
  */
-export function placeTags<Name>(
-  requests: readonly TagRequest<Name>[],
+export function placeLabels<Name>(
+  requests: readonly LabelRequest<Name>[],
   occupied: readonly Box[],
   bounds: Box,
   avoided: readonly Box[] = [],
-): PlacedTag<Name>[] {
+): PlacedLabel<Name>[] {
   const boxes = [...occupied];
-  const placed: PlacedTag<Name>[] = [];
+  const placed: PlacedLabel<Name>[] = [];
   const isFree = (box: Box): boolean =>
     isWithin(box, bounds) && !boxes.some((other) => areTouching(box, other, GAP / 2));
   const isAvoiding = (box: Box): boolean => !avoided.some((other) => areTouching(box, other, 0));
@@ -88,7 +88,7 @@ function firstPlace(
  * Candidate positions of a reading: on the beam before its wall, beyond the wall, beside the beam,
  * or next to the robot. All of them are nearer to this beam than to its neighbours.
  * @param length pixels from the robot's centre to the wall
- * @param radius pixels around the robot's centre that tags may not cover
+ * @param radius pixels around the robot's centre that labels may not cover
  */
 export function readingCentres(
   beam: Beam,
@@ -108,7 +108,7 @@ export function readingCentres(
       { along: atWall, across: beside },
       { along: atWall, across: -beside },
     ],
-    // Small steps next to the robot: the tag of the neighbouring beam shares the corner.
+    // Small steps next to the robot: the label of the neighbouring beam shares the corner.
     [0, 1, 2, 3].flatMap((out) =>
       [0, 1, -1, 2, -2, 3, -3].map((side) => ({
         along: atRobot + out * STEP,
@@ -124,7 +124,7 @@ export function readingCentres(
 }
 
 /**
- * Candidate positions of a mark's tag: beside the mark on either side, then farther out.
+ * Candidate positions of a mark's label: beside the mark on either side, then farther out.
  * @param distance pixels from the robot's centre to the mark
  * @param reach half the length of the mark's bar in pixels
  */

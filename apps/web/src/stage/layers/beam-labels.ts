@@ -1,5 +1,5 @@
 /**
- * The tags on the beams: the reading at each wall, and the limits of the program's lines. A limit
+ * The labels on the beams: the reading at each wall, and the limits of the program's lines. A limit
  * is a bar across the beam with the line's badge: solid where the beam reaches it, dashed where a
  * wall is nearer.
  */
@@ -11,11 +11,11 @@ import type { Palette } from "../drawing/palette.ts";
 import type { Limit } from "../drawing/running-line.ts";
 import {
   markCentres,
-  placeTags,
+  placeLabels,
   type Beam,
-  type PlacedTag,
-  type TagRequest,
-} from "../drawing/tag-placement.ts";
+  type PlacedLabel,
+  type LabelRequest,
+} from "../drawing/label-placement.ts";
 import { viewX, viewY, type Box, type Viewport } from "../drawing/viewport.ts";
 import { placeReadings, MIN_ROOMY_SCALE, type PlacedReading } from "./reading-placement.ts";
 import { beamDirection } from "./beams.ts";
@@ -27,11 +27,11 @@ const largeMark = { height: 18, padding: 6, font: 12, badge: 16, reach: 13 };
 const smallMark = { height: 14, padding: 4, font: 11, badge: 13, reach: 9 };
 type MarkStyle = typeof largeMark;
 /**
- * Largest number of flags that tags avoid, so that a maze full of goals does not slow down a frame.
+ * Largest number of flags that labels avoid, so that a maze full of goals does not slow down a frame.
  */
 const MAX_FLAGS = 16;
 
-/** What the tags depend on, besides the robot. */
+/** What the labels depend on, besides the robot. */
 interface TagModel {
   /** the sensors that the running line reads */
   lit: readonly SensorName[];
@@ -40,9 +40,9 @@ interface TagModel {
   bumped: SensorName | null;
   /** the readings that the page displays: of the same tick as every other number on the screen */
   sensors: Snapshot["sensors"];
-  /** their flags stay visible if a tag has another position */
+  /** their flags stay visible if a label has another position */
   goals: readonly Cell[];
-  /** other boxes on the stage that no tag may cover */
+  /** other boxes on the stage that no label may cover */
   occupied: readonly Box[];
 }
 
@@ -50,7 +50,7 @@ interface TagModel {
  * Draws readings and marks.
  * @param snapshot where the robot and its beams are drawn
  */
-export function drawTags(
+export function drawBeamLabels(
   context: DrawingContext,
   viewport: Viewport,
   palette: Palette,
@@ -83,14 +83,14 @@ export function drawTags(
   const others = [robot, ...occupied, ...readings];
   drawMarks(context, viewport, palette, sensors, visible, beamOf, others, dirty);
 
-  for (const tag of readings) {
-    dirty.add(tag.x, tag.y, tag.width, tag.height);
+  for (const label of readings) {
+    dirty.add(label.x, label.y, label.width, label.height);
     drawReading(
       context,
       palette,
-      tag,
-      readingText(sensors[tag.name]),
-      tag.name === bumped ? "bumped" : lit.includes(tag.name) ? "lit" : "plain",
+      label,
+      readingText(sensors[label.name]),
+      label.name === bumped ? "bumped" : lit.includes(label.name) ? "lit" : "plain",
     );
   }
 }
@@ -168,18 +168,18 @@ function drawMarks(
 ): void {
   const style = viewport.scale < MIN_ROOMY_SCALE ? smallMark : largeMark;
   context.font = `600 ${style.font}px ${palette.font}`;
-  const requests = limits.map((limit): TagRequest<Limit> => {
+  const requests = limits.map((limit): LabelRequest<Limit> => {
     const beam = beamOf(limit.sensor);
     const width = style.badge + textWidth(context, String(limit.distance)) + 2 * style.padding;
     const distance = limit.distance * viewport.scale;
     const centres = markCentres(beam, distance, style.reach, width, style.height);
     return { name: limit, sizes: [{ width, height: style.height, centres }] };
   });
-  const tags = placeTags(requests, occupied, viewport.view);
+  const labels = placeLabels(requests, occupied, viewport.view);
   const isReached = ({ distance, sensor }: Limit): boolean => distance <= sensors[sensor];
   for (const limit of limits) {
     // A bar without a number is useless, except for the line that the panel shows as running.
-    if (!limit.isRunning && !tags.some(({ name }) => name === limit)) continue;
+    if (!limit.isRunning && !labels.some(({ name }) => name === limit)) continue;
     const distance = limit.distance * viewport.scale;
     drawBar(
       context,
@@ -192,9 +192,9 @@ function drawMarks(
       dirty,
     );
   }
-  for (const tag of tags) {
-    dirty.add(tag.x, tag.y, tag.width, tag.height);
-    drawMark(context, palette, tag, isReached(tag.name), style);
+  for (const label of labels) {
+    dirty.add(label.x, label.y, label.width, label.height);
+    drawMark(context, palette, label, isReached(label.name), style);
   }
 }
 
@@ -224,14 +224,14 @@ function drawBar(
 function drawMark(
   context: DrawingContext,
   palette: Palette,
-  tag: PlacedTag<Limit>,
+  label: PlacedLabel<Limit>,
   isReached: boolean,
   { badge }: MarkStyle,
 ): void {
-  const { isRunning, line, distance } = tag.name;
+  const { isRunning, line, distance } = label.name;
   const colour = isRunning ? palette.live : palette.ink2;
   context.beginPath();
-  context.roundRect(tag.x + 0.5, tag.y + 0.5, tag.width - 1, tag.height - 1, 4);
+  context.roundRect(label.x + 0.5, label.y + 0.5, label.width - 1, label.height - 1, 4);
   context.fillStyle = palette.surface;
   context.fill();
   context.strokeStyle = colour;
@@ -240,12 +240,12 @@ function drawMark(
   context.stroke();
   context.setLineDash([]);
   context.beginPath();
-  context.roundRect(tag.x, tag.y, badge, tag.height, [4, 0, 0, 4]);
+  context.roundRect(label.x, label.y, badge, label.height, [4, 0, 0, 4]);
   context.fillStyle = colour;
   context.fill();
-  const middle = tag.y + tag.height / 2 + 0.5;
+  const middle = label.y + label.height / 2 + 0.5;
   context.fillStyle = isRunning ? palette.onLive : palette.onInk;
-  context.fillText(String(line + 1), tag.x + badge / 2, middle, badge - 2);
+  context.fillText(String(line + 1), label.x + badge / 2, middle, badge - 2);
   context.fillStyle = palette.ink;
-  context.fillText(String(distance), tag.x + badge + (tag.width - badge) / 2, middle);
+  context.fillText(String(distance), label.x + badge + (label.width - badge) / 2, middle);
 }

@@ -165,7 +165,7 @@ export interface Permissions {
 }
 
 /** Finds commands in any state. The state machine itself holds only those in memory. */
-export interface KnownCommands {
+export interface CommandLookup {
   row(seq: number): CommandRow | null;
   /** The command with this idempotency key. */
   withKey(driver: string, key: string): CommandRow | null;
@@ -189,7 +189,7 @@ export interface KeysChange {
   now: number;
 }
 
-export interface RobotState extends KnownCommands {
+export interface RobotState extends CommandLookup {
   readonly commands: RobotCommands;
   readonly permissions: Permissions;
   /** whether another running relay is connected to the robot's page */

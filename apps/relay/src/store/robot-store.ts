@@ -7,7 +7,7 @@
  */
 import type { CommandRecord } from "@corridor/protocol";
 import type { RobotCommands } from "../commands/robot-commands.ts";
-import type { RobotStep, StoredKey, StoredScript } from "../commands/steps.ts";
+import type { RobotStep, StoredKey, StoredScript } from "../commands/robot-step.ts";
 
 export type { LeftCause } from "../commands/reasons.ts";
 export {
@@ -23,7 +23,7 @@ export {
   type ScriptChange,
   type StoredKey,
   type StoredScript,
-} from "../commands/steps.ts";
+} from "../commands/robot-step.ts";
 export type { TermedRecord } from "../commands/robot-commands.ts";
 
 /** When a key was created and last used, as far as recorded; null: never used. */

@@ -3,10 +3,10 @@ import { describe, expect, it } from "vitest";
 import {
   lengthInside,
   markCentres,
-  placeTags,
+  placeLabels,
   readingCentres,
-  type TagRequest,
-} from "./tag-placement.ts";
+  type LabelRequest,
+} from "./label-placement.ts";
 import type { Box } from "./viewport.ts";
 
 const bounds: Box = { x: 70, y: 36, width: 924, height: 588 };
@@ -22,12 +22,12 @@ const directions: Record<Side, { dx: number; dy: number }> = {
 /** Four readings of 36 x 22 pixels around a robot, as the stage requests them. */
 function readings(x: number, y: number, radius: number, lengths: Record<Side, number>) {
   const robot: Box = { x: x - radius, y: y - radius, width: 2 * radius, height: 2 * radius };
-  const requests = sides.map((name): TagRequest<Side> => {
+  const requests = sides.map((name): LabelRequest<Side> => {
     const beam = { origin: { x, y }, ...directions[name] };
     const centres = readingCentres(beam, lengths[name], radius, 36, 22);
     return { name, sizes: [{ width: 36, height: 22, centres }] };
   });
-  return { robot, placed: placeTags(requests, [robot], bounds) };
+  return { robot, placed: placeLabels(requests, [robot], bounds) };
 }
 
 function overlap(a: Box, b: Box): boolean {
@@ -45,7 +45,7 @@ describe("the readings", () => {
     ]);
   });
 
-  it("stand beyond the wall where the beam is shorter than the tag", () => {
+  it("stand beyond the wall where the beam is shorter than the label", () => {
     const { placed } = readings(500, 300, 22, { front: 200, right: 42, back: 300, left: 42 });
     expect(placed.find(({ name }) => name === "right")?.x).toBe(548);
     expect(placed.find(({ name }) => name === "left")?.x).toBe(416);
@@ -56,9 +56,9 @@ describe("the readings", () => {
     const centres = readingCentres(beam, 120, 22, 36, 22);
     const request = { name: "left", sizes: [{ width: 36, height: 22, centres }] };
     const flag: Box = { x: 389, y: 289, width: 22, height: 22 };
-    expect(placeTags([request], [], bounds, [flag])).toMatchObject([{ x: 338, y: 289 }]);
+    expect(placeLabels([request], [], bounds, [flag])).toMatchObject([{ x: 338, y: 289 }]);
     const corridor: Box = { x: 380, y: 280, width: 100, height: 40 };
-    expect(placeTags([request], [], corridor, [flag])).toMatchObject([{ x: 384, y: 289 }]);
+    expect(placeLabels([request], [], corridor, [flag])).toMatchObject([{ x: 384, y: 289 }]);
   });
 
   it("never cover the robot or each other and never leave the maze", () => {
@@ -73,13 +73,13 @@ describe("the readings", () => {
         fc.record({ front: length, right: length, back: length, left: length }),
         (x, y, radius, lengths) => {
           const { robot, placed } = readings(x, y, radius, lengths);
-          for (const [index, tag] of placed.entries()) {
-            expect(overlap(tag, robot)).toBe(false);
-            for (const other of placed.slice(index + 1)) expect(overlap(tag, other)).toBe(false);
-            expect(tag.x).toBeGreaterThanOrEqual(bounds.x);
-            expect(tag.y).toBeGreaterThanOrEqual(bounds.y);
-            expect(tag.x + tag.width).toBeLessThanOrEqual(bounds.x + bounds.width);
-            expect(tag.y + tag.height).toBeLessThanOrEqual(bounds.y + bounds.height);
+          for (const [index, label] of placed.entries()) {
+            expect(overlap(label, robot)).toBe(false);
+            for (const other of placed.slice(index + 1)) expect(overlap(label, other)).toBe(false);
+            expect(label.x).toBeGreaterThanOrEqual(bounds.x);
+            expect(label.y).toBeGreaterThanOrEqual(bounds.y);
+            expect(label.x + label.width).toBeLessThanOrEqual(bounds.x + bounds.width);
+            expect(label.y + label.height).toBeLessThanOrEqual(bounds.y + bounds.height);
           }
         },
       ),
@@ -93,18 +93,18 @@ describe("the number of a line", () => {
   const request = { name: 1, sizes: [{ width: 42, height: 18, centres }] };
 
   it("stands below its bar", () => {
-    expect(placeTags([request], [], bounds)).toEqual([
+    expect(placeLabels([request], [], bounds)).toEqual([
       { name: 1, x: 539, y: 313, width: 42, height: 18 },
     ]);
   });
 
   it("changes sides where a reading stands", () => {
     const reading: Box = { x: 520, y: 310, width: 80, height: 22 };
-    expect(placeTags([request], [reading], bounds)[0]).toMatchObject({ x: 539, y: 269 });
+    expect(placeLabels([request], [reading], bounds)[0]).toMatchObject({ x: 539, y: 269 });
   });
 
   it("is omitted if there is no room", () => {
-    expect(placeTags([request], [bounds], bounds)).toEqual([]);
+    expect(placeLabels([request], [bounds], bounds)).toEqual([]);
   });
 });
 
