@@ -101,7 +101,7 @@ function appWithoutPage(): Express {
   });
   const services = { registry, classes, longPolls, classLongPolls, documents, pairing };
   const parts = { ...services, guard, readiness, metrics, clock: systemClock, log, page: Router() };
-  return createApp({ ...parts, isDevelopment: false });
+  return createApp({ ...parts, isDevelopment: false, gateways: [] });
 }
 
 describe("/openapi.json", () => {

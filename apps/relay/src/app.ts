@@ -23,10 +23,12 @@ import { pythonClientRoutes } from "./site/clients/python-client.ts";
 import { builtFileRoutes } from "./site/clients/built-files.ts";
 import { keyRoutes } from "./gateways/rest/keys/routes.ts";
 import { longPollRoutes } from "./gateways/long-poll/routes.ts";
-import { mcpRoutes } from "./gateways/mcp/routes.ts";
+import { MCP_PATH, mcpRoutes } from "./gateways/mcp/routes.ts";
+import { gatewayDisabled } from "./gateways/requests/gateway-requests.ts";
 import { mazeRoutes } from "./gateways/rest/maze/routes.ts";
 import { pairingRoutes } from "./gateways/rest/pairing/routes.ts";
 import { oembedRoutes } from "./gateways/rest/embedding/routes.ts";
+import type { GatewayName } from "./platform/gateway-names.ts";
 import { requestLog } from "./platform/http/request-log.ts";
 import { robotRoutes } from "./gateways/rest/robots/routes.ts";
 import { openToAllSites, securityHeaders } from "./platform/http/security-headers.ts";
@@ -50,13 +52,15 @@ export interface AppDependencies {
   /** serves the page */
   page: Router;
   isDevelopment: boolean;
+  /** those that the operator has not switched off */
+  gateways: readonly GatewayName[];
 }
 
 /** Builds the application from its parts. */
 export function createApp(dependencies: AppDependencies): Express {
   const { registry, classes, longPolls, documents, pairing, clock, log, guard, readiness } =
     dependencies;
-  const { classLongPolls, metrics, page, isDevelopment } = dependencies;
+  const { classLongPolls, metrics, page, isDevelopment, gateways } = dependencies;
   const app = express();
   app.disable("x-powered-by");
   app.set("query parser", "simple");
@@ -82,7 +86,7 @@ export function createApp(dependencies: AppDependencies): Express {
   const api = Router();
   api.use(openToAllSites);
   api.use(robotRoutes(registry, guard));
-  api.use(keyRoutes(registry, guard));
+  api.use(keyRoutes(registry, guard, gateways));
   api.use(pairingRoutes(registry, pairing, guard));
   api.use(scriptRoutes(registry));
   api.use(sensorRoutes(registry));
@@ -96,13 +100,12 @@ export function createApp(dependencies: AppDependencies): Express {
   api.use(longPollRoutes(classLongPolls, guard));
   api.use(notFound);
   app.use("/api/v1", api);
-  app.use(
-    mcpRoutes(
-      registry,
-      guard,
-      gatewayRefusals(log, (kind) => metrics.refused(kind)),
-    ),
-  );
+  if (gateways.includes("mcp")) {
+    const onRefused = gatewayRefusals(log, (kind) => metrics.refused(kind));
+    app.use(mcpRoutes(registry, guard, onRefused));
+  } else {
+    app.use(MCP_PATH, gatewayDisabled("mcp"));
+  }
 
   app.use(page);
   app.use(unreadableAddress);

@@ -13,6 +13,7 @@ describe("readConfig", () => {
         publicOrigin: null,
         allowedHosts: null,
         embedOrigins: null,
+        gateways: ["ros", "mcp", "soap"],
         trustedProxies: 0,
         metricsPort: null,
         metricsHost: "127.0.0.1",
@@ -31,6 +32,7 @@ describe("readConfig", () => {
       PUBLIC_URL: "https://robots.example.org/",
       ALLOWED_HOSTS: "Robots.example.org, localhost, [::1]",
       EMBED_ORIGINS: "https://moodle.example.org/, http://localhost:3000",
+      GATEWAYS: "mcp, ros",
       TRUSTED_PROXIES: "127.0.0.1, 10.0.0.0/8,fd00::/8",
       LOG_LEVEL: "info",
     };
@@ -42,9 +44,11 @@ describe("readConfig", () => {
         publicOrigin: "https://robots.example.org",
         allowedHosts: ["robots.example.org", "localhost", "[::1]"],
         embedOrigins: ["https://moodle.example.org", "http://localhost:3000"],
+        gateways: ["mcp", "ros"],
         trustedProxies: ["127.0.0.1", "10.0.0.0/8", "fd00::/8"],
       },
     });
+    expect(readConfig({ GATEWAYS: "none" })).toMatchObject({ config: { gateways: [] } });
     expect(readConfig({ TRUSTED_PROXIES: "2" })).toMatchObject({ config: { trustedProxies: 2 } });
   });
 
@@ -65,6 +69,8 @@ describe("readConfig", () => {
     { name: "EMBED_ORIGINS", value: "https://moodle.example.org/course" },
     { name: "EMBED_ORIGINS", value: "https://a.example; script-src *" },
     { name: "EMBED_ORIGINS", value: "*" },
+    { name: "GATEWAYS", value: "ros,ftp" },
+    { name: "GATEWAYS", value: "none,mcp" },
     { name: "TRUSTED_PROXIES", value: "10" },
     { name: "TRUSTED_PROXIES", value: "true" },
     { name: "TRUSTED_PROXIES", value: "10.0.0.0/33" },

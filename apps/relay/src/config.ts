@@ -2,6 +2,7 @@
 import { describeProblem, readValue, type FieldProblem } from "@corridor/protocol";
 import { z } from "zod";
 import { misspeltSettings } from "./platform/process/misspelt-settings.ts";
+import { gatewayNames, type GatewayName } from "./platform/gateway-names.ts";
 import { readNetwork, type TrustedProxies } from "./platform/http/trusted-proxies.ts";
 
 const DEFAULT_PORT = 8080;
@@ -14,6 +15,7 @@ const proxiesError =
   "the number of proxies in front, from 0 to 9, or their addresses and networks, such as 127.0.0.1, 10.0.0.0/8";
 const storeError = "the address of a Redis or Valkey, such as redis://127.0.0.1:6379";
 const drainError = "whole seconds from 0 to 60";
+const gatewaysError = `${gatewayNames.join(", ")} with commas between them, or none`;
 const LOG_LEVELS = ["fatal", "error", "warn", "info", "debug", "silent"] as const;
 
 function isOrigin(text: string): boolean {
@@ -30,6 +32,10 @@ function isRedisUrl(text: string): boolean {
 
 function splitList(text: string): string[] {
   return text.split(",").map((word) => word.trim());
+}
+
+function isGateway(name: string): name is GatewayName {
+  return (gatewayNames as readonly string[]).includes(name);
 }
 
 function isHostName(text: string): boolean {
@@ -69,6 +75,12 @@ const environmentSchema = z.object({
     .refine((origins) => origins.every(isOrigin), { error: embedError })
     .transform((origins) => origins.map((each) => new URL(each).origin))
     .optional(),
+  /** protocols by which scripts drive a robot, besides the API */
+  GATEWAYS: z
+    .string()
+    .transform((text) => (text.trim() === "none" ? [] : splitList(text)))
+    .refine((names): names is GatewayName[] => names.every(isGateway), { error: gatewaysError })
+    .default([...gatewayNames]),
   /** proxies whose X-Forwarded-* headers are trusted */
   TRUSTED_PROXIES: z
     .string()
@@ -104,6 +116,8 @@ export interface Config {
   allowedHosts: readonly string[] | null;
   /** origins whose pages may show `/embed` in a frame; null: any page */
   embedOrigins: readonly string[] | null;
+  /** protocols by which scripts drive a robot, besides the API */
+  gateways: readonly GatewayName[];
   trustedProxies: TrustedProxies;
   /** port of /metrics; null: disabled */
   metricsPort: number | null;
@@ -150,6 +164,7 @@ export function readConfig(
       publicOrigin: value.PUBLIC_URL ?? null,
       allowedHosts: value.ALLOWED_HOSTS ?? null,
       embedOrigins: value.EMBED_ORIGINS ?? null,
+      gateways: value.GATEWAYS,
       trustedProxies: value.TRUSTED_PROXIES,
       metricsPort: value.METRICS_PORT ?? null,
       metricsHost: value.METRICS_HOST,

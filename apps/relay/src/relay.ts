@@ -126,7 +126,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     readiness,
     metrics,
   };
-  const application = createApp({ ...parts, page, isDevelopment });
+  const application = createApp({ ...parts, page, isDevelopment, gateways: config.gateways });
   answerBrokenRequests(server, application, (kind) => metrics.refused(kind));
   server.on("request", application);
   server.on("upgrade", (request, socket, head) => {

@@ -1,29 +1,10 @@
 /** Agents of real clients drive a robot through a real relay. */
-import { describe, expect, it, onTestFinished } from "vitest";
+import { describe, expect, it } from "vitest";
 import { callTool, connectAgent, eras } from "../../../apps/relay/src/testing/mcp-client.ts";
-import { registerRobot } from "../../../packages/client/src/register-robot.ts";
-import { mazePresets, type MazeDocument } from "@corridor/maze";
-import { MazeHost } from "../../support/client/maze-host.ts";
+import { mazePresets } from "@corridor/maze";
+import { corridor, corridorHost } from "../../support/mcp/corridor-host.ts";
 import { startCluster } from "../../support/client/cluster.ts";
 import { startRelayProcess } from "../../support/test-relay-process.ts";
-
-const corridor: MazeDocument = {
-  format: "corridor/maze",
-  version: 1,
-  name: "Corridor",
-  blocks: ["#######", "#.....#", "#####.#", "#...#.#", "#.#...#", "#.#####", "#######"],
-  start: { column: 1, row: 1, heading: "east" },
-  goals: [{ column: 1, row: 5 }],
-};
-
-async function host(origin: string, maze = corridor, pageOrigin = origin) {
-  const registration = await registerRobot(origin, fetch);
-  const page = new MazeHost(pageOrigin, registration, maze);
-  onTestFinished(() => page.link.close());
-  await page.connected;
-  await MazeHost.publish(origin, registration, maze);
-  return { registration, page, url: `${origin}/r/${registration.id}/mcp` };
-}
 
 type Call = (name: string, args?: Record<string, unknown>) => ReturnType<typeof callTool>;
 
@@ -61,7 +42,7 @@ async function solve(call: Call): Promise<Seen> {
 describe.each(eras)("an agent of the era %s at a real relay", (era) => {
   it("solves a corridor with sense and act alone", async () => {
     const relay = await startRelayProcess();
-    const { registration, url } = await host(relay.url);
+    const { registration, url } = await corridorHost(relay);
     const agent = await connectAgent(url, registration.driverKey, era);
     const seen = await solve((name, args) => callTool(agent, name, args));
     expect(seen).toMatchObject({ goalReached: true, bumps: 0 });
@@ -71,7 +52,7 @@ describe.each(eras)("an agent of the era %s at a real relay", (era) => {
 describe("an agent", () => {
   it("moves the robot once, although the answer is lost and the call is repeated", async () => {
     const relay = await startRelayProcess();
-    const { registration, page, url } = await host(relay.url);
+    const { registration, page, url } = await corridorHost(relay);
     page.endsCommands = false;
     const act = { action: "move", distance: 100, key: "step-0001" };
     const lost = new AbortController();
@@ -103,7 +84,7 @@ describe("an agent", () => {
   it("solves a maze that ships with the page", async () => {
     const relay = await startRelayProcess();
     const preset = mazePresets.find(({ id }) => id === "tree")?.maze ?? corridor;
-    const { registration, url } = await host(relay.url, preset);
+    const { registration, url } = await corridorHost(relay, preset);
     const agent = await connectAgent(url, registration.driverKey, "2026-07-28");
     const seen = await solve((name, args) => callTool(agent, name, args));
     expect(seen).toMatchObject({ goalReached: true, bumps: 0 });
@@ -114,7 +95,7 @@ describe("an agent", () => {
     const relays = [await cluster.startRelay(), await cluster.startRelay()] as const;
     const [atPage, other] = relays;
     cluster.sendTo(atPage);
-    const { registration, url } = await host(cluster.origin, corridor, atPage.url);
+    const { registration, url } = await corridorHost({ url: cluster.origin }, corridor, atPage.url);
     const direct = [atPage, other].map(({ url: origin }) => url.replace(cluster.origin, origin));
     const agents = await Promise.all(
       direct.map((each) => connectAgent(each, registration.driverKey, "2025")),

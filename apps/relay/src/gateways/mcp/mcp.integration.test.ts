@@ -271,4 +271,21 @@ describe("the URL", () => {
     });
     expect(JSON.stringify(error)).not.toMatch(/node_modules|\.ts:\d|at /);
   });
+
+  it("is answered with a sentence if the operator has switched the gateway off", async () => {
+    const relay = await startTestRelay({ config: { gateways: ["ros"] } });
+    const robot = await relay.register();
+    const url = mcpUrl(relay, robot);
+    for (const path of [url, `${url}/url_${"A".repeat(22)}`]) {
+      const answer = await post(path, robot.driverKey, callMessage("sense"));
+      expect(answer.status).toBe(404);
+      expect(await answer.json()).toMatchObject({
+        type: "/problems/gateway-disabled",
+        detail: expect.stringContaining("GATEWAYS"),
+      });
+    }
+    const wanted = { method: "POST", key: robot.ownerKey, body: { kind: "drive", use: "url" } };
+    const made = await (await relay.ask(robot, "/keys", wanted)).json();
+    expect(made).toMatchObject({ urls: { ros: null, mcp: null } });
+  });
 });

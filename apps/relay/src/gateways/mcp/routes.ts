@@ -17,6 +17,7 @@ import { authoriseGateway } from "../requests/gateway-requests.ts";
 import { answerMessage } from "./answer-message.ts";
 
 const CLIENT = "MCP";
+export const MCP_PATH = "/r/:id/mcp";
 
 const EXAMPLE = '{"jsonrpc":"2.0","id":1,"method":"tools/list"}';
 const idError = "a text or a whole number";
@@ -56,11 +57,13 @@ export function mcpRoutes(
   ): Promise<void> => {
     const grant = await authoriseGateway(registry, request, response, CLIENT);
     const message = await readMessage(request, response);
+    // The client may have disconnected during authorisation.
+    if (response.closed) return;
     const agent = createAgent(new RelayPort(grant, connection), registry.clock, onRefused);
     response.once("close", () => agent.close());
     await answerMessage(agent, message, request, response);
   };
-  for (const path of ["/r/:id/mcp", "/r/:id/mcp/:key"]) {
+  for (const path of [MCP_PATH, `${MCP_PATH}/:key`]) {
     router
       .route(path)
       .all((request, response, next) => {

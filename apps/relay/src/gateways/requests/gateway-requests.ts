@@ -1,5 +1,7 @@
 /** Requests to gateways of other protocols: the key stands in a header, or in the path. */
-import type { Request, Response } from "express";
+import type { Request, RequestHandler, Response } from "express";
+import { Refusal } from "../../platform/errors/problems.ts";
+import type { GatewayName } from "../../platform/gateway-names.ts";
 import { readBearer } from "../../platform/http/reading.ts";
 import type { Grant, RobotRegistry } from "../../robots/registry.ts";
 import { readIntroduction } from "./script-requests.ts";
@@ -27,4 +29,14 @@ export async function authoriseGateway(
   // The client may have disconnected during authorisation.
   if (response.closed) markAnswered();
   return grant;
+}
+
+/** Answers requests to a gateway that the operator has switched off. */
+export function gatewayDisabled(name: GatewayName): RequestHandler {
+  return () => {
+    throw new Refusal(
+      "gateway-disabled",
+      `This service has no gateway '${name}'. Its operator switches gateways on with the setting GATEWAYS.`,
+    );
+  };
 }

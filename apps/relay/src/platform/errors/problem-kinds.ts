@@ -70,6 +70,16 @@ export const problemKinds = {
       "Compare the path with [the documentation](/docs/commands). Paths of a robot start with `/api/v1/robots/ID`.",
     ],
   },
+  "gateway-disabled": {
+    status: 404,
+    title: "Gateway switched off",
+    what: "This service does not offer the protocol of this URL.",
+    why: "The operator has switched it off, with the setting `GATEWAYS`.",
+    fix: [
+      "Use [the API](/docs/commands), which always works.",
+      "If you operate the service, add the gateway to `GATEWAYS`.",
+    ],
+  },
   "no-robot": {
     status: 404,
     title: "Robot not found",

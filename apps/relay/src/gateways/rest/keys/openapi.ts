@@ -14,7 +14,7 @@ export const keyCalls: ZodOpenApiPathsObject = {
       description:
         "`replace` revokes earlier keys in the same transaction: true revokes all keys of this kind and use, an id " +
         "revokes one. The key is returned only once. A key with the `use` `url` stands in the path of a gateway's " +
-        "URL, and is accepted nowhere else. `urls` are null while this service has no gateway.",
+        "URL, and is accepted nowhere else. `urls` are null for gateways that this service does not offer.",
       security: owner,
       requestBody: {
         required: true,

@@ -2,6 +2,7 @@
 import { keyIdSchema, keyRequestSchema, type KeyList, type CreatedKey } from "@corridor/protocol";
 import { Router } from "express";
 import { z } from "zod";
+import type { GatewayName } from "../../../platform/gateway-names.ts";
 import type { RequestGuard } from "../../../platform/http/request-guard.ts";
 import type { RobotRegistry } from "../../../robots/registry.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
@@ -12,8 +13,14 @@ export const keyPath = z.object({ keyId: keyIdSchema.describe("id of the key") }
 
 const readKeyRequest = bodyReader(keyRequestSchema, "Invalid key request.");
 
-export function keyRoutes(registry: RobotRegistry, guard: RequestGuard): Router {
+/** @param gateways those that the operator has not switched off */
+export function keyRoutes(
+  registry: RobotRegistry,
+  guard: RequestGuard,
+  gateways: readonly GatewayName[],
+): Router {
   const router = Router();
+  const hasMcp = gateways.includes("mcp");
 
   router
     .route("/robots/:id/keys")
@@ -24,7 +31,11 @@ export function keyRoutes(registry: RobotRegistry, guard: RequestGuard): Router 
       const page = `${guard.originOf(request)}/r/${robot.id}`;
       const created: CreatedKey =
         wanted.use === "url"
-          ? { ...made, address: null, urls: { ros: null, mcp: `${page}/mcp/${made.key}` } }
+          ? {
+              ...made,
+              address: null,
+              urls: { ros: null, mcp: hasMcp ? `${page}/mcp/${made.key}` : null },
+            }
           : { ...made, address: `${page}#${made.key}`, urls: null };
       response
         .status(201)

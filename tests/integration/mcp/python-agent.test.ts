@@ -1,0 +1,44 @@
+/** The Python library of the Model Context Protocol drives a robot through a real relay. */
+import { execFile } from "node:child_process";
+import { fileURLToPath } from "node:url";
+import { promisify } from "node:util";
+import { describe, expect, it } from "vitest";
+import { NotInstallableError, requireEnvironment } from "../../../scripts/python.ts";
+import { corridorHost } from "../../support/mcp/corridor-host.ts";
+import { startRelayProcess } from "../../support/test-relay-process.ts";
+
+const run = promisify(execFile);
+const support = (name: string): string =>
+  fileURLToPath(new URL(`../../support/mcp/${name}`, import.meta.url));
+
+/** Python with the library, or why it cannot be installed here. */
+function library(): { python: string } | { missing: string } {
+  try {
+    return { python: requireEnvironment("mcp", support("requirements.txt"), 10) };
+  } catch (error) {
+    if (error instanceof NotInstallableError) return { missing: error.message };
+    throw error;
+  }
+}
+
+describe("an agent in Python", () => {
+  it.for(["auto", "legacy"])(
+    "solves a corridor, and reads why a command is refused (%s)",
+    async (mode, { skip }) => {
+      const { relay, page, registration, url } = await corridorHost(await startRelayProcess());
+      const found = library();
+      if ("missing" in found) return skip(found.missing);
+      const args = [support("agent.py"), url, registration.driverKey, mode];
+      const { stdout } = await run(found.python, args).catch((error: unknown) => {
+        throw new Error(`${String(error)}\n${relay.log}`);
+      });
+      const { tools, snapshot, refused, sentence } = JSON.parse(stdout) as Record<string, unknown>;
+      expect(tools).toEqual(["sense", "look", "wait", "act", "stop", "reset"]);
+      expect(snapshot).toMatchObject({ goalReached: true, bumps: 0 });
+      expect(refused).toBe(true);
+      expect(sentence).toContain("distance: found 90000");
+      expect(page.robot.snapshot().bumps).toBe(0);
+    },
+    300_000,
+  );
+});

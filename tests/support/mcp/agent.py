@@ -1,0 +1,57 @@
+"""An agent in Python: follows the right wall by MCP, with sense and act alone.
+
+    python agent.py URL KEY auto|legacy
+
+Prints one line of JSON: the tools, the last snapshot, and a refusal.
+"""
+
+import asyncio
+import json
+import sys
+
+from mcp import Client
+from mcp.client.streamable_http import create_mcp_http_client, streamable_http_client
+
+
+def seen(result):
+    if result.is_error:
+        raise SystemExit(result.content[0].text)
+    return result.structured_content["snapshot"]
+
+
+async def solve(agent):
+    snapshot = seen(await agent.call_tool("sense", {}))
+    step = 0
+    while not snapshot["goalReached"] and step < 100:
+        sensors = snapshot["sensors"]
+        if sensors["right"] > 100:
+            actions = [{"action": "right 90"}, {"action": "move", "distance": 100}]
+        elif sensors["front"] > 100:
+            actions = [{"action": "move", "distance": 100}]
+        else:
+            actions = [{"action": "left 90"}]
+        for action in actions:
+            step += 1
+            snapshot = seen(await agent.call_tool("act", {**action, "key": f"step-{step:04}"}))
+    return snapshot
+
+
+async def main(url, key, mode):
+    http = create_mcp_http_client(headers={"Authorization": f"Bearer {key}"})
+    async with Client(streamable_http_client(url, http_client=http), mode=mode) as agent:
+        tools = [tool.name for tool in (await agent.list_tools()).tools]
+        snapshot = await solve(agent)
+        refused = await agent.call_tool("act", {"action": "move", "distance": 90000})
+        print(
+            json.dumps(
+                {
+                    "tools": tools,
+                    "snapshot": snapshot,
+                    "refused": refused.is_error,
+                    "sentence": refused.content[0].text,
+                }
+            )
+        )
+
+
+asyncio.run(main(*sys.argv[1:]))
