@@ -73,7 +73,7 @@ describe("an agent", () => {
     });
     await expect.poll(() => page.started).toBe(1);
     lost.abort();
-    await expect(post).rejects.toThrow();
+    await expect(post).rejects.toThrow("aborted");
     const agent = await connectAgent(url, registration.driverKey, "2026-07-28");
     const again = callTool(agent, "act", act);
     page.endAll("completed");

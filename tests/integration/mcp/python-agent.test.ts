@@ -24,6 +24,7 @@ function library(): { python: string } | { missing: string } {
 describe("an agent in Python", () => {
   it.for(["auto", "legacy"])(
     "solves a corridor, and reads why a command is refused (%s)",
+    { timeout: 300_000 },
     async (mode, { skip }) => {
       const { relay, page, registration, url } = await corridorHost(await startRelayProcess());
       const found = library();
@@ -39,6 +40,5 @@ describe("an agent in Python", () => {
       expect(sentence).toContain("distance: found 90000");
       expect(page.robot.snapshot().bumps).toBe(0);
     },
-    300_000,
   );
 });

@@ -153,7 +153,7 @@ describe("the URL", () => {
     ]) {
       expect((await fetch(`${relay.origin}${path}`)).status).toBe(404);
     }
-    await expect(connectAgent(url, null, "2025")).rejects.toThrow();
+    await expect(connectAgent(url, null, "2025")).rejects.toThrow("Send the robot's key");
   });
 
   it("accepts each kind of key only where it belongs", async () => {
