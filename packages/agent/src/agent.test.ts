@@ -267,6 +267,20 @@ describe("act", () => {
     expect(robot.done).toEqual([]);
   });
 
+  it("returns the record of a command that ends before the robot reports", async () => {
+    const { call, port } = await agentFor();
+    const { send } = port;
+    port.send = async (...args) => {
+      const record = await send.apply(port, args);
+      port.newest = null;
+      return record;
+    };
+    const { isError, text, structured } = await call("act", { action: "stop" });
+    expect(isError).toBe(false);
+    expect(text).toMatch(/^Command 1 \(stop\): completed\.\nThe robot has not reported yet\./);
+    expect(structured).toMatchObject({ record: { seq: 1 }, snapshot: null });
+  });
+
   it("says that the command was sent if only its end is unknown", async () => {
     const { call, port } = await agentFor();
     port.endOf = () => Promise.reject(refusal("too-many-readers", 429, "Too many wait."));

@@ -74,7 +74,7 @@ const sentCommand = z.looseObject({ action: z.string() });
 
 export const commandResult = z.looseObject({
   record: commandRecordSchema.extend({ command: sentCommand }).loose(),
-  snapshot: snapshotSchema.loose(),
+  snapshot: snapshotSchema.loose().nullable().describe("null before the robot's first report"),
 });
 
 export const waitResult = z.looseObject({

@@ -14,7 +14,7 @@ import {
   resetArguments,
 } from "./arguments.ts";
 import { describeSnapshot } from "./snapshot-words.ts";
-import { newestOf, readArguments, textResult, type Tool, type ToolResult } from "./tool.ts";
+import { NOT_REPORTED, readArguments, textResult, type Tool, type ToolResult } from "./tool.ts";
 
 export const actTool: Tool = {
   name: "act",
@@ -62,11 +62,10 @@ async function sendAndWait(port: RobotPort, order: Order, key?: string): Promise
   const sent = await port.send(order, key);
   const ended = await endOf(port, sent);
   const record = { ...ended, duplicate: sent.duplicate };
-  const snapshot = newestOf(port);
-  return textResult(`${describeRecord(record)}\n${describeSnapshot(snapshot)}`, {
-    record,
-    snapshot,
-  });
+  // Not an error if there is none: the command was sent.
+  const snapshot = port.newest;
+  const after = snapshot === null ? NOT_REPORTED : describeSnapshot(snapshot);
+  return textResult(`${describeRecord(record)}\n${after}`, { record, snapshot });
 }
 
 /** @throws RefusedError, whose sentence contains that the command was sent */

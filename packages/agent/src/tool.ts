@@ -66,6 +66,9 @@ export function readArguments<T>(schema: z.ZodType<T>, args: unknown): T {
   });
 }
 
+export const NOT_REPORTED =
+  "The robot has not reported yet. Ask its owner to open the page and choose Remote, then try again.";
+
 /** @throws RefusedError no-snapshot before the robot's first report */
 export function newestOf({ newest }: RobotPort): Snapshot {
   if (newest !== null) return newest;
@@ -73,8 +76,7 @@ export function newestOf({ newest }: RobotPort): Snapshot {
     type: "/problems/no-snapshot",
     title: "No snapshot yet",
     status: 409,
-    detail:
-      "The robot has not reported yet. Ask its owner to open the page and choose Remote, then try again.",
+    detail: NOT_REPORTED,
     errors: [],
   });
 }
