@@ -74,6 +74,28 @@ for (const device of [phone, smallestPhone]) {
   });
 }
 
+for (const [width, height] of [
+  [390, 844],
+  [320, 568],
+  [667, 375],
+] as const) {
+  test(`moves neither maze nor buttons when a run starts at ${width} x ${height}`, async ({
+    openWindow,
+  }) => {
+    const corridor = await openWindow({ ...phone, viewport: { width, height } });
+    await corridor.open();
+    const places = async () => ({
+      maze: await boxOf(corridor.maze.grid),
+      step: await boxOf(corridor.step),
+      timeline: (await boxOf(corridor.transport)).y,
+    });
+    const before = await places();
+    await corridor.run.tap();
+    await expect(corridor.timeline.slider).toBeInViewport();
+    expect(await places()).toEqual(before);
+  });
+}
+
 test("scrubs the timeline on a phone", async ({ openWindow }) => {
   const corridor = await openWindow(phone);
   await corridor.open();
