@@ -3,13 +3,15 @@
  * Driving on a phone with a thumb: the stage follows the robot, and manual missions can be solved.
  */
 import { encodeLink } from "@corridor/link";
+import { sampleLesson } from "../apps/web/src/model/lessons/testing/sample-lesson.ts";
 import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
 import { TouchInput, centreOf } from "./support/touch-input.ts";
 import { unreadableTexts } from "./support/layout.ts";
-import { boxOf, phone, tab } from "./support/phone.ts";
+import { lessonTask } from "./support/lesson-task.ts";
+import { boxOf, phone, smallestPhone, tab } from "./support/phone.ts";
 import { Texts } from "./support/texts.ts";
 
 /** pixels per cm while the stage follows the robot */
@@ -123,6 +125,50 @@ for (const [lang, start, run] of [
       expect(await tabPanel.evaluate((panel) => panel.scrollHeight - panel.clientHeight)).toBe(0);
     });
   }
+}
+
+for (const device of [phone, smallestPhone]) {
+  const { width, height } = device.viewport;
+  test(`shows the result of a drive with the task at ${width} x ${height}`, async ({
+    openWindow,
+  }) => {
+    const corridor = await openWindow(device);
+    const words = {
+      task: "Drive to the goal without a bump, and stop fully on the green square.",
+      short: "",
+      hints: [],
+    };
+    const { allowed } = lessonTask("By hand", []);
+    const byHand = lessonTask("By hand", [], { words, allowed: { ...allowed, drivers: ["me"] } });
+    const link = encodeLink({ lesson: { ...sampleLesson, tasks: [byHand] } });
+    if (!link.ok) throw new Error(link.code);
+    await corridor.open(`/#${link.text}`);
+    await corridor.dismissMessages();
+    const { page } = corridor;
+    const mission = page.getByRole("region", { name: "Mission" });
+    const task = mission.getByText(words.task);
+    const result = mission.getByRole("note");
+    await expect(task).toBeInViewport({ ratio: 1 });
+    await waitForAnimations(page);
+    const stage = await boxOf(page.getByRole("main"));
+    const touch = await TouchInput.of(page);
+    await touch.down(await centreOf(corridor.driveKey("reverse")));
+    await expect(result).toHaveText(/^Bump at/);
+    await touch.lift();
+    await expect(result).toBeInViewport({ ratio: 1 });
+    await expect(task).toBeInViewport({ ratio: 1 });
+    await expect(corridor.driveKey("forward")).toBeInViewport({ ratio: 1 });
+    expect(await boxOf(page.getByRole("main"))).toEqual(stage);
+    const show = mission.getByRole("button", { name: "Show the task" });
+    if (height >= 704) return expect(show).toBeHidden();
+    // Only the first words, until they are unfolded.
+    const isCut = () => task.evaluate((text) => text.scrollWidth > text.clientWidth);
+    expect(await isCut()).toBe(true);
+    await show.tap();
+    expect(await isCut()).toBe(false);
+    await mission.getByRole("button", { name: "Hide the task" }).tap();
+    expect(await isCut()).toBe(true);
+  });
 }
 
 test("does not cover the reading below the robot with the minimap on a small stage", async ({

@@ -144,12 +144,10 @@ function OpenMission({ service }: { service: LessonsService }) {
             <Icon of={House} />
           </IconButton>
         )}
-        <IconButton
-          label={t(isFolded ? "missions:card.unfold" : "missions:card.fold")}
-          onClick={() => setFoldedAt(isFolded ? null : fromTeacher)}
-        >
-          {isFolded ? <Icon of={ChevronDown} /> : <Icon of={ChevronUp} />}
-        </IconButton>
+        <FoldButton
+          isFolded={isFolded}
+          onPress={() => setFoldedAt(isFolded ? null : fromTeacher)}
+        />
       </div>
       {!isFolded && !isTaskAbove && (
         <TeacherText
@@ -181,12 +179,13 @@ function OpenMission({ service }: { service: LessonsService }) {
 
 function SlimMission({ service }: { service: LessonsService }) {
   const { t } = useTranslation(["missions", "words"], { useSuspense: false });
-  const { challenge: store } = useServices();
+  const { challenge: store, cardDock } = useServices();
+  const isTaskAbove = useStore(cardDock, (state) => state.hasTask);
   const lesson = useStore(store, (state) => state.lesson);
   const open = useStore(store, openTask);
   const mission = useStore(store, (state) => state.mission);
-  const isMet = useStore(store, (state) => state.result.state === "met");
   const task = useTask();
+  const [isFolded, setFolded] = useState(true);
   if (lesson === null || open === null) return null;
   const bonus = bonusMissionOf(mission);
   const hasTasks = lesson.tasks.length > 1;
@@ -197,8 +196,8 @@ function SlimMission({ service }: { service: LessonsService }) {
     >
       {hasTasks && <TaskRow lesson={lesson} service={service} />}
       <div className={styles["slim"]}>
-        <div className={styles["slimText"]}>
-          {!isMet && (
+        <div className={shared["slimText"]} data-folded={isFolded}>
+          {!isTaskAbove && (
             <TeacherText
               as="p"
               className={shared["slimTask"]}
@@ -212,12 +211,26 @@ function SlimMission({ service }: { service: LessonsService }) {
             <BonusOutcome id={bonus} service={service} />
           )}
         </div>
+        {!isTaskAbove && (
+          <span className={shared["fold"]}>
+            <FoldButton isFolded={isFolded} onPress={() => setFolded(!isFolded)} />
+          </span>
+        )}
         <RunningCheck service={service} />
         <NextStep service={service} />
         <HelpPlace look="slim" />
       </div>
       <TeacherHint />
     </section>
+  );
+}
+
+function FoldButton({ isFolded, onPress }: { isFolded: boolean; onPress: () => void }) {
+  const { t } = useTranslation("missions", { useSuspense: false });
+  return (
+    <IconButton label={t(isFolded ? "card.unfold" : "card.fold")} onClick={onPress}>
+      <Icon of={isFolded ? ChevronDown : ChevronUp} />
+    </IconButton>
   );
 }
 
