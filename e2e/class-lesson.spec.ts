@@ -356,7 +356,7 @@ test("a lesson with eight students, until no byte of it is left", async ({
     expect(textsInFiles(folder, stored)).toEqual(stored);
     const left = () => textsInFiles(folder, [...stored, ...keys, lesson.name, lesson.intro]);
     expect(textsInFiles(folder, keys)).toEqual([]);
-    await dashboard.choose("More", "End lesson");
+    await dashboard.endLesson.click();
     await page.getByRole("button", { name: "End", exact: true }).click();
     await expect(page.getByRole("heading", { name: "The lesson is over" })).toBeVisible();
     for (const { messages } of present) await expect(messages).toContainText("The lesson is over.");

@@ -125,7 +125,7 @@ test("teacher and student use two relays, of which one is killed", async ({
 
   const stored = () => textsInFiles(folder, [created.id, created.code, lesson.name, ...NAMES]);
   expect(stored()).toHaveLength(5);
-  await dashboard.choose("More", "End lesson");
+  await dashboard.endLesson.click();
   await page.getByRole("button", { name: "End", exact: true }).click();
   await expect(student.messages).toContainText("The lesson is over.");
   await expect.poll(stored).toEqual([]);

@@ -7,12 +7,15 @@ export class DashboardPage {
   readonly cards: Locator;
   /** the sheet of the student whom the teacher watches */
   readonly sheet: Locator;
+  /** below the cards; a phone has it in its menu */
+  readonly endLesson: Locator;
 
   constructor(page: Page) {
     this.page = page;
     this.code = page.getByRole("region", { name: "Letters for the board" });
     this.cards = page.getByRole("list").getByRole("button", { name: /attempt/ });
     this.sheet = page.getByRole("complementary");
+    this.endLesson = page.getByRole("main").getByRole("button", { name: "End lesson" });
   }
 
   /** The card of a student. Its name begins with the student and the state. */

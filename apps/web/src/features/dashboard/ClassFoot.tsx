@@ -1,4 +1,4 @@
-/** Ends the lesson, and opens the report as it is now. */
+/** Opens the report as it is now, and ends the lesson. On a phone, the menu of the bar ends it. */
 import { ChartColumn, LogOut } from "lucide";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
@@ -6,6 +6,7 @@ import { newTextId } from "../../model/storage/new-text-id.ts";
 import { reportAddress } from "../../model/teaching/saved-reports.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Icon } from "../../ui/Icon.tsx";
+import { useMediaQuery } from "../../ui/use-media-query.ts";
 import { useDashboard } from "./dashboard-context.ts";
 import { useReport } from "./use-report.ts";
 import styles from "./class-foot.module.css";
@@ -20,6 +21,7 @@ export function ClassFoot({ label, onEnd }: ClassFootProps) {
   const { t } = useTranslation("dashboard", { useSuspense: false });
   const { saveOnDevice } = useReport(label);
   const hasStudents = useDashboard(({ students }) => students.size > 0);
+  const isPhone = useMediaQuery("(max-width: 37.49em)");
   const [id] = useState(newTextId);
   const [note, setNote] = useState<"savedFile" | "failed" | null>(null);
   const openReport = async (): Promise<void> => {
@@ -31,9 +33,11 @@ export function ClassFoot({ label, onEnd }: ClassFootProps) {
   return (
     <div className={styles["foot"]}>
       <output>{note !== null && t(`end.${note}`)}</output>
-      <Button kind="quiet" icon={<Icon of={LogOut} isDirectional />} onClick={onEnd}>
-        {t("end.open")}
-      </Button>
+      {!isPhone && (
+        <Button kind="quiet" icon={<Icon of={LogOut} isDirectional />} onClick={onEnd}>
+          {t("end.open")}
+        </Button>
+      )}
       {hasStudents && (
         <Button
           icon={<Icon of={ChartColumn} />}

@@ -53,6 +53,7 @@ interface DashboardBarEndProps {
   hidesNames: boolean;
   onHideNames: (hidesNames: boolean) => void;
   onSend: () => void;
+  /** on a phone: elsewhere the button is below the cards */
   onEnd: () => void;
   room: OwnClass;
   tools: ReactNode;
@@ -130,10 +131,14 @@ export function DashboardBarEnd({
         <MenuItem icon={<Icon of={Link2} />} onSelect={() => setJoining(true)}>
           {t("device.open")}
         </MenuItem>
-        <MenuItem icon={<Icon of={LogOut} isDirectional />} onSelect={onEnd}>
-          {t("end.open")}
-        </MenuItem>
-        {isPhone && <div className={styles["tools"]}>{tools}</div>}
+        {isPhone && (
+          <>
+            <MenuItem icon={<Icon of={LogOut} isDirectional />} onSelect={onEnd}>
+              {t("end.open")}
+            </MenuItem>
+            <div className={styles["tools"]}>{tools}</div>
+          </>
+        )}
       </Popover>
       <DeviceDialog room={room} isOpen={isJoining} onClose={() => setJoining(false)} />
     </>
