@@ -2,7 +2,20 @@ import { parseLesson } from "@corridor/challenge";
 import { describe, expect, it } from "vitest";
 import { programOf } from "../testing/sample-lesson.ts";
 import { corridor } from "../testing/teacher-task.ts";
-import { lessonOfMaze } from "./new-lesson.ts";
+import { emptyMaze, lessonOfMaze, newTask } from "./new-lesson.ts";
+
+describe("a new task", () => {
+  it("asks for a program, because a drive by hand passes without a line", () => {
+    expect(newTask(emptyMaze("Empty"), "Task 1").allowed.drivers).toEqual(["program"]);
+  });
+
+  it("hides no tool and no help", () => {
+    expect(newTask(emptyMaze("Empty"), "Task 1").allowed).toMatchObject({
+      tools: null,
+      help: null,
+    });
+  });
+});
 
 describe("a lesson that begins with a shared maze", () => {
   it("has the maze, and the program that is shared with it", () => {
