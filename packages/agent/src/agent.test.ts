@@ -269,9 +269,9 @@ describe("act", () => {
 
   it("returns the record of a command that ends before the robot reports", async () => {
     const { call, port } = await agentFor();
-    const { send } = port;
+    const send = port.send.bind(port);
     port.send = async (...args) => {
-      const record = await send.apply(port, args);
+      const record = await send(...args);
       port.newest = null;
       return record;
     };

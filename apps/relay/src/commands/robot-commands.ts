@@ -220,7 +220,7 @@ export class RobotCommands {
    * Whether the page has as many commands as it may have, and no waiting command bypasses the
    * limit.
    */
-  hasAll(window: number): boolean {
+  isWindowFull(window: number): boolean {
     return this.#delivered >= window && this.#waiting.overtaking === 0;
   }
 

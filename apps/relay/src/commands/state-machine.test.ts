@@ -236,7 +236,7 @@ describe("delivery", () => {
       [4, "delivered"],
       [5, "delivered"],
     ]);
-    expect(robot.hasAll(2)).toBe(true);
+    expect(robot.isWindowFull(2)).toBe(true);
   });
 });
 

@@ -30,7 +30,7 @@ import {
 import { isSameCommand, shorten, shownRecordIn, toShorten } from "./stored-conditions.ts";
 
 /**
- * Stores a command, unless its sender may not send commands or its idempotency key is known.
+ * Adds a command, unless its sender may not send commands or its idempotency key is known.
  * @param earlier finds the command with this idempotency key
  */
 export function add(
@@ -94,7 +94,7 @@ export function deliver(
   { epoch, window, now }: { epoch: number; window: number; now: number },
 ): TermedRecord[] {
   if (robot.admissionState.epoch !== epoch) return [];
-  if (robot.hasAll(window)) return [];
+  if (robot.isWindowFull(window)) return [];
   const free = window - robot.deliveredCount;
   const due: CommandRow[] = [];
   let at = 0;

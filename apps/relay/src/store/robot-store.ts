@@ -72,7 +72,7 @@ export interface RobotStore {
    */
   commit<T>(id: string, step: RobotStep<T>): Promise<T>;
   /** The robot's commands, if they are known without a query; otherwise null. */
-  current(id: string): Pick<RobotCommands, "hasAll"> | null;
+  current(id: string): Pick<RobotCommands, "isWindowFull"> | null;
   /**
    * Stores the maze that the robot is in, in place of the previous one.
    * @param text the document as JSON

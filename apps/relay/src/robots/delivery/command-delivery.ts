@@ -56,7 +56,7 @@ export class CommandDelivery {
     const now = clock.now();
     try {
       // After most commands there is nothing more to deliver, which needs no query to detect.
-      if (store.current(robot)?.hasAll(limits.deliveredWindow) === true) return null;
+      if (store.current(robot)?.isWindowFull(limits.deliveredWindow) === true) return null;
       return {
         link,
         commands: await store.commit(robot, deliverStep(epoch, limits.deliveredWindow, now)),

@@ -8,8 +8,8 @@
  * of a robot to the tables later, once the journal is long. The robot that has waited longest is
  * first. Entries that the tables lack are read again when the file is opened and after a rollback.
  *
- * All methods except `peek`, `due` and `compacted` must be called in steps of the file. No other code
- * may change commands in the tables.
+ * `open`, `done`, `remove` and `deleteOrphans` must be called in steps of the file. No other code may
+ * change commands in the tables.
  */
 import type { CommandRow, AdmissionState } from "../../commands/robot-commands.ts";
 import { entryOf, rowIn, rowsIn, type Checkpoint, type Compaction } from "./file/journal.ts";

@@ -89,7 +89,7 @@ export class SqliteRobotStore implements RobotStore {
       : this.#file.step(work, kind);
   }
 
-  current(id: string): Pick<RobotCommands, "hasAll"> | null {
+  current(id: string): Pick<RobotCommands, "isWindowFull"> | null {
     return this.#file.isWaiting ? null : (this.#live.peek(id)?.commands ?? null);
   }
 
