@@ -1,4 +1,7 @@
-/** Tables of the SQLite stores, and the pragmas that their guarantees need. */
+/**
+ * Tables of the SQLite stores, and the pragmas that their guarantees need. The table of robots is
+ * named `sessions`, as in the first version of the schema.
+ */
 import { DatabaseSync } from "node:sqlite";
 
 const SESSIONS = `
