@@ -105,6 +105,20 @@ describe.each(eras)("an agent of the era %s", (era) => {
   });
 });
 
+describe("an agent that waits many times at once", () => {
+  it("learns that it has reached the limit, and still drives", async () => {
+    const { robot, url, run } = await withPage();
+    const agent = await connectAgent(url, robot.driverKey, "2026-07-28");
+    const waits = Array.from({ length: 6 }, () => callTool(agent, "wait", { seconds: 1 }));
+    const acting = callTool(agent, "act", MOVE);
+    await run();
+    expect((await acting).isError).toBe(false);
+    const refused = (await Promise.all(waits)).filter(({ isError }) => isError);
+    expect(refused).toHaveLength(2);
+    expect(refused[0]?.text).toContain("4 connections use this key, the maximum.");
+  });
+});
+
 describe("the owner of the robot", () => {
   it("pauses, blocks and revokes an agent while it waits", async () => {
     const { relay, robot, url, page } = await withPage();
