@@ -3,6 +3,7 @@
  */
 import { mkdirSync } from "node:fs";
 import type { LessonDocument } from "@corridor/challenge";
+import { lessonOfTasks } from "@corridor/challenge/testing";
 import { encodeLink } from "@corridor/link";
 import { createdClassSchema, studentProgramSchema, type CreatedClass } from "@corridor/protocol";
 import type { Locator, Page } from "playwright/test";
@@ -47,16 +48,8 @@ const NAMES = Array.from({ length: 10 }, (_, n) => `Quagga ${n + 1}`);
 const STUCK_MS = 180_000;
 
 function lessonOf(name: string): LessonDocument {
-  return {
-    format: "corridor/challenge",
-    version: 2,
-    language: "en",
-    name,
-    intro: `The intro of ${name}.`,
-    order: "any",
-    tasks: [lessonTask(`${name} 1`, ["Look ahead."]), lessonTask(`${name} 2`, [])],
-    survey: [],
-  };
+  const tasks = [lessonTask(`${name} 1`, ["Look ahead."]), lessonTask(`${name} 2`, [])];
+  return lessonOfTasks(name, tasks, { intro: `The intro of ${name}.` });
 }
 
 const lesson = lessonOf("Zebra crossing");

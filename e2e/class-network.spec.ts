@@ -1,4 +1,5 @@
 /** A class where WebSockets are blocked, and one whose members use different relays. */
+import { lessonOfTasks } from "@corridor/challenge/testing";
 import { mkdirSync } from "node:fs";
 import { findRedis, startRedis } from "../scripts/redis-server.ts";
 import { RelayProcess } from "../tests/support/relay-process.ts";
@@ -34,16 +35,7 @@ const test = base.extend<{ cluster: Cluster }>({
 });
 
 const NAMES = ["Quagga 1", "Quagga 2"];
-const lesson = {
-  format: "corridor/challenge" as const,
-  version: 2 as const,
-  language: "en",
-  name: "Zebra crossing",
-  intro: "",
-  order: "any" as const,
-  tasks: [lessonTask("Straight on", ["Look ahead."])],
-  survey: [],
-};
+const lesson = lessonOfTasks("Zebra crossing", [lessonTask("Straight on", ["Look ahead."])]);
 const LOST = "The connection to the class is lost.";
 const PAUSED = "Eyes to the front. Your teacher paused the class.";
 

@@ -1,5 +1,6 @@
 /** The work of a student on the lesson of a class, as the teacher receives it. */
-import { lessonMark, type LessonDocument, type LessonTask } from "@corridor/challenge";
+import { lessonMark, type LessonTask } from "@corridor/challenge";
+import { lessonOfTasks } from "@corridor/challenge/testing";
 import { decodeLink } from "@corridor/link";
 import { studentProgramSchema, type DriverName } from "@corridor/protocol";
 import type { Locator, Page } from "playwright/test";
@@ -29,19 +30,13 @@ function taskOf(name: string, change: Partial<LessonTask> = {}): LessonTask {
   return lessonTask(name, ["Look ahead.", "Drive on."], change);
 }
 
-const lesson: LessonDocument = {
-  format: "corridor/challenge",
-  version: 2,
-  language: "en",
-  name: "Two mazes",
-  intro: "",
-  order: "any",
-  tasks: [taskOf("Straight on"), taskOf("Corner", { mazes: [corner, straight] })],
+const tasks = [taskOf("Straight on"), taskOf("Corner", { mazes: [corner, straight] })];
+const lesson = lessonOfTasks("Two mazes", tasks, {
   survey: [
     { id: "navigation", question: "Did it help you to find the way?" },
     { id: "robots", question: "Did it help you to understand robots?" },
   ],
-};
+});
 
 function cardOf(page: Page): Locator {
   return page.getByRole("region", { name: "Lesson", exact: true });

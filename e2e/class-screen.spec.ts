@@ -1,5 +1,5 @@
 /** What a student of a class sees of the task, of help, and of a pause. */
-import type { LessonDocument } from "@corridor/challenge";
+import { lessonOfTasks } from "@corridor/challenge/testing";
 import { expect, test } from "./fixtures.ts";
 import { ClassTeacher } from "./support/class-teacher.ts";
 import { classButton, enterClass } from "./support/enter-class.ts";
@@ -16,26 +16,13 @@ const corner = {
   goals: [{ column: 5, row: 2 }],
 };
 
-function lessonOf(...tasks: LessonDocument["tasks"]): LessonDocument {
-  return {
-    format: "corridor/challenge",
-    version: 2,
-    language: "en",
-    name: "First turns",
-    intro: "",
-    order: "any",
-    tasks,
-    survey: [],
-  };
-}
-
-const turns = lessonOf(
+const turns = lessonOfTasks("First turns", [
   lessonTask("Turn", [], {
     mazes: [corner],
     words: { task: SENTENCE, short: "", hints: ["Look ahead.", "Use front."] },
   }),
   lessonTask("Straight", []),
-);
+]);
 
 for (const [name, options] of [
   ["a laptop", { viewport: { width: 1280, height: 720 } }],
@@ -112,7 +99,8 @@ test("hints stay after a reload of the tab", async ({ page, relay }) => {
 });
 
 test("a solved task of a class asks for no completion code", async ({ page, relay }) => {
-  const teacher = await ClassTeacher.start(relay, NAMES, lessonOf(lessonTask("Straight", [])));
+  const straightOn = lessonOfTasks("First turns", [lessonTask("Straight", [])]);
+  const teacher = await ClassTeacher.start(relay, NAMES, straightOn);
   await enterClass(page, teacher.code);
   await expect(page.getByText("Solve Straight.")).toBeVisible();
   await page.getByRole("combobox", { name: "Speed" }).selectOption("max");

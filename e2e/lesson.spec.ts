@@ -1,5 +1,6 @@
 /** A student with a teacher's lesson of several tasks: opening it, working on it, saving it. */
-import type { LessonDocument, LessonTask } from "@corridor/challenge";
+import type { LessonTask } from "@corridor/challenge";
+import { lessonOfTasks } from "@corridor/challenge/testing";
 import { encodeLink } from "@corridor/link";
 import type { Page } from "playwright/test";
 import { readFileSync } from "node:fs";
@@ -21,16 +22,8 @@ function taskOf(name: string, change: Partial<LessonTask> = {}): LessonTask {
   return lessonTask(name, ["Look at right."], change);
 }
 
-const lesson: LessonDocument = {
-  format: "corridor/challenge",
-  version: 2,
-  language: "en",
-  name: "Two mazes, three lines",
-  intro: "Write short programs.",
-  order: "any",
-  tasks: [taskOf("Straight on"), taskOf("Side opening", { mazes: [side] })],
-  survey: [],
-};
+const tasks = [taskOf("Straight on"), taskOf("Side opening", { mazes: [side] })];
+const lesson = lessonOfTasks("Two mazes, three lines", tasks, { intro: "Write short programs." });
 
 /** Drops a lesson onto the page as a file. */
 async function drop(page: Page, document: unknown): Promise<void> {

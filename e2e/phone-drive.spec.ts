@@ -2,8 +2,8 @@
 /**
  * Driving on a phone with a thumb: the stage follows the robot, and manual missions can be solved.
  */
+import { lessonOfTasks } from "@corridor/challenge/testing";
 import { encodeLink } from "@corridor/link";
-import { sampleLesson } from "../apps/web/src/model/lessons/testing/sample-lesson.ts";
 import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
@@ -138,9 +138,8 @@ for (const device of [phone, smallestPhone]) {
       short: "",
       hints: [],
     };
-    const { allowed } = lessonTask("By hand", []);
-    const byHand = lessonTask("By hand", [], { words, allowed: { ...allowed, drivers: ["me"] } });
-    const link = encodeLink({ lesson: { ...sampleLesson, tasks: [byHand] } });
+    const byHand = lessonTask("By hand", [], { words, allowed: { drivers: ["me"] } });
+    const link = encodeLink({ lesson: lessonOfTasks("By hand", [byHand]) });
     if (!link.ok) throw new Error(link.code);
     await corridor.open(`/#${link.text}`);
     await corridor.dismissMessages();

@@ -1,6 +1,7 @@
 /** Teachers check the hand-ins of a class on `/teach`. */
 import { readFileSync } from "node:fs";
 import { lessonMark, type LessonDocument, type LessonTask } from "@corridor/challenge";
+import { lessonOfTasks } from "@corridor/challenge/testing";
 import { encodeLink, type LinkContent } from "@corridor/link";
 import type { ProgramPresetId } from "@corridor/program";
 import { Recording } from "@corridor/recording";
@@ -33,16 +34,7 @@ const everyMaze: LessonTask = {
 };
 
 function lessonOf(...tasks: LessonTask[]): LessonDocument {
-  return {
-    format: "corridor/challenge",
-    version: 2,
-    language: "en",
-    name: "Two mazes, three lines",
-    intro: "",
-    order: "any",
-    tasks,
-    survey: [],
-  };
+  return lessonOfTasks("Two mazes, three lines", tasks);
 }
 
 const lesson = lessonOf(everyMaze);

@@ -1,4 +1,5 @@
-import { lessonMark, type LessonDocument, type LessonTask } from "@corridor/challenge";
+import { lessonMark } from "@corridor/challenge";
+import { lessonOfTasks, taskIn } from "@corridor/challenge/testing";
 import { mazePresets } from "@corridor/maze";
 import { programPresets, type ProgramDocument } from "@corridor/program";
 import { Recording, type RunInput } from "@corridor/recording";
@@ -14,37 +15,8 @@ if (preset === undefined || found === undefined) throw new Error("a preset is go
 const { maze } = preset;
 const { program } = found;
 
-const task: LessonTask = {
-  name: "One maze",
-  words: { task: "Reach the goal.", short: "Reach the goal", hints: [] },
-  mazes: [maze],
-  program: null,
-  goal: { kind: "reach" },
-  allowed: {
-    drivers: ["program"],
-    lines: 3,
-    conditions: null,
-    actions: null,
-    edits: ["lines"],
-    maze: false,
-    tools: null,
-    help: null,
-  },
-  checks: { bumps: 0, seconds: 30 },
-  par: null,
-  unseen: null,
-};
-
-const lesson: LessonDocument = {
-  format: "corridor/challenge",
-  version: 2,
-  language: "en",
-  name: "Two tasks",
-  intro: "",
-  order: "any",
-  tasks: [task, { ...task, name: "Again" }],
-  survey: [],
-};
+const task = taskIn([maze], { name: "One maze", allowed: { edits: ["lines"] } });
+const lesson = lessonOfTasks("Two tasks", [task, { ...task, name: "Again" }]);
 
 function linkOf(content: LinkContent): string {
   const link = encodeLink(content);

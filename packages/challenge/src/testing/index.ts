@@ -1,0 +1,1 @@
+export { lessonOfTasks, taskIn, type TaskChange } from "./lesson-of-tasks.ts";
