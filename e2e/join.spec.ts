@@ -127,6 +127,7 @@ test("fits a phone and 320 px, also in a right-to-left language", async ({
     await page.goto("/join#ZZZZZZ");
     await page.getByRole("textbox").press("Enter");
     await expect(page.getByRole("alert")).toBeVisible();
+    await expect(page.getByRole("textbox")).toHaveCSS("direction", "ltr");
     expect(await smallTouchTargets(page)).toEqual([]);
     for (const width of [390, 320]) {
       await page.setViewportSize({ width, height: 568 });

@@ -247,15 +247,15 @@ test("mirrors the page in Arabic, but neither the maze nor the robot's sides", a
   }
 });
 
-test("mirrors a dashboard in Arabic, but not the letters of the class", async ({
+test("mirrors a dashboard in Arabic, but no letters that students type", async ({
   openWindow,
   relay,
 }) => {
   const teacher = await ClassTeacher.start(relay, ["Team 1"]);
   const { page } = await openWindow();
   await page.goto(teacher.address("?lang=ar"));
-  const letters = page.getByText(`${teacher.code.slice(0, 3)} ${teacher.code.slice(3)}`);
-  await expect(letters).toHaveCSS("direction", "ltr");
+  const letters = `${teacher.code.slice(0, 3)} ${teacher.code.slice(3)}`;
+  await expect(page.getByText(letters)).toHaveCSS("direction", "ltr");
   await expectNoAxeViolations(page, "Arabic dashboard without students");
   const student = await ScriptedStudent.join(relay, teacher.code);
   await page.locator("[data-student]").click();
@@ -267,6 +267,13 @@ test("mirrors a dashboard in Arabic, but not the letters of the class", async ({
   const card = await page.locator("li:has([data-student])").boundingBox();
   const rightOf = (box: typeof title) => (box === null ? 0 : box.x + box.width);
   expect(rightOf(title)).toBeCloseTo(rightOf(card), 0);
+  await sheet.getByRole("button", { name: Texts.load("ar").t("dashboard.watch.return") }).click();
+  await expect(sheet.getByText(/^[B-Z]{3} [B-Z]{3}$/)).toHaveCSS("direction", "ltr");
   await expectNoAxeViolations(page, "Arabic dashboard");
+  const { id, screenKey } = teacher.created;
+  const screen = await openWindow();
+  await screen.page.goto(`${relay}/class/${id}?lang=ar#${screenKey}`);
+  await expect(screen.page.locator("html")).toHaveAttribute("dir", "rtl");
+  await expect(screen.page.getByText(letters)).toHaveCSS("direction", "ltr");
   student.close();
 });

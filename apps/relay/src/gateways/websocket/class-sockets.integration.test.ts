@@ -167,6 +167,24 @@ describe("a dashboard's socket", () => {
     expect(next).toEqual({ type: "tiles", seq: 2, tiles: [{ student: 1, connected: true, tile }] });
   });
 
+  it("receives the tile of a student while another one floods the class with tiles", async () => {
+    const { clock, room, ada, bo } = await classWith(2);
+    const [flood, calm] = [await room.student(ada), await room.student(bo)];
+    const { socket } = await room.teacher();
+    await socket.next("tiles");
+    for (let seq = 1; seq <= 1_000; seq++) {
+      flood.socket.send({ type: "tile", tile: { ...tile, seq } });
+    }
+    expect(await flood.socket.next("problem")).toMatchObject({ problem: { status: 429 } });
+    calm.socket.send({ type: "tile", tile });
+    calm.socket.send({ type: "progress", seq: 1, event: opened });
+    await calm.socket.next("stored");
+    await clock.pass(limits.tilesIntervalMs);
+    const batch = relayToTeacherSchema.parse(await socket.next("tiles"));
+    const arrived = { student: 2, connected: true, tile };
+    expect(batch).toMatchObject({ tiles: expect.arrayContaining([arrived]) });
+  });
+
   it("receives two batches a second at most, and no third before it acknowledges one", async () => {
     const { clock, room, ada } = await classWith(1);
     const { socket } = await room.teacher();
