@@ -1,11 +1,12 @@
 /** The time of a student, in minutes and seconds. */
-import { useEffect, useLayoutEffect, useRef, useState } from "react";
+import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "react";
 import { classTimeText } from "./class-time-text.ts";
 import type { CardTime } from "./use-card.ts";
 import styles from "./card-clock.module.css";
 
 const SECOND_MS = 1_000;
 const MINUTE_MS = 60_000;
+const TOGETHER_MS = 500;
 
 /** A line for each second of a minute. */
 const strip = Array.from({ length: 60 }, (_, n) => String(n).padStart(2, "0")).join("\n");
@@ -40,18 +41,24 @@ export function CardClock({ minutes, startedAt, seconds }: CardTime) {
   );
 }
 
-/** The whole minutes of a time. While it runs, renders again at the start of each minute. */
-export function useMinutes({ minutes: known, startedAt }: CardTime): number {
+/**
+ * The whole minutes of a time. While it runs, renders again at the start of each minute, together
+ * with all other times whose minute starts within half a second: a class joins within seconds, and
+ * a render for each card would make every frame of these seconds longer.
+ */
+export function useMinutes({ minutes, startedAt }: CardTime): number {
+  const shownAt = useMemo(() => (startedAt === null ? 0 : Date.now()), [startedAt]);
   const [reachedAt, setReachedAt] = useState(0);
-  const reached = startedAt === null ? 0 : Math.floor((reachedAt - startedAt) / MINUTE_MS);
-  const minutes = Math.max(known, reached);
-  const nextAt = startedAt === null ? null : startedAt + (minutes + 1) * MINUTE_MS;
+  const reached = startedAt === null ? 0 : Math.max(shownAt, reachedAt) - startedAt;
+  const running = Math.max(0, Math.floor(reached / MINUTE_MS));
+  const nextAt = startedAt === null ? null : startedAt + (running + 1) * MINUTE_MS;
   useEffect(() => {
     if (nextAt === null) return;
-    const timer = setTimeout(() => setReachedAt(nextAt), nextAt - Date.now());
+    const dueAt = Math.ceil(nextAt / TOGETHER_MS) * TOGETHER_MS;
+    const timer = setTimeout(() => setReachedAt(nextAt), dueAt - Date.now());
     return () => clearTimeout(timer);
   }, [nextAt]);
-  return minutes;
+  return startedAt === null ? minutes : running;
 }
 
 /** The seconds of one minute. @param from its start, in ms since 1970 */

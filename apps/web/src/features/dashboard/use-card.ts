@@ -38,7 +38,7 @@ const OLD_SECONDS = 20;
 
 /** The time on the open task. A running time is described by constants, as it changes always. */
 export interface CardTime {
-  /** whole, at the last update */
+  /** whole, of a time that does not run; 0 while it runs */
   minutes: number;
   /** ms since 1970 at which a running time was 0; null: the time does not run */
   startedAt: number | null;
@@ -51,7 +51,7 @@ export function cardTime(state: DashboardState, student: SeenStudent): CardTime 
   const ms = timeOf(state, student);
   const isRunning = timeOf({ classroom, verifications, now: now + 1 }, student) > ms;
   return {
-    minutes: Math.floor(ms / 60_000),
+    minutes: isRunning ? 0 : Math.floor(ms / 60_000),
     startedAt: isRunning ? now - ms : null,
     seconds: isRunning ? 0 : Math.floor(ms / 1_000) % 60,
   };
