@@ -75,6 +75,8 @@ export class Dashboard {
   /** why the cards stay where they are */
   readonly #held = new Set<"pointer" | "focus">();
   #isCounting = false;
+  /** when it last looked what each student needs */
+  #lookedAt = 0;
 
   constructor(ports: DashboardPorts) {
     this.#ports = ports;
@@ -112,7 +114,7 @@ export class Dashboard {
         return this.store.setState({ status, lostAt: lost });
       }
       case "state":
-        return this.store.setState({ classroom: message.state });
+        return this.store.setState({ classroom: message.state, now });
       case "lesson":
         this.store.setState({ lesson: message.lesson });
         return this.#verify();
@@ -161,29 +163,35 @@ export class Dashboard {
 
   /** Puts the cards in order at once, because the teacher asks for it. */
   sortNow(): void {
-    const wanted = this.#wanted(this.store.getState());
     const changedAt = this.#ports.now();
+    const wanted = this.#wanted({ ...this.store.getState(), now: changedAt });
     this.store.setState({ order: { order: wanted.order, changedAt, waiting: 0 } });
   }
 
   /** The page shows seconds that run, beside those of a pause or a lost connection. */
   countSeconds(isCounting: boolean): void {
     this.#isCounting = isCounting;
+    if (isCounting) this.#update(this.store.getState().students);
   }
 
   /**
-   * Follows the time. Call it once a second: while the page counts no seconds, it updates as often
-   * as the order may change, because every card looks at each update.
+   * Follows the time. Call it once a second: while the page counts no seconds, it looks as often as
+   * the order may change.
    */
   tick(): void {
-    const { now, classroom, lostAt, awaySince, students } = this.store.getState();
+    const isDue = this.#ports.now() - this.#lookedAt >= ORDER_MS;
+    const state = this.store.getState();
+    if (isDue || this.#countsSeconds(state)) this.#update(state.students);
+  }
+
+  #countsSeconds({ now, classroom, lostAt, awaySince }: DashboardState): boolean {
     const isPaused = (classroom?.time.pauseEndsAt ?? 0) > now;
-    const countsSeconds = this.#isCounting || isPaused || lostAt !== null || awaySince.size > 0;
-    if (countsSeconds || this.#ports.now() - now >= ORDER_MS) this.#update(students);
+    return this.#isCounting || isPaused || lostAt !== null || awaySince.size > 0;
   }
 
   #update(students: DashboardState["students"]): void {
     const now = this.#ports.now();
+    this.#lookedAt = now;
     const before = this.store.getState();
     const { classroom, verifications } = before;
     const active = classroom === null ? 0 : activeMsAt(classroom.time, now);
@@ -206,11 +214,15 @@ export class Dashboard {
     };
     const { order, helped } = this.#wanted(next);
     const isHeld = this.#held.size > 0;
-    // One update of the store, because every card looks at each.
-    this.store.setState({
-      ...next,
-      order: followOrder(before.order, order, helped, { isHeld, now }),
-    });
+    next.order = followOrder(before.order, order, helped, { isHeld, now });
+    const isSame =
+      next.students === before.students &&
+      next.shown === before.shown &&
+      next.awaySince === before.awaySince &&
+      next.order === before.order &&
+      minuteOf(next) === minuteOf(before);
+    // One update of the store, and none if only seconds have passed: every card looks at each.
+    if (!isSame || this.#countsSeconds(before)) this.store.setState(next);
   }
 
   #wanted(state: DashboardState): { order: number[]; helped: Set<number> } {
@@ -285,6 +297,11 @@ export function helpedOfState({ shown }: Pick<DashboardState, "shown">): Set<num
   return new Set(
     [...shown].flatMap(([student, each]) => (needsHelp(each.standing) ? [student] : [])),
   );
+}
+
+/** Number of the minute of the class, which the page shows. */
+function minuteOf(state: DashboardState): number {
+  return Math.floor(activeNow(state) / 60_000);
 }
 
 function passedOf(tasks: ReadonlyMap<number, Verification> | undefined): number[] {
