@@ -41,6 +41,7 @@ const allowed: Record<string, readonly string[]> = {
     "fast-png",
     "zod",
   ],
+  "packages/ros": ["@corridor/geometry", "@corridor/maze", "@corridor/protocol", "zod"],
   "packages/recording": [
     "@corridor/maze",
     "@corridor/program",
@@ -82,6 +83,7 @@ const allowed: Record<string, readonly string[]> = {
     "@corridor/maze",
     "@corridor/program",
     "@corridor/protocol",
+    "@corridor/ros",
     "@modelcontextprotocol/server",
     "@redis/client",
     "express",

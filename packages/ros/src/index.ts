@@ -1,0 +1,4 @@
+export { keyInAuth } from "./operations.ts";
+export { RosError } from "./ros-error.ts";
+export { RosSession, type RosSessionOptions } from "./ros-session.ts";
+export type { Timers } from "./timers.ts";

@@ -1,0 +1,140 @@
+/** A port whose robot does what the test says, and timers without a clock. */
+import {
+  checkCommand,
+  hasEnded,
+  READ_ONLY,
+  RefusedError,
+  termsOf,
+  type CommandRecord,
+  type Order,
+  type PublishedMaze,
+  type RobotListener,
+  type RobotPort,
+  type Snapshot,
+} from "@corridor/protocol";
+import type { Timers } from "../timers.ts";
+
+export class ManualPort implements RobotPort {
+  readonly capability: RobotPort["capability"];
+  newest: Snapshot | null = null;
+  maze: object | null = null;
+  readonly orders: Order[] = [];
+  readonly cancelled: number[] = [];
+  isClosed = false;
+  readonly #records: CommandRecord[] = [];
+  readonly #listeners = new Set<RobotListener>();
+  readonly #ends: (() => void)[] = [];
+
+  constructor(capability: RobotPort["capability"] = "drive") {
+    this.capability = capability;
+  }
+
+  report(snapshot: Snapshot): void {
+    this.newest = snapshot;
+    for (const listener of this.#listeners) listener.snapshot(snapshot);
+  }
+
+  enter(maze: object): void {
+    this.maze = maze;
+    for (const listener of this.#listeners) listener.maze("A".repeat(22));
+  }
+
+  /** Ends a command. */
+  end(seq: number, change: Partial<CommandRecord>): void {
+    const record = this.#records[seq - 1];
+    if (record !== undefined) Object.assign(record, change);
+    for (const resolve of this.#ends.splice(0)) resolve();
+  }
+
+  subscribe(listener: RobotListener): () => void {
+    this.#listeners.add(listener);
+    return () => void this.#listeners.delete(listener);
+  }
+
+  async send(order: Order, key?: string): Promise<CommandRecord> {
+    if (this.capability === "watch") throw refusal("forbidden", 403, READ_ONLY);
+    checkCommand(order, key);
+    this.orders.push(order);
+    const { command } = termsOf(order);
+    const record: CommandRecord = {
+      seq: this.orders.length,
+      key: null,
+      action: command.action,
+      command,
+      state: "accepted",
+      reason: null,
+      acceptedAt: "2026-01-01T12:00:00.000Z",
+      pose: null,
+      distance: null,
+      duplicate: false,
+    };
+    this.#records.push(record);
+    return record;
+  }
+
+  async endOf(seq: number): Promise<CommandRecord> {
+    const record = this.#records[seq - 1];
+    if (record === undefined) throw refusal("no-command", 404, "No command has this number.");
+    while (!hasEnded(record.state)) {
+      await new Promise<void>((resolve) => void this.#ends.push(resolve));
+    }
+    return record;
+  }
+
+  async cancel(seq: number): Promise<CommandRecord> {
+    this.cancelled.push(seq);
+    const record = this.#records[seq - 1];
+    if (record === undefined) throw refusal("no-command", 404, "No command has this number.");
+    return record;
+  }
+
+  async readMaze(): Promise<PublishedMaze> {
+    if (this.maze === null) throw refusal("no-maze", 404, "The robot has no maze.");
+    return { text: JSON.stringify(this.maze), version: "A".repeat(22) };
+  }
+
+  close(): void {
+    this.isClosed = true;
+  }
+}
+
+function refusal(kind: string, status: number, detail: string): RefusedError {
+  return new RefusedError({ type: `/problems/${kind}`, title: kind, status, detail, errors: [] });
+}
+
+/** Timers whose time passes only when the test says so. */
+export class ManualTimers implements Timers {
+  #now = 10_000;
+  readonly #timers = new Set<{ at: number; call: () => void }>();
+
+  now(): number {
+    return this.#now;
+  }
+
+  after(ms: number, call: () => void): () => void {
+    const timer = { at: this.#now + ms, call };
+    this.#timers.add(timer);
+    return () => void this.#timers.delete(timer);
+  }
+
+  /** Lets time pass, and runs what is due in order. */
+  async pass(ms: number): Promise<void> {
+    const end = this.#now + ms;
+    for (;;) {
+      await settled();
+      const due = [...this.#timers].filter(({ at }) => at <= end).toSorted((a, b) => a.at - b.at);
+      const [next] = due;
+      if (next === undefined) break;
+      this.#timers.delete(next);
+      this.#now = Math.max(this.#now, next.at);
+      next.call();
+    }
+    this.#now = end;
+    await settled();
+  }
+}
+
+/** Runs all promise callbacks that are due. */
+export async function settled(): Promise<void> {
+  for (let turn = 0; turn < 20; turn += 1) await Promise.resolve();
+}
