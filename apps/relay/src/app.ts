@@ -25,6 +25,7 @@ import { keyRoutes } from "./gateways/rest/keys/routes.ts";
 import { longPollRoutes } from "./gateways/long-poll/routes.ts";
 import { MCP_PATH, mcpRoutes } from "./gateways/mcp/routes.ts";
 import { gatewayDisabled } from "./gateways/requests/gateway-requests.ts";
+import { rosRoutes } from "./gateways/ros/routes.ts";
 import { mazeRoutes } from "./gateways/rest/maze/routes.ts";
 import { pairingRoutes } from "./gateways/rest/pairing/routes.ts";
 import { oembedRoutes } from "./gateways/rest/embedding/routes.ts";
@@ -106,6 +107,7 @@ export function createApp(dependencies: AppDependencies): Express {
   } else {
     app.use(MCP_PATH, gatewayDisabled("mcp"));
   }
+  app.use(rosRoutes(gateways));
 
   app.use(page);
   app.use(unreadableAddress);

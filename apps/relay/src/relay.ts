@@ -16,6 +16,7 @@ import { CheckSocket } from "./site/check/check-socket.ts";
 import { classEndpoint } from "./gateways/conversations/class-endpoint.ts";
 import { robotEndpoint } from "./gateways/conversations/endpoint.ts";
 import { LongPollConnections } from "./gateways/long-poll/long-poll-connections.ts";
+import { RosGateway } from "./gateways/ros/ros-gateway.ts";
 import { WebSocketGateway } from "./gateways/websocket/websocket-gateway.ts";
 import { closeServer, listen, portOf } from "./platform/http/listening.ts";
 import { metricsServer } from "./ops/metrics-server.ts";
@@ -98,6 +99,8 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
   const classLongPolls = new LongPollConnections(ofClasses);
   const longPolls = new LongPollConnections({ endpoint, clock, log, metrics });
   const checkSocket = new CheckSocket(guard, clock);
+  const isRosOn = config.gateways.includes("ros");
+  const rosSockets = new RosGateway({ registry, clock, log, guard, metrics, isOn: isRosOn });
   const server = createServer({
     // Old HTTP clients offer "Upgrade: h2c"; that is an ordinary request, not a WebSocket.
     shouldUpgradeCallback: (request) => request.headers.upgrade?.toLowerCase() === "websocket",
@@ -135,6 +138,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     const isHotReload = isDevelopment && protocol.startsWith(HOT_RELOAD_PREFIX);
     if (isHotReload) return;
     if (checkSocket.isFor(request)) checkSocket.upgrade(request, socket, head);
+    else if (rosSockets.isFor(request)) rosSockets.upgrade(request, socket, head);
     else if (classSockets.isFor(request)) classSockets.upgrade(request, socket, head);
     else gateway.upgrade(request, socket, head);
   });
@@ -150,6 +154,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     }
     gateway.close();
     classSockets.close();
+    rosSockets.close();
     longPolls.close();
     classLongPolls.close();
     checkSocket.close();
@@ -160,6 +165,7 @@ export async function startRelay(options: RelayOptions): Promise<Relay> {
     await closeServer(server, SHUTDOWN_MS, () => {
       gateway.destroyAll();
       classSockets.destroyAll();
+      rosSockets.destroyAll();
     });
     await closeServer(metricsHttp, 0, () => undefined);
     await documents.close();

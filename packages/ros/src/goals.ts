@@ -132,7 +132,7 @@ export class Goals {
 
   /** Sends the feedback of the goal that runs. */
   feedback(): void {
-    const { view, send } = this.#options;
+    const { view } = this.#options;
     const { snapshot } = view;
     if (snapshot === null || !view.isReady) return;
     for (const goal of this.#open) {
@@ -144,7 +144,8 @@ export class Goals {
       const dy = snapshot.pose.y - goal.from.y;
       const distance = metres(Math.sqrt(dx * dx + dy * dy));
       const { action, id } = goal;
-      send({ op: "action_feedback", id, action, values: { distance, x, y, theta } });
+      const values = { distance, x, y, theta };
+      this.#options.send({ op: "action_feedback", id, action, values });
     }
   }
 

@@ -40,7 +40,8 @@ export const messageTexts = {
 } as const satisfies Record<string, string>;
 export type MessageType = keyof typeof messageTexts;
 
-const details = (field: string): string => `string ${field}\n---\nrosapi_msgs/TypeDef[] typedefs`;
+const details = (field: string): string =>
+  [`string ${field}`, "---", "rosapi_msgs/TypeDef[] typedefs"].join("\n");
 
 /** Request and response, by short name, without `/srv/`. */
 export const serviceTexts = {

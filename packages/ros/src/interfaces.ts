@@ -48,7 +48,7 @@ export function definitionOf(type: string): Definition | null {
   return definitions.get(type) ?? null;
 }
 
-/** The text of a message with all messages that it contains, as `gendeps --cat` of ROS prints it. */
+/** The text of a message with all messages that it contains, as rosapi returns it. */
 export function fullText(type: string): string {
   const texts: Record<string, string> = messageTexts;
   return [...withNested(type)]

@@ -4,6 +4,7 @@ import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { rights, type Verb } from "../../robots/access/callers.ts";
 import { maze } from "../../platform/testing/sample-documents.ts";
+import { RosClient, type RosConnectOptions } from "../../testing/ros-client.ts";
 import { startTestRelay, type TestRelay } from "../../testing/test-relay.ts";
 import { TestSocket } from "../../testing/test-socket.ts";
 
@@ -137,6 +138,35 @@ describe("permissions", () => {
     const outcomes = { yes: "yes", forbidden: 403, stranger: 401 };
     expect(inHeader).toEqual(expectedFor("read", outcomes));
     const strangers = Object.fromEntries(holders.map((holder) => [holder, 401]));
+    const permitted = { "in a URL, to drive": "yes", "in a URL, to watch": "yes" };
+    expect(inPath).toEqual({ ...strangers, ...permitted });
+  });
+
+  it("a ROS client, with the key in the header, in its first message and in the path", async () => {
+    const { relay, robot, keys } = await withRobot();
+    const inHeader: Partial<Record<Holder, unknown>> = {};
+    const inAuth: Partial<Record<Holder, unknown>> = {};
+    const inPath: Partial<Record<Holder, unknown>> = {};
+    const outcomeOf = async (options: RosConnectOptions, mac?: string): Promise<unknown> => {
+      const client = await RosClient.connect(relay, robot, options).catch(String);
+      if (typeof client === "string") return Number(/\d{3}$/.exec(client)?.[0]);
+      if (mac !== undefined) client.send({ op: "auth", mac });
+      const answer = await client.call("/rosapi/nodes").catch(() => null);
+      client.close();
+      return answer === null ? (await client.closed).code : "yes";
+    };
+    for (const holder of holders) {
+      const key = keys[holder] ?? "";
+      inHeader[holder] = await outcomeOf({ key });
+      inAuth[holder] = await outcomeOf({ key: null }, key);
+      if (key !== "") inPath[holder] = await outcomeOf({ pathKey: key });
+    }
+    const outcomes = { yes: "yes", forbidden: 403, stranger: 401 };
+    // Without a key, the connection waits for the first message.
+    expect(inHeader).toEqual({ ...expectedFor("read", outcomes), none: 4401 });
+    const closings = { yes: "yes", forbidden: 4403, stranger: 4401 };
+    expect(inAuth).toEqual(expectedFor("read", closings));
+    const { none: _, ...strangers } = Object.fromEntries(holders.map((holder) => [holder, 401]));
     const permitted = { "in a URL, to drive": "yes", "in a URL, to watch": "yes" };
     expect(inPath).toEqual({ ...strangers, ...permitted });
   });

@@ -1,6 +1,7 @@
 /**
  * Reads and validates the parts of any request: bearer key, JSON body and the timeout of a long poll.
  */
+import type { IncomingMessage } from "node:http";
 import { MAX_FRAME_BYTES, parseJson, readValue, type FieldProblem } from "@corridor/protocol";
 import express, { type Request, type Response } from "express";
 import { z } from "zod";
@@ -41,8 +42,8 @@ export function readWaitSeconds(request: Request): number {
 }
 
 /** Key of `Authorization: Bearer KEY`, or null. */
-export function readBearer(request: Request): string | null {
-  const header = request.get("authorization") ?? "";
+export function readBearer({ headers }: IncomingMessage): string | null {
+  const header = headers.authorization ?? "";
   const space = header.indexOf(" ");
   if (space < 0 || header.slice(0, space).toLowerCase() !== "bearer") return null;
   return header.slice(space + 1).trim();

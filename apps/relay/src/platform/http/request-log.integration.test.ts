@@ -3,6 +3,7 @@ import { createdKeySchema } from "@corridor/protocol";
 import { pino } from "pino";
 import { describe, expect, it } from "vitest";
 import { WebSocket } from "ws";
+import { RosClient } from "../../testing/ros-client.ts";
 import { startTestRelay } from "../../testing/test-relay.ts";
 import { TestSocket } from "../../testing/test-socket.ts";
 
@@ -49,12 +50,17 @@ describe("the log", () => {
       await fetch(`${relay.origin}/r/${id}/mcp/${driverKey}`, mcp),
       await fetch(`${relay.origin}/r/${id}/mcp/${urlKey}?key=${driverKey}`),
     ].map(({ status }) => status);
-    expect(statuses).toEqual([202, 403, 400, 401, 404, 503, 404, 401, 404, 404, 200, 401, 405]);
+    expect(statuses).toEqual([202, 403, 400, 401, 404, 503, 404, 401, 404, 400, 200, 401, 405]);
     const base = relay.origin.replace("http", "ws");
     const lost = new WebSocket(`${base}/api/v1/robots/${driverKey}/socket?key=${ownerKey}`);
     await new Promise((resolve) => lost.once("open", resolve));
     lost.send("x".repeat(20_000));
     await new Promise((resolve) => lost.once("close", resolve));
+    await RosClient.refusedWith(relay, robot, { pathKey: driverKey });
+    const ros = await RosClient.connect(relay, robot, { pathKey: urlKey });
+    await ros.call(driverKey, { [urlKey]: ownerKey });
+    ros.sendText(`"${driverKey}`);
+    await (await RosClient.connect(relay, robot)).call("/rosapi/nodes");
     await relay.close();
 
     const text = lines.join("");

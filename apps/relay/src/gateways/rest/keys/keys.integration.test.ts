@@ -54,7 +54,8 @@ describe("keys of a robot", () => {
     const { relay, robot } = await withRobot();
     const made = await make(relay, robot, { kind: "drive", use: "url" });
     const mcp = `${relay.origin}/r/${robot.id}/mcp/${made.key}`;
-    expect(made).toMatchObject({ kind: "drive", address: null, urls: { ros: null, mcp } });
+    const ros = mcp.replace("http", "ws").replace("/mcp/", "/ros/");
+    expect(made).toMatchObject({ kind: "drive", address: null, urls: { ros, mcp } });
     expect(made.key).toMatch(/^url_[A-Za-z0-9_-]{22}$/);
     const refused = await relay.ask(robot, "/sensors", { key: made.key });
     expect(refused.status).toBe(401);

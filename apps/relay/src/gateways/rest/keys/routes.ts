@@ -21,6 +21,7 @@ export function keyRoutes(
 ): Router {
   const router = Router();
   const hasMcp = gateways.includes("mcp");
+  const hasRos = gateways.includes("ros");
 
   router
     .route("/robots/:id/keys")
@@ -34,7 +35,10 @@ export function keyRoutes(
           ? {
               ...made,
               address: null,
-              urls: { ros: null, mcp: hasMcp ? `${page}/mcp/${made.key}` : null },
+              urls: {
+                ros: hasRos ? `${page.replace(/^http/, "ws")}/ros/${made.key}` : null,
+                mcp: hasMcp ? `${page}/mcp/${made.key}` : null,
+              },
             }
           : { ...made, address: `${page}#${made.key}`, urls: null };
       response

@@ -1,0 +1,171 @@
+/** One connection of a ROS client: authentication, liveness, and its session with the robot. */
+import { closeReasons, RefusedError, type CloseReason } from "@corridor/protocol";
+import { keyInAuth, RosSession } from "@corridor/ros";
+import type { Logger } from "pino";
+import type { WebSocket } from "ws";
+import { asRefusal, Refusal } from "../../platform/errors/problems.ts";
+import { keyId } from "../../platform/keys.ts";
+import { limits } from "../../platform/limits/limits.ts";
+import type { Clock } from "../../platform/time/clock.ts";
+import type { Grant } from "../../robots/registry.ts";
+import { RelayPort } from "../../robots/relay-port.ts";
+import { closeWith } from "../conversations/conversation.ts";
+import type { GatewayMetrics } from "../conversations/start-conversation.ts";
+import type { WsPort } from "../websocket/ws-port.ts";
+
+/** Limits until a key arrives. */
+const AUTH_MS = 2_000;
+const MAX_WAITING = 32;
+
+/** By status of the refusal. */
+const closings: Readonly<Record<number, CloseReason>> = {
+  401: closeReasons.notAuthorised,
+  403: closeReasons.forbidden,
+  404: closeReasons.noRobot,
+  408: closeReasons.tooSlow,
+  429: closeReasons.tooMany,
+};
+
+export interface RosConnectionOptions {
+  socket: WebSocket;
+  port: WsPort;
+  /** @throws Refusal as `RobotRegistry.authorise` */
+  authorise: (key: string) => Promise<Grant>;
+  clock: Clock;
+  log: Logger;
+  metrics: GatewayMetrics;
+}
+
+export class RosConnection {
+  readonly port: WsPort;
+  readonly #options: RosConnectionOptions;
+  #session: RosSession | null = null;
+  /** what arrived before the key was checked */
+  #waiting: string[] = [];
+  #isChecking = false;
+  #cancelTimer = (): void => undefined;
+  #unreadable = 0;
+  #lastMessageAt: number;
+  #lastPingAt: number;
+
+  constructor(options: RosConnectionOptions) {
+    this.#options = options;
+    this.port = options.port;
+    const { socket, clock, log, metrics } = options;
+    this.#lastMessageAt = clock.now();
+    this.#lastPingAt = clock.now();
+    socket.on("message", (data: Buffer, isBinary) => this.#receive(data, isBinary));
+    socket.on("pong", () => (this.#lastMessageAt = clock.now()));
+    // On oversized messages or broken framing, `ws` closes the socket with 1009 or 1002.
+    socket.on("error", (error) => log.debug({ err: error }, "ROS connection error"));
+    socket.on("close", (code) => {
+      metrics.socketClosed(code);
+      log.info({ code }, "ROS connection closed");
+      this.#cancelTimer();
+      this.#session?.close();
+      this.#session = null;
+      this.#waiting = [];
+    });
+  }
+
+  /** @param grant what the key of the upgrade request permits; null: it had none */
+  open(grant: Grant | null): void {
+    if (grant !== null) return this.#start(grant);
+    this.#cancelTimer = this.#options.clock.after(AUTH_MS, () => this.#closeWithoutKey());
+  }
+
+  /** Pings a silent client, and destroys the connection if no answer arrives. */
+  checkLiveness(): void {
+    const { clock, socket } = this.#options;
+    const now = clock.now();
+    if (now - this.#lastMessageAt >= limits.silenceMs) return socket.terminate();
+    if (now - this.#lastPingAt < limits.heartbeatMs - limits.silenceCheckMs / 2) return;
+    this.#lastPingAt = now;
+    if (this.port.isOpen) socket.ping();
+  }
+
+  destroy(): void {
+    this.#options.socket.terminate();
+  }
+
+  #receive(data: Buffer, isBinary: boolean): void {
+    if (!this.port.isOpen) return;
+    this.#lastMessageAt = this.#options.clock.now();
+    const text = isBinary ? "" : data.toString();
+    if (this.#session !== null) return this.#handle(this.#session, text);
+    const key = this.#isChecking ? null : keyInAuth(text);
+    if (key !== null) return void this.#authenticate(key);
+    this.#waiting.push(text);
+    if (this.#waiting.length > MAX_WAITING) this.#closeWithoutKey();
+  }
+
+  #handle(session: RosSession, text: string): void {
+    if (session.receive(text)) return;
+    this.#unreadable += 1;
+    this.#options.metrics.refused("bad-request");
+    if (this.#unreadable < limits.badFrames) return;
+    closeWith(
+      this.port,
+      closeReasons.badFrame,
+      `${limits.badFrames} messages could not be read. Send operations of rosbridge v2 as JSON text.`,
+    );
+  }
+
+  async #authenticate(key: string): Promise<void> {
+    this.#isChecking = true;
+    this.#cancelTimer();
+    try {
+      const grant = await this.#options.authorise(key);
+      if (this.port.isOpen) this.#start(grant);
+    } catch (error) {
+      this.#close(error);
+    }
+  }
+
+  #start(grant: Grant): void {
+    this.#cancelTimer();
+    const { robot, caller } = grant;
+    const { clock, log } = this.#options;
+    try {
+      const session = new RosSession({
+        port: new RelayPort(grant, { transport: this.port.transport, flow: this.port.flow }),
+        timers: clock,
+        send: (text) => this.port.send(text),
+        onProblem: (error) =>
+          robot.refused(
+            caller,
+            error instanceof RefusedError ? error : new Refusal("bad-request", error.message),
+          ),
+        onFailure: (error) => this.#close(error),
+        onEnd: (error) => this.#close(error.cause ?? error),
+      });
+      this.#session = session;
+      robot.spoke(caller);
+      log.info({ client: "ROS", key: keyId(caller.hash) }, "ROS client authenticated");
+      const waiting = this.#waiting;
+      this.#waiting = [];
+      for (const text of waiting) if (this.port.isOpen) this.#handle(session, text);
+    } catch (error) {
+      this.#close(error instanceof RefusedError ? (error.cause ?? error) : error);
+    }
+  }
+
+  #closeWithoutKey(): void {
+    closeWith(
+      this.port,
+      closeReasons.notAuthorised,
+      "No key in time. Send it in the header Authorization, or as 'mac' of the operation auth.",
+    );
+  }
+
+  #close(error: unknown): void {
+    const refusal = asRefusal(error);
+    this.#options.metrics.refused(refusal.kind);
+    if (refusal.kind === "internal") {
+      this.#options.log.error({ err: error }, "a ROS connection failed");
+    }
+    const isRestart = refusal.kind === "restarting";
+    const reason = isRestart ? closeReasons.restart : closings[refusal.problem.status];
+    closeWith(this.port, reason ?? closeReasons.busy, refusal.problem.detail);
+  }
+}

@@ -1,0 +1,146 @@
+/**
+ * WebSockets of ROS clients, by rosbridge v2. A key in the header or the path is checked before the
+ * connection opens. Without one, messages wait until an operation `auth` arrives. Pages of all sites
+ * may connect, because permissions come from the key alone.
+ */
+import type { IncomingMessage } from "node:http";
+import type { Duplex } from "node:stream";
+import { closeReasons, MAX_FRAME_BYTES } from "@corridor/protocol";
+import type { Logger } from "pino";
+import { WebSocketServer, type WebSocket } from "ws";
+import { asRefusal, Refusal } from "../../platform/errors/problems.ts";
+import { readBearer } from "../../platform/http/reading.ts";
+import { refuseUpgrade } from "../../platform/http/refuse-upgrade.ts";
+import type { RequestGuard } from "../../platform/http/request-guard.ts";
+import { limits } from "../../platform/limits/limits.ts";
+import type { Clock } from "../../platform/time/clock.ts";
+import { StaggeredInterval } from "../../platform/time/staggered-interval.ts";
+import type { Introduction } from "../../robots/access/callers.ts";
+import type { Grant, RobotRegistry } from "../../robots/registry.ts";
+import { closeWith } from "../conversations/conversation.ts";
+import type { GatewayMetrics } from "../conversations/start-conversation.ts";
+import { SocketWithReasons } from "../websocket/socket-with-reasons.ts";
+import { WsPort } from "../websocket/ws-port.ts";
+import { RosConnection } from "./ros-connection.ts";
+
+const PATH = /^\/r\/([^/?]{1,64})\/ros(?:\/([^/?]{1,128}))?(?:\?|$)/;
+const introduction: Introduction = { client: "ROS", name: null };
+
+export interface RosGatewayOptions {
+  registry: RobotRegistry;
+  clock: Clock;
+  log: Logger;
+  guard: RequestGuard;
+  metrics: GatewayMetrics;
+  /** false: the operator has switched it off */
+  isOn: boolean;
+}
+
+export class RosGateway {
+  readonly #options: RosGatewayOptions;
+  readonly #server = new WebSocketServer({
+    noServer: true,
+    maxPayload: MAX_FRAME_BYTES,
+    perMessageDeflate: false,
+    clientTracking: false,
+    WebSocket: SocketWithReasons,
+  });
+  readonly #connections = new Set<RosConnection>();
+  readonly #countByAddress = new Map<string, number>();
+  readonly #heartbeats: StaggeredInterval<RosConnection>;
+
+  constructor(options: RosGatewayOptions) {
+    this.#options = options;
+    this.#heartbeats = new StaggeredInterval({
+      clock: options.clock,
+      everyMs: limits.silenceCheckMs,
+      members: () => this.#connections,
+      visit: (connection) => connection.checkLiveness(),
+    });
+  }
+
+  /** Whether a request is for the URL of a robot for ROS clients. */
+  isFor({ url = "" }: IncomingMessage): boolean {
+    return PATH.test(url);
+  }
+
+  /** Handles an upgrade request. An invalid one receives a problem document. */
+  upgrade(request: IncomingMessage, socket: Duplex, head: Buffer): void {
+    // A connection error also emits "close".
+    const ignore = (): void => undefined;
+    socket.on("error", ignore);
+    this.#admit(request).then(
+      (grant) => {
+        socket.off("error", ignore);
+        this.#server.handleUpgrade(request, socket, head, (webSocket) => {
+          this.#accept(webSocket, socket, { request, grant });
+        });
+      },
+      (error: unknown) => {
+        const refusal = asRefusal(error);
+        this.#options.metrics.refused(refusal.kind);
+        if (refusal.kind === "internal") {
+          this.#options.log.error({ err: error }, "opening a ROS connection failed");
+        }
+        refuseUpgrade(socket, refusal);
+      },
+    );
+  }
+
+  /** Closes all connections because the relay shuts down. */
+  close(): void {
+    this.#heartbeats.close();
+    for (const { port } of this.#connections) closeWith(port, closeReasons.restart);
+    this.#server.close();
+  }
+
+  /** Destroys the connections that did not answer the close frame. */
+  destroyAll(): void {
+    for (const connection of this.#connections) connection.destroy();
+  }
+
+  /** @returns what its key permits; null: the request has no key @throws Refusal */
+  async #admit(request: IncomingMessage): Promise<Grant | null> {
+    const { guard, registry, isOn } = this.#options;
+    guard.checkHost(request);
+    if (!isOn) {
+      throw new Refusal("gateway-disabled", "This service has no gateway 'ros'.");
+    }
+    const [, id = "", pathKey] = PATH.exec(request.url ?? "") ?? [];
+    const address = guard.addressOf(request);
+    if ((this.#countByAddress.get(address) ?? 0) >= limits.socketsPerAddress) {
+      throw new Refusal("too-many-readers", "Too many connections from this address.");
+    }
+    const key = readBearer(request);
+    if (key !== null) return registry.authorise(id, key, "read", introduction);
+    if (pathKey === undefined) return null;
+    return registry.authorise(id, pathKey, "read", introduction, "url");
+  }
+
+  #accept(
+    socket: WebSocket,
+    stream: Duplex,
+    { request, grant }: { request: IncomingMessage; grant: Grant | null },
+  ): void {
+    const { registry, guard, metrics, log, clock } = this.#options;
+    const address = guard.addressOf(request);
+    const [, id = ""] = PATH.exec(request.url ?? "") ?? [];
+    const connection = new RosConnection({
+      socket,
+      port: new WsPort(socket, stream, clock),
+      authorise: (key) => registry.authorise(id, key, "read", introduction),
+      clock,
+      log,
+      metrics,
+    });
+    this.#connections.add(connection);
+    this.#countByAddress.set(address, (this.#countByAddress.get(address) ?? 0) + 1);
+    socket.on("close", () => {
+      this.#connections.delete(connection);
+      const others = (this.#countByAddress.get(address) ?? 1) - 1;
+      if (others > 0) this.#countByAddress.set(address, others);
+      else this.#countByAddress.delete(address);
+    });
+    connection.open(grant);
+  }
+}

@@ -1,0 +1,89 @@
+import { describe, expect, it } from "vitest";
+import { RosClient } from "./testing/ros-client.ts";
+
+describe("/cmd_vel", () => {
+  const powers = (client: RosClient): unknown[] =>
+    client.port.orders.map((order) => {
+      if (order.action !== "drive") throw new Error(`found ${order.action}`);
+      return [order.left, order.right];
+    });
+
+  it("drives by a lease, and takes over", async () => {
+    const client = await RosClient.connect();
+    await client.drive(0.261, 0);
+    expect(client.port.orders).toEqual([
+      { action: "drive", left: 0.1, right: 0.1, lease: 500, ttl: 500, replace: true },
+    ]);
+  });
+
+  it.each([
+    [0, 1.305, [-0.1, 0.1]],
+    [5.22, 0, [1, 1]],
+    [2.61, 13.05, [0, 1]],
+    [-2.61, 0, [-1, -1]],
+    [1e308, 1e308, [0.6666666666666667, 1]],
+  ])("linear %d and angular %d become wheel powers", async (linear, angular, expected) => {
+    const client = await RosClient.connect();
+    await client.drive(linear, angular);
+    const [sent] = powers(client) as [number[]];
+    for (const [index, power] of expected.entries()) expect(sent[index]).toBeCloseTo(power, 9);
+  });
+
+  it("takes the newest of what a client has stored while it was disconnected", async () => {
+    const client = await RosClient.connect();
+    client.session.close();
+    const again = await RosClient.connect();
+    for (let i = 1; i <= 100; i += 1) {
+      await again.send({ op: "publish", topic: "/cmd_vel", msg: { linear: { x: i / 100 } } });
+    }
+    await again.timers.pass(1_000);
+    expect(powers(again)).toEqual([[1 / 2.61, 1 / 2.61]]);
+  });
+
+  it("sends at most 10 orders a second, and the newest", async () => {
+    const client = await RosClient.connect();
+    for (let i = 0; i < 50; i += 1) {
+      await client.drive(i / 100);
+      await client.timers.pass(20);
+    }
+    await client.timers.pass(100);
+    expect(client.port.orders.length).toBeLessThanOrEqual(11);
+    expect(powers(client).at(-1)).toEqual([0.49 / 2.61, 0.49 / 2.61]);
+  });
+
+  it("renews an unchanged value, and sends zero once", async () => {
+    const client = await RosClient.connect();
+    for (let i = 0; i < 10; i += 1) {
+      await client.drive(0.5);
+      await client.timers.pass(100);
+    }
+    expect(client.port.orders).toHaveLength(5);
+    for (let i = 0; i < 10; i += 1) {
+      await client.drive(0);
+      await client.timers.pass(100);
+    }
+    expect(powers(client).slice(5)).toEqual([[0, 0]]);
+  });
+
+  it("drops a stamped message that is late", async () => {
+    const client = await RosClient.connect();
+    const stamped = async (sec: number, x: number): Promise<void> => {
+      const msg = { header: { stamp: { sec, nanosec: 0 } }, twist: { linear: { x } } };
+      await client.send({ op: "publish", topic: "/cmd_vel", msg });
+      await client.timers.pass(200);
+    };
+    await stamped(1_000, 0.1);
+    await stamped(999, 0.9);
+    await stamped(1_001, 0.2);
+    expect(powers(client)).toEqual([
+      [0.1 / 2.61, 0.1 / 2.61],
+      [0.2 / 2.61, 0.2 / 2.61],
+    ]);
+  });
+
+  it("is refused for a watch key", async () => {
+    const client = await RosClient.connect("watch");
+    await client.drive(0.5);
+    expect(client.problems).toEqual([expect.stringContaining("A watch key")]);
+  });
+});
