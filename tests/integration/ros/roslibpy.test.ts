@@ -1,0 +1,67 @@
+/** The ROS library of Python drives a robot through a real relay. */
+import { execFile } from "node:child_process";
+import { fileURLToPath } from "node:url";
+import { promisify } from "node:util";
+import { createdKeySchema } from "@corridor/protocol";
+import { describe, expect, it } from "vitest";
+import { NotInstallableError, requireEnvironment } from "../../../scripts/python.ts";
+import { corridorHost } from "../../support/mcp/corridor-host.ts";
+import { startRelayProcess } from "../../support/test-relay-process.ts";
+
+const run = promisify(execFile);
+const support = (name: string): string =>
+  fileURLToPath(new URL(`../../support/ros/${name}`, import.meta.url));
+
+/** Python with the library, or why it cannot be installed here. */
+function library(): { python: string } | { missing: string } {
+  try {
+    return { python: requireEnvironment("ros", support("requirements.txt")) };
+  } catch (error) {
+    if (error instanceof NotInstallableError) return { missing: error.message };
+    throw error;
+  }
+}
+
+describe("roslibpy", () => {
+  it.for(["twisted", "asyncio"])(
+    "connects by each kind of key, reads, drives and resets (%s)",
+    { timeout: 300_000 },
+    async (transport, { skip }) => {
+      const { relay, page, registration } = await corridorHost(await startRelayProcess());
+      const found = library();
+      if ("missing" in found) return skip(found.missing);
+      const made = await fetch(`${relay.url}/api/v1/robots/${registration.id}/keys`, {
+        method: "POST",
+        headers: {
+          Authorization: `Bearer ${registration.ownerKey}`,
+          "Content-Type": "application/json",
+        },
+        body: JSON.stringify({ kind: "drive", use: "url" }),
+      });
+      const { urls } = createdKeySchema.parse(await made.json());
+      const url = `${relay.url.replace("http", "ws")}/r/${registration.id}/ros`;
+      const { stdout } = await run(
+        found.python,
+        [support("roslibpy_client.py"), url, registration.driverKey, urls?.ros ?? ""],
+        { env: { ...process.env, ROSLIBPY_TRANSPORT: transport } },
+      ).catch((error: unknown) => {
+        throw new Error(`${String(error)}\n${relay.log}`);
+      });
+      const received = JSON.parse(stdout) as Record<string, unknown>;
+      expect(received).toMatchObject({
+        position: { x: 1.5, y: 5.5, z: 0 },
+        ranges: [0.5, 0.5, 4.5, 0.5],
+        pose: { x: 1.5, y: 5.5, theta: 0 },
+        topics: expect.arrayContaining(["/odom", "/cmd_vel"]),
+        type: "nav_msgs/msg/Odometry",
+        move: { values: { state: "completed", distance: 1, x: 2.5, y: 5.5 }, status: 4 },
+        crash: { values: { state: "collided" }, status: 6 },
+        wrong: { values: expect.stringContaining("action: expected one of"), status: 0 },
+        reset: { success: true },
+        stop: { success: true },
+      });
+      const drives = page.robot.done.filter(({ action }) => action === "drive");
+      expect(drives[0]).toMatchObject({ left: 0.5 / 2.61, right: 0.5 / 2.61 });
+    },
+  );
+});
