@@ -93,6 +93,10 @@ export class Goals {
     this.#options = options;
   }
 
+  get isEmpty(): boolean {
+    return this.#open.size === 0;
+  }
+
   /** Sends a goal to the robot, and its result at the end. Never rejects. */
   async start(request: Fields<"send_action_goal">): Promise<void> {
     const { id } = request;

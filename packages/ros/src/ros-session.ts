@@ -53,8 +53,14 @@ export class RosSession {
     );
     this.#velocity = new VelocityRegister({
       timers,
+      running: () => this.#view.snapshot?.command ?? null,
+      hasGoal: () => !this.#goals.isEmpty,
       send: async (order) => {
-        await this.#attempt(async () => port.send(order));
+        let seq: number | null = null;
+        await this.#attempt(async () => {
+          ({ seq } = await port.send(order));
+        });
+        return seq;
       },
     });
     this.#goals = new Goals({

@@ -1,3 +1,4 @@
+import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { RosClient } from "./testing/ros-client.ts";
 
@@ -8,12 +9,30 @@ describe("/cmd_vel", () => {
       return [order.left, order.right];
     });
 
-  it("drives by a lease, and takes over", async () => {
+  it("drives by a lease", async () => {
     const client = await RosClient.connect();
     await client.drive(0.261, 0);
     expect(client.port.orders).toEqual([
-      { action: "drive", left: 0.1, right: 0.1, lease: 500, ttl: 500, replace: true },
+      { action: "drive", left: 0.1, right: 0.1, lease: 500, ttl: 500, replace: false },
     ]);
+  });
+
+  it("takes over from a goal, and from commands of others", async () => {
+    const client = await RosClient.connect();
+    const replaces = (): unknown => client.port.orders.at(-1)?.replace;
+    const goal = { action: "/move", args: { distance: 1 } };
+    await client.send({ op: "send_action_goal", id: "g", ...goal });
+    await client.drive(0.1);
+    expect(replaces()).toBe(true);
+    client.port.end(1, { state: "superseded" });
+    await client.timers.pass(200);
+    client.port.report(snapshotOf({ command: 2 }));
+    await client.drive(0.2);
+    expect(replaces()).toBe(false);
+    client.port.report(snapshotOf({ command: 99 }));
+    await client.timers.pass(200);
+    await client.drive(0.3);
+    expect(replaces()).toBe(true);
   });
 
   it.each([

@@ -15,6 +15,8 @@ const LEASE_MS = 500;
 /** A connection begins with what its client has stored. */
 const START_MS = 300;
 const MAX_DELAY_MS = 500;
+/** Snapshots are late by fewer orders than this. */
+const MAX_OWN = 32;
 
 interface Powers {
   left: number;
@@ -23,8 +25,15 @@ interface Powers {
 
 export interface VelocityOptions {
   timers: Timers;
-  /** Sends an order. It settles when the next one may be sent, and never rejects. */
-  send(order: Order): Promise<void>;
+  /** Number of the command that runs; null: none. */
+  running(): number | null;
+  /** Whether a goal of this client runs or waits. */
+  hasGoal(): boolean;
+  /**
+   * Sends an order. Never rejects.
+   * @returns number of its command, once the next order may be sent; null if it was refused
+   */
+  send(order: Order): Promise<number | null>;
 }
 
 export class VelocityRegister {
@@ -35,6 +44,8 @@ export class VelocityRegister {
   #sent: Powers | null = null;
   #sentAt = Number.NEGATIVE_INFINITY;
   #cancelTimer: (() => void) | null = null;
+  /** numbers of the newest commands of this register */
+  readonly #own = new Set<number>();
   #isSending = false;
   #isClosed = false;
   /** the largest difference between the stamp of a message and its arrival, in ms */
@@ -81,10 +92,23 @@ export class VelocityRegister {
     this.#sent = powers;
     this.#sentAt = this.#options.timers.now();
     this.#isSending = true;
-    const terms = { lease: LEASE_MS, ttl: LEASE_MS, replace: true };
-    await this.#options.send({ action: "drive", ...powers, ...terms });
+    const terms = { lease: LEASE_MS, ttl: LEASE_MS, replace: this.#mustTakeOver() };
+    const seq = await this.#options.send({ action: "drive", ...powers, ...terms });
     this.#isSending = false;
+    if (seq !== null) this.#remember(seq);
     if (this.#next !== null) this.#schedule();
+  }
+
+  /** A drive replaces an earlier one by itself, and waits for other commands. */
+  #mustTakeOver(): boolean {
+    const running = this.#options.running();
+    return this.#options.hasGoal() || (running !== null && !this.#own.has(running));
+  }
+
+  #remember(seq: number): void {
+    this.#own.add(seq);
+    const [oldest] = this.#own;
+    if (this.#own.size > MAX_OWN && oldest !== undefined) this.#own.delete(oldest);
   }
 
   #isDue({ left, right }: Powers): boolean {
