@@ -300,6 +300,6 @@ describe("the URL", () => {
     }
     const wanted = { method: "POST", key: robot.ownerKey, body: { kind: "drive", use: "url" } };
     const made = await (await relay.ask(robot, "/keys", wanted)).json();
-    expect(made).toMatchObject({ urls: { ros: null, mcp: null } });
+    expect(made).toMatchObject({ urls: { mcp: null } });
   });
 });

@@ -4,12 +4,13 @@ import { Refusal } from "../../platform/errors/problems.ts";
 import type { GatewayName } from "../../platform/gateway-names.ts";
 import { gatewayDisabled } from "../requests/gateway-requests.ts";
 
+const PATH = "/r/:id/ros";
+
 /** @param gateways those that the operator has not switched off */
 export function rosRoutes(gateways: readonly GatewayName[]): Router {
   const router = Router();
-  const paths = ["/r/:id/ros", "/r/:id/ros/:key"];
-  if (!gateways.includes("ros")) return router.all(paths, gatewayDisabled("ros"));
-  return router.all(paths, () => {
+  if (!gateways.includes("ros")) return router.use(PATH, gatewayDisabled("ros"));
+  return router.use(PATH, () => {
     throw new Refusal(
       "bad-request",
       "This is the URL of a WebSocket for ROS clients. Connect to it with ws:// or wss://.",
