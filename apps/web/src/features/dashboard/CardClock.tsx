@@ -1,5 +1,5 @@
 /** The time of a student, in minutes and seconds. */
-import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "react";
+import { useCallback, useLayoutEffect, useRef, useSyncExternalStore } from "react";
 import { classTimeText } from "./class-time-text.ts";
 import type { CardTime } from "./use-card.ts";
 import styles from "./card-clock.module.css";
@@ -47,18 +47,30 @@ export function CardClock({ minutes, startedAt, seconds }: CardTime) {
  * a render for each card would make every frame of these seconds longer.
  */
 export function useMinutes({ minutes, startedAt }: CardTime): number {
-  const shownAt = useMemo(() => (startedAt === null ? 0 : Date.now()), [startedAt]);
-  const [reachedAt, setReachedAt] = useState(0);
-  const reached = startedAt === null ? 0 : Math.max(shownAt, reachedAt) - startedAt;
-  const running = Math.max(0, Math.floor(reached / MINUTE_MS));
-  const nextAt = startedAt === null ? null : startedAt + (running + 1) * MINUTE_MS;
-  useEffect(() => {
-    if (nextAt === null) return;
-    const dueAt = Math.ceil(nextAt / TOGETHER_MS) * TOGETHER_MS;
-    const timer = setTimeout(() => setReachedAt(nextAt), dueAt - Date.now());
-    return () => clearTimeout(timer);
-  }, [nextAt]);
-  return startedAt === null ? minutes : running;
+  const follow = useCallback(
+    (notify: () => void) => {
+      if (startedAt === null) return () => undefined;
+      let timer: ReturnType<typeof setTimeout>;
+      const wait = (): void => {
+        const nextAt = startedAt + (minutesSince(startedAt) + 1) * MINUTE_MS;
+        const dueAt = Math.ceil(nextAt / TOGETHER_MS) * TOGETHER_MS;
+        timer = setTimeout(() => {
+          notify();
+          wait();
+        }, dueAt - Date.now());
+      };
+      wait();
+      return () => clearTimeout(timer);
+    },
+    [startedAt],
+  );
+  return useSyncExternalStore(follow, () =>
+    startedAt === null ? minutes : minutesSince(startedAt),
+  );
+}
+
+function minutesSince(startedAt: number): number {
+  return Math.max(0, Math.floor((Date.now() - startedAt) / MINUTE_MS));
 }
 
 /** The seconds of one minute. @param from its start, in ms since 1970 */
