@@ -5,7 +5,7 @@
 import { normaliseHeading, writeUnitVector } from "@corridor/geometry";
 import type { Pose } from "@corridor/protocol";
 
-const TICKS_PER_SECOND = 60;
+export const TICKS_PER_SECOND = 60;
 const CM = 100;
 /** m between the wheels */
 export const TRACK_WIDTH = 0.4;

@@ -92,6 +92,17 @@ describe("a subscriber", () => {
     expect(client.received("/bumper")).toHaveLength(2);
   });
 
+  it("receives each topic under the name that it wrote, once", async () => {
+    const client = await RosClient.connect();
+    for (const topic of ["bumper", "/bumper", "bumper"]) await client.send(subscribe(topic));
+    await client.send({ op: "unsubscribe", topic: "/bumper", id: "none" });
+    await client.timers.pass(60);
+    client.frames.length = 0;
+    client.port.report(snapshotOf({ tick: 61 }));
+    await client.timers.pass(60);
+    expect(client.frames.map(({ topic }) => topic)).toEqual(["bumper", "/bumper"]);
+  });
+
   it("receives the map again in another maze", async () => {
     const client = await RosClient.connect();
     await client.send(subscribe("/map"));

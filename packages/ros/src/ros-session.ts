@@ -1,5 +1,6 @@
 /** One connection of a ROS client, by rosbridge v2, to one robot. */
 import { RefusedError, type RobotPort } from "@corridor/protocol";
+import { TICKS_PER_SECOND } from "./conversions.ts";
 import { Goals } from "./goals.ts";
 import { absoluteName, shortName } from "./interfaces.ts";
 import { readOperation, type Fields, type Operation } from "./operations.ts";
@@ -7,6 +8,7 @@ import { isObject, readArguments, readMessage, type Message } from "./read-messa
 import { RobotView } from "./robot-view.ts";
 import { RosError } from "./ros-error.ts";
 import { serviceOf } from "./rosapi.ts";
+import { robotServices } from "./services.ts";
 import { Subscriptions } from "./subscriptions.ts";
 import type { Timers } from "./timers.ts";
 import { isVelocityType, topicOf, topics, VELOCITY_TOPIC } from "./topics.ts";
@@ -48,8 +50,8 @@ export class RosSession {
     this.#options = options;
     const { port, timers } = options;
     this.#view = new RobotView(port);
-    this.#subscriptions = new Subscriptions(timers, (topic, msg) =>
-      this.#send({ op: "publish", topic, msg }),
+    this.#subscriptions = new Subscriptions(timers, (name, msg) =>
+      this.#send({ op: "publish", topic: name, msg }),
     );
     this.#velocity = new VelocityRegister({
       timers,
@@ -72,6 +74,7 @@ export class RosSession {
     port.subscribe({
       snapshot: (snapshot) => {
         this.#view.update(snapshot);
+        this.#velocity.simulated((snapshot.tick * 1000) / TICKS_PER_SECOND);
         if (!this.#view.isReady) return;
         this.#publish("snapshot");
         this.#goals.feedback();
@@ -125,6 +128,7 @@ export class RosSession {
       case "call_service":
         return this.#callService(operation);
       case "send_action_goal":
+        this.#velocity.overtaken();
         return this.#goals.start(operation);
       case "cancel_action_goal":
         return this.#goals.cancel(operation);
@@ -162,7 +166,11 @@ export class RosSession {
     if (request.compression === "cbor-raw") {
       throw new RosError("The compression cbor-raw is not supported. Use none.");
     }
-    this.#subscriptions.add(name, String(request.id ?? ""), request.throttle_rate ?? 0);
+    this.#subscriptions.add(name, {
+      id: String(request.id ?? ""),
+      name: request.topic,
+      throttleRate: request.throttle_rate ?? 0,
+    });
     if (topic.source === "problem") this.#subscriptions.publish(name, () => this.#problem);
     else if (this.#view.isReady) this.#publishTopic(name);
   }
@@ -180,6 +188,7 @@ export class RosSession {
       const service = serviceOf(name);
       if (service === null) throw new RosError(`The robot has no service ${name}.`);
       const values = readArguments(`${service.type}_Request`, request.args);
+      if (Object.hasOwn(robotServices, name)) this.#velocity.overtaken();
       reply(await service.call(values, { port: this.#options.port, view: this.#view }), true);
     } catch (error) {
       if (!isRefusal(error)) throw error;
@@ -208,13 +217,15 @@ export class RosSession {
     this.#subscriptions.publish(name, () => topicOf(name)?.message(this.#view) ?? null);
   }
 
-  /** Reports errors. Never rejects. */
-  async #attempt(request: () => unknown): Promise<void> {
+  /** Reports errors. Never rejects. @returns false if there was one */
+  async #attempt(request: () => unknown): Promise<boolean> {
     try {
       await request();
+      return true;
     } catch (error) {
       if (!isRefusal(error)) this.#options.onFailure(error);
       else if (!this.#isClosed) this.#report(error);
+      return false;
     }
   }
 

@@ -9,9 +9,17 @@ import type { Timers } from "./timers.ts";
 const MIN_INTERVAL_MS = 50;
 const MAX_SUBSCRIPTIONS = 256;
 
+interface Subscription {
+  /** as the client sent it, or "" */
+  id: string;
+  /** the topic as the client wrote it, with or without a slash: its library calls back for this name */
+  name: string;
+  /** ms between two messages */
+  interval: number;
+}
+
 interface Subscribed {
-  /** ms between two messages, by the id of the subscription */
-  readonly intervals: Map<string, number>;
+  readonly subscriptions: Subscription[];
   sentAt: number | null;
   /** makes the newest message that has not been sent */
   next: (() => object | null) | null;
@@ -20,40 +28,44 @@ interface Subscribed {
 
 export class Subscriptions {
   readonly #timers: Timers;
-  readonly #send: (topic: string, message: object) => void;
+  readonly #send: (name: string, message: object) => void;
   readonly #topics = new Map<string, Subscribed>();
   #count = 0;
 
-  constructor(timers: Timers, send: (topic: string, message: object) => void) {
+  constructor(timers: Timers, send: (name: string, message: object) => void) {
     this.#timers = timers;
     this.#send = send;
   }
 
-  has(topic: string): boolean {
-    return this.#topics.has(topic);
-  }
-
   /**
-   * Adds a subscription, or replaces the one with the same id.
+   * Adds a subscription, or replaces the one with the same id and name.
+   * @param name the topic as the client wrote it
    * @param throttleRate ms
    * @throws RosError if the client has too many
    */
-  add(topic: string, id: string, throttleRate: number): void {
+  add(
+    topic: string,
+    { id, name, throttleRate }: { id: string; name: string; throttleRate: number },
+  ): void {
     const subscribed = this.#topics.get(topic) ?? {
-      intervals: new Map<string, number>(),
+      subscriptions: [],
       sentAt: null,
       next: null,
       cancelTimer: null,
     };
-    if (!subscribed.intervals.has(id)) {
-      if (this.#count >= MAX_SUBSCRIPTIONS) {
-        throw new RosError(
-          `This connection has ${MAX_SUBSCRIPTIONS} subscriptions, the maximum. Unsubscribe first.`,
-        );
-      }
-      this.#count += 1;
+    const interval = Math.max(MIN_INTERVAL_MS, throttleRate);
+    const same = subscribed.subscriptions.find((each) => each.id === id && each.name === name);
+    if (same !== undefined) {
+      same.interval = interval;
+      return;
     }
-    subscribed.intervals.set(id, Math.max(MIN_INTERVAL_MS, throttleRate));
+    if (this.#count >= MAX_SUBSCRIPTIONS) {
+      throw new RosError(
+        `This connection has ${MAX_SUBSCRIPTIONS} subscriptions, the maximum. Unsubscribe first.`,
+      );
+    }
+    this.#count += 1;
+    subscribed.subscriptions.push({ id, name, interval });
     this.#topics.set(topic, subscribed);
   }
 
@@ -61,12 +73,11 @@ export class Subscriptions {
   remove(topic: string, id: string | null): void {
     const subscribed = this.#topics.get(topic);
     if (subscribed === undefined) return;
-    const { intervals } = subscribed;
-    const before = intervals.size;
-    if (id === null) intervals.clear();
-    else intervals.delete(id);
-    this.#count -= before - intervals.size;
-    if (intervals.size > 0) return;
+    const { subscriptions } = subscribed;
+    const removed = subscriptions.splice(0);
+    if (id !== null) subscriptions.push(...removed.filter((each) => each.id !== id));
+    this.#count -= removed.length - subscriptions.length;
+    if (subscriptions.length > 0) return;
     subscribed.cancelTimer?.();
     this.#topics.delete(topic);
   }
@@ -78,12 +89,12 @@ export class Subscriptions {
     subscribed.next = make;
     if (subscribed.cancelTimer !== null) return;
     const { sentAt } = subscribed;
-    const dueAt = sentAt === null ? 0 : sentAt + Math.min(...subscribed.intervals.values());
+    const dueAt = sentAt === null ? 0 : sentAt + leastInterval(subscribed);
     const waitMs = dueAt - this.#timers.now();
-    if (waitMs <= 0) return this.#sendNext(topic, subscribed);
+    if (waitMs <= 0) return this.#sendNext(subscribed);
     subscribed.cancelTimer = this.#timers.after(waitMs, () => {
       subscribed.cancelTimer = null;
-      this.#sendNext(topic, subscribed);
+      this.#sendNext(subscribed);
     });
   }
 
@@ -91,11 +102,16 @@ export class Subscriptions {
     for (const topic of this.#topics.keys()) this.remove(topic, null);
   }
 
-  #sendNext(topic: string, subscribed: Subscribed): void {
+  #sendNext(subscribed: Subscribed): void {
     const message = subscribed.next?.() ?? null;
     subscribed.next = null;
     if (message === null) return;
     subscribed.sentAt = this.#timers.now();
-    this.#send(topic, message);
+    const names = new Set(subscribed.subscriptions.map(({ name }) => name));
+    for (const name of names) this.#send(name, message);
   }
+}
+
+function leastInterval({ subscriptions }: Subscribed): number {
+  return Math.min(...subscriptions.map(({ interval }) => interval));
 }

@@ -1,3 +1,4 @@
+import { RefusedError } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
 import { RosClient } from "./testing/ros-client.ts";
@@ -98,6 +99,74 @@ describe("/cmd_vel", () => {
       [0.1 / 2.61, 0.1 / 2.61],
       [0.2 / 2.61, 0.2 / 2.61],
     ]);
+  });
+
+  it("stops a goal, although the last velocity was zero too", async () => {
+    const client = await RosClient.connect();
+    await client.drive(0);
+    await client.send({ op: "send_action_goal", action: "/move", id: "g", args: { distance: 1 } });
+    await client.drive(0);
+    await client.timers.pass(100);
+    expect(client.port.orders.map(({ action }) => action)).toEqual(["drive", "move", "drive"]);
+  });
+
+  it("is sent again after a refusal, although it has not changed", async () => {
+    const client = await RosClient.connect();
+    const refused = new RefusedError({
+      type: "/problems/driving-paused",
+      title: "Paused",
+      status: 409,
+      detail: "Remote driving is paused.",
+      errors: [],
+    });
+    const { port } = client;
+    const send = port.send.bind(port);
+    port.send = async () => {
+      throw refused;
+    };
+    await client.drive(0);
+    port.send = send;
+    await client.timers.pass(100);
+    await client.drive(0);
+    expect(client.problems).toEqual(["Remote driving is paused."]);
+    expect(powers(client)).toEqual([[0, 0]]);
+  });
+
+  describe("with stamps of simulated time", () => {
+    const stamped = (tick: number, x: number): object => {
+      const stamp = { sec: Math.floor(tick / 60), nanosec: Math.round(((tick % 60) * 1e9) / 60) };
+      const msg = { header: { stamp }, twist: { linear: { x } } };
+      return { op: "publish", topic: "/cmd_vel", msg };
+    };
+
+    it.each([
+      ["a quarter of the real", 15],
+      ["16 times the real", 960],
+    ])("drives at %s speed", async (_speed, ticksPerSecond) => {
+      const client = await RosClient.connect();
+      for (let second = 1; second <= 10; second += 1) {
+        const tick = 600 + second * ticksPerSecond;
+        client.port.report(snapshotOf({ tick }));
+        await client.timers.pass(900);
+        await client.send(stamped(tick, second / 10));
+        await client.timers.pass(100);
+      }
+      expect(powers(client).at(-1)).toEqual([1 / 2.61, 1 / 2.61]);
+      expect(client.port.orders).toHaveLength(10);
+    });
+
+    it("drops what is more than half a second late", async () => {
+      const client = await RosClient.connect();
+      for (let tick = 600; tick <= 720; tick += 6) {
+        client.port.report(snapshotOf({ tick }));
+        await client.timers.pass(100);
+      }
+      await client.send(stamped(660, 0.9));
+      await client.timers.pass(200);
+      await client.send(stamped(718, 0.1));
+      await client.timers.pass(200);
+      expect(powers(client)).toEqual([[0.1 / 2.61, 0.1 / 2.61]]);
+    });
   });
 
   it("is refused for a watch key", async () => {

@@ -17,6 +17,10 @@ const START_MS = 300;
 const MAX_DELAY_MS = 500;
 /** Snapshots are late by fewer orders than this. */
 const MAX_OWN = 32;
+/** A stamp that is at most this far behind the simulated time shows that time, not a clock. */
+const MAX_BEHIND_MS = 600_000;
+/** Clients may be ahead of the simulated time by the interval of snapshots. */
+const MAX_AHEAD_MS = 1_000;
 
 interface Powers {
   left: number;
@@ -41,6 +45,7 @@ export class VelocityRegister {
   readonly #startedAt: number;
   /** the newest value that has not been sent */
   #next: Powers | null = null;
+  /** null: the robot may do something else */
   #sent: Powers | null = null;
   #sentAt = Number.NEGATIVE_INFINITY;
   #cancelTimer: (() => void) | null = null;
@@ -50,6 +55,8 @@ export class VelocityRegister {
   #isClosed = false;
   /** the largest difference between the stamp of a message and its arrival, in ms */
   #offset = Number.NEGATIVE_INFINITY;
+  /** simulated times of the last `MAX_DELAY_MS`, and the newest before it */
+  readonly #simulated: { at: number; ms: number }[] = [];
 
   constructor(options: VelocityOptions) {
     this.#options = options;
@@ -63,15 +70,41 @@ export class VelocityRegister {
     this.#schedule();
   }
 
+  /** The robot reports. @param ms simulated time */
+  simulated(ms: number): void {
+    const at = this.#options.timers.now();
+    const times = this.#simulated;
+    // After a reset, the time begins again.
+    if (ms < (times.at(-1)?.ms ?? 0)) times.length = 0;
+    times.push({ at, ms });
+    while ((times[1]?.at ?? at) <= at - MAX_DELAY_MS) times.shift();
+  }
+
+  /** Another command was sent. The next velocity takes over from it, even if it is the same. */
+  overtaken(): void {
+    this.#sent = null;
+  }
+
   close(): void {
     this.#isClosed = true;
     this.#cancelTimer?.();
   }
 
   #isLate(stampMs: number): boolean {
+    const newest = this.#simulated.at(-1)?.ms ?? 0;
+    const isSimulated = stampMs <= newest + MAX_AHEAD_MS && stampMs >= newest - MAX_BEHIND_MS;
+    // Simulated time passes at another rate than the clock here.
+    if (isSimulated) return stampMs < this.#simulatedBefore();
     const offset = stampMs - this.#options.timers.now();
     this.#offset = Math.max(this.#offset, offset);
     return offset < this.#offset - MAX_DELAY_MS;
+  }
+
+  /** The simulated time `MAX_DELAY_MS` ago; no time if it is unknown. */
+  #simulatedBefore(): number {
+    const [oldest] = this.#simulated;
+    const isOld = oldest !== undefined && oldest.at <= this.#options.timers.now() - MAX_DELAY_MS;
+    return isOld ? oldest.ms : Number.NEGATIVE_INFINITY;
   }
 
   #schedule(): void {
@@ -94,6 +127,7 @@ export class VelocityRegister {
     this.#isSending = true;
     const terms = { lease: LEASE_MS, ttl: LEASE_MS, replace: this.#mustTakeOver() };
     const seq = await this.#options.send({ action: "drive", ...powers, ...terms });
+    if (seq === null) this.#sent = null;
     this.#isSending = false;
     if (seq !== null) this.#remember(seq);
     if (this.#next !== null) this.#schedule();
