@@ -64,6 +64,47 @@ describe("a goal", () => {
     expect(results(client)).toMatchObject([{ status, result: true, values: { state } }]);
   });
 
+  it("has its result, although it ended before its command was acknowledged", async () => {
+    const client = await RosClient.connect();
+    const { port } = client;
+    const send = port.send.bind(port);
+    port.send = async (order) => {
+      const record = await send(order);
+      const acknowledged = { ...record };
+      port.end(record.seq, { state: "collided" });
+      return acknowledged;
+    };
+    await client.send(goal("/move", { distance: 1 }));
+    expect(results(client)).toMatchObject([{ status: 6, values: { state: "collided" } }]);
+  });
+
+  it("has its result, although a slow connection missed its end", async () => {
+    const client = await RosClient.connect();
+    await client.send(goal("/move", { distance: 1 }));
+    await client.send(goal("/move", { distance: 2 }, { id: "goal-2" }));
+    const { port } = client;
+    port.end(1, { state: "started" });
+    port.endOf = async (seq) => ({
+      ...(await port.cancel(seq)),
+      state: "completed",
+      distance: 100,
+    });
+    port.miss([{ seq: 2, state: "started" }]);
+    await client.timers.pass(0);
+    expect(results(client)).toMatchObject([{ id: "goal-1", status: 4 }]);
+  });
+
+  it("waits as one reader of the robot, so that many goals exclude no other script", async () => {
+    const client = await RosClient.connect();
+    for (let n = 1; n <= 60; n += 1) {
+      await client.send(goal("/move", { distance: 1 }, { id: `goal-${n}` }));
+    }
+    expect(client.port.waits).toBe(1);
+    for (let n = 1; n <= 60; n += 1) client.port.end(n, { state: "completed" });
+    await client.timers.pass(0);
+    expect(results(client)).toHaveLength(60);
+  });
+
   it("is cancelled by its id", async () => {
     const client = await RosClient.connect();
     await client.send(goal("/move", { distance: 1 }));

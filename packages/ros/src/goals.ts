@@ -11,14 +11,13 @@ import {
 } from "@corridor/protocol";
 import { centimetres, degreesOf, metres } from "./conversions.ts";
 import type { ActionType } from "./interface-texts.ts";
+import type { CommandEnds } from "./command-ends.ts";
 import { absoluteName, shortName } from "./interfaces.ts";
 import type { Fields, ReplyId } from "./operations.ts";
 import { readArguments, type Message } from "./read-message.ts";
 import type { RobotView } from "./robot-view.ts";
 import { RosError } from "./ros-error.ts";
 
-/** The longest wait of a port. */
-const WAIT_MS = 25_000;
 const MAX_OPEN_GOALS = 64;
 
 interface Action {
@@ -79,6 +78,7 @@ interface Goal {
 export interface GoalsOptions {
   port: RobotPort;
   view: RobotView;
+  ends: CommandEnds;
   send(message: object): void;
   /** Called for each refusal. */
   onProblem(error: RosError | RefusedError): void;
@@ -155,6 +155,7 @@ export class Goals {
 
   close(): void {
     this.#isClosed = true;
+    this.#options.ends.close();
   }
 
   #orderOf(request: Fields<"send_action_goal">, name: string): Order {
@@ -182,14 +183,11 @@ export class Goals {
   }
 
   async #run(goal: Goal, order: Order): Promise<CommandRecord> {
-    const { port } = this.#options;
-    let record = await port.send(order);
+    const { port, ends } = this.#options;
+    const { record, end } = await ends.send(async () => port.send(order));
     goal.seq = record.seq;
-    if (goal.isCancelled) record = await port.cancel(record.seq);
-    while (!hasEnded(record.state) && !this.#isClosed) {
-      record = await port.endOf(record.seq, WAIT_MS);
-    }
-    return record;
+    if (goal.isCancelled) await port.cancel(record.seq);
+    return end;
   }
 
   #valuesOf({ state, reason, distance, pose }: CommandRecord): object {

@@ -60,7 +60,7 @@ describe("a client", () => {
     [
       "roslib 2.1, which accepts compressed answers",
       { op: "subscribe", id: "5d0c", topic: "bumper", compression: "cbor", throttle_rate: 100 },
-      { op: "publish", topic: "/bumper", msg: { data: false } },
+      { op: "publish", topic: "bumper", msg: { data: false } },
     ],
   ])("%s receives the answer that it requires", async (_name, request, answer) => {
     const client = await RosClient.connect();

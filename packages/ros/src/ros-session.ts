@@ -1,5 +1,6 @@
 /** One connection of a ROS client, by rosbridge v2, to one robot. */
 import { RefusedError, type RobotPort } from "@corridor/protocol";
+import { CommandEnds } from "./command-ends.ts";
 import { TICKS_PER_SECOND } from "./conversions.ts";
 import { Goals } from "./goals.ts";
 import { absoluteName, shortName } from "./interfaces.ts";
@@ -65,8 +66,10 @@ export class RosSession {
         return seq;
       },
     });
+    const ends = new CommandEnds(port);
     this.#goals = new Goals({
       port,
+      ends,
       view: this.#view,
       send: (message) => this.#send(message),
       onProblem: (error) => this.#report(error),
@@ -79,8 +82,8 @@ export class RosSession {
         this.#publish("snapshot");
         this.#goals.feedback();
       },
-      state: () => undefined,
-      gap: () => undefined,
+      state: (record) => ends.state(record),
+      gap: (open) => ends.gap(open),
       maze: () => void this.#readMaze(),
       end: (error) => options.onEnd(error),
     });

@@ -6,6 +6,7 @@ import {
   RefusedError,
   termsOf,
   type CommandRecord,
+  type EventGap,
   type Order,
   type PublishedMaze,
   type RobotListener,
@@ -21,6 +22,8 @@ export class ManualPort implements RobotPort {
   readonly orders: Order[] = [];
   readonly cancelled: number[] = [];
   isClosed = false;
+  /** number of calls of `endOf` that have not returned */
+  waits = 0;
   readonly #records: CommandRecord[] = [];
   readonly #listeners = new Set<RobotListener>();
   readonly #ends: (() => void)[] = [];
@@ -42,7 +45,10 @@ export class ManualPort implements RobotPort {
   /** Ends a command. */
   end(seq: number, change: Partial<CommandRecord>): void {
     const record = this.#records[seq - 1];
-    if (record !== undefined) Object.assign(record, change);
+    if (record !== undefined) {
+      Object.assign(record, change);
+      for (const listener of this.#listeners) listener.state({ ...record });
+    }
     for (const resolve of this.#ends.splice(0)) resolve();
   }
 
@@ -72,12 +78,19 @@ export class ManualPort implements RobotPort {
     return record;
   }
 
+  /** States were missed. */
+  miss(open: EventGap["open"]): void {
+    for (const listener of this.#listeners) listener.gap(open);
+  }
+
   async endOf(seq: number): Promise<CommandRecord> {
     const record = this.#records[seq - 1];
     if (record === undefined) throw refusal("no-command", 404, "No command has this number.");
+    this.waits += 1;
     while (!hasEnded(record.state)) {
       await new Promise<void>((resolve) => void this.#ends.push(resolve));
     }
+    this.waits -= 1;
     return record;
   }
 
