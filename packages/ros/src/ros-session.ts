@@ -220,15 +220,13 @@ export class RosSession {
     this.#subscriptions.publish(name, () => topicOf(name)?.message(this.#view) ?? null);
   }
 
-  /** Reports errors. Never rejects. @returns false if there was one */
-  async #attempt(request: () => unknown): Promise<boolean> {
+  /** Reports errors. Never rejects. */
+  async #attempt(request: () => unknown): Promise<void> {
     try {
       await request();
-      return true;
     } catch (error) {
       if (!isRefusal(error)) this.#options.onFailure(error);
       else if (!this.#isClosed) this.#report(error);
-      return false;
     }
   }
 
