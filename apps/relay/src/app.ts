@@ -24,7 +24,7 @@ import { builtFileRoutes } from "./site/clients/built-files.ts";
 import { keyRoutes } from "./gateways/rest/keys/routes.ts";
 import { longPollRoutes } from "./gateways/long-poll/routes.ts";
 import { MCP_PATH, mcpRoutes } from "./gateways/mcp/routes.ts";
-import { gatewayDisabled } from "./gateways/requests/gateway-requests.ts";
+import { refuseDisabled } from "./gateways/requests/gateway-requests.ts";
 import { rosRoutes } from "./gateways/ros/routes.ts";
 import { mazeRoutes } from "./gateways/rest/maze/routes.ts";
 import { pairingRoutes } from "./gateways/rest/pairing/routes.ts";
@@ -105,7 +105,7 @@ export function createApp(dependencies: AppDependencies): Express {
     const onRefused = gatewayRefusals(log, (kind) => metrics.refused(kind));
     app.use(mcpRoutes(registry, guard, onRefused));
   } else {
-    app.use(MCP_PATH, gatewayDisabled("mcp"));
+    app.use(MCP_PATH, refuseDisabled("mcp"));
   }
   app.use(rosRoutes(gateways));
 

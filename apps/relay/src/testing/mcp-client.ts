@@ -1,8 +1,7 @@
 /** Agents for tests: clients of both eras of the Model Context Protocol, and single messages. */
-import { createdKeySchema, type Registration } from "@corridor/protocol";
+import type { Registration } from "@corridor/protocol";
 import { Client, StreamableHTTPClientTransport } from "@modelcontextprotocol/client";
 import { onTestFinished } from "vitest";
-import type { Requests } from "./test-relay.ts";
 
 export const eras = ["2026-07-28", "2025"] as const;
 export type Era = (typeof eras)[number];
@@ -31,18 +30,6 @@ export async function callTool(
   const texts = content.flatMap((each) => (each.type === "text" ? [each.text] : []));
   const structured = (structuredContent ?? {}) as Record<string, unknown>;
   return { isError: isError === true, text: texts.join("\n"), structured };
-}
-
-/** Makes a key of the robot. */
-export async function makeKey(
-  relay: Requests,
-  robot: Registration,
-  kind: "drive" | "watch",
-  use?: "url",
-): Promise<{ id: string; key: string }> {
-  const body = use === undefined ? { kind } : { kind, use };
-  const made = await relay.ask(robot, "/keys", { method: "POST", key: robot.ownerKey, body });
-  return createdKeySchema.parse(await made.json());
 }
 
 /** A call of a tool as one message of a client of 2025. */

@@ -1,38 +1,21 @@
 import type { Registration, ScriptList } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import { completed } from "../../platform/testing/messages.ts";
-import { maze } from "../../platform/testing/sample-documents.ts";
-import {
-  callMessage,
-  callTool,
-  connectAgent,
-  eras,
-  makeKey,
-  mcpUrl,
-} from "../../testing/mcp-client.ts";
+import { callMessage, callTool, connectAgent, eras, mcpUrl } from "../../testing/mcp-client.ts";
+import { makeKey, reportedRobot } from "../../testing/reported-robot.ts";
 import { startTestRelay, type TestRelay } from "../../testing/test-relay.ts";
-import { TestSocket } from "../../testing/test-socket.ts";
 
 const MOVE = { action: "move", distance: 100, key: "step-0001" };
 
-/** A relay with a robot whose page has reported. */
 async function withPage() {
-  const relay = await startTestRelay();
-  const robot = await relay.register();
-  const { socket: page, epoch } = await TestSocket.page(relay, robot);
-  page.send({ type: "snapshot", epoch, snapshot: snapshotOf() });
-  await relay.ask(robot, "/sensors?wait=5");
-  await relay.ask(robot, "/maze", { method: "PUT", key: robot.ownerKey, body: maze });
+  const { start, end, ...parts } = await reportedRobot();
   /** Runs the next command. */
   const run = async (): Promise<number> => {
-    const { seq } = await page.next("command", "stop");
-    page.send({ type: "started", epoch, seq });
-    page.send({ type: "snapshot", epoch, snapshot: snapshotOf({ seq: 100 + Number(seq) }) });
-    page.send({ type: "ended", epoch, ...completed(Number(seq)) });
-    return Number(seq);
+    const seq = await start();
+    end(seq);
+    return seq;
   };
-  return { relay, robot, page, epoch, run, url: mcpUrl(relay, robot) };
+  return { ...parts, run, url: mcpUrl(parts.relay, parts.robot) };
 }
 
 async function post(

@@ -31,12 +31,16 @@ export async function authoriseGateway(
   return grant;
 }
 
-/** Answers requests to a gateway that the operator has switched off. */
-export function gatewayDisabled(name: GatewayName): RequestHandler {
+/** A request to a gateway that the operator has switched off. */
+export function gatewayDisabled(name: GatewayName): Refusal {
+  return new Refusal(
+    "gateway-disabled",
+    `This service has no gateway '${name}'. Its operator switches gateways on with the setting GATEWAYS.`,
+  );
+}
+
+export function refuseDisabled(name: GatewayName): RequestHandler {
   return () => {
-    throw new Refusal(
-      "gateway-disabled",
-      `This service has no gateway '${name}'. Its operator switches gateways on with the setting GATEWAYS.`,
-    );
+    throw gatewayDisabled(name);
   };
 }

@@ -19,6 +19,7 @@ import type { Introduction } from "../../robots/access/callers.ts";
 import type { Grant, RobotRegistry } from "../../robots/registry.ts";
 import { closeWith } from "../conversations/conversation.ts";
 import type { GatewayMetrics } from "../conversations/start-conversation.ts";
+import { gatewayDisabled } from "../requests/gateway-requests.ts";
 import { SocketWithReasons } from "../websocket/socket-with-reasons.ts";
 import { WsPort } from "../websocket/ws-port.ts";
 import { RosConnection } from "./ros-connection.ts";
@@ -103,9 +104,7 @@ export class RosGateway {
   async #admit(request: IncomingMessage): Promise<Grant | null> {
     const { guard, registry, isOn } = this.#options;
     guard.checkHost(request);
-    if (!isOn) {
-      throw new Refusal("gateway-disabled", "This service has no gateway 'ros'.");
-    }
+    if (!isOn) throw gatewayDisabled("ros");
     const [, id = "", pathKey] = PATH.exec(request.url ?? "") ?? [];
     const address = guard.addressOf(request);
     if ((this.#countByAddress.get(address) ?? 0) >= limits.socketsPerAddress) {

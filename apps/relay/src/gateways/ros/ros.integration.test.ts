@@ -1,32 +1,10 @@
 import type { Registration, ScriptList } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it, vi } from "vitest";
-import { completed } from "../../platform/testing/messages.ts";
-import { maze } from "../../platform/testing/sample-documents.ts";
-import { makeKey } from "../../testing/mcp-client.ts";
+import { makeKey, reportedRobot } from "../../testing/reported-robot.ts";
 import { RosClient } from "../../testing/ros-client.ts";
 import { startTestRelay, type TestRelay } from "../../testing/test-relay.ts";
 import { TestSocket } from "../../testing/test-socket.ts";
-
-/** A relay with a robot whose page has reported. */
-async function withPage() {
-  const relay = await startTestRelay();
-  const robot = await relay.register();
-  const { socket: page, epoch } = await TestSocket.page(relay, robot);
-  page.send({ type: "snapshot", epoch, snapshot: snapshotOf() });
-  await relay.ask(robot, "/sensors?wait=5");
-  await relay.ask(robot, "/maze", { method: "PUT", key: robot.ownerKey, body: maze });
-  const start = async (): Promise<number> => {
-    const { seq } = await page.next("command", "stop");
-    page.send({ type: "started", epoch, seq });
-    return Number(seq);
-  };
-  const end = (seq: number): void => {
-    page.send({ type: "snapshot", epoch, snapshot: snapshotOf({ seq: 100 + seq }) });
-    page.send({ type: "ended", epoch, ...completed(seq) });
-  };
-  return { relay, robot, page, epoch, start, end };
-}
 
 async function rosScript(relay: TestRelay, robot: Registration) {
   const answer = await relay.ask(robot, "/scripts", { key: robot.ownerKey });
@@ -39,7 +17,7 @@ const move = { op: "send_action_goal", id: "goal", action: "/move", args: { dist
 
 describe("a ROS client", () => {
   it("connects with a key in the header, in auth or in the path", async () => {
-    const { relay, robot } = await withPage();
+    const { relay, robot } = await reportedRobot();
     const { key } = await makeKey(relay, robot, "drive", "url");
     const byHeader = await RosClient.connect(relay, robot);
     const byPath = await RosClient.connect(relay, robot, { pathKey: key });
@@ -53,14 +31,14 @@ describe("a ROS client", () => {
   });
 
   it("connects from a page of another site", async () => {
-    const { relay, robot } = await withPage();
+    const { relay, robot } = await reportedRobot();
     const headers = { Origin: "https://elsewhere.example" };
     const client = await RosClient.connect(relay, robot, { headers });
     expect(await client.call("rosapi/get_ros_version")).toMatchObject({ result: true });
   });
 
   it("drives, and sends a goal whose result it receives", async () => {
-    const { relay, robot, page, start, end } = await withPage();
+    const { relay, robot, page, start, end } = await reportedRobot();
     const client = await RosClient.connect(relay, robot);
     client.send({ op: "publish", topic: "/cmd_vel", msg: { linear: { x: 0.261 } } });
     const { command } = await page.next("command");
@@ -78,7 +56,7 @@ describe("a ROS client", () => {
   });
 
   it("is in the owner's list as ROS, with the reason of the newest refused message", async () => {
-    const { relay, robot } = await withPage();
+    const { relay, robot } = await reportedRobot();
     const client = await RosClient.connect(relay, robot);
     client.send({ op: "publish", topic: "/fly", msg: {} });
     await vi.waitFor(async () => {
@@ -91,7 +69,7 @@ describe("a ROS client", () => {
   });
 
   it("with a watch key reads, and does not drive", async () => {
-    const { relay, robot } = await withPage();
+    const { relay, robot } = await reportedRobot();
     const { key } = await makeKey(relay, robot, "watch", "url");
     const client = await RosClient.connect(relay, robot, { pathKey: key });
     client.send(subscribe);
@@ -109,7 +87,7 @@ describe("a ROS client", () => {
 
 describe("a connection without a valid key", () => {
   it("is refused before it opens", async () => {
-    const { relay, robot } = await withPage();
+    const { relay, robot } = await reportedRobot();
     const other = await relay.register();
     const url = (await makeKey(relay, robot, "drive", "url")).key;
     const refused = (options: Parameters<typeof RosClient.connect>[2]): Promise<number> =>
@@ -122,7 +100,7 @@ describe("a connection without a valid key", () => {
   });
 
   it("closes after 32 messages, or 2 s", async () => {
-    const { relay, robot } = await withPage();
+    const { relay, robot } = await reportedRobot();
     const loud = await RosClient.connect(relay, robot, { key: null });
     const silent = await RosClient.connect(relay, robot, { key: null });
     const wrong = await RosClient.connect(relay, robot, { key: null });
@@ -134,7 +112,7 @@ describe("a connection without a valid key", () => {
 
 describe("the owner of the robot", () => {
   it("pauses, blocks and revokes a ROS client", async () => {
-    const { relay, robot, page } = await withPage();
+    const { relay, robot, page } = await reportedRobot();
     const { id, key } = await makeKey(relay, robot, "drive");
     const own = { key: robot.ownerKey };
     const client = await RosClient.connect(relay, robot, { key });
@@ -159,7 +137,7 @@ describe("the owner of the robot", () => {
   });
 
   it("makes a key for a URL of ROS clients", async () => {
-    const { relay, robot } = await withPage();
+    const { relay, robot } = await reportedRobot();
     const body = { kind: "drive", use: "url" };
     const made = await relay.ask(robot, "/keys", { method: "POST", key: robot.ownerKey, body });
     const { key, urls } = (await made.json()) as { key: string; urls: { ros: string } };
@@ -169,7 +147,7 @@ describe("the owner of the robot", () => {
 
 describe("limits", () => {
   it("close a connection after 10 unreadable messages, and no other", async () => {
-    const { relay, robot } = await withPage();
+    const { relay, robot } = await reportedRobot();
     const { key } = await makeKey(relay, robot, "drive");
     const other = await RosClient.connect(relay, robot, { key });
     const client = await RosClient.connect(relay, robot);
@@ -193,7 +171,7 @@ describe("limits", () => {
   });
 
   it("refuse messages of more than 16 KiB, and wrong UTF-8", async () => {
-    const { relay, robot } = await withPage();
+    const { relay, robot } = await reportedRobot();
     const large = await RosClient.connect(relay, robot);
     large.sendText("x".repeat(16 * 1024 + 1));
     expect((await large.closed).code).toBe(1009);
@@ -211,7 +189,7 @@ describe("limits", () => {
     ['{"op":"call_service","service":"__proto__"}'],
     ['{"op":"subscribe","topic":"toString"}'],
   ])("let the client continue after %s", async (text) => {
-    const { relay, robot } = await withPage();
+    const { relay, robot } = await reportedRobot();
     const client = await RosClient.connect(relay, robot);
     client.sendText(text);
     expect(await client.call("rosapi/nodes")).toMatchObject({ result: true });
@@ -219,7 +197,7 @@ describe("limits", () => {
   });
 
   it("permit 4 connections of a key", async () => {
-    const { relay, robot } = await withPage();
+    const { relay, robot } = await reportedRobot();
     for (let i = 0; i < 4; i += 1) {
       const client = await RosClient.connect(relay, robot);
       await client.call("rosapi/nodes");
@@ -238,7 +216,7 @@ describe("a relay", () => {
   });
 
   it("that stops closes connections as a restart", async () => {
-    const { relay, robot } = await withPage();
+    const { relay, robot } = await reportedRobot();
     const client = await RosClient.connect(relay, robot);
     await client.call("rosapi/nodes");
     await relay.close();
@@ -246,7 +224,7 @@ describe("a relay", () => {
   });
 
   it("serves the client of a robot whose page is at the same time replaced", async () => {
-    const { relay, robot } = await withPage();
+    const { relay, robot } = await reportedRobot();
     const client = await RosClient.connect(relay, robot);
     client.send(subscribe);
     await client.next("topic", "/pose2d");

@@ -2,14 +2,14 @@
 import { Router } from "express";
 import { Refusal } from "../../platform/errors/problems.ts";
 import type { GatewayName } from "../../platform/gateway-names.ts";
-import { gatewayDisabled } from "../requests/gateway-requests.ts";
+import { refuseDisabled } from "../requests/gateway-requests.ts";
 
 const PATH = "/r/:id/ros";
 
 /** @param gateways those that the operator has not switched off */
 export function rosRoutes(gateways: readonly GatewayName[]): Router {
   const router = Router();
-  if (!gateways.includes("ros")) return router.use(PATH, gatewayDisabled("ros"));
+  if (!gateways.includes("ros")) return router.use(PATH, refuseDisabled("ros"));
   return router.use(PATH, () => {
     throw new Refusal(
       "bad-request",
