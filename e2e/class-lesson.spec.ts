@@ -15,7 +15,7 @@ import { FaultProxy } from "./faults/net/fault-proxy.ts";
 import { expect, test as base } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
 import { DashboardPage } from "./pages/dashboard-page.ts";
-import { textsInFiles } from "./support/class-files.ts";
+import { textsInFiles } from "../tests/support/stored-files.ts";
 import { ClassTeacher } from "./support/class-teacher.ts";
 import { classButton, enterClass } from "./support/enter-class.ts";
 import { lessonTask } from "./support/lesson-task.ts";

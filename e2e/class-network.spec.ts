@@ -6,7 +6,7 @@ import { RelayProcess } from "../tests/support/relay-process.ts";
 import { makeCertificate, TlsProxy } from "./faults/net/tls-proxy.ts";
 import { expect, test as base } from "./fixtures.ts";
 import { DashboardPage } from "./pages/dashboard-page.ts";
-import { textsInFiles } from "./support/class-files.ts";
+import { textsInFiles } from "../tests/support/stored-files.ts";
 import { ClassTeacher } from "./support/class-teacher.ts";
 import { enterClass } from "./support/enter-class.ts";
 import { lessonTask } from "./support/lesson-task.ts";

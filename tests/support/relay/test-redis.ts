@@ -1,9 +1,8 @@
 /** A real Redis with its own folder, for one test. */
-import { readdirSync, readFileSync } from "node:fs";
-import { join } from "node:path";
 import { onTestFinished } from "vitest";
 import { findRedis, startRedis } from "../../../scripts/redis-server.ts";
 import { testFolder } from "../../../apps/relay/src/testing/test-relay.ts";
+import { textsInFiles } from "../stored-files.ts";
 
 /** Whether Redis is installed. Tests that need it are skipped otherwise. */
 export const hasRedis = findRedis() !== null;
@@ -27,11 +26,6 @@ export async function startTestRedis(settings: string[] = []) {
       server = await startRedis(folder, { port, settings });
     },
     /** Whether its files contain the text. */
-    holds: (text: string): boolean => {
-      const files = readdirSync(folder, { recursive: true, withFileTypes: true });
-      return files.some(
-        (file) => file.isFile() && readFileSync(join(file.parentPath, file.name)).includes(text),
-      );
-    },
+    holds: (text: string): boolean => textsInFiles(folder, [text]).length > 0,
   };
 }
