@@ -23,7 +23,7 @@ export interface Services {
   simulator: SimulatorClient;
   workspace: WorkspaceStore;
   run: RunStore;
-  /** the run for output that is not urgent and has no numbers: see deferred-run.ts */
+  /** the run for output without readings, one frame later: see deferred-run.ts */
   deferred: RunStore;
   /** explanations of the run */
   cards: CardStore;

@@ -14,14 +14,14 @@ import { readSensors } from "./sensor-roles.ts";
 
 /** @param look cross: around the robot; row: one line of text, in whole cm as on the beams */
 export function SensorCross({ look }: { look: "cross" | "row" }) {
-  const { run, workspace } = useServices();
+  const { run, deferred, workspace } = useServices();
   const list = useRef<HTMLDListElement>(null);
   const program = useStore(workspace, (state) => state.program);
   // The attribute selects the style of the readings, without a render for each decision.
   useLayoutEffect(() => {
     const names = ({ snapshot }: RunState): string => readSensors(program, snapshot).join(" ");
-    return followText(run, names, (read) => list.current?.setAttribute("data-reads", read));
-  }, [run, program]);
+    return followText(deferred, names, (read) => list.current?.setAttribute("data-reads", read));
+  }, [deferred, program]);
   const touching = useStore(run, ({ snapshot }) => contactSensor(snapshot));
   const isBumping = useStore(run, ({ snapshot }) => snapshot?.bumping === true);
   return (

@@ -42,7 +42,7 @@ const COUNTS = [5, 180];
  */
 function LineProgress({ line }: Pick<LineNoteProps, "line">) {
   const { t } = useTranslation();
-  const { run } = useServices();
+  const { deferred } = useServices();
   const note = useRef<HTMLDivElement>(null);
   const bar = useRef<HTMLProgressElement>(null);
   const fill = useRef<HTMLSpanElement>(null);
@@ -91,9 +91,9 @@ function LineProgress({ line }: Pick<LineNoteProps, "line">) {
       progressBar.value = of - left;
       progressBar.setAttribute("aria-label", words);
     };
-    look(run.getState());
-    return run.subscribe(look);
-  }, [run, line, wordsOf]);
+    look(deferred.getState());
+    return deferred.subscribe(look);
+  }, [deferred, line, wordsOf]);
   return (
     <div ref={note} className={styles["note"]} data-resting="">
       <div className={styles["progress"]}>

@@ -89,21 +89,21 @@ function markOf(line: LineRef | null): string {
  * line-notes.module.css.
  */
 function LineMark() {
-  const { run } = useServices();
+  const { deferred } = useServices();
   const element = useRef<HTMLSpanElement>(null);
   const number = useRef<HTMLSpanElement>(null);
   useLayoutEffect(() => {
     const node = document.createTextNode("1");
     number.current?.replaceChildren(node);
     return followText(
-      run,
+      deferred,
       ({ snapshot }) => markOf(decidingLine(snapshot)),
       (text) => {
         element.current?.toggleAttribute("data-otherwise", text === "");
         if (text !== "") node.data = text;
       },
     );
-  }, [run]);
+  }, [deferred]);
   return (
     <span ref={element} className={styles["lineMark"]}>
       <span ref={number} />

@@ -1,12 +1,13 @@
 /**
- * The run for output that may be one frame later than marks and numbers: the timeline, and the
- * texts for screen readers. Every number of the run comes from the run store itself, so that all
- * numbers are of one tick. On a slow computer everything together takes longer than a frame.
+ * The run for output that may be one frame later than the deciding line and the readings: the
+ * timeline, the progress of a manoeuvre, highlighted readings, and the texts for screen readers.
+ * Every reading comes from the run store itself, so that all of them are of one tick. On a slow
+ * computer everything together takes longer than a frame when another line decides.
  */
 import { createRunStore, type RunState, type RunStore } from "./run-store.ts";
 
 export class DeferredRun {
-  /** for texts without numbers and other output that is not urgent */
+  /** for output without readings */
   readonly words: RunStore = createRunStore();
   readonly #defer: (task: () => void) => void;
   /** null while nothing is pending */
