@@ -96,6 +96,17 @@ describe("roslib", () => {
     await expect.poll(() => page.robot.done.at(-1)).toMatchObject(none);
   });
 
+  it("drives by the key of `authenticate`, although its URL only reads", async () => {
+    const { relay, registration, page } = await host();
+    const ros = await connect(
+      await urlOf(relay.url, registration, "watch"),
+      registration.driverKey,
+    );
+    const topic = new Topic({ ros, name: "/cmd_vel", messageType: "geometry_msgs/Twist" });
+    topic.publish(twist(0.261));
+    await expect.poll(() => page.robot.done.at(-1)).toMatchObject({ action: "drive", left: 0.1 });
+  });
+
   it("moves with a result, receives the refusal of a wrong goal, and resets", async () => {
     const { page, ros } = await connected();
     const move = new Action<object, object, MoveResult>({

@@ -36,6 +36,13 @@ export interface RosConnectionOptions {
   metrics: GatewayMetrics;
 }
 
+/** What the key of the upgrade request permits. */
+export interface Admission {
+  grant: Grant;
+  /** The key is in the path, so that one in the first message takes precedence. */
+  isInPath: boolean;
+}
+
 export class RosConnection {
   readonly port: WsPort;
   readonly #options: RosConnectionOptions;
@@ -43,6 +50,8 @@ export class RosConnection {
   /** what arrived before the key was checked */
   #waiting: string[] = [];
   #isChecking = false;
+  /** whether a key in the path permits this session, and the first message may bring another key */
+  #mayChangeKey = false;
   #cancelTimer = (): void => undefined;
   #unreadable = 0;
   #lastMessageAt: number;
@@ -68,9 +77,12 @@ export class RosConnection {
     });
   }
 
-  /** @param grant what the key of the upgrade request permits; null: it had none */
-  open(grant: Grant | null): void {
-    if (grant !== null) return this.#start(grant);
+  /** @param admission what the key of the upgrade request permits; null: it had none */
+  open(admission: Admission | null): void {
+    if (admission !== null) {
+      this.#mayChangeKey = admission.isInPath;
+      return this.#start(admission.grant);
+    }
     this.#cancelTimer = this.#options.clock.after(AUTH_MS, () => this.#closeWithoutKey());
   }
 
@@ -92,9 +104,12 @@ export class RosConnection {
     if (!this.port.isOpen) return;
     this.#lastMessageAt = this.#options.clock.now();
     const text = isBinary ? "" : data.toString();
-    if (this.#session !== null) return this.#handle(this.#session, text);
-    const key = this.#isChecking ? null : keyInAuth(text);
+    const session = this.#session;
+    const isKeyExpected = session === null ? !this.#isChecking : this.#mayChangeKey;
+    this.#mayChangeKey = false;
+    const key = isKeyExpected ? keyInAuth(text) : null;
     if (key !== null) return void this.#authenticate(key);
+    if (session !== null) return this.#handle(session, text);
     this.#waiting.push(text);
     if (this.#waiting.length > MAX_WAITING) this.#closeWithoutKey();
   }
@@ -114,6 +129,8 @@ export class RosConnection {
   async #authenticate(key: string): Promise<void> {
     this.#isChecking = true;
     this.#cancelTimer();
+    this.#session?.close();
+    this.#session = null;
     try {
       const grant = await this.#options.authorise(key);
       if (this.port.isOpen) this.#start(grant);

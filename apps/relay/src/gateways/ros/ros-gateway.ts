@@ -1,7 +1,8 @@
 /**
  * WebSockets of ROS clients, by rosbridge v2. A key in the header or the path is checked before the
- * connection opens. Without one, messages wait until an operation `auth` arrives. Pages of all sites
- * may connect, because permissions come from the key alone.
+ * connection opens. Without one, messages wait until an operation `auth` arrives; as the first message,
+ * its key takes precedence over one in the path. Pages of all sites may connect, because permissions
+ * come from the key alone.
  */
 import type { IncomingMessage } from "node:http";
 import type { Duplex } from "node:stream";
@@ -16,13 +17,13 @@ import { limits } from "../../platform/limits/limits.ts";
 import type { Clock } from "../../platform/time/clock.ts";
 import { StaggeredInterval } from "../../platform/time/staggered-interval.ts";
 import type { Introduction } from "../../robots/access/callers.ts";
-import type { Grant, RobotRegistry } from "../../robots/registry.ts";
+import type { RobotRegistry } from "../../robots/registry.ts";
 import { closeWith } from "../conversations/conversation.ts";
 import type { GatewayMetrics } from "../conversations/start-conversation.ts";
 import { gatewayDisabled } from "../requests/gateway-requests.ts";
 import { SocketWithReasons } from "../websocket/socket-with-reasons.ts";
 import { WsPort } from "../websocket/ws-port.ts";
-import { RosConnection } from "./ros-connection.ts";
+import { RosConnection, type Admission } from "./ros-connection.ts";
 
 const PATH = /^\/r\/([^/?]{1,64})\/ros(?:\/([^/?]{1,128}))?(?:\?|$)/;
 const introduction: Introduction = { client: "ROS", name: null };
@@ -71,10 +72,10 @@ export class RosGateway {
     const ignore = (): void => undefined;
     socket.on("error", ignore);
     this.#admit(request).then(
-      (grant) => {
+      (admission) => {
         socket.off("error", ignore);
         this.#server.handleUpgrade(request, socket, head, (webSocket) => {
-          this.#accept(webSocket, socket, { request, grant });
+          this.#accept(webSocket, socket, { request, admission });
         });
       },
       (error: unknown) => {
@@ -101,7 +102,7 @@ export class RosGateway {
   }
 
   /** @returns what its key permits; null: the request has no key @throws Refusal */
-  async #admit(request: IncomingMessage): Promise<Grant | null> {
+  async #admit(request: IncomingMessage): Promise<Admission | null> {
     const { guard, registry, isOn } = this.#options;
     guard.checkHost(request);
     if (!isOn) throw gatewayDisabled("ros");
@@ -111,15 +112,21 @@ export class RosGateway {
       throw new Refusal("too-many-readers", "Too many connections from this address.");
     }
     const key = readBearer(request);
-    if (key !== null) return registry.authorise(id, key, "read", introduction);
+    if (key !== null) {
+      return {
+        grant: await registry.authorise(id, key, "read", introduction),
+        isInPath: false,
+      };
+    }
     if (pathKey === undefined) return null;
-    return registry.authorise(id, pathKey, "read", introduction, "url");
+    const grant = await registry.authorise(id, pathKey, "read", introduction, "url");
+    return { grant, isInPath: true };
   }
 
   #accept(
     socket: WebSocket,
     stream: Duplex,
-    { request, grant }: { request: IncomingMessage; grant: Grant | null },
+    { request, admission }: { request: IncomingMessage; admission: Admission | null },
   ): void {
     const { registry, guard, metrics, log, clock } = this.#options;
     const address = guard.addressOf(request);
@@ -140,6 +147,6 @@ export class RosGateway {
       if (others > 0) this.#countByAddress.set(address, others);
       else this.#countByAddress.delete(address);
     });
-    connection.open(grant);
+    connection.open(admission);
   }
 }

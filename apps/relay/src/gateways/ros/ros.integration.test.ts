@@ -30,6 +30,37 @@ describe("a ROS client", () => {
     }
   });
 
+  it("drives by the key of its first message, although the key in the path only reads", async () => {
+    const { relay, robot, page } = await reportedRobot();
+    const { key } = await makeKey(relay, robot, "watch", "url");
+    const client = await RosClient.connect(relay, robot, { pathKey: key });
+    client.send({ op: "auth", mac: robot.driverKey, client: "", dest: "", rand: "", t: 0 });
+    client.send(subscribe);
+    client.send({ op: "publish", topic: "/cmd_vel", msg: { linear: { x: 0.261 } } });
+    await client.next("topic", "/pose2d");
+    expect((await page.next("command"))["command"]).toMatchObject({ action: "drive", left: 0.1 });
+  });
+
+  it("is closed if its first message has a wrong key, whatever the path permits", async () => {
+    const { relay, robot } = await reportedRobot();
+    const { key } = await makeKey(relay, robot, "drive", "url");
+    const client = await RosClient.connect(relay, robot, { pathKey: key });
+    client.send({ op: "auth", mac: key });
+    expect((await client.closed).code).toBe(4401);
+  });
+
+  it("keeps its key if `auth` is not the first message, or the header has one", async () => {
+    const { relay, robot } = await reportedRobot();
+    const { key } = await makeKey(relay, robot, "drive", "url");
+    const byPath = await RosClient.connect(relay, robot, { pathKey: key });
+    await byPath.call("rosapi/nodes");
+    const byHeader = await RosClient.connect(relay, robot);
+    for (const client of [byPath, byHeader]) {
+      client.send({ op: "auth", mac: "wrong" });
+      expect(await client.call("/rosapi/get_time")).toMatchObject({ result: true });
+    }
+  });
+
   it("connects from a page of another site", async () => {
     const { relay, robot } = await reportedRobot();
     const headers = { Origin: "https://elsewhere.example" };
