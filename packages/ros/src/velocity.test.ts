@@ -60,6 +60,67 @@ describe("/cmd_vel", () => {
     expect(powers(again)).toEqual([[1 / 2.61, 1 / 2.61]]);
   });
 
+  describe("of a stream that falls silent", () => {
+    const publish = async (client: RosClient, x: number): Promise<void> =>
+      client.send({ op: "publish", topic: "/cmd_vel", msg: { linear: { x } } });
+    /** A client that publishes ten times a second. @returns what was sent after a silence of 8 s */
+    const silent = async (): Promise<RosClient> => {
+      const client = await RosClient.connect();
+      for (let i = 0; i < 10; i += 1) {
+        await publish(client, i / 100);
+        await client.timers.pass(100);
+      }
+      await client.timers.pass(8_000);
+      client.port.orders.length = 0;
+      return client;
+    };
+
+    it.each([
+      ["at once", 0],
+      ["in several reads", 1],
+      ["slowly", 3],
+    ])("takes the newest of what arrives %s after a stalled connection", async (_how, ms) => {
+      const client = await silent();
+      for (let i = 1; i <= 80; i += 1) {
+        await publish(client, i / 100);
+        await client.timers.pass(ms);
+      }
+      await client.timers.pass(1_000);
+      expect(powers(client)).toEqual([[0.8 / 2.61, 0.8 / 2.61]]);
+    });
+
+    it("continues with the values that follow", async () => {
+      const client = await silent();
+      for (let i = 1; i <= 80; i += 1) await publish(client, i / 100);
+      for (let i = 81; i <= 90; i += 1) {
+        await client.timers.pass(100);
+        await publish(client, i / 100);
+      }
+      await client.timers.pass(100);
+      expect(powers(client)).toEqual(
+        [82, 83, 84, 85, 86, 87, 88, 89, 90].map((i) => [i / 100 / 2.61, i / 100 / 2.61]),
+      );
+    });
+
+    it("drives after a moment if it resumes with one value", async () => {
+      const client = await silent();
+      await publish(client, 0.5);
+      await client.timers.pass(49);
+      expect(client.port.orders).toEqual([]);
+      await client.timers.pass(1);
+      expect(powers(client)).toEqual([[0.5 / 2.61, 0.5 / 2.61]]);
+    });
+  });
+
+  it("drives at once by single values", async () => {
+    const client = await RosClient.connect();
+    for (let i = 1; i <= 3; i += 1) {
+      await client.drive(i / 10);
+      expect(client.port.orders).toHaveLength(i);
+      await client.timers.pass(1_000);
+    }
+  });
+
   it("sends at most 10 orders a second, and the newest", async () => {
     const client = await RosClient.connect();
     for (let i = 0; i < 50; i += 1) {

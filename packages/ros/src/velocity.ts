@@ -12,8 +12,12 @@ const MIN_INTERVAL_MS = 100;
 const RENEWAL_MS = 200;
 /** The robot stops if no message arrives for this time. */
 const LEASE_MS = 500;
-/** A connection begins with what its client has stored. */
+/** A connection begins with what its client has stored, and so does one that was interrupted. */
 const START_MS = 300;
+/** Of a stream that resumes, messages that arrive this close together may be what was stored. */
+const SETTLE_MS = 50;
+/** More messages than this in `SETTLE_MS` were stored. */
+const MAX_SETTLING = 3;
 const MAX_DELAY_MS = 500;
 /** Snapshots are late by fewer orders than this. */
 const MAX_OWN = 32;
@@ -42,7 +46,13 @@ export interface VelocityOptions {
 
 export class VelocityRegister {
   readonly #options: VelocityOptions;
-  readonly #startedAt: number;
+  /** nothing is sent before this time: of what arrives until then, only the newest value counts */
+  #heldUntil: number;
+  #arrivedAt = Number.NEGATIVE_INFINITY;
+  /** whether the newest two messages came within the lease, as those of a stream do */
+  #isStream = false;
+  /** the newest time at which a stream resumed, and the number of messages soon after it */
+  #resumed = { at: Number.NEGATIVE_INFINITY, messages: 0 };
   /** the newest value that has not been sent */
   #next: Powers | null = null;
   /** null: the robot may do something else */
@@ -60,11 +70,12 @@ export class VelocityRegister {
 
   constructor(options: VelocityOptions) {
     this.#options = options;
-    this.#startedAt = options.timers.now();
+    this.#heldUntil = options.timers.now() + START_MS;
   }
 
   /** @param stampMs the time of the message by the clock of the client; null: none */
   set(velocity: Velocity, stampMs: number | null): void {
+    this.#arrived(this.#options.timers.now());
     if (stampMs !== null && this.#isLate(stampMs)) return;
     this.#next = wheelPowers(velocity);
     this.#schedule();
@@ -90,6 +101,27 @@ export class VelocityRegister {
     this.#cancelTimer?.();
   }
 
+  /**
+   * A stalled connection delivers at once what its client has sent meanwhile, and its client has not
+   * noticed anything. So a stream that resumes after a silence waits: for a moment, or if many
+   * messages arrive, as long as a new connection.
+   */
+  #arrived(now: number): void {
+    const isClose = now - this.#arrivedAt <= LEASE_MS;
+    if (!isClose && this.#isStream) {
+      this.#resumed = { at: now, messages: 0 };
+      this.#heldUntil = Math.max(this.#heldUntil, now + SETTLE_MS);
+    }
+    this.#isStream = isClose;
+    this.#arrivedAt = now;
+    const { at } = this.#resumed;
+    if (now - at > SETTLE_MS) return;
+    this.#resumed.messages += 1;
+    if (this.#resumed.messages > MAX_SETTLING) {
+      this.#heldUntil = Math.max(this.#heldUntil, at + START_MS);
+    }
+  }
+
   #isLate(stampMs: number): boolean {
     const newest = this.#simulated.at(-1)?.ms ?? 0;
     const isSimulated = stampMs <= newest + MAX_AHEAD_MS && stampMs >= newest - MAX_BEHIND_MS;
@@ -110,11 +142,12 @@ export class VelocityRegister {
   #schedule(): void {
     if (this.#isSending || this.#isClosed || this.#cancelTimer !== null) return;
     const { timers } = this.#options;
-    const dueAt = Math.max(this.#startedAt + START_MS, this.#sentAt + MIN_INTERVAL_MS);
+    const dueAt = Math.max(this.#heldUntil, this.#sentAt + MIN_INTERVAL_MS);
     // Not at once: of messages that arrive together, only the newest counts.
     this.#cancelTimer = timers.after(Math.max(0, dueAt - timers.now()), () => {
       this.#cancelTimer = null;
-      void this.#sendNext();
+      if (timers.now() < this.#heldUntil) this.#schedule();
+      else void this.#sendNext();
     });
   }
 

@@ -1,8 +1,8 @@
 /** The JavaScript library of ROS, unchanged, drives a robot through a real relay. */
-import { createdKeySchema, type Registration } from "@corridor/protocol";
 import { Action, Ros, Service, Topic } from "roslib";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { corridorHost } from "../../support/mcp/corridor-host.ts";
+import { urlWithKey } from "../../support/ros/url-with-key.ts";
 import { startRelayProcess } from "../../support/test-relay-process.ts";
 
 interface Scan {
@@ -20,18 +20,6 @@ async function host() {
   const { relay, registration, page } = await corridorHost(await startRelayProcess());
   const url = `${relay.url.replace("http", "ws")}/r/${registration.id}/ros`;
   return { relay, registration, page, url };
-}
-
-async function urlOf(origin: string, { id, ownerKey }: Registration, kind = "drive") {
-  const answer = await fetch(`${origin}/api/v1/robots/${id}/keys`, {
-    method: "POST",
-    headers: { Authorization: `Bearer ${ownerKey}`, "Content-Type": "application/json" },
-    body: JSON.stringify({ kind, use: "url" }),
-  });
-  const { urls } = createdKeySchema.parse(await answer.json());
-  const ros = urls?.ros ?? null;
-  if (ros === null) throw new Error("the key has no URL for ROS");
-  return ros;
 }
 
 /** Connects as the library's documentation shows. @param key in `authenticate`; null: in the URL */
@@ -74,7 +62,7 @@ describe("roslib", () => {
       const { relay, registration, url } = await host();
       const ros = await (where === "message"
         ? connect(url, registration.driverKey)
-        : connect(await urlOf(relay.url, registration), null));
+        : connect(await urlWithKey(relay.url, registration), null));
       // The library calls back for the name as it stands here.
       for (const name of ["/scan", "scan"]) {
         const topic = new Topic<Scan>({ ros, name, messageType: "sensor_msgs/msg/LaserScan" });
@@ -99,7 +87,7 @@ describe("roslib", () => {
   it("drives by the key of `authenticate`, although its URL only reads", async () => {
     const { relay, registration, page } = await host();
     const ros = await connect(
-      await urlOf(relay.url, registration, "watch"),
+      await urlWithKey(relay.url, registration, "watch"),
       registration.driverKey,
     );
     const topic = new Topic({ ros, name: "/cmd_vel", messageType: "geometry_msgs/Twist" });
@@ -166,7 +154,7 @@ describe("roslib", () => {
 
   it("stays connected while another client sends 1,000 wrong messages", async () => {
     const { relay, registration, ros } = await connected();
-    const url = await urlOf(relay.url, registration);
+    const url = await urlWithKey(relay.url, registration);
     for (let sent = 0; sent < 1_000; sent += 11) {
       const other = new WebSocket(url);
       const closed = new Promise<number>((resolve) => {
@@ -182,7 +170,7 @@ describe("roslib", () => {
 
   it("may only read with a watch key", async () => {
     const { relay, registration, page } = await host();
-    const ros = await connect(await urlOf(relay.url, registration, "watch"), null);
+    const ros = await connect(await urlWithKey(relay.url, registration, "watch"), null);
     await expect(call(ros, "/reset", "std_srvs/Trigger")).rejects.toThrow("watch key");
     const topic = new Topic({ ros, name: "/cmd_vel", messageType: "geometry_msgs/Twist" });
     topic.publish(twist(1));

@@ -2,25 +2,15 @@
 import { execFile } from "node:child_process";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
-import { createdKeySchema } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
-import { NotInstallableError, requireEnvironment } from "../../../scripts/python.ts";
 import { corridorHost } from "../../support/mcp/corridor-host.ts";
+import { roslibpyEnvironment } from "../../support/ros/roslibpy.ts";
+import { urlWithKey } from "../../support/ros/url-with-key.ts";
 import { startRelayProcess } from "../../support/test-relay-process.ts";
 
 const run = promisify(execFile);
 const support = (name: string): string =>
   fileURLToPath(new URL(`../../support/ros/${name}`, import.meta.url));
-
-/** Python with the library, or why it cannot be installed here. */
-function library(): { python: string } | { missing: string } {
-  try {
-    return { python: requireEnvironment("ros", support("requirements.txt")) };
-  } catch (error) {
-    if (error instanceof NotInstallableError) return { missing: error.message };
-    throw error;
-  }
-}
 
 describe("roslibpy", () => {
   it.for(["twisted", "asyncio"])(
@@ -28,21 +18,13 @@ describe("roslibpy", () => {
     { timeout: 300_000 },
     async (transport, { skip }) => {
       const { relay, page, registration } = await corridorHost(await startRelayProcess());
-      const found = library();
+      const found = roslibpyEnvironment();
       if ("missing" in found) return skip(found.missing);
-      const made = await fetch(`${relay.url}/api/v1/robots/${registration.id}/keys`, {
-        method: "POST",
-        headers: {
-          Authorization: `Bearer ${registration.ownerKey}`,
-          "Content-Type": "application/json",
-        },
-        body: JSON.stringify({ kind: "drive", use: "url" }),
-      });
-      const { urls } = createdKeySchema.parse(await made.json());
+      const withKey = await urlWithKey(relay.url, registration);
       const url = `${relay.url.replace("http", "ws")}/r/${registration.id}/ros`;
       const { stdout } = await run(
         found.python,
-        [support("roslibpy_client.py"), url, registration.driverKey, urls?.ros ?? ""],
+        [support("roslibpy_client.py"), url, registration.driverKey, withKey],
         { env: { ...process.env, ROSLIBPY_TRANSPORT: transport } },
       ).catch((error: unknown) => {
         throw new Error(`${String(error)}\n${relay.log}`);

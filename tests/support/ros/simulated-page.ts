@@ -1,0 +1,25 @@
+/** A page that is the robot, with its real simulation and remote driver, on real time. */
+import type { Registration } from "@corridor/protocol";
+import { onTestFinished } from "vitest";
+import { RobotPage } from "../../../e2e/faults/robots/robot-page.ts";
+import { Robot } from "../../../e2e/faults/robots/robot.ts";
+
+/** interval of the page's worker */
+const INTERVAL_MS = 8;
+
+/** Opens the page of a robot. It closes with the test. @param origin of its relay */
+export function openSimulatedPage(origin: string, registration: Registration): Robot {
+  const robot = new Robot(registration);
+  const page = new RobotPage(
+    { type: "open", page: robot.page, origin, session: robot.session, transports: "websocket" },
+    (message) => {
+      if (message.type !== "ready") robot.receive(message);
+    },
+  );
+  const timer = setInterval(() => page.advance(), INTERVAL_MS);
+  onTestFinished(() => {
+    clearInterval(timer);
+    page.close();
+  });
+  return robot;
+}
