@@ -1,4 +1,4 @@
-/** Real ROS clients whose network fails, or whose relay restarts, while they publish velocities. */
+/** Real ROS clients that publish velocities while their network, their relay or another client fails. */
 import { describe, expect, it, onTestFinished } from "vitest";
 import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
 import { machineNow, sleep, wallClock } from "../../../e2e/faults/clock.ts";
@@ -8,6 +8,7 @@ import { startRelayProcess } from "../../support/test-relay-process.ts";
 import { roslibpyEnvironment } from "../../support/ros/roslibpy.ts";
 import { openSimulatedPage } from "../../support/ros/simulated-page.ts";
 import { urlWithKey } from "../../support/ros/url-with-key.ts";
+import { sendWrongMessages } from "../../support/ros/wrong-messages.ts";
 import { numberOf, streamByRoslib, streamByRoslibpy } from "../../support/ros/velocity-streams.ts";
 
 const CUT_MS = 8_000;
@@ -45,7 +46,7 @@ async function turningRobot(library: Library) {
   const stream =
     library === "roslib" ? streamByRoslib(origin + path) : streamByRoslibpy(library, byHeader);
   await expect.poll(() => robot.isMoving && stream.poses > 5, RECONNECT).toBe(true);
-  return { relay, proxy, robot, stream };
+  return { relay, proxy, robot, stream, url: relay.url.replace("http", "ws") + path };
 }
 
 type Turning = Awaited<ReturnType<typeof turningRobot>>;
@@ -62,22 +63,20 @@ async function publishedOf({ relay, robot, stream }: Turning, since: number): Pr
     });
 }
 
-/** Interrupts the network of a client for 8 s. */
-async function interrupt(turning: Turning, fault: "cut" | "stall"): Promise<void> {
+/** Interrupts the network of a client for 8 s. @returns what moved the robot meanwhile and afterwards */
+async function interrupt(turning: Turning, fault: "cut" | "stall") {
   const { proxy, robot } = turning;
   const cutAt = machineNow();
   if (fault === "cut") proxy.breakFor(CUT_MS);
   else proxy.stall(CUT_MS);
   await sleep(CUT_MS);
-  expect(robot.isMoving).toBe(false);
-  expect(robot.movedAt).toBeLessThan(cutAt + STOP_MS);
+  const { isMoving, movedAt } = robot;
   const backAt = machineNow();
   await expect.poll(() => robot.isMoving, RECONNECT).toBe(true);
   await sleep(AFTER_MS);
   const published = await publishedOf(turning, cutAt + STOP_MS);
-  const stale = published.filter((at) => at < backAt - NEW_MS);
-  expect(published.length).toBeGreaterThan(1);
-  expect(stale.length, `stale by ${stale.map((at) => backAt - at)} ms`).toBeLessThanOrEqual(1);
+  const stale = published.filter((at) => at < backAt - NEW_MS).length;
+  return { isMoving, stopMs: movedAt - cutAt, velocities: published.length, stale };
 }
 
 describe.each(["roslib", "roslibpy"])("a robot that %s turns", (name) => {
@@ -88,7 +87,12 @@ describe.each(["roslib", "roslibpy"])("a robot that %s turns", (name) => {
       async () => interrupt(await turningRobot(library), "cut"),
       async () => interrupt(await turningRobot(library), "stall"),
     ]);
-    await Promise.all(measured.map((measure) => measure()));
+    for (const outcome of await Promise.all(measured.map((measure) => measure()))) {
+      expect(outcome).toMatchObject({ isMoving: false });
+      expect(outcome.stopMs).toBeLessThan(STOP_MS);
+      expect(outcome.velocities).toBeGreaterThan(1);
+      expect(outcome.stale).toBeLessThanOrEqual(1);
+    }
   }, 180_000);
 
   it("turns again, and reports to the same subscription, after a restart of the relay", async ({
@@ -104,6 +108,18 @@ describe.each(["roslib", "roslibpy"])("a robot that %s turns", (name) => {
         .toBe(true);
     };
     const libraries = librariesOf(name, skip);
-    await Promise.all(libraries.map(async (library) => restart(await turningRobot(library))));
+    const restarts = libraries.map(async (library) => restart(await turningRobot(library)));
+    await expect(Promise.all(restarts)).resolves.toHaveLength(libraries.length);
+  }, 180_000);
+
+  it("turns on while another client sends 1,000 wrong messages", async ({ skip }) => {
+    for (const library of librariesOf(name, skip)) {
+      const { proxy, stream, url } = await turningRobot(library);
+      const connectedAt = proxy.answeredAt;
+      await sendWrongMessages(url);
+      const { poses } = stream;
+      await expect.poll(() => stream.poses > poses + 5, RECONNECT).toBe(true);
+      expect(proxy.answeredAt).toBe(connectedAt);
+    }
   }, 180_000);
 });
