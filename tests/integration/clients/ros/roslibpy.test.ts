@@ -3,14 +3,14 @@ import { execFile } from "node:child_process";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
 import { describe, expect, it } from "vitest";
-import { corridorHost } from "../../support/mcp/corridor-host.ts";
-import { roslibpyEnvironment } from "../../support/ros/roslibpy.ts";
-import { urlWithKey } from "../../support/ros/url-with-key.ts";
-import { startRelayProcess } from "../../support/test-relay-process.ts";
+import { corridorHost } from "../../../support/mcp/corridor-host.ts";
+import { roslibpyEnvironment } from "../../../support/ros/roslibpy.ts";
+import { urlWithKey } from "../../../support/ros/url-with-key.ts";
+import { startRelayProcess } from "../../../support/test-relay-process.ts";
 
 const run = promisify(execFile);
 const support = (name: string): string =>
-  fileURLToPath(new URL(`../../support/ros/${name}`, import.meta.url));
+  fileURLToPath(new URL(`../../../support/ros/${name}`, import.meta.url));
 
 describe("roslibpy", () => {
   it.for(["twisted", "asyncio"])(

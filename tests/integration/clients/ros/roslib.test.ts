@@ -1,9 +1,9 @@
 /** The JavaScript library of ROS, unchanged, drives a robot through a real relay. */
 import { Action, Ros, Service, Topic } from "roslib";
 import { describe, expect, it, onTestFinished } from "vitest";
-import { corridorHost } from "../../support/mcp/corridor-host.ts";
-import { urlWithKey } from "../../support/ros/url-with-key.ts";
-import { startRelayProcess } from "../../support/test-relay-process.ts";
+import { corridorHost } from "../../../support/mcp/corridor-host.ts";
+import { urlWithKey } from "../../../support/ros/url-with-key.ts";
+import { startRelayProcess } from "../../../support/test-relay-process.ts";
 
 interface Scan {
   ranges: number[];

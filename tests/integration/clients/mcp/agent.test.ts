@@ -1,10 +1,10 @@
 /** Agents of real clients drive a robot through a real relay. */
 import { describe, expect, it } from "vitest";
-import { callTool, connectAgent, eras } from "../../../apps/relay/src/testing/mcp-client.ts";
+import { callTool, connectAgent, eras } from "../../../../apps/relay/src/testing/mcp-client.ts";
 import { mazePresets } from "@corridor/maze";
-import { corridor, corridorHost } from "../../support/mcp/corridor-host.ts";
-import { startCluster } from "../../support/client/cluster.ts";
-import { startRelayProcess } from "../../support/test-relay-process.ts";
+import { corridor, corridorHost } from "../../../support/mcp/corridor-host.ts";
+import { startCluster } from "../../../support/client/cluster.ts";
+import { startRelayProcess } from "../../../support/test-relay-process.ts";
 
 type Call = (name: string, args?: Record<string, unknown>) => ReturnType<typeof callTool>;
 

@@ -3,13 +3,13 @@ import { execFile } from "node:child_process";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
 import { describe, expect, it } from "vitest";
-import { NotInstallableError, requireEnvironment } from "../../../scripts/python.ts";
-import { corridorHost } from "../../support/mcp/corridor-host.ts";
-import { startRelayProcess } from "../../support/test-relay-process.ts";
+import { NotInstallableError, requireEnvironment } from "../../../../scripts/python.ts";
+import { corridorHost } from "../../../support/mcp/corridor-host.ts";
+import { startRelayProcess } from "../../../support/test-relay-process.ts";
 
 const run = promisify(execFile);
 const support = (name: string): string =>
-  fileURLToPath(new URL(`../../support/mcp/${name}`, import.meta.url));
+  fileURLToPath(new URL(`../../../support/mcp/${name}`, import.meta.url));
 
 /** Python with the library, or why it cannot be installed here. */
 function library(): { python: string } | { missing: string } {

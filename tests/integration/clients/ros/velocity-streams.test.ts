@@ -1,15 +1,19 @@
 /** Real ROS clients that publish velocities while their network, their relay or another client fails. */
 import { describe, expect, it, onTestFinished } from "vitest";
-import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
-import { machineNow, sleep, wallClock } from "../../../e2e/faults/clock.ts";
-import { FaultProxy } from "../../../e2e/faults/net/fault-proxy.ts";
-import { registerRobot } from "../../../packages/client/src/register-robot.ts";
-import { startRelayProcess } from "../../support/test-relay-process.ts";
-import { roslibpyEnvironment } from "../../support/ros/roslibpy.ts";
-import { openSimulatedPage } from "../../support/ros/simulated-page.ts";
-import { urlWithKey } from "../../support/ros/url-with-key.ts";
-import { sendWrongMessages } from "../../support/ros/wrong-messages.ts";
-import { numberOf, streamByRoslib, streamByRoslibpy } from "../../support/ros/velocity-streams.ts";
+import { SeededRandom } from "../../../../apps/relay/src/testing/faults/seeded-random.ts";
+import { machineNow, sleep, wallClock } from "../../../../e2e/faults/clock.ts";
+import { FaultProxy } from "../../../../e2e/faults/net/fault-proxy.ts";
+import { registerRobot } from "../../../../packages/client/src/register-robot.ts";
+import { startRelayProcess } from "../../../support/test-relay-process.ts";
+import { roslibpyEnvironment } from "../../../support/ros/roslibpy.ts";
+import { openSimulatedPage } from "../../../support/ros/simulated-page.ts";
+import { urlWithKey } from "../../../support/ros/url-with-key.ts";
+import { sendWrongMessages } from "../../../support/ros/wrong-messages.ts";
+import {
+  numberOf,
+  streamByRoslib,
+  streamByRoslibpy,
+} from "../../../support/ros/velocity-streams.ts";
 
 const CUT_MS = 8_000;
 /** The lease of 500 ms stops the robot. A slow machine may need longer, but not as long as the cut. */

@@ -1,8 +1,8 @@
 /** A ROS client and the page of its robot at different relays. */
 import { expect, it } from "vitest";
-import { RosClient } from "../../../apps/relay/src/testing/ros-client.ts";
-import { corridor, corridorHost } from "../../support/mcp/corridor-host.ts";
-import { startCluster } from "../../support/client/cluster.ts";
+import { RosClient } from "../../../../apps/relay/src/testing/ros-client.ts";
+import { corridor, corridorHost } from "../../../support/mcp/corridor-host.ts";
+import { startCluster } from "../../../support/client/cluster.ts";
 
 it("any relay serves a ROS client: it reads, drives and receives results", async () => {
   const cluster = await startCluster();
