@@ -11,6 +11,7 @@ import type { Grant } from "../../robots/registry.ts";
 import { RelayPort } from "../../robots/relay-port.ts";
 import { closeWith } from "../conversations/conversation.ts";
 import type { GatewayMetrics } from "../conversations/start-conversation.ts";
+import type { OpenSocket } from "../websocket/open-sockets.ts";
 import type { WsPort } from "../websocket/ws-port.ts";
 
 /** Limits until a key arrives. */
@@ -43,8 +44,11 @@ export interface Admission {
   isInPath: boolean;
 }
 
-export class RosConnection {
-  readonly port: WsPort;
+export class RosConnection implements OpenSocket {
+  readonly socket: WebSocket;
+  readonly #port: WsPort;
+  lastMessageAt: number;
+  lastHeartbeatAt: number;
   readonly #options: RosConnectionOptions;
   #session: RosSession | null = null;
   /** what arrived before the key was checked */
@@ -54,17 +58,16 @@ export class RosConnection {
   #mayChangeKey = false;
   #cancelTimer = (): void => undefined;
   #unreadable = 0;
-  #lastMessageAt: number;
-  #lastPingAt: number;
 
   constructor(options: RosConnectionOptions) {
     this.#options = options;
-    this.port = options.port;
+    this.#port = options.port;
     const { socket, clock, log, metrics } = options;
-    this.#lastMessageAt = clock.now();
-    this.#lastPingAt = clock.now();
+    this.socket = socket;
+    this.lastMessageAt = clock.now();
+    this.lastHeartbeatAt = clock.now();
     socket.on("message", (data: Buffer, isBinary) => this.#receive(data, isBinary));
-    socket.on("pong", () => (this.#lastMessageAt = clock.now()));
+    socket.on("pong", () => (this.lastMessageAt = clock.now()));
     // On oversized messages or broken framing, `ws` closes the socket with 1009 or 1002.
     socket.on("error", (error) => log.debug({ err: error }, "ROS connection error"));
     socket.on("close", (code) => {
@@ -86,23 +89,9 @@ export class RosConnection {
     this.#cancelTimer = this.#options.clock.after(AUTH_MS, () => this.#closeWithoutKey());
   }
 
-  /** Pings a silent client, and destroys the connection if no answer arrives. */
-  checkLiveness(): void {
-    const { clock, socket } = this.#options;
-    const now = clock.now();
-    if (now - this.#lastMessageAt >= limits.silenceMs) return socket.terminate();
-    if (now - this.#lastPingAt < limits.heartbeatMs - limits.silenceCheckMs / 2) return;
-    this.#lastPingAt = now;
-    if (this.port.isOpen) socket.ping();
-  }
-
-  destroy(): void {
-    this.#options.socket.terminate();
-  }
-
   #receive(data: Buffer, isBinary: boolean): void {
-    if (!this.port.isOpen) return;
-    this.#lastMessageAt = this.#options.clock.now();
+    if (!this.#port.isOpen) return;
+    this.lastMessageAt = this.#options.clock.now();
     const text = isBinary ? "" : data.toString();
     const session = this.#session;
     const isKeyExpected = session === null ? !this.#isChecking : this.#mayChangeKey;
@@ -120,7 +109,7 @@ export class RosConnection {
     this.#options.metrics.refused("bad-request");
     if (this.#unreadable < limits.badFrames) return;
     closeWith(
-      this.port,
+      this.#port,
       closeReasons.badFrame,
       `${limits.badFrames} messages could not be read. Send operations of rosbridge v2 as JSON text.`,
     );
@@ -133,7 +122,7 @@ export class RosConnection {
     this.#session = null;
     try {
       const grant = await this.#options.authorise(key);
-      if (this.port.isOpen) this.#start(grant);
+      if (this.#port.isOpen) this.#start(grant);
     } catch (error) {
       this.#close(error);
     }
@@ -145,9 +134,9 @@ export class RosConnection {
     const { clock, log } = this.#options;
     try {
       const session = new RosSession({
-        port: new RelayPort(grant, { transport: this.port.transport, flow: this.port.flow }),
+        port: new RelayPort(grant, { transport: this.#port.transport, flow: this.#port.flow }),
         timers: clock,
-        send: (text) => this.port.send(text),
+        send: (text) => this.#port.send(text),
         onProblem: (error) =>
           robot.refused(
             caller,
@@ -161,7 +150,7 @@ export class RosConnection {
       log.info({ client: "ROS", key: keyId(caller.hash) }, "ROS client authenticated");
       const waiting = this.#waiting;
       this.#waiting = [];
-      for (const text of waiting) if (this.port.isOpen) this.#handle(session, text);
+      for (const text of waiting) if (this.#port.isOpen) this.#handle(session, text);
     } catch (error) {
       this.#close(error instanceof RefusedError ? (error.cause ?? error) : error);
     }
@@ -169,7 +158,7 @@ export class RosConnection {
 
   #closeWithoutKey(): void {
     closeWith(
-      this.port,
+      this.#port,
       closeReasons.notAuthorised,
       "No key in time. Send it in the header Authorization, or as 'mac' of the operation auth.",
     );
@@ -183,6 +172,6 @@ export class RosConnection {
     }
     const isRestart = refusal.kind === "restarting";
     const reason = isRestart ? closeReasons.restart : closings[refusal.problem.status];
-    closeWith(this.port, reason ?? closeReasons.busy, refusal.problem.detail);
+    closeWith(this.#port, reason ?? closeReasons.busy, refusal.problem.detail);
   }
 }

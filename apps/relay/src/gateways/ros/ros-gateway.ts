@@ -6,7 +6,7 @@
  */
 import type { IncomingMessage } from "node:http";
 import type { Duplex } from "node:stream";
-import { closeReasons, MAX_FRAME_BYTES } from "@corridor/protocol";
+import { MAX_FRAME_BYTES } from "@corridor/protocol";
 import type { Logger } from "pino";
 import { WebSocketServer, type WebSocket } from "ws";
 import { asRefusal, Refusal } from "../../platform/errors/problems.ts";
@@ -15,12 +15,11 @@ import { refuseUpgrade } from "../../platform/http/refuse-upgrade.ts";
 import type { RequestGuard } from "../../platform/http/request-guard.ts";
 import { limits } from "../../platform/limits/limits.ts";
 import type { Clock } from "../../platform/time/clock.ts";
-import { StaggeredInterval } from "../../platform/time/staggered-interval.ts";
 import type { Introduction } from "../../robots/access/callers.ts";
 import type { RobotRegistry } from "../../robots/registry.ts";
-import { closeWith } from "../conversations/conversation.ts";
 import type { GatewayMetrics } from "../conversations/start-conversation.ts";
 import { gatewayDisabled } from "../requests/gateway-requests.ts";
+import { OpenSockets } from "../websocket/open-sockets.ts";
 import { SocketWithReasons } from "../websocket/socket-with-reasons.ts";
 import { WsPort } from "../websocket/ws-port.ts";
 import { RosConnection, type Admission } from "./ros-connection.ts";
@@ -47,18 +46,11 @@ export class RosGateway {
     clientTracking: false,
     WebSocket: SocketWithReasons,
   });
-  readonly #connections = new Set<RosConnection>();
-  readonly #countByAddress = new Map<string, number>();
-  readonly #heartbeats: StaggeredInterval<RosConnection>;
+  readonly #connections: OpenSockets<RosConnection>;
 
   constructor(options: RosGatewayOptions) {
     this.#options = options;
-    this.#heartbeats = new StaggeredInterval({
-      clock: options.clock,
-      everyMs: limits.silenceCheckMs,
-      members: () => this.#connections,
-      visit: (connection) => connection.checkLiveness(),
-    });
+    this.#connections = new OpenSockets({ clock: options.clock });
   }
 
   /** Whether a request is for the URL of a robot for ROS clients. */
@@ -91,14 +83,13 @@ export class RosGateway {
 
   /** Closes all connections because the relay shuts down. */
   close(): void {
-    this.#heartbeats.close();
-    for (const { port } of this.#connections) closeWith(port, closeReasons.restart);
+    this.#connections.close();
     this.#server.close();
   }
 
   /** Destroys the connections that did not answer the close frame. */
   destroyAll(): void {
-    for (const connection of this.#connections) connection.destroy();
+    this.#connections.destroyAll();
   }
 
   /** @returns what its key permits; null: the request has no key @throws Refusal */
@@ -108,7 +99,7 @@ export class RosGateway {
     if (!isOn) throw gatewayDisabled("ros");
     const [, id = "", pathKey] = PATH.exec(request.url ?? "") ?? [];
     const address = guard.addressOf(request);
-    if ((this.#countByAddress.get(address) ?? 0) >= limits.socketsPerAddress) {
+    if (this.#connections.countOf(address) >= limits.socketsPerAddress) {
       throw new Refusal("too-many-readers", "Too many connections from this address.");
     }
     const key = readBearer(request);
@@ -139,14 +130,8 @@ export class RosGateway {
       log,
       metrics,
     });
-    this.#connections.add(connection);
-    this.#countByAddress.set(address, (this.#countByAddress.get(address) ?? 0) + 1);
-    socket.on("close", () => {
-      this.#connections.delete(connection);
-      const others = (this.#countByAddress.get(address) ?? 1) - 1;
-      if (others > 0) this.#countByAddress.set(address, others);
-      else this.#countByAddress.delete(address);
-    });
+    this.#connections.add(connection, address);
+    socket.on("close", () => this.#connections.remove(connection, address));
     connection.open(admission);
   }
 }

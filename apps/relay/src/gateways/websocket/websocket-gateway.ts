@@ -15,7 +15,6 @@ import { markOf } from "../../platform/keys.ts";
 import type { RequestGuard } from "../../platform/http/request-guard.ts";
 import { asRefusal, Refusal } from "../../platform/errors/problems.ts";
 import { limits } from "../../platform/limits/limits.ts";
-import { StaggeredInterval } from "../../platform/time/staggered-interval.ts";
 import {
   closeWith,
   handleMessage,
@@ -26,6 +25,7 @@ import { closeOnError } from "../conversations/close-on-error.ts";
 import type { Endpoint } from "../conversations/endpoint.ts";
 import type { GatewayMetrics } from "../conversations/start-conversation.ts";
 import { refuseUpgrade } from "../../platform/http/refuse-upgrade.ts";
+import { OpenSockets, type OpenSocket } from "./open-sockets.ts";
 import { SocketWithReasons } from "./socket-with-reasons.ts";
 import { WsPort } from "./ws-port.ts";
 
@@ -39,8 +39,7 @@ const clientCloseCodes: ReadonlySet<number> = new Set([1000, 1001, 1005]);
 
 const PATH = /^\/api\/v1\/(robots|classes)\/([^/]{1,64})\/socket$/;
 
-interface Client {
-  socket: WebSocket;
+interface Client extends OpenSocket {
   port: ClientConnection;
   /** id in the address */
   id: string;
@@ -48,9 +47,6 @@ interface Client {
   language: string;
   /** cancels the timeout for its first message */
   cancelTimer: () => void;
-  lastMessageAt: number;
-  /** time of its last heartbeat */
-  lastHeartbeatAt: number;
   /** id of its key for logs */
   key: string | null;
   conversation: Conversation | null;
@@ -67,10 +63,7 @@ export interface GatewayOptions<H extends { role: string; key: string }> {
 export class WebSocketGateway<H extends { role: string; key: string }> {
   readonly #options: GatewayOptions<H>;
   readonly #server: WebSocketServer;
-  readonly #clients = new Set<Client>();
-  /** number of clients by address */
-  readonly #countByAddress = new Map<string, number>();
-  readonly #heartbeats: StaggeredInterval<Client>;
+  readonly #clients: OpenSockets<Client>;
 
   constructor(options: GatewayOptions<H>) {
     this.#options = options;
@@ -81,11 +74,9 @@ export class WebSocketGateway<H extends { role: string; key: string }> {
       clientTracking: false,
       WebSocket: SocketWithReasons,
     });
-    this.#heartbeats = new StaggeredInterval({
+    this.#clients = new OpenSockets({
       clock: options.clock,
-      everyMs: limits.silenceCheckMs,
-      members: () => this.#clients,
-      visit: (client) => this.#sendHeartbeat(client),
+      heartbeat: ({ conversation }) => conversation?.heartbeat(),
     });
   }
 
@@ -111,14 +102,13 @@ export class WebSocketGateway<H extends { role: string; key: string }> {
 
   /** Closes all sockets because the relay shuts down. */
   close(): void {
-    this.#heartbeats.close();
-    for (const { socket } of this.#clients) closeWith(socket, closeReasons.restart);
+    this.#clients.close();
     this.#server.close();
   }
 
   /** Destroys the sockets that did not answer the close frame. */
   destroyAll(): void {
-    for (const { socket } of this.#clients) socket.terminate();
+    this.#clients.destroyAll();
   }
 
   /** @returns the id in the address @throws Refusal if no socket may be opened there */
@@ -163,9 +153,7 @@ export class WebSocketGateway<H extends { role: string; key: string }> {
       key: null,
       conversation: null,
     };
-    this.#clients.add(client);
-    const countOfAddress = (this.#countByAddress.get(address) ?? 0) + 1;
-    this.#countByAddress.set(address, countOfAddress);
+    this.#clients.add(client, address);
     // Messages are processed in order, so that none overtakes the first.
     let work: Promise<void> = Promise.resolve();
     const receive = (data: Buffer, isBinary: boolean): void => {
@@ -191,19 +179,12 @@ export class WebSocketGateway<H extends { role: string; key: string }> {
       metrics.socketClosed(code);
       this.#options.log.info({ code, key: client.key }, "WebSocket closed");
       client.cancelTimer();
-      this.#clients.delete(client);
-      this.#release(address);
+      this.#clients.remove(client, address);
       client.conversation?.closed(clientCloseCodes.has(code));
     });
-    if (countOfAddress > this.#options.endpoint.connectionsPerAddress) {
+    if (this.#clients.countOf(address) > this.#options.endpoint.connectionsPerAddress) {
       closeWith(socket, closeReasons.tooMany);
     }
-  }
-
-  #release(address: string): void {
-    const others = (this.#countByAddress.get(address) ?? 1) - 1;
-    if (others > 0) this.#countByAddress.set(address, others);
-    else this.#countByAddress.delete(address);
   }
 
   async #hello(client: Client, bytes: Buffer): Promise<void> {
@@ -240,20 +221,6 @@ export class WebSocketGateway<H extends { role: string; key: string }> {
 
   #refuse({ socket }: Client, error: unknown): void {
     closeOnError(error, socket, this.#options);
-  }
-
-  #sendHeartbeat(client: Client): void {
-    const now = this.#options.clock.now();
-    const silentMs = now - client.lastMessageAt;
-    if (silentMs >= limits.silenceMs) return client.socket.terminate();
-    // Half a check interval early rather than late, because checks are off by some ms.
-    const isDue = now - client.lastHeartbeatAt >= limits.heartbeatMs - limits.silenceCheckMs / 2;
-    if (isDue && client.socket.readyState === client.socket.OPEN) {
-      client.lastHeartbeatAt = now;
-      // An active client needs no ping. The pong to the previous ping arrived a while after it.
-      if (silentMs >= limits.heartbeatMs / 2) client.socket.ping();
-      client.conversation?.heartbeat();
-    }
   }
 }
 
