@@ -103,6 +103,10 @@ export function createApp(dependencies: AppDependencies): Express {
   app.use("/api/v1", api);
   if (gateways.includes("mcp")) {
     const onRefused = gatewayRefusals(log, (kind) => metrics.refused(kind));
+    app.use(MCP_PATH, (_request, _response, next) => {
+      metrics.gatewayMessage("mcp");
+      next();
+    });
     app.use(mcpRoutes(registry, guard, onRefused));
   } else {
     app.use(MCP_PATH, refuseDisabled("mcp"));

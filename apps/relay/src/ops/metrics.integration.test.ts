@@ -1,6 +1,8 @@
 import { describe, expect, it } from "vitest";
 import { completed } from "../platform/testing/messages.ts";
 import { ClassAtRelay } from "../testing/class-at-relay.ts";
+import { mcpUrl } from "../testing/mcp-client.ts";
+import { RosClient } from "../testing/ros-client.ts";
 import { startTestRelay, type TestRelay } from "../testing/test-relay.ts";
 import { TestSocket } from "../testing/test-socket.ts";
 import { Metrics } from "./metrics.ts";
@@ -20,6 +22,20 @@ function valueOf(text: string, name: string): number | null {
 }
 
 describe("/metrics", () => {
+  it("counts messages and requests of gateways, refused ones included", async () => {
+    const relay = await startTestRelay({ config });
+    const robot = await relay.register();
+    const client = await RosClient.connect(relay, robot);
+    await client.call("/rosapi/nodes");
+    client.sendText("no JSON");
+    await client.call("/rosapi/topics");
+    const request = { method: "POST", body: JSON.stringify({ jsonrpc: "2.0", id: 1 }) };
+    await fetch(mcpUrl(relay, robot), request);
+    const text = await scrape(relay);
+    expect(valueOf(text, 'corridor_gateway_messages_total{gateway="ros"}')).toBe(3);
+    expect(valueOf(text, 'corridor_gateway_messages_total{gateway="mcp"}')).toBe(1);
+  });
+
   it("reports events without identifying robots, keys or clients", async () => {
     const relay = await startTestRelay({ config });
     const robot = await relay.register();

@@ -5,6 +5,7 @@
 import { closeReasons, type CommandRecord } from "@corridor/protocol";
 import { collectDefaultMetrics, Counter, Gauge, Histogram, Registry } from "prom-client";
 import type { ProblemKind } from "../platform/errors/problem-kinds.ts";
+import type { GatewayName } from "../platform/gateway-names.ts";
 import type { ClassCounts } from "../classes/registry.ts";
 import type { ConnectionCounts } from "../robots/registry.ts";
 import type { CommandObserver } from "../robots/delivery/command-observer.ts";
@@ -59,6 +60,12 @@ export class Metrics implements CommandObserver {
     labelNames: ["problem"] as const,
     registers: [this.#registry],
   });
+  readonly #gatewayMessages = new Counter({
+    name: "corridor_gateway_messages_total",
+    help: "Messages and requests of other protocols, by gateway.",
+    labelNames: ["gateway"] as const,
+    registers: [this.#registry],
+  });
   readonly #closed = new Counter({
     name: "corridor_sockets_closed_total",
     help: "WebSockets that were closed, by close code.",
@@ -98,6 +105,11 @@ export class Metrics implements CommandObserver {
 
   refused(problem: ProblemKind): void {
     this.#refusals.inc({ problem });
+  }
+
+  /** A message or a request of another protocol, whether it is accepted or not. */
+  gatewayMessage(gateway: GatewayName): void {
+    this.#gatewayMessages.inc({ gateway });
   }
 
   socketClosed(code: number): void {

@@ -2,6 +2,7 @@
 import type { Hello } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
 import type { ProblemKind } from "../../platform/errors/problem-kinds.ts";
+import type { GatewayName } from "../../platform/gateway-names.ts";
 import type { Grant } from "../../robots/registry.ts";
 import { withBoundedQueue } from "./bounded-queue.ts";
 import type { Conversation, ClientConnection } from "./conversation.ts";
@@ -12,6 +13,7 @@ import { PageConversation } from "./page-conversation.ts";
 export interface GatewayMetrics {
   refused(problem: ProblemKind): void;
   socketClosed(code: number): void;
+  gatewayMessage(gateway: GatewayName): void;
 }
 
 export interface ConversationOptions {

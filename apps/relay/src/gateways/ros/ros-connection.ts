@@ -92,6 +92,7 @@ export class RosConnection implements OpenSocket {
   #receive(data: Buffer, isBinary: boolean): void {
     if (!this.#port.isOpen) return;
     this.lastMessageAt = this.#options.clock.now();
+    this.#options.metrics.gatewayMessage("ros");
     const text = isBinary ? "" : data.toString();
     const session = this.#session;
     const isKeyExpected = session === null ? !this.#isChecking : this.#mayChangeKey;
