@@ -64,7 +64,10 @@ const allowed: Record<string, readonly string[]> = {
     "matter-js",
   ],
   "apps/cli": [
+    "@corridor/agent",
     "@corridor/challenge",
+    "@corridor/client",
+    "@corridor/client/bridge",
     "@corridor/coach",
     "@corridor/conformance",
     "@corridor/link",
@@ -72,9 +75,12 @@ const allowed: Record<string, readonly string[]> = {
     "@corridor/program",
     "@corridor/protocol",
     "@corridor/report",
+    "@corridor/ros",
     "@corridor/simulation",
+    "@modelcontextprotocol/server/stdio",
     "leven",
     "node:",
+    "ws",
   ],
   "apps/relay": [
     "@corridor/agent",

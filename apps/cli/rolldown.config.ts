@@ -1,6 +1,7 @@
 /**
- * Builds the npm package in dist: the command `corridor` as one file without dependencies. And
- * `grade.mjs`, which the relay serves: the command `grade` as one file.
+ * Builds the npm package in dist: the command `corridor` as one file without dependencies. And two
+ * files that the relay serves: `corridor-cli.mjs`, the same command, and `grade.mjs`, the command
+ * `grade` alone.
  */
 import { join } from "node:path";
 import { defineConfig, type RolldownOptions } from "rolldown";
@@ -17,10 +18,15 @@ export default defineConfig([
     output: { dir: join(FOLDER, "dist"), codeSplitting: false, cleanDir: true },
     plugins: [packageFiles(FOLDER)],
   },
-  {
-    ...node,
-    input: join(FOLDER, "src/grade-main.ts"),
-    output: { file: join(FOLDER, "../relay/dist/grade.mjs"), codeSplitting: false },
-    plugins: [licenseComment()],
-  },
+  served("main", "corridor-cli"),
+  served("grade-main", "grade"),
 ]);
+
+function served(entry: string, name: string): RolldownOptions {
+  return {
+    ...node,
+    input: join(FOLDER, `src/${entry}.ts`),
+    output: { file: join(FOLDER, `../relay/dist/${name}.mjs`), codeSplitting: false },
+    plugins: [licenseComment()],
+  };
+}

@@ -2,7 +2,7 @@
 import leven from "leven";
 import { exitCodes, type Command } from "./command.ts";
 import { InputError } from "./input-error.ts";
-import { print, runCommand } from "./run-command.ts";
+import { print, runCommand, withProgram } from "./run-command.ts";
 
 interface Entry {
   name: string;
@@ -32,6 +32,16 @@ const entries: readonly Entry[] = [
     summary: "check that a robot host keeps every promise that scripts rely on",
     load: async () => import("./conformance.ts"),
   },
+  {
+    name: "ros",
+    summary: "let ROS programs that accept only a host and a port drive a robot",
+    load: async () => import("./bridges/ros/ros-command.ts"),
+  },
+  {
+    name: "mcp",
+    summary: "let the host of an AI agent start a program that drives a robot",
+    load: async () => import("./bridges/mcp/mcp-command.ts"),
+  },
 ];
 
 const HELP = `Usage: corridor COMMAND [OPTIONS]
@@ -43,7 +53,7 @@ corridor COMMAND --help describes a command and its options.
 
 ${exitCodes(
   "success; conformance: PASSED",
-  "conformance: FAILED or INCOMPLETE; grade: --require is not met",
+  "conformance: FAILED or INCOMPLETE; grade: --require is not met; ros, mcp: the robot cannot be used",
 )}`;
 
 /**
@@ -55,11 +65,14 @@ export async function runCommandLine(
   [name, ...args]: readonly string[],
   entry: URL,
 ): Promise<number> {
-  if (name === undefined) throw new InputError(["Expected a command.", "", HELP]);
+  const help = withProgram(HELP, entry);
+  if (name === undefined) throw new InputError(["Expected a command.", "", help]);
   const found = entries.find((each) => each.name === name);
   if (found === undefined) {
-    if (!["--help", "-h", "help"].includes(name)) throw new InputError([unknownCommand(name)]);
-    print([HELP]);
+    if (!["--help", "-h", "help"].includes(name)) {
+      throw new InputError([withProgram(unknownCommand(name), entry)]);
+    }
+    print([help]);
     return 0;
   }
   const { command } = await found.load();

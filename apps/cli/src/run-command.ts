@@ -1,4 +1,5 @@
 /** Runs a command and ends the process with its exit code. */
+import { basename } from "node:path";
 import type { Command } from "./command.ts";
 import { InputError } from "./input-error.ts";
 
@@ -24,10 +25,19 @@ export async function runCommand(
   entry: URL,
 ): Promise<number> {
   if (args.includes("--help") || args.includes("-h")) {
-    print([command.help]);
+    print([withProgram(command.help, entry)]);
     return 0;
   }
   return command.run(args, { print, entry });
+}
+
+/** The file that a relay serves. */
+const SERVED = "corridor-cli.mjs";
+
+/** A text in which `corridor` is the program, with the words that start this program. */
+export function withProgram(text: string, entry: URL): string {
+  const isServed = basename(entry.pathname) === SERVED;
+  return isServed ? text.replaceAll("corridor ", `node ${SERVED} `) : text;
 }
 
 export function print(lines: readonly string[]): void {

@@ -46,6 +46,7 @@ const FILES = new Set([
   "get /asyncapi.json",
   "get /corridor.py",
   "get /corridor.js",
+  "get /corridor-cli.mjs",
   "get /grade.mjs",
 ]);
 

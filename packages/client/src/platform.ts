@@ -56,6 +56,11 @@ interface GlobalWebSocket {
   close(code: number, reason: string): void;
 }
 
+/** An extension of Node: the second parameter may contain headers. */
+interface SocketOptions {
+  headers: Record<string, string>;
+}
+
 interface GlobalRequest {
   method: string;
   headers: Record<string, string>;
@@ -75,7 +80,7 @@ interface Globals {
   fetch(url: string, request: GlobalRequest): Promise<GlobalResponse>;
   AbortController: new () => { signal: unknown; abort(): void };
   /** absent in Node 20 */
-  WebSocket?: new (url: string) => GlobalWebSocket;
+  WebSocket?: new (url: string, options?: SocketOptions) => GlobalWebSocket;
   performance: { now(): number };
   setTimeout(call: () => void, ms: number): unknown;
   clearTimeout(timer: unknown): void;
@@ -87,18 +92,26 @@ const OPEN = 1;
 /** close code of a WebSocket that was never open */
 const FAILED = 1006;
 
-/** The platform of browsers, workers and Node 20 and later. Without WebSocket, long polling works. */
-export function globalPlatform(): Platform {
+/**
+ * The platform of browsers, workers and Node 20 and later. Without WebSocket, long polling works.
+ * @param userAgent header `User-Agent`, in Node only; default: that of Node
+ */
+export function globalPlatform(userAgent?: string): Platform {
+  const agent: Record<string, string> = userAgent === undefined ? {} : { "User-Agent": userAgent };
   const globals = globalThis as unknown as Globals;
   const randomWord = (): number => globals.crypto.getRandomValues(new Uint32Array(1))[0] ?? 0;
   return {
     connect: (url, events) => {
       const { WebSocket } = globals;
-      return WebSocket === undefined ? noSocket(events) : openSocket(new WebSocket(url), events);
+      if (WebSocket === undefined) return noSocket(events);
+      const socket =
+        userAgent === undefined ? new WebSocket(url) : new WebSocket(url, { headers: agent });
+      return openSocket(socket, events);
     },
     request: ({ method, url, key, body }) => {
       const controller = new globals.AbortController();
       const headers = {
+        ...agent,
         ...(key !== null && { Authorization: `Bearer ${key}` }),
         ...(body !== null && { "Content-Type": "application/json" }),
       };

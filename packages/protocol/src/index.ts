@@ -217,6 +217,12 @@ export {
   type FrameRequest,
 } from "./frame-messages.ts";
 export {
+  bridgeAgent,
+  bridgePrefix,
+  protocolClients,
+  type ClientProtocol,
+} from "./protocol-clients.ts";
+export {
   checkCommand,
   READ_ONLY,
   RefusedError,

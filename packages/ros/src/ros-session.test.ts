@@ -175,6 +175,14 @@ describe("a request that is refused without a reply", () => {
     },
   );
 
+  it("closes the connection when ten messages could not be read", async () => {
+    const client = await RosClient.connect();
+    for (let i = 1; i < 10; i += 1) client.session.receive("{");
+    expect(client.closings).toEqual([]);
+    for (let i = 0; i < 3; i += 1) client.session.receive("{");
+    expect(client.closings).toEqual([4400]);
+  });
+
   it("is sent as status to clients that asked for it", async () => {
     const client = await RosClient.connect();
     await client.send({ op: "set_level", level: "error" });

@@ -1,5 +1,5 @@
 /** One connection of a ROS client, by rosbridge v2, to one robot. */
-import { RefusedError, type RobotPort } from "@corridor/protocol";
+import { closeReasons, RefusedError, type CloseReason, type RobotPort } from "@corridor/protocol";
 import { CommandEnds } from "./command-ends.ts";
 import { TICKS_PER_SECOND } from "./conversions.ts";
 import { Goals } from "./goals.ts";
@@ -17,6 +17,7 @@ import { VelocityRegister } from "./velocity.ts";
 
 const ERROR_LEVEL = 40;
 const MAX_OPEN_CALLS = 64;
+const MAX_UNREADABLE = 10;
 
 export interface RosSessionOptions {
   /** The session closes it. */
@@ -24,6 +25,8 @@ export interface RosSessionOptions {
   timers: Timers;
   /** Sends a text frame. */
   send(text: string): void;
+  /** Closes the connection, because too many messages cannot be read. */
+  close(reason: CloseReason, detail: string): void;
   /** Called for each refusal, which the client may not see. */
   onProblem(error: RosError | RefusedError): void;
   /** Called for an error that is no refusal. */
@@ -41,6 +44,7 @@ export class RosSession {
   #isClosed = false;
   /** the newest message of /rosout */
   #problem: object | null = null;
+  #unreadable = 0;
   /** calls of services without an answer */
   #openCalls = 0;
   /** whether the client wants `status` messages */
@@ -92,6 +96,7 @@ export class RosSession {
 
   /**
    * Handles one message. Never rejects.
+   * @param text empty for a binary message
    * @returns false if the message cannot be read
    */
   receive(text: string): boolean {
@@ -101,7 +106,15 @@ export class RosSession {
       return true;
     }
     this.#report(new RosError(read.detail));
-    return read.isReadable;
+    if (read.isReadable) return true;
+    this.#unreadable += 1;
+    if (this.#unreadable === MAX_UNREADABLE) {
+      this.#options.close(
+        closeReasons.badFrame,
+        `${MAX_UNREADABLE} messages could not be read. Send operations of rosbridge v2 as JSON text.`,
+      );
+    }
+    return false;
   }
 
   close(): void {

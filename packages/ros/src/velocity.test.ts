@@ -18,6 +18,26 @@ describe("/cmd_vel", () => {
     ]);
   });
 
+  it("drops a value that waited for an earlier order, which a lost network delayed", async () => {
+    const client = await RosClient.connect();
+    let arrive = (): void => undefined;
+    const send = client.port.send.bind(client.port);
+    client.port.send = async (order) => {
+      await new Promise<void>((resolve) => (arrive = resolve));
+      return send(order);
+    };
+    await client.drive(0.1);
+    await client.timers.pass(100);
+    await client.drive(0.2);
+    await client.timers.pass(8_000);
+    arrive();
+    await client.timers.pass(1_000);
+    expect(client.port.orders).toHaveLength(1);
+    client.port.send = send;
+    await client.drive(0.3);
+    expect(powers(client).at(-1)).toEqual([0.3 / 2.61, 0.3 / 2.61]);
+  });
+
   it("takes over from a goal, and from commands of others", async () => {
     const client = await RosClient.connect();
     const replaces = (): unknown => client.port.orders.at(-1)?.replace;

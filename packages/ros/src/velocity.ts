@@ -31,6 +31,11 @@ interface Powers {
   right: number;
 }
 
+interface NextPowers extends Powers {
+  /** time of its arrival */
+  at: number;
+}
+
 export interface VelocityOptions {
   timers: Timers;
   /** Number of the command that runs; null: none. */
@@ -54,7 +59,7 @@ export class VelocityRegister {
   /** the newest time at which a stream resumed, and the number of messages soon after it */
   #resumed = { at: Number.NEGATIVE_INFINITY, messages: 0 };
   /** the newest value that has not been sent */
-  #next: Powers | null = null;
+  #next: NextPowers | null = null;
   /** null: the robot may do something else */
   #sent: Powers | null = null;
   #sentAt = Number.NEGATIVE_INFINITY;
@@ -77,7 +82,7 @@ export class VelocityRegister {
   set(velocity: Velocity, stampMs: number | null): void {
     this.#arrived(this.#options.timers.now());
     if (stampMs !== null && this.#isLate(stampMs)) return;
-    this.#next = wheelPowers(velocity);
+    this.#next = { ...wheelPowers(velocity), at: this.#options.timers.now() };
     this.#schedule();
   }
 
@@ -152,9 +157,13 @@ export class VelocityRegister {
   }
 
   async #sendNext(): Promise<void> {
-    const powers = this.#next;
+    const next = this.#next;
     this.#next = null;
-    if (powers === null || !this.#isDue(powers)) return;
+    if (next === null) return;
+    const { at, ...powers } = next;
+    // Sending an earlier order took long, because the network was lost.
+    if (at < this.#options.timers.now() - MAX_DELAY_MS) return;
+    if (!this.#isDue(powers)) return;
     this.#sent = powers;
     this.#sentAt = this.#options.timers.now();
     this.#isSending = true;

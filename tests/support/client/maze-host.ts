@@ -52,6 +52,11 @@ export class MazeHost {
     });
   }
 
+  /** number of commands that have not ended */
+  get running(): number {
+    return this.#running.length;
+  }
+
   endAll(state: "completed" | "cancelled"): void {
     for (const { seq } of this.#running.splice(0)) this.#end(seq, { state, distance: 0 });
   }

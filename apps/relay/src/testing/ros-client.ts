@@ -46,9 +46,13 @@ export class RosClient {
     const { key = driverKey, pathKey } = options;
     const isInHeader = pathKey === undefined && key !== null;
     const path = pathKey === undefined ? "" : `/${pathKey}`;
-    const socket = new WebSocket(`${origin.replace("http", "ws")}/r/${id}/ros${path}`, {
-      headers: { ...(isInHeader && { Authorization: `Bearer ${key}` }), ...options.headers },
-    });
+    const headers = { ...(isInHeader && { Authorization: `Bearer ${key}` }), ...options.headers };
+    return RosClient.open(`${origin.replace("http", "ws")}/r/${id}/ros${path}`, headers);
+  }
+
+  /** Connects to any rosbridge. */
+  static async open(url: string, headers: Record<string, string> = {}): Promise<RosClient> {
+    const socket = new WebSocket(url, { headers });
     const client = new RosClient(socket);
     await new Promise((resolve, reject) => {
       socket.once("open", resolve);

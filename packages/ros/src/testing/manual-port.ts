@@ -64,7 +64,7 @@ export class ManualPort implements RobotPort {
     const { command } = termsOf(order);
     const record: CommandRecord = {
       seq: this.orders.length,
-      key: null,
+      key: key ?? null,
       action: command.action,
       command,
       state: "accepted",

@@ -24,6 +24,7 @@ export class RosClient {
   readonly frames: Frame[] = [];
   readonly problems: string[] = [];
   readonly failures: unknown[] = [];
+  readonly closings: number[] = [];
   readonly session: RosSession;
 
   private constructor(port: ManualPort) {
@@ -32,6 +33,7 @@ export class RosClient {
       port,
       timers: this.timers,
       send: (text) => void this.frames.push(JSON.parse(text) as Frame),
+      close: ({ code }) => void this.closings.push(code),
       onProblem: ({ message }) => void this.problems.push(message),
       onFailure: (error) => void this.failures.push(error),
       onEnd: () => undefined,

@@ -4,7 +4,7 @@
  * behind a balancer answers them.
  */
 import { createAgent } from "@corridor/agent";
-import { MAX_FRAME_BYTES, type RefusedError } from "@corridor/protocol";
+import { MAX_FRAME_BYTES, protocolClients, type RefusedError } from "@corridor/protocol";
 import { Router, type Request, type Response } from "express";
 import { z } from "zod";
 import { methodNotAllowed } from "../../platform/http/fallbacks.ts";
@@ -16,7 +16,6 @@ import { RelayPort, type PortConnection } from "../../robots/relay-port.ts";
 import { authoriseGateway } from "../requests/gateway-requests.ts";
 import { answerMessage } from "./answer-message.ts";
 
-const CLIENT = "MCP";
 export const MCP_PATH = "/r/:id/mcp";
 
 const EXAMPLE = '{"jsonrpc":"2.0","id":1,"method":"tools/list"}';
@@ -55,7 +54,7 @@ export function mcpRoutes(
     request: Request<{ id: string; key?: string }>,
     response: Response,
   ): Promise<void> => {
-    const grant = await authoriseGateway(registry, request, response, CLIENT);
+    const grant = await authoriseGateway(registry, request, response, protocolClients.mcp);
     const message = await readMessage(request, response);
     // The client may have disconnected during authorisation.
     if (response.closed) return;

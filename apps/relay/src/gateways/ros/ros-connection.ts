@@ -1,11 +1,10 @@
 /** One connection of a ROS client: authentication, liveness, and its session with the robot. */
-import { closeReasons, RefusedError, type CloseReason } from "@corridor/protocol";
-import { keyInAuth, RosSession } from "@corridor/ros";
+import { closeReasons, protocolClients, RefusedError } from "@corridor/protocol";
+import { closeReasonFor, keyInAuth, RosSession } from "@corridor/ros";
 import type { Logger } from "pino";
 import type { WebSocket } from "ws";
 import { asRefusal, Refusal } from "../../platform/errors/problems.ts";
 import { keyId } from "../../platform/keys.ts";
-import { limits } from "../../platform/limits/limits.ts";
 import type { Clock } from "../../platform/time/clock.ts";
 import type { Grant } from "../../robots/registry.ts";
 import { RelayPort } from "../../robots/relay-port.ts";
@@ -17,15 +16,6 @@ import type { WsPort } from "../websocket/ws-port.ts";
 /** Limits until a key arrives. */
 const AUTH_MS = 2_000;
 const MAX_WAITING = 32;
-
-/** By status of the refusal. */
-const closings: Readonly<Record<number, CloseReason>> = {
-  401: closeReasons.notAuthorised,
-  403: closeReasons.forbidden,
-  404: closeReasons.noRobot,
-  408: closeReasons.tooSlow,
-  429: closeReasons.tooMany,
-};
 
 export interface RosConnectionOptions {
   socket: WebSocket;
@@ -57,7 +47,6 @@ export class RosConnection implements OpenSocket {
   /** whether a key in the path permits this session, and the first message may bring another key */
   #mayChangeKey = false;
   #cancelTimer = (): void => undefined;
-  #unreadable = 0;
 
   constructor(options: RosConnectionOptions) {
     this.#options = options;
@@ -105,15 +94,7 @@ export class RosConnection implements OpenSocket {
   }
 
   #handle(session: RosSession, text: string): void {
-    if (session.receive(text)) return;
-    this.#unreadable += 1;
-    this.#options.metrics.refused("bad-request");
-    if (this.#unreadable < limits.badFrames) return;
-    closeWith(
-      this.#port,
-      closeReasons.badFrame,
-      `${limits.badFrames} messages could not be read. Send operations of rosbridge v2 as JSON text.`,
-    );
+    if (!session.receive(text)) this.#options.metrics.refused("bad-request");
   }
 
   async #authenticate(key: string): Promise<void> {
@@ -138,6 +119,7 @@ export class RosConnection implements OpenSocket {
         port: new RelayPort(grant, { transport: this.#port.transport, flow: this.#port.flow }),
         timers: clock,
         send: (text) => this.#port.send(text),
+          close: (reason, detail) => closeWith(this.#port, reason, detail),
         onProblem: (error) =>
           robot.refused(
             caller,
@@ -148,7 +130,10 @@ export class RosConnection implements OpenSocket {
       });
       this.#session = session;
       robot.spoke(caller);
-      log.info({ client: "ROS", key: keyId(caller.hash) }, "ROS client authenticated");
+      log.info(
+        { client: protocolClients.ros, key: keyId(caller.hash) },
+        "ROS client authenticated",
+      );
       const waiting = this.#waiting;
       this.#waiting = [];
       for (const text of waiting) if (this.#port.isOpen) this.#handle(session, text);
@@ -171,8 +156,6 @@ export class RosConnection implements OpenSocket {
     if (refusal.kind === "internal") {
       this.#options.log.error({ err: error }, "a ROS connection failed");
     }
-    const isRestart = refusal.kind === "restarting";
-    const reason = isRestart ? closeReasons.restart : closings[refusal.problem.status];
-    closeWith(this.#port, reason ?? closeReasons.busy, refusal.problem.detail);
+    closeWith(this.#port, closeReasonFor(refusal.problem), refusal.problem.detail);
   }
 }

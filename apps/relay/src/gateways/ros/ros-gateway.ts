@@ -6,7 +6,7 @@
  */
 import type { IncomingMessage } from "node:http";
 import type { Duplex } from "node:stream";
-import { MAX_FRAME_BYTES } from "@corridor/protocol";
+import { MAX_FRAME_BYTES, protocolClients } from "@corridor/protocol";
 import type { Logger } from "pino";
 import { WebSocketServer, type WebSocket } from "ws";
 import { asRefusal, Refusal } from "../../platform/errors/problems.ts";
@@ -25,7 +25,7 @@ import { WsPort } from "../websocket/ws-port.ts";
 import { RosConnection, type Admission } from "./ros-connection.ts";
 
 const PATH = /^\/r\/([^/?]{1,64})\/ros(?:\/([^/?]{1,128}))?(?:\?|$)/;
-const introduction: Introduction = { client: "ROS", name: null };
+const introduction: Introduction = { client: protocolClients.ros, name: null };
 
 export interface RosGatewayOptions {
   registry: RobotRegistry;

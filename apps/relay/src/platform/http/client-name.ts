@@ -1,7 +1,14 @@
-/** Maps a User-Agent header to the short language name that the page displays for a script. */
+/** Maps a User-Agent header to the short name that the page displays for a script. */
+import { bridgePrefix, protocolClients } from "@corridor/protocol";
 
-/** User-Agent prefixes of common HTTP libraries. The page only ever displays these fixed names. */
+/**
+ * User-Agent prefixes of bridges and of common HTTP libraries. The page only ever displays these
+ * fixed names.
+ */
 const PREFIXES: readonly (readonly [prefix: string, name: string])[] = [
+  ...Object.entries(protocolClients).map(
+    ([protocol, name]) => [bridgePrefix(protocol), name] as const,
+  ),
   ["python", "Python"],
   ["aiohttp", "Python"],
   ["node", "JavaScript"],

@@ -2,6 +2,7 @@
  * Files that `npm run build` makes, each a program without dependencies:
  *
  * - `/corridor.js`: the main entry of the TypeScript package, which a script or a web page imports
+ * - `/corridor-cli.mjs`: the command `corridor`, which runs bridges with Node.js
  * - `/grade.mjs`: the command `grade`, which a build server runs with Node.js
  */
 import { existsSync } from "node:fs";
@@ -20,7 +21,9 @@ const FOLDER = join(import.meta.dirname, "../../../dist");
 
 export function builtFileRoutes(): Router {
   const router = Router();
-  for (const name of ["corridor.js", "grade.mjs"]) router.use(builtFileRoute(join(FOLDER, name)));
+  for (const name of ["corridor.js", "corridor-cli.mjs", "grade.mjs"]) {
+    router.use(builtFileRoute(join(FOLDER, name)));
+  }
   return router;
 }
 

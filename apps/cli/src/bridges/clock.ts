@@ -1,0 +1,10 @@
+/** Time and timers for the protocols of bridges. */
+export const clock = {
+  /** ms of a clock that never decreases */
+  now: (): number => performance.now(),
+  /** Calls `call` once after `ms` milliseconds. @returns a function that cancels the call */
+  after(ms: number, call: () => void): () => void {
+    const timer = setTimeout(call, ms);
+    return () => clearTimeout(timer);
+  },
+};
