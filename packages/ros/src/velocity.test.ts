@@ -35,6 +35,7 @@ describe("/cmd_vel", () => {
     expect(client.port.orders).toHaveLength(1);
     client.port.send = send;
     await client.drive(0.3);
+    await client.timers.pass(100);
     expect(powers(client).at(-1)).toEqual([0.3 / 2.61, 0.3 / 2.61]);
   });
 

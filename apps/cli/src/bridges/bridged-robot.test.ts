@@ -37,7 +37,7 @@ describe("the robot of a bridge", () => {
     expect(port.cancelled).toEqual([2]);
   });
 
-  it("forgets a command whose end arrives before its number", async () => {
+  it("does not end a command whose end arrives before its number", async () => {
     const { port, robot } = bridged();
     const send = port.send.bind(port);
     port.send = async (order, key) => {
@@ -53,12 +53,17 @@ describe("the robot of a bridge", () => {
   it("stops although the network is lost", async () => {
     const { port, robot } = bridged();
     await robot.openPort().send(move);
-    port.cancel = () => new Promise(() => undefined);
+    const cancelled: number[] = [];
+    port.cancel = (seq) => {
+      cancelled.push(seq);
+      return new Promise(() => undefined);
+    };
     vi.useFakeTimers();
     onTestFinished(() => void vi.useRealTimers());
     const stopped = robot.stop();
     await vi.advanceTimersByTimeAsync(2_000);
     await stopped;
+    expect(cancelled).toEqual([1]);
   });
 
   it("throws refusals, and has nothing to end then", async () => {
