@@ -41,6 +41,7 @@ const allowed: Record<string, readonly string[]> = {
     "fast-png",
     "zod",
   ],
+  "packages/mouse": ["@corridor/maze", "@corridor/protocol"],
   "packages/ros": ["@corridor/geometry", "@corridor/maze", "@corridor/protocol", "zod"],
   "packages/recording": [
     "@corridor/maze",
