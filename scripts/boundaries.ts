@@ -73,6 +73,7 @@ const allowed: Record<string, readonly string[]> = {
     "@corridor/conformance",
     "@corridor/link",
     "@corridor/maze",
+    "@corridor/mouse",
     "@corridor/program",
     "@corridor/protocol",
     "@corridor/report",

@@ -42,6 +42,11 @@ const entries: readonly Entry[] = [
     summary: "let the host of an AI agent start a program that drives a robot",
     load: async () => import("./bridges/mcp/mcp-command.ts"),
   },
+  {
+    name: "mms",
+    summary: "start a micromouse program, which drives a robot",
+    load: async () => import("./bridges/mms/mms-command.ts"),
+  },
 ];
 
 const HELP = `Usage: corridor COMMAND [OPTIONS]
@@ -53,7 +58,7 @@ corridor COMMAND --help describes a command and its options.
 
 ${exitCodes(
   "success; conformance: PASSED",
-  "conformance: FAILED or INCOMPLETE; grade: --require is not met; ros, mcp: the robot cannot be used",
+  "conformance: FAILED or INCOMPLETE; grade: --require is not met; ros, mcp, mms: the robot cannot be used",
 )}`;
 
 /**

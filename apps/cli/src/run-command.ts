@@ -24,7 +24,9 @@ export async function runCommand(
   args: readonly string[],
   entry: URL,
 ): Promise<number> {
-  if (args.includes("--help") || args.includes("-h")) {
+  // What stands after -- belongs to another program.
+  const own = args.includes("--") ? args.slice(0, args.indexOf("--")) : args;
+  if (own.includes("--help") || own.includes("-h")) {
     print([withProgram(command.help, entry)]);
     return 0;
   }

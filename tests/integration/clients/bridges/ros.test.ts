@@ -3,11 +3,11 @@ import { once } from "node:events";
 import { createServer, type AddressInfo } from "node:net";
 import { scriptListSchema, type Registration } from "@corridor/protocol";
 import { describe, expect, it, onTestFinished } from "vitest";
-import { RosClient } from "../../../apps/relay/src/testing/ros-client.ts";
-import { BridgeProcess } from "../../support/bridges/bridge-process.ts";
-import { startFilterProxy } from "../../support/client/start-filter-proxy.ts";
-import { corridorHost } from "../../support/mcp/corridor-host.ts";
-import { startRelayProcess } from "../../support/test-relay-process.ts";
+import { RosClient } from "../../../../apps/relay/src/testing/ros-client.ts";
+import { BridgeProcess } from "../../../support/bridges/bridge-process.ts";
+import { startFilterProxy } from "../../../support/client/start-filter-proxy.ts";
+import { corridorHost } from "../../../support/mcp/corridor-host.ts";
+import { startRelayProcess } from "../../../support/test-relay-process.ts";
 
 const addressOf = (origin: string, { id, driverKey }: Registration): string =>
   `${origin}/r/${id}#${driverKey}`;
