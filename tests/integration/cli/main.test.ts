@@ -53,7 +53,10 @@ describe("help", () => {
     { found: "grad", answer: "Did you mean grade?" },
     { found: "Simulate", answer: "Did you mean simulate?" },
     { found: "conf", answer: "Did you mean conformance?" },
-    { found: "drive", answer: "The commands are simulate, grade, report, conformance." },
+    {
+      found: "drive",
+      answer: "The commands are simulate, grade, report, conformance, ros, mcp, mms.",
+    },
   ])("names the command that resembles $found", ({ found, answer }) => {
     expect(corridor(found)).toEqual({
       code: 2,

@@ -125,7 +125,7 @@ describe("corridor mms", () => {
     const bridge = start(script(`await ask("mazeWidth"); log("ready"); await ask("moveForward");`));
     await bridge.says(/ready/);
     page.endsCommands = false;
-    await expect.poll(() => page.running).toBe(1);
+    await expect.poll(() => page.running, { timeout: 10_000 }).toBe(1);
     bridge.signal("SIGINT");
     expect(await bridge.exited).toBe(0);
     expect(page.running).toBe(0);
@@ -134,19 +134,21 @@ describe("corridor mms", () => {
   it("stops the robot when the program ends while it drives", async () => {
     const { start, page } = await robotInMaze();
     const code = `await ask("mazeWidth"); log("ready"); setTimeout(() => say("moveForward"), 500);
-      setTimeout(() => process.exit(), 1500);`;
+      setTimeout(() => process.exit(), 2000);`;
     const bridge = start(script(code));
     await bridge.says(/ready/);
     page.endsCommands = false;
-    await expect.poll(() => page.running).toBe(1);
+    await expect.poll(() => page.running, { timeout: 10_000 }).toBe(1);
     expect(await bridge.exited).toBe(0);
     expect(page.running).toBe(0);
   });
 
   it("ends the program when the key is revoked, and prints the reason once", async () => {
-    const { start, page, asOwner } = await robotInMaze();
-    const bridge = start(script(`for (;;) await ask("turnLeft");`));
-    await expect.poll(() => page.robot.done.length).toBeGreaterThan(3);
+    const { start, asOwner } = await robotInMaze();
+    const bridge = start(
+      script(`await ask("turnLeft"); log("ready"); for (;;) await ask("turnLeft");`),
+    );
+    await bridge.says(/ready/);
     await asOwner("POST", "/keys", { kind: "drive", replace: true });
     expect(await bridge.exited).toBe(1);
     expect(bridge.output.stderr.match(/The key is invalid or was revoked\./g)).toHaveLength(1);
