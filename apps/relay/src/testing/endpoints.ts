@@ -41,7 +41,7 @@ type Request = BareRequest | Promise<BareRequest>;
  * @param right contains 40 as its number
  * @param limit of the endpoint, in bytes
  */
-function badTexts(right: string, limit: number): [BadInput, string | Uint8Array][] {
+export function badTexts(right: string, limit: number): [BadInput, string | Uint8Array][] {
   const depth = Math.min(8_000, limit / 2);
   const number = (text: string): string => right.replace("40", text);
   // Non-UTF-8 text goes into the name, or into an extra field if there is no name.

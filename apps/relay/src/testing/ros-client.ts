@@ -1,4 +1,5 @@
 /** A ROS client for tests: a plain WebSocket to the gateway of a robot. */
+import type { Socket } from "node:net";
 import type { Registration } from "@corridor/protocol";
 import { onTestFinished } from "vitest";
 import { WebSocket } from "ws";
@@ -20,10 +21,12 @@ export class RosClient {
   readonly #socket: WebSocket;
   readonly #inbox: RosFrame[] = [];
   #wake: () => void = () => undefined;
+  #connection: Socket | null = null;
   readonly closed: Promise<{ code: number; reason: string }>;
 
   private constructor(socket: WebSocket) {
     this.#socket = socket;
+    socket.on("upgrade", ({ socket: connection }) => (this.#connection = connection));
     socket.on("message", (data: Buffer) => {
       this.#inbox.push(JSON.parse(data.toString()) as RosFrame);
       this.#wake();
@@ -95,6 +98,11 @@ export class RosClient {
   async call(service: string, args?: unknown): Promise<RosFrame> {
     this.send({ op: "call_service", id: service, service, args });
     return this.next("id", service);
+  }
+
+  /** Ends the outgoing direction of the TCP connection only. */
+  halfClose(): void {
+    this.#connection?.end();
   }
 
   close(): void {
