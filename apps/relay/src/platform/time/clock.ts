@@ -2,7 +2,10 @@
 export interface Clock {
   /** ms since 1970; never decreases while the relay runs */
   now(): number;
-  /** Calls `call` once after `ms` milliseconds. @returns a function that cancels the call */
+  /**
+   * Calls `call` once after `ms` milliseconds; 0: after the messages that have arrived.
+   * @returns a function that cancels the call
+   */
   after(ms: number, call: () => void): () => void;
 }
 
@@ -42,6 +45,11 @@ export function steadyClock(onJump: (ms: number) => void, sources: TimeSources =
       return Math.round(passed + ahead);
     },
     after: (ms, call) => {
+      // A timer waits for at least 1 ms.
+      if (ms <= 0) {
+        const immediate = setImmediate(call).unref();
+        return () => clearImmediate(immediate);
+      }
       const timer = setTimeout(call, ms).unref();
       return () => clearTimeout(timer);
     },
