@@ -9,6 +9,7 @@ import { formatGoal, isMet, type Goal } from "../core/goals.ts";
 import { classes } from "./classes/classes.ts";
 import { commands } from "./commands.ts";
 import { crowd } from "./crowd.ts";
+import { gateways } from "./gateways.ts";
 import { idle } from "./idle.ts";
 import { redis } from "./redis.ts";
 import type { Section } from "./section.ts";
@@ -20,7 +21,16 @@ if (process.platform !== "linux") {
   process.exit(2);
 }
 
-const sections: readonly Section[] = [snapshots, commands, redis, crowd, idle, twoRelays, classes];
+const sections: readonly Section[] = [
+  snapshots,
+  commands,
+  redis,
+  crowd,
+  gateways,
+  idle,
+  twoRelays,
+  classes,
+];
 const filters = process.argv.slice(2).map((filter) => filter.toLowerCase());
 const selected = sections.filter(
   ({ title }) =>

@@ -8,7 +8,14 @@ import type { Registration } from "@corridor/protocol";
 import { DelayedAcknowledgements } from "../../../packages/client/src/delayed-acknowledgements.ts";
 import { limits } from "../../../apps/relay/src/platform/limits/limits.ts";
 import { openAll, type Fleet, type FleetOptions } from "./fleet.ts";
-import { commandText, parseSeq, snapshotText } from "./messages.ts";
+import {
+  commandText,
+  driveText,
+  parseSeq,
+  parseStamp,
+  snapshotText,
+  twistText,
+} from "./messages.ts";
 import { TextSocket } from "./text-socket.ts";
 
 /** Number of robots that share a client address: the maximum, including all viewers. */
@@ -37,7 +44,8 @@ interface Robot {
 
 export async function openCorridor(options: FleetOptions): Promise<Fleet> {
   let commands = 0;
-  const nextCommand = (): string => commandText(commands++);
+  const textOf = options.drives ? (options.ros === null ? driveText : twistText) : commandText;
+  const nextCommand = (): string => textOf(commands++);
   const all = await openAll(options.robots, (robot) => openRobot(robot, options, nextCommand));
   return {
     sendSnapshot: (robot, n) => {
@@ -99,6 +107,7 @@ async function openRobot(
       `{"type":"ended","epoch":${epoch},"seq":${seq},"state":"${state}","reason":null,"pose":{"x":150,"y":150,"heading":90},"distance":120}`,
     );
   const onCommand = (seq: number): void => {
+    if (options.drives) listener.onVelocity(robot);
     if (!options.isBusy) {
       sendStarted(seq);
       sendEnded(seq, "completed");
@@ -143,15 +152,31 @@ async function openRobot(
     } else if (text.startsWith('{"type":"state"')) {
       if (text.includes(IS_STOP)) {
         if (text.includes('"state":"completed"')) pendingResets.shift()?.();
-      } else if (text.includes('"state":"started"')) listener.onStarted(robot);
+      } else if (text.includes('"state":"started"') && !options.drives) listener.onStarted(robot);
     } else if (text.startsWith('{"type":"problem"')) throw new Error(text);
+  };
+  const onRosMessage = (text: string): void => {
+    if (text.includes('"topic":"/odom"')) listener.onSnapshot(robot, parseStamp(text));
+    else if (text.includes('"topic":"/rosout"')) throw new Error(text);
+  };
+  const joinByRos = async (key: string, topics: readonly string[]): Promise<TextSocket> => {
+    const socket = await TextSocket.open({
+      port: Number(readers),
+      path: `/r/${id}/ros`,
+      headers: { ...headers, Authorization: `Bearer ${key}` },
+      onMessage: onRosMessage,
+    });
+    for (const topic of [...topics, "/rosout"])
+      socket.send(JSON.stringify({ op: "subscribe", topic }));
+    return socket;
   };
   const isScript = robot < scripts;
   const watchKey =
     isScript && viewers === 0 ? "" : await createWatchKey(`${api}/${id}/keys`, ownerKey, headers);
-  const reader: TextSocket = isScript
-    ? await join("drive", driverKey, onMessage)
-    : await join("watch", watchKey, onMessage);
+  const reader: TextSocket =
+    options.ros === null
+      ? await join(isScript ? "drive" : "watch", isScript ? driverKey : watchKey, onMessage)
+      : await joinByRos(isScript ? driverKey : watchKey, options.ros);
   const fillQueue = (): Promise<void> =>
     new Promise((resolve) => {
       Object.assign(pendingFill, { left: BUSY_COMMANDS, done: resolve });

@@ -12,6 +12,8 @@ export interface FleetListener {
   onAnswer(robot: number): void;
   /** The reader's oldest pending command was started. Only the product reports this. */
   onStarted(robot: number): void;
+  /** The page received the newest velocity. Only the product has velocities. */
+  onVelocity(robot: number): void;
 }
 
 export interface FleetOptions {
@@ -28,6 +30,16 @@ export interface FleetOptions {
    * whose pages only answer.
    */
   isBusy: boolean;
+  /**
+   * The topics to which readers subscribe as ROS clients, `/odom` first; null: native readers. Only
+   * the product has both.
+   */
+  ros: readonly string[] | null;
+  /**
+   * Whether commands are velocities, by `/cmd_vel` or `drive`, and start when the page receives them.
+   * Otherwise they are moves.
+   */
+  drives: boolean;
   listener: FleetListener;
 }
 

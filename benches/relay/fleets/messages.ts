@@ -29,6 +29,24 @@ export function commandText(n: number): string {
   return `{"type":"command","key":"bench-${String(n).padStart(9, "0")}","command":{"action":"move","distance":120,"ttl":10000}}`;
 }
 
+/** A velocity of a script. Each differs from the one before. */
+export function driveText(n: number): string {
+  const power = 0.1 + (n % 50) / 100;
+  return `{"type":"command","key":"bench-${String(n).padStart(9, "0")}","command":{"action":"drive","left":${power},"right":${power}}}`;
+}
+
+/** The same velocity of a ROS client, as the libraries send it. */
+export function twistText(n: number): string {
+  const speed = 0.3 + (n % 50) / 100;
+  return `{"op":"publish","id":"publish:/cmd_vel:${n}","topic":"/cmd_vel","msg":{"linear":{"x":${speed},"y":0,"z":0},"angular":{"x":0,"y":0,"z":0}},"latch":false}`;
+}
+
+/** The number of the snapshot that a message of `/odom` shows: its stamp is the tick. */
+export function parseStamp(text: string): number {
+  const [, sec, nanosec] = /"sec":(\d+),"nanosec":(\d+)/.exec(text) ?? [];
+  return Math.round(Number(sec) * 60 + (Number(nanosec) * 60) / 1e9) / 2;
+}
+
 /** An answer of a page, for peers without their own answers; as long as the product's record. */
 export function answerText(n: number): string {
   return `{"type":"ack","record":{"seq":${n},"key":"bench-000000001","action":"move","command":{"action":"move","distance":120},"state":"accepted","reason":null,"acceptedAt":"2026-01-01T00:00:00.000Z","pose":null,"distance":null,"duplicate":false}}`;

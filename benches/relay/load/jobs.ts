@@ -12,6 +12,10 @@ export interface OpenJob {
   viewers?: number;
   /** default: false */
   isBusy?: boolean;
+  /** default: null */
+  ros?: readonly string[] | null;
+  /** default: false */
+  drives?: boolean;
 }
 
 /** Pages send snapshots and scripts send commands, both at a steady rate. */

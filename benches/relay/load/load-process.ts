@@ -49,6 +49,8 @@ async function open({
   scripts,
   viewers = 0,
   isBusy = false,
+  ros = null,
+  drives = false,
   pages,
   readers,
 }: OpenJob): Promise<DrivenFleet> {
@@ -60,6 +62,8 @@ async function open({
     scripts,
     viewers,
     isBusy,
+    ros,
+    drives,
     listener: recorder,
   });
   return { fleet, recorder, robots, scripts };

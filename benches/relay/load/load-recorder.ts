@@ -57,6 +57,12 @@ export class LoadRecorder implements FleetListener {
     this.answerObserver(robot);
   }
 
+  /** A velocity started. It may have replaced earlier ones, which never start. */
+  onVelocity(robot: number): void {
+    const sentAt = this.#unstarted[robot]?.splice(0).at(-1);
+    if (sentAt !== undefined) this.#result?.starts.push(performance.now() - sentAt);
+  }
+
   onStarted(robot: number): void {
     const sentAt = this.#unstarted[robot]?.shift();
     if (sentAt !== undefined) this.#result?.starts.push(performance.now() - sentAt);
