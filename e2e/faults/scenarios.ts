@@ -5,6 +5,7 @@ import { cleanNetwork } from "./scenarios/clean-network.ts";
 import { cuts } from "./scenarios/cuts.ts";
 import { filters } from "./scenarios/filters.ts";
 import { fullDisk } from "./scenarios/full-disk.ts";
+import { gateways } from "./scenarios/gateways.ts";
 import { hiddenPage } from "./scenarios/hidden-page.ts";
 import { slowReaders } from "./scenarios/slow-readers.ts";
 import { hostileLinks } from "./scenarios/hostile-links.ts";
@@ -34,6 +35,7 @@ export const scenarios: readonly Scenario[] = [
   slowReaders,
   wrongCodes,
   malformedFrames,
+  gateways,
   fullDisk,
   filters,
   openApiFuzz,

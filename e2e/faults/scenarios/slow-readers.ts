@@ -2,10 +2,9 @@
  * Scripts stop reading while their robots move: they use little memory of the relay, and do not
  * delay other clients.
  */
-import { spawnSync } from "node:child_process";
-import { existsSync, readFileSync } from "node:fs";
 import { RelayProcess } from "../../../tests/support/relay-process.ts";
 import { machineNow, sleep } from "../clock.ts";
+import { memoryMib } from "../memory.ts";
 import { RawSocket } from "../net/raw-socket.ts";
 import { percentile } from "../percentile.ts";
 import type { Scenario } from "../scenario.ts";
@@ -124,15 +123,3 @@ export const slowReaders: Scenario = {
     ];
   },
 };
-
-/**
- * Reads the memory from a file where possible: starting a program would disturb the measurement.
- */
-function memoryMib(pid: number): number {
-  const file = `/proc/${pid}/status`;
-  if (existsSync(file)) {
-    return Number(/VmRSS:\s+(\d+) kB/.exec(readFileSync(file, "utf8"))?.[1]) / 1024;
-  }
-  const { stdout } = spawnSync("ps", ["-o", "rss=", "-p", String(pid)], { encoding: "utf8" });
-  return Number(stdout) / 1024;
-}
