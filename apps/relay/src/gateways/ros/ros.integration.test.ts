@@ -1,5 +1,6 @@
 import type { Registration, ScriptList } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
+import { pino } from "pino";
 import { describe, expect, it, vi } from "vitest";
 import { makeKey, reportedRobot } from "../../testing/reported-robot.ts";
 import { RosClient } from "../../testing/ros-client.ts";
@@ -239,6 +240,30 @@ describe("limits", () => {
 });
 
 describe("a relay", () => {
+  it("logs no key of a ROS client, and no path", async () => {
+    const lines: string[] = [];
+    const log = pino({ level: "trace" }, { write: (line: string) => void lines.push(line) });
+    const relay = await startTestRelay({ log });
+    const robot = await relay.register();
+    const { key } = await makeKey(relay, robot, "drive", "url");
+    const wrong = `url_${"A".repeat(22)}`;
+    expect(await RosClient.refusedWith(relay, robot, { pathKey: wrong })).toBe(401);
+    const byPath = await RosClient.connect(relay, robot, { pathKey: key });
+    byPath.sendText(`{"op":"auth","mac":"${key}"`);
+    await byPath.call("/rosapi/nodes");
+    const byAuth = await RosClient.connect(relay, robot, { key: null });
+    byAuth.send({ op: "auth", mac: wrong });
+    await byAuth.closed;
+    const byHeader = await RosClient.connect(relay, robot);
+    await byHeader.call("/rosapi/nodes");
+    const text = lines.join("");
+    expect(text).toContain("ROS client authenticated");
+    for (const secret of [key, wrong, robot.driverKey]) {
+      expect(text).not.toContain(secret.slice(4));
+    }
+    expect(text).not.toContain("/ros");
+  });
+
   it("without the gateway answers 404", async () => {
     const relay = await startTestRelay({ config: { gateways: [] } });
     const robot = await relay.register();
