@@ -1,7 +1,7 @@
 /** Tools that send commands: `act`, `stop` and `reset`. */
 import {
   hasEnded,
-  RefusedError,
+  sendAndWait,
   type CommandRecord,
   type Order,
   type RobotPort,
@@ -25,7 +25,7 @@ export const actTool: Tool = {
   async run({ port }, args) {
     const { key, ...order } = fieldsOf(args);
     // The port checks the command and its key, so that the owner sees wrong ones too.
-    return sendAndWait(port, order as Order, key as string | undefined);
+    return act(port, order as Order, key as string | undefined);
   },
 };
 
@@ -37,7 +37,7 @@ export const stopTool: Tool = {
   drives: true,
   async run({ port }, args) {
     readArguments(noArguments, args);
-    return sendAndWait(port, { action: "stop" });
+    return act(port, { action: "stop" });
   },
 };
 
@@ -50,7 +50,7 @@ export const resetTool: Tool = {
   drives: true,
   async run({ port }, args) {
     const { key } = readArguments(resetArguments, args);
-    return sendAndWait(port, { action: "reset" }, key);
+    return act(port, { action: "reset" }, key);
   },
 };
 
@@ -58,26 +58,12 @@ function fieldsOf(args: unknown): Record<string, unknown> {
   return typeof args === "object" && args !== null ? { ...args } : {};
 }
 
-async function sendAndWait(port: RobotPort, order: Order, key?: string): Promise<ToolResult> {
-  const sent = await port.send(order, key);
-  const ended = await endOf(port, sent);
-  const record = { ...ended, duplicate: sent.duplicate };
+async function act(port: RobotPort, order: Order, key?: string): Promise<ToolResult> {
+  const record = await sendAndWait(port, order, key, MAX_WAIT_SECONDS * 1000);
   // Not an error if there is none: the command was sent.
   const snapshot = port.newest;
   const after = snapshot === null ? NOT_REPORTED : describeSnapshot(snapshot);
   return textResult(`${describeRecord(record)}\n${after}`, { record, snapshot });
-}
-
-/** @throws RefusedError, whose sentence contains that the command was sent */
-async function endOf(port: RobotPort, { seq }: CommandRecord): Promise<CommandRecord> {
-  try {
-    return await port.endOf(seq, MAX_WAIT_SECONDS * 1000);
-  } catch (error) {
-    if (!(error instanceof RefusedError)) throw error;
-    const { problem, retryAfter } = error;
-    const detail = `${problem.detail} Command ${seq} was sent before.`;
-    throw new RefusedError({ ...problem, detail }, { cause: error, retryAfter });
-  }
 }
 
 function describeRecord(record: CommandRecord): string {

@@ -230,6 +230,7 @@ export {
   type RobotListener,
   type RobotPort,
 } from "./robot-port.ts";
+export { sendAndWait } from "./send-and-wait.ts";
 export { snapshotSchema, type LineRef, type RobotReport, type Snapshot } from "./snapshot.ts";
 export {
   MAX_PROBLEM_TEXT,

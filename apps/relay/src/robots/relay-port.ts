@@ -4,7 +4,6 @@
  */
 import {
   checkCommand,
-  RefusedError,
   termsOf,
   type CommandRecord,
   type Order,
@@ -13,7 +12,7 @@ import {
   type RobotPort,
   type Snapshot,
 } from "@corridor/protocol";
-import { asRefusal, noRobot, Refusal, restarting } from "../platform/errors/problems.ts";
+import { asRefused, noRobot, Refusal, restarting } from "../platform/errors/problems.ts";
 import { StoreUnavailableError } from "../platform/errors/store-unavailable.ts";
 import { type Caller, type Verb, scriptIsBlocked } from "./access/callers.ts";
 import { keyRevoked } from "./access/key-ring.ts";
@@ -66,14 +65,14 @@ export class RelayPort implements RobotPort {
       maze: (version) => listener.maze(version),
       over: (reason) => {
         leave();
-        listener.end(refused(endings[reason]()));
+        listener.end(asRefused(endings[reason]()));
       },
     };
     try {
       this.#check("read");
       reader = this.#robot.readers.join(this.#caller, sink, null);
     } catch (error) {
-      throw refused(error);
+      throw asRefused(error);
     }
     this.#readers.add(reader);
     return leave;
@@ -138,7 +137,7 @@ export class RelayPort implements RobotPort {
       return await request();
     } catch (error) {
       const { end } = this.#robot;
-      throw refused(end === null ? error : endings[end]());
+      throw asRefused(end === null ? error : endings[end]());
     }
   }
 
@@ -160,12 +159,3 @@ const endings: Record<OverReason, () => Error> = {
   tooSlow: () =>
     new Refusal("too-slow", "The client did not read messages fast enough. Connect again."),
 };
-
-/** The same refusal, as ports throw it. Its cause is the original error, for the log. */
-function refused(error: unknown): RefusedError {
-  if (error instanceof RefusedError) return error;
-  const { problem, headers } = asRefusal(error);
-  const seconds = headers["Retry-After"];
-  const retryAfter = seconds === undefined ? null : Number(seconds);
-  return new RefusedError(problem, { cause: error, retryAfter });
-}

@@ -12,8 +12,8 @@ import { bodyReader } from "../../platform/http/reading.ts";
 import type { RequestGuard } from "../../platform/http/request-guard.ts";
 import { Refusal } from "../../platform/errors/problems.ts";
 import type { RobotRegistry } from "../../robots/registry.ts";
-import { RelayPort, type PortConnection } from "../../robots/relay-port.ts";
-import { authoriseGateway } from "../requests/gateway-requests.ts";
+import { RelayPort } from "../../robots/relay-port.ts";
+import { authoriseGateway, requestConnection } from "../requests/gateway-requests.ts";
 import { answerMessage } from "./answer-message.ts";
 
 export const MCP_PATH = "/r/:id/mcp";
@@ -37,12 +37,6 @@ const readMessage = bodyReader(messageSchema, "Invalid message.", {
   example: EXAMPLE,
 });
 
-/** The only reader is a tool that waits: it takes every snapshot at once. */
-const connection: PortConnection = {
-  transport: "events",
-  flow: { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined },
-};
-
 /** @param onRefused called for each refusal inside an answer */
 export function mcpRoutes(
   registry: RobotRegistry,
@@ -54,11 +48,18 @@ export function mcpRoutes(
     request: Request<{ id: string; key?: string }>,
     response: Response,
   ): Promise<void> => {
-    const grant = await authoriseGateway(registry, request, response, protocolClients.mcp);
+    const { id, key = null } = request.params;
+    const grant = await authoriseGateway(registry, request, response, {
+      id,
+      key,
+      use: key === null ? undefined : "url",
+      verb: "read",
+      client: protocolClients.mcp,
+    });
     const message = await readMessage(request, response);
     // The client may have disconnected during authorisation.
     if (response.closed) return;
-    const agent = createAgent(new RelayPort(grant, connection), registry.clock, onRefused);
+    const agent = createAgent(new RelayPort(grant, requestConnection), registry.clock, onRefused);
     response.once("close", () => agent.close());
     await answerMessage(agent, message, request, response);
   };

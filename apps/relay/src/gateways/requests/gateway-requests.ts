@@ -3,27 +3,47 @@ import type { Request, RequestHandler, Response } from "express";
 import { Refusal } from "../../platform/errors/problems.ts";
 import type { GatewayName } from "../../platform/gateway-names.ts";
 import { readBearer } from "../../platform/http/reading.ts";
+import type { Verb } from "../../robots/access/callers.ts";
 import type { Grant, RobotRegistry } from "../../robots/registry.ts";
+import type { PortConnection } from "../../robots/relay-port.ts";
+import type { StoredKey } from "../../store/robot-store.ts";
 import { readIntroduction } from "./script-requests.ts";
 
+/** The connection of a client that follows a robot within one request: it reads everything at once. */
+export const requestConnection: PortConnection = {
+  transport: "events",
+  flow: { sentBytes: 0, takenBytes: 0, isProof: true, ask: () => undefined },
+};
+
+/** What a client of a gateway requests, and with which key. */
+export interface GatewayClaim {
+  /** the robot */
+  id: string;
+  /** a key that does not stand in the header, which takes precedence; null: none */
+  key: string | null;
+  /** "url" if `key` stands in the path of the URL, where only such keys are accepted */
+  use: StoredKey["use"];
+  verb: Verb;
+  /** name of the gateway in the list of scripts, such as "MCP" */
+  client: string;
+}
+
 /**
- * Authorises a request to a gateway: a key in the header takes precedence over one in the path.
- * @param client name of the gateway in the list of scripts, such as "MCP"
+ * Authorises a request to a gateway.
  * @throws Refusal with the same errors as `RobotRegistry.authorise`
  */
 export async function authoriseGateway(
   registry: RobotRegistry,
-  request: Request<{ id: string; key?: string }>,
+  request: Request,
   response: Response,
-  client: string,
+  { id, key, use, verb, client }: GatewayClaim,
 ): Promise<Grant> {
-  const { id, key: pathKey } = request.params;
-  const key = readBearer(request);
   const introduction = { ...readIntroduction(request), client };
+  const bearer = readBearer(request);
   const grant =
-    key === null && pathKey !== undefined
-      ? await registry.authorise(id, pathKey, "read", introduction, "url")
-      : await registry.authorise(id, key, "read", introduction);
+    bearer === null
+      ? await registry.authorise(id, key, verb, introduction, use)
+      : await registry.authorise(id, bearer, verb, introduction);
   const markAnswered = grant.robot.received(grant.caller);
   response.once("close", markAnswered);
   // The client may have disconnected during authorisation.

@@ -8,6 +8,7 @@ import {
   sinceSchema,
   termsOf,
   type CommandTerms,
+  type Snapshot,
 } from "@corridor/protocol";
 import type { Request, Response } from "express";
 import { z } from "zod";
@@ -22,6 +23,7 @@ import {
   wholeNumber,
   readBearer,
 } from "../../platform/http/reading.ts";
+import { Refusal } from "../../platform/errors/problems.ts";
 import type { Caller, Introduction, Verb } from "../../robots/access/callers.ts";
 import type { ScriptTime } from "../../robots/delivery/script-clocks.ts";
 import type { CallerWait } from "../../robots/readers/subscribers.ts";
@@ -168,6 +170,37 @@ export async function readCommandRequest(
 export function readIdempotencyKey(request: Request): string | null {
   const given = { "Idempotency-Key": request.get("Idempotency-Key") };
   return read(idempotencyHeader, given, "Invalid header.")["Idempotency-Key"] ?? null;
+}
+
+/** Reads a command. If it is invalid, the robot's owner sees why. */
+export async function readFor<T>(
+  { robot, caller }: Grant,
+  reading: () => T | Promise<T>,
+): Promise<T> {
+  try {
+    return await reading();
+  } catch (error) {
+    if (error instanceof Refusal) robot.refused(caller, error);
+    throw error;
+  }
+}
+
+/**
+ * The newest snapshot, immediately or by waiting for one that is newer than `after`.
+ * @throws Refusal no-snapshot before the robot's first report
+ */
+export async function readSnapshot(
+  { robot, caller }: Grant,
+  { after = -1, wait }: { after?: number | undefined; wait: number },
+  response: Response,
+): Promise<Snapshot> {
+  const limit = callerWaitOf(response, wait, caller);
+  const snapshot = await robot.readers.nextSnapshot(after, limit);
+  if (snapshot !== null) return snapshot;
+  throw new Refusal(
+    "no-snapshot",
+    "The robot's page has not reported yet. Open the page and connect it under Remote. With a wait of 25 seconds this request waits for the report.",
+  );
 }
 
 /** Limits of a wait by a caller. A revoked key also ends it. */

@@ -2,7 +2,12 @@
  * Errors of the relay as problem documents (RFC 9457). HTTP responses and WebSocket messages carry
  * the same documents, which never reveal more than the client may see.
  */
-import { describeProblem, type FieldProblem, type ProblemDocument } from "@corridor/protocol";
+import {
+  describeProblem,
+  RefusedError,
+  type FieldProblem,
+  type ProblemDocument,
+} from "@corridor/protocol";
 import { problemKinds, type ProblemKind } from "./problem-kinds.ts";
 import { isDiskFull } from "./disk-full.ts";
 import { StoreUnavailableError } from "./store-unavailable.ts";
@@ -106,6 +111,16 @@ export function noClass(): Refusal {
     "no-class",
     "The class has ended, or the id contains a typing error. The relay deletes a class when its teacher ends it, after 2 hours without use, and 12 hours after its creation.",
   );
+}
+
+/**
+ * Converts any error to a refusal as ports throw it. Its cause is the original error, for the log.
+ */
+export function asRefused(error: unknown, refusal = asRefusal(error)): RefusedError {
+  if (error instanceof RefusedError) return error;
+  const seconds = refusal.headers["Retry-After"];
+  const retryAfterSeconds = seconds === undefined ? null : Number(seconds);
+  return new RefusedError(refusal.problem, { cause: error, retryAfter: retryAfterSeconds });
 }
 
 /** Converts any error to a problem. Unexpected errors become "internal" without details. */

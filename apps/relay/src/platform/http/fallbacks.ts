@@ -46,7 +46,7 @@ export function gatewayRefusals(
   onRefusal: (kind: ProblemKind) => void,
 ): (error: RefusedError) => void {
   return ({ cause, problem }) => {
-    const kind = cause instanceof Error ? asRefusal(cause).kind : kindOf(problem);
+    const kind = kindOf(problem);
     onRefusal(kind);
     if (kind === "internal") log.error({ err: cause }, "request of a gateway failed");
   };
@@ -63,7 +63,7 @@ function sendProblem(response: Response, { problem, headers }: Refusal): void {
 }
 
 /** Express and its body parser throw errors with a status. Their texts are not for the client. */
-function refusalOf(error: unknown): Refusal {
+export function refusalOf(error: unknown): Refusal {
   const status = error instanceof Error && "status" in error ? error.status : undefined;
   if (status === 413) {
     const limit = error instanceof Error && "limit" in error ? Number(error.limit) : 0;

@@ -12,22 +12,29 @@ import { clientName } from "./client-name.ts";
 
 // Checks the text first, then the number, because /openapi.json describes the number.
 export const waitError = `seconds to wait, from 0 to ${limits.longPollSeconds}`;
-const seconds = z.number().min(0).max(limits.longPollSeconds, { error: waitError });
+export const waitSeconds = z
+  .number({ error: waitError })
+  .min(0, { error: waitError })
+  .max(limits.longPollSeconds, { error: waitError });
 export const waitText = z
   .string({ error: waitError })
   .regex(/^\d{1,2}(\.\d{1,3})?$/, { error: waitError })
   .transform(Number)
-  .pipe(seconds.multipleOf(0.001));
+  .pipe(waitSeconds.multipleOf(0.001));
 export const waitSchema = waitText
   .prefault("0")
   .describe(`${waitError}; the relay responds earlier if there is a result`);
 
 const numberError = "a whole number of at most 15 digits";
+export const countSchema = z
+  .int({ error: numberError })
+  .min(0, { error: numberError })
+  .max(999_999_999_999_999, { error: numberError });
 export const wholeNumber = z
   .string({ error: numberError })
   .regex(/^\d{1,15}$/, { error: numberError })
   .transform(Number)
-  .pipe(z.int().min(0).max(999_999_999_999_999));
+  .pipe(countSchema);
 
 export function read<T>(schema: z.ZodType<T>, input: unknown, what: string): T {
   const result = readValue(schema, input);
@@ -57,6 +64,27 @@ export function readClient(request: Request): string {
 // A lenient decoder would read a text other than the intended one.
 const utf8 = new TextDecoder("utf-8", { fatal: true });
 
+/**
+ * Creates a function that receives the body of a request as text.
+ * @param limit maximum length in bytes
+ * @returns the function; its text is null if the body is not UTF-8, and it throws an error of Express
+ * if the body is too large
+ */
+export function textReader(
+  limit: number,
+): (request: Request, response: Response) => Promise<string | null> {
+  const receive = express.raw({ type: () => true, limit, inflate: false });
+  return async (request, response) => {
+    await new Promise<void>((resolve, reject) => {
+      receive(request, response, (error?: unknown) =>
+        error === undefined ? resolve() : reject(error),
+      );
+    });
+    const bytes: unknown = request.body;
+    return Buffer.isBuffer(bytes) ? textOf(bytes) : "";
+  };
+}
+
 /** How a body is read, and how its errors are explained. */
 export interface BodyOptions {
   /** maximum length in bytes */
@@ -78,16 +106,10 @@ export function bodyReader<T>(
   what: string,
   { limit = MAX_FRAME_BYTES, example, clearer }: BodyOptions = {},
 ): (request: Request, response: Response) => Promise<T> {
-  const receive = express.raw({ type: () => true, limit, inflate: false });
+  const readText = textReader(limit);
   return async (request, response) => {
     requireJson(request);
-    await new Promise<void>((resolve, reject) => {
-      receive(request, response, (error?: unknown) =>
-        error === undefined ? resolve() : reject(error),
-      );
-    });
-    const bytes: unknown = request.body;
-    const text = Buffer.isBuffer(bytes) ? textOf(bytes) : "";
+    const text = await readText(request, response);
     if (text === null) {
       const expected = "a JSON document in UTF-8";
       throw badRequest(what, [{ path: "", found: "bytes that are not UTF-8", expected }]);
@@ -105,7 +127,8 @@ export function bodyReader<T>(
 
 /** @throws Refusal if the content type is not JSON in UTF-8 */
 function requireJson(request: Request): void {
-  if (isJson(request.headers["content-type"] ?? "")) return;
+  const { name, isUtf8 } = mediaTypeOf(request.headers["content-type"] ?? "");
+  if (name === "application/json" && isUtf8) return;
   throw new Refusal(
     "not-json",
     'Send the body as JSON in UTF-8, with the header "Content-Type: application/json".',
@@ -121,12 +144,12 @@ function textOf(bytes: Buffer): string | null {
   }
 }
 
-/** @param type content type of the body; JSON without a charset is UTF-8 */
-function isJson(type: string): boolean {
+/** The content type of a body. Without a charset it is UTF-8. */
+export function mediaTypeOf(type: string): { name: string; isUtf8: boolean } {
   const [name = "", ...parameters] = type.toLowerCase().split(";");
   const charset = parameters.map((text) => text.trim()).find((text) => text.startsWith("charset="));
   const isUtf8 = charset === undefined || /^charset="?utf-?8"?$/.test(charset);
-  return name.trim() === "application/json" && isUtf8;
+  return { name: name.trim(), isUtf8 };
 }
 
 /** Limits of a wait: the timeout, and a signal for when the client disconnects. */

@@ -1,15 +1,15 @@
 /** Commands of scripts: send a command, read its record, read the log, stop everything. */
 import { termsOf, type CommandRecord } from "@corridor/protocol";
 import { Router, type Response } from "express";
-import type { Grant, RobotRegistry } from "../../../robots/registry.ts";
+import type { RobotRegistry } from "../../../robots/registry.ts";
 import type { CommandLog } from "./openapi.ts";
-import { Refusal } from "../../../platform/errors/problems.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
 import {
   authoriseScript,
   callerWaitOf,
   readAfter,
   readCommandRequest,
+  readFor,
   readIdempotencyKey,
   readSeq,
   readWait,
@@ -59,16 +59,6 @@ export function commandRoutes(registry: RobotRegistry): Router {
     .all(methodNotAllowed("GET, DELETE"));
 
   return router;
-}
-
-/** Reads a command. If it is invalid, the robot's owner sees why. */
-async function readFor<T>({ robot, caller }: Grant, reading: () => T | Promise<T>): Promise<T> {
-  try {
-    return await reading();
-  } catch (error) {
-    if (error instanceof Refusal) robot.refused(caller, error);
-    throw error;
-  }
 }
 
 function accepted(response: Response, id: string, record: CommandRecord): void {
