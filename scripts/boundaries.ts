@@ -101,6 +101,7 @@ const allowed: Record<string, readonly string[]> = {
     "marked",
     "pino",
     "prom-client",
+    "saxes",
     "swagger-ui-dist",
     "vite",
     "ws",

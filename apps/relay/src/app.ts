@@ -1,6 +1,6 @@
 /** The HTTP application: API, health and page, without a port of its own. */
 import type { ClassHello, Hello } from "@corridor/protocol";
-import express, { Router, type Express } from "express";
+import express, { Router, type Express, type RequestHandler } from "express";
 import type { Logger } from "pino";
 import type { Clock } from "./platform/time/clock.ts";
 import type { DocumentService } from "./short-links/document-service.ts";
@@ -34,6 +34,7 @@ import { requestLog } from "./platform/http/request-log.ts";
 import { robotRoutes } from "./gateways/rest/robots/routes.ts";
 import { openToAllSites, securityHeaders } from "./platform/http/security-headers.ts";
 import { scriptRoutes } from "./gateways/rest/scripts/routes.ts";
+import { SOAP_PATH, soapRoutes } from "./gateways/soap/routes.ts";
 import { sensorRoutes } from "./gateways/rest/sensors/routes.ts";
 import { unreadableAddress, wrongAddress } from "./site/wrong-address.ts";
 import type { RobotRegistry } from "./robots/registry.ts";
@@ -101,15 +102,24 @@ export function createApp(dependencies: AppDependencies): Express {
   api.use(longPollRoutes(classLongPolls, guard));
   api.use(notFound);
   app.use("/api/v1", api);
-  if (gateways.includes("mcp")) {
-    const onRefused = gatewayRefusals(log, (kind) => metrics.refused(kind));
-    app.use(MCP_PATH, (_request, _response, next) => {
-      metrics.gatewayMessage("mcp");
+  const onRefused = gatewayRefusals(log, (kind) => metrics.refused(kind));
+  const counted =
+    (gateway: GatewayName): RequestHandler =>
+    (_request, _response, next) => {
+      metrics.gatewayMessage(gateway);
       next();
-    });
+    };
+  if (gateways.includes("mcp")) {
+    app.use(MCP_PATH, counted("mcp"));
     app.use(mcpRoutes(registry, guard, onRefused));
   } else {
     app.use(MCP_PATH, refuseDisabled("mcp"));
+  }
+  if (gateways.includes("soap")) {
+    app.post(SOAP_PATH, counted("soap"));
+    app.use(soapRoutes(registry, guard, onRefused));
+  } else {
+    app.use(SOAP_PATH, refuseDisabled("soap"));
   }
   app.use(rosRoutes(gateways));
 

@@ -5,6 +5,7 @@ import { describe, expect, it } from "vitest";
 import { rights, type Verb } from "../../robots/access/callers.ts";
 import { maze } from "../../platform/testing/sample-documents.ts";
 import { RosClient, type RosConnectOptions } from "../../testing/ros-client.ts";
+import { callSoap } from "../../testing/soap-client.ts";
 import { startTestRelay, type TestRelay } from "../../testing/test-relay.ts";
 import { TestSocket } from "../../testing/test-socket.ts";
 
@@ -141,6 +142,35 @@ describe("permissions", () => {
     const permitted = { "in a URL, to drive": "yes", "in a URL, to watch": "yes" };
     expect(inPath).toEqual({ ...strangers, ...permitted });
   });
+
+  it.each([
+    { verb: "read", name: "Sense", fields: {} },
+    { verb: "command", name: "Command", fields: ACT },
+    { verb: "log", name: "GetCommand", fields: { seq: 1 } },
+    { verb: "log", name: "GetCommands", fields: {} },
+    { verb: "command", name: "CancelCommand", fields: { seq: 1 } },
+    { verb: "command", name: "Stop", fields: {} },
+  ] as const)(
+    "the SOAP operation $name, with the key in the header and in the address",
+    async (each) => {
+      const { relay, robot, keys } = await withRobot();
+      const inHeader: Partial<Record<Holder, unknown>> = {};
+      const inAddress: Partial<Record<Holder, unknown>> = {};
+      const outcomeOf = async (key: string, headers: Record<string, string>): Promise<unknown> => {
+        const address = `${robot.address.replace(/#.*/, "")}${key === "" ? "" : `#${key}`}`;
+        const request = { robot: address, ...each.fields };
+        const { fields } = await callSoap(relay.origin, each.name, request, { headers });
+        return fields["detail.RobotFault.code"] ?? "yes";
+      };
+      for (const holder of holders) {
+        inHeader[holder] = await outcomeOf("", { Authorization: `Bearer ${keys[holder]}` });
+        inAddress[holder] = await outcomeOf(keys[holder], {});
+      }
+      const outcomes = { yes: "yes", forbidden: "forbidden", stranger: "not-authorised" };
+      expect(inHeader).toEqual(expectedFor(each.verb, outcomes));
+      expect(inAddress).toEqual(expectedFor(each.verb, outcomes));
+    },
+  );
 
   it("a ROS client, with the key in the header, in its first message and in the path", async () => {
     const { relay, robot, keys } = await withRobot();

@@ -4,6 +4,7 @@ import { pino } from "pino";
 import { describe, expect, it } from "vitest";
 import { WebSocket } from "ws";
 import { RosClient } from "../../testing/ros-client.ts";
+import { envelopeXml, operationXml } from "../../testing/soap-client.ts";
 import { startTestRelay } from "../../testing/test-relay.ts";
 import { TestSocket } from "../../testing/test-socket.ts";
 
@@ -35,6 +36,13 @@ describe("the log", () => {
       headers: { "Content-Type": "application/json" },
       body: JSON.stringify({ jsonrpc: "2.0", id: 1, method: driverKey }),
     };
+    const soap = (message: string, headers: Record<string, string> = {}): Promise<Response> =>
+      fetch(`${relay.origin}/soap`, {
+        method: "POST",
+        headers: { "Content-Type": "text/xml", ...headers },
+        body: message,
+      });
+    const sense = envelopeXml(operationXml("Sense", { robot: robot.address, after: driverKey }));
     const statuses = [
       await relay.ask(robot, "/commands", post),
       await relay.ask(robot, "/commands", { ...post, key: ownerKey }),
@@ -49,8 +57,14 @@ describe("the log", () => {
       await fetch(`${relay.origin}/r/${id}/mcp/${urlKey}`, mcp),
       await fetch(`${relay.origin}/r/${id}/mcp/${driverKey}`, mcp),
       await fetch(`${relay.origin}/r/${id}/mcp/${urlKey}?key=${driverKey}`),
+      await soap(sense),
+      await soap(sense, { Authorization: `Bearer ${driverKey}`, SOAPAction: driverKey }),
+      await soap(`<${driverKey}>`),
+      await fetch(`${relay.origin}/soap?${driverKey}`),
     ].map(({ status }) => status);
-    expect(statuses).toEqual([202, 403, 400, 401, 404, 503, 404, 401, 404, 400, 200, 401, 405]);
+    expect(statuses).toEqual([
+      202, 403, 400, 401, 404, 503, 404, 401, 404, 400, 200, 401, 405, 500, 500, 500, 400,
+    ]);
     const base = relay.origin.replace("http", "ws");
     const lost = new WebSocket(`${base}/api/v1/robots/${driverKey}/socket?key=${ownerKey}`);
     await new Promise((resolve) => lost.once("open", resolve));

@@ -26,7 +26,7 @@ export function askBare(origin: string, request: BareRequest): Promise<BareAnswe
     `${method} ${path} HTTP/1.1`,
     `Host: ${new URL(origin).host}`,
     "Connection: close",
-    ...(hasBody ? ["Content-Type: application/json"] : []),
+    ...(hasBody && headers["Content-Type"] === undefined ? ["Content-Type: application/json"] : []),
     ...(hasBody ? [`Content-Length: ${bytes.length + (isCutOff ? 1 : 0)}`] : []),
     ...Object.entries(headers).map(([name, value]) => `${name}: ${value}`),
   ];
