@@ -28,6 +28,11 @@ const entries: readonly Entry[] = [
     load: async () => import("./study/study-command.ts"),
   },
   {
+    name: "maze",
+    summary: "check a contest maze, or convert a maze to another format",
+    load: async () => import("./maze-command.ts"),
+  },
+  {
     name: "conformance",
     summary: "check that a robot host keeps every promise that scripts rely on",
     load: async () => import("./conformance.ts"),

@@ -4,6 +4,8 @@
 export interface Context {
   /** prints lines to standard output */
   print: (lines: readonly string[]) => void;
+  /** writes the content of a file to standard output */
+  write: (content: string | Uint8Array) => void;
   /** entry of the command line, from which commands start their worker threads */
   entry: URL;
 }

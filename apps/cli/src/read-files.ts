@@ -1,6 +1,7 @@
 /** Reads documents from files and reports all problems of all files together. */
 import { readFileSync, statSync } from "node:fs";
-import { readMaze, type MazeDocument } from "@corridor/maze";
+import { parse } from "node:path";
+import { type MazeDocument } from "@corridor/maze";
 import { readProgram, type ProgramDocument } from "@corridor/program";
 import {
   describeProblem,
@@ -11,6 +12,8 @@ import {
   type TimedCommand,
 } from "@corridor/protocol";
 import { InputError } from "./input-error.ts";
+import { readMazeBytes } from "./read-maze-bytes.ts";
+import { readUtf8 } from "./read-utf8.ts";
 
 /** Larger than any valid document. */
 export const MAX_BYTES = 16 * 1024 * 1024;
@@ -33,9 +36,9 @@ export interface Documents {
 export function readFiles({ mazes, programs, commands = [] }: Files): Documents {
   const lines: string[] = [];
   const documents = {
-    mazes: readAll(mazes, readMaze, lines),
-    programs: readAll(programs, readProgram, lines),
-    commands: readAll(commands, readCommands, lines),
+    mazes: readAll(mazes, readMazeFile, lines),
+    programs: readAll(programs, (file) => readFile(file, readProgram), lines),
+    commands: readAll(commands, (file) => readFile(file, readCommands), lines),
   };
   if (lines.length > 0) throw new InputError(lines);
   return documents;
@@ -47,42 +50,37 @@ function readCommands(text: string): ReadResult<TimedCommand[]> {
 
 function readAll<T>(
   files: readonly string[],
-  read: (text: string) => ReadResult<T>,
+  read: (file: string) => ReadResult<T>,
   lines: string[],
 ): T[] {
   return files.flatMap((file) => {
-    const result = readFile(file, read);
+    const result = read(file);
     if (result.ok) return [result.value];
     lines.push(...result.problems.map((each) => `${file}: ${describeProblem(each)}`));
     return [];
   });
 }
 
+/** Reads a maze in any format. A file without a name gives its own to the maze. */
+function readMazeFile(file: string): ReadResult<MazeDocument> {
+  const bytes = bytesOf(file);
+  return bytes.ok ? readMazeBytes(bytes.value, parse(file).name) : bytes;
+}
+
 /** Reads one file as UTF-8. @param read reads the document from the text of the file */
 export function readFile<T>(file: string, read: (text: string) => ReadResult<T>): ReadResult<T> {
-  let bytes: Uint8Array;
+  const bytes = bytesOf(file);
+  return bytes.ok ? readUtf8(bytes.value, read) : bytes;
+}
+
+function bytesOf(file: string): ReadResult<Uint8Array> {
   try {
     const { size } = statSync(file);
     if (size > MAX_BYTES) return problem("", `${size} bytes`, `at most ${MAX_BYTES} bytes`);
-    bytes = readFileSync(file);
+    return { ok: true, value: readFileSync(file) };
   } catch (error) {
     return problem("", reasonOf(error), "a readable file");
   }
-  return readBytes(bytes, read);
-}
-
-/** Reads UTF-8 text. @param read reads the document from the text */
-export function readBytes<T>(
-  bytes: Uint8Array,
-  read: (text: string) => ReadResult<T>,
-): ReadResult<T> {
-  let text: string;
-  try {
-    text = new TextDecoder("utf-8", { fatal: true }).decode(bytes);
-  } catch {
-    return problem("", "bytes that are not UTF-8", "UTF-8 text");
-  }
-  return read(text);
 }
 
 /** Describes why a file cannot be read or written. */

@@ -30,7 +30,7 @@ export async function runCommand(
     print([withProgram(command.help, entry)]);
     return 0;
   }
-  return command.run(args, { print, entry });
+  return command.run(args, { print, write, entry });
 }
 
 /** The file that a relay serves. */
@@ -43,5 +43,9 @@ export function withProgram(text: string, entry: URL): string {
 }
 
 export function print(lines: readonly string[]): void {
-  if (lines.length > 0) process.stdout.write(`${lines.join("\n")}\n`);
+  if (lines.length > 0) write(`${lines.join("\n")}\n`);
+}
+
+function write(content: string | Uint8Array): void {
+  process.stdout.write(content);
 }

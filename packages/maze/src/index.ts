@@ -1,4 +1,25 @@
 export { dailyMaze, dayAfter, dayNumber, type Day } from "./daily.ts";
+export { isBinaryMaze } from "./contest/cell-bytes.ts";
+export {
+  checkContest,
+  contestRules,
+  type BrokenRule,
+  type ContestCheck,
+  type ContestRule,
+  type WallFollowerMiss,
+} from "./contest/check-contest.ts";
+export {
+  contestMazeOf,
+  type ContestMaze,
+  type ContestRefusal,
+  type ContestRefusalCode,
+} from "./contest/contest-maze.ts";
+export { isContestText, readBinaryMaze } from "./contest/read-contest-maze.ts";
+export {
+  contestFormats,
+  writeContestMaze,
+  type ContestFormat,
+} from "./contest/write-contest-maze.ts";
 export { CELL, gridOf, type Grid } from "./grid.ts";
 export { isSameLayout, isSameMaze } from "./same-maze.ts";
 export { countOpenCells, distancesFromStart, isReachable, UNREACHABLE } from "./flood-fill.ts";

@@ -1,16 +1,17 @@
 /**
- * Mazes drawn as plain text, for example in mails, books and other programs. Two notations are
- * supported: squares (one character per cell), and the walls and posts of micromouse mazes.
- * Ambiguous text is rejected with line, column, the found and the expected text.
+ * Mazes as plain text, for example in mails, books and other programs: drawings with one character
+ * per cell, and the drawings and lists of contests. Ambiguous text is rejected with line, column,
+ * the found and the expected text.
  */
 import type { FieldProblem, ReadResult } from "@corridor/protocol";
 import type { Cell, MazeDocument } from "./maze-document.ts";
-import { MAX_NAME_LENGTH } from "./maze-limits.ts";
-import { GOAL_MARK, startMarks } from "./text-sketch.ts";
+import { readCellList, startsCellList } from "./contest/cell-list.ts";
+import { named } from "./contest/read-contest-maze.ts";
+import { readDrawing, startsDrawing } from "./contest/read-drawing.ts";
+import { type DrawnMaze, type Drawing, GOAL_MARK, startMarks } from "./text-sketch.ts";
 import { readSquares } from "./text-squares.ts";
-import { readWalls } from "./text-walls.ts";
 
-/** Maximum text length in characters. The largest micromouse maze needs half of it. */
+/** Maximum text length in characters. The longest list of cells nearly needs it. */
 const MAX_TEXT_LENGTH = 262_144;
 
 /**
@@ -25,22 +26,23 @@ export function readTextMaze(text: string, name: string): ReadResult<MazeDocumen
   }
   const lines = text.replace(/^\uFEFF/, "").split(/\r\n|\r|\n/);
   if (lines.every((line) => line.trim() === "")) return refuse("nothing", "a maze, line by line");
+  const start = lines.find((line) => line.trim() !== "") ?? "";
+  const read = readerOf(start);
   // If spaces are open squares, a line of spaces is a row. Otherwise it only surrounds the drawing.
-  const isSpaced = !isWalls(lines) && !lines.some((line) => /[._]/.test(line));
+  const isSpaced = read === readSquares && !lines.some((line) => /[._]/.test(line));
   const isRow = (line: string): boolean => (isSpaced ? line : line.trim()) !== "";
   const first = lines.findIndex(isRow);
-  const drawing = {
+  const drawn = read({
     lines: lines.slice(first, lines.findLastIndex(isRow) + 1),
     firstLine: first + 1,
-  };
-  const read = isWalls(lines) ? readWalls(drawing) : readSquares(drawing);
-  if (!read.ok) return read;
-  const { blocks, start, goals } = read.value;
-  const shortName = name.slice(0, MAX_NAME_LENGTH);
-  return {
-    ok: true,
-    value: { format: "corridor/maze", version: 1, name: shortName, blocks, start, goals },
-  };
+  });
+  return drawn.ok ? { ok: true, value: named(drawn.value, name) } : drawn;
+}
+
+/** Chooses the notation by the first line. */
+function readerOf(line: string): (drawing: Drawing) => ReadResult<DrawnMaze> {
+  if (startsDrawing(line)) return readDrawing;
+  return startsCellList(line) ? readCellList : readSquares;
 }
 
 /**
@@ -59,11 +61,6 @@ export function writeTextMaze(maze: MazeDocument): string {
   const marks = startMarks[start.heading];
   put(start, isGoal ? marks.startAndGoal : marks.start);
   return `${rows.map((row) => row.join("")).join("\n")}\n`;
-}
-
-/** Whether the text uses the micromouse notation: only that notation starts with a post. */
-function isWalls(lines: readonly string[]): boolean {
-  return /^\s*[o+]/.test(lines.find((line) => line.trim() !== "") ?? "");
 }
 
 function refuse(found: string, expected: string): { ok: false; problems: FieldProblem[] } {

@@ -74,6 +74,10 @@ export class Sketch {
     return this.#problems.length >= MAX_PROBLEMS;
   }
 
+  get hasProblems(): boolean {
+    return this.#problems.length > 0;
+  }
+
   /**
    * Adds a problem. Ignored if `isFull`.
    * @param line index in the drawing, from 0
@@ -104,9 +108,14 @@ export class Sketch {
     }
   }
 
-  /** Returns the maze, or the problems. Call it after the last line. */
-  finish(blocks: string[]): ReadResult<DrawnMaze> {
+  /**
+   * Returns the maze, or the problems. Call it after the last line.
+   * @param missing the start and the goals of a drawing that has none
+   */
+  finish(blocks: string[], missing?: Pick<DrawnMaze, "start" | "goals">): ReadResult<DrawnMaze> {
+    const goals = this.#goals.length === 0 && missing !== undefined ? missing.goals : this.#goals;
     if (this.#start === null && this.#problems.length === 0) {
+      if (missing !== undefined) return { ok: true, value: { ...missing, blocks, goals } };
       const expected = "one S, or one of ^ > v < for a start with a heading";
       return { ok: false, problems: [{ path: "start", found: "none", expected }] };
     }
@@ -115,7 +124,7 @@ export class Sketch {
     }
     const { cell, heading } = this.#start;
     const start = { ...cell, heading: heading ?? firstOpenHeading(blocks, cell) };
-    return { ok: true, value: { blocks, start, goals: this.#goals } };
+    return { ok: true, value: { blocks, start, goals } };
   }
 
   #position(line: number, column: number | null): string {
@@ -125,7 +134,7 @@ export class Sketch {
 }
 
 /** Heading for a start without one: the first open direction of north, east, south and west. */
-function firstOpenHeading(blocks: readonly string[], { column, row }: Cell): HeadingName {
+export function firstOpenHeading(blocks: readonly string[], { column, row }: Cell): HeadingName {
   const firstOpen = headingNames.find((heading) => {
     const [right, down] = steps[heading];
     return (blocks[row + down]?.[column + right] ?? BLOCK) !== BLOCK;

@@ -12,7 +12,8 @@ afterAll(() => rmSync(folder, { recursive: true }));
 
 function file(name: string, content: unknown): string {
   const path = join(folder, name);
-  writeFileSync(path, typeof content === "string" ? content : JSON.stringify(content));
+  const isWritten = typeof content === "string" || content instanceof Uint8Array;
+  writeFileSync(path, isWritten ? content : JSON.stringify(content));
   return path;
 }
 
@@ -29,7 +30,7 @@ const rightWall = file("right-wall.json", paperPrograms[1]?.program);
 const wrong = file("wrong.json", paperPrograms[3]?.program);
 
 describe("help", () => {
-  const names = ["simulate", "grade", "report", "conformance"];
+  const names = ["simulate", "grade", "report", "maze", "conformance"];
 
   it("lists all commands", () => {
     const { code, out } = corridor("--help");
@@ -55,7 +56,7 @@ describe("help", () => {
     { found: "conf", answer: "Did you mean conformance?" },
     {
       found: "drive",
-      answer: "The commands are simulate, grade, report, conformance, ros, mcp, mms.",
+      answer: "The commands are simulate, grade, report, maze, conformance, ros, mcp, mms.",
     },
   ])("names the command that resembles $found", ({ found, answer }) => {
     expect(corridor(found)).toEqual({
@@ -164,6 +165,56 @@ describe("grade", () => {
   });
 });
 
+describe("maze", () => {
+  const drawing = "o---o---o\n|       |\no   o---o\n|   | G |\no---o---o\n";
+  const contest = file("contest.map", `${drawing.replaceAll("\n", "\r\n")}\r\nFinal\r\n`);
+
+  it("prints the documented fields of a contest maze in their order", () => {
+    expect(corridor("maze", contest)).toEqual({
+      code: 0,
+      out: '{"columns":2,"rows":2,"start":{"x":0,"y":0,"heading":"north"},"goals":[{"x":1,"y":0}],"solvable":false,"shortestPath":null,"wallFollower":false,"brokenRules":[{"rule":"unreachable-cells","count":1},{"rule":"goal-entrances","count":0}]}\n',
+      errors: "",
+    });
+  });
+
+  it("converts a maze to every format and back, also the name of a document", () => {
+    const walls = generateTree({ columns: 33, rows: 33, seed: 4, name: "tree" }).blocks;
+    const goals = [15, 17].flatMap((row) => [15, 17].map((column) => ({ column, row })));
+    const start = { column: 1, row: 31, heading: "north" };
+    const document = {
+      format: "corridor/maze",
+      version: 1,
+      name: "tree",
+      blocks: walls,
+      start,
+      goals,
+    };
+    const original = file("tree.json", document);
+    const main = new URL("../../../apps/cli/src/main.ts", import.meta.url).pathname;
+    for (const format of ["json", "text", "map", "num", "maz"]) {
+      const args = [main, "maze", original, "--to", format];
+      const { stdout } = spawnSync(process.execPath, args, { encoding: "buffer" });
+      const written = file(`tree.${format}`, new Uint8Array(stdout));
+      expect(JSON.parse(corridor("maze", written, "--to", "json").out)).toEqual(document);
+    }
+  });
+
+  it("opens contest mazes wherever a command takes mazes", () => {
+    const args = ["--program", rightWall, "--until", "goal"];
+    const open = file("open.map", drawing.replace("o---o\n|   | G |", "o   o\n|   | G |"));
+    expect(JSON.parse(corridor("simulate", "--maze", open, ...args).out)).toMatchObject({
+      goal: { reached: true },
+    });
+    const [line = ""] = corridor("grade", "--maze", open, ...args).out.split("\n");
+    expect(JSON.parse(line)).toMatchObject({ maze: open, goal: { reached: true } });
+  });
+
+  it("ignores a description after a drawing, in any encoding", () => {
+    const described = file("latin.map", Buffer.from(`${drawing}\nS\u00E3o Paulo`, "latin1"));
+    expect(corridor("maze", described).code).toBe(0);
+  });
+});
+
 describe("invalid input", () => {
   const broken = file("broken.json", { ...paperPrograms[1]?.program, default: "fly" });
   it.each([
@@ -188,7 +239,33 @@ describe("invalid input", () => {
     {
       name: "a file that is not JSON",
       args: ["simulate", "--maze", file("text.json", "hello"), "--program", rightWall],
+      message: 'line 1: found "hello", expected a row of squares',
+    },
+    {
+      name: "a maze that is cut off",
+      args: ["simulate", "--maze", file("cut.json", '{"format":'), "--program", rightWall],
       message: "expected a JSON document",
+    },
+    {
+      name: "a binary maze whose walls do not agree",
+      args: ["simulate", "--maze", file("open.maz", new Uint8Array(256)), "--program", rightWall],
+      message: "byte 0: found no wall in the south, expected the outer wall",
+    },
+    { name: "no file to check", args: ["maze"], message: "FILE: found nothing, expected one maze" },
+    {
+      name: "an unknown format",
+      args: ["maze", maze, "--to", "bmp"],
+      message: '--to: found "bmp", expected one of json, text, map, num, maz',
+    },
+    {
+      name: "a maze that a format cannot store",
+      args: ["maze", maze, "--to", "num"],
+      message: "start: found column 1, row 1, south, expected the cell at the bottom left",
+    },
+    {
+      name: "a maze without posts and walls",
+      args: ["maze", file("even.txt", "S.\n..")],
+      message: "blocks: found 2 x 2 cells, expected odd numbers from 3 to 255",
     },
     {
       name: "0 seconds",

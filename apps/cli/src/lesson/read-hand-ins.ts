@@ -3,7 +3,8 @@ import type { LessonDocument } from "@corridor/challenge";
 import { handInsOf, type HandInLine } from "@corridor/link";
 import { describeProblem } from "@corridor/protocol";
 import { InputError } from "../input-error.ts";
-import { MAX_BYTES, readBytes, readFile } from "../read-files.ts";
+import { MAX_BYTES, readFile } from "../read-files.ts";
+import { readUtf8 } from "../read-utf8.ts";
 
 /**
  * Reads a file, or standard input for "-".
@@ -12,7 +13,7 @@ import { MAX_BYTES, readBytes, readFile } from "../read-files.ts";
 export async function readHandIns(file: string, lesson: LessonDocument): Promise<HandInLine[]> {
   const readLines = (text: string) => handInsOf(text, lesson);
   const read =
-    file === "-" ? readBytes(await readStandardInput(), readLines) : readFile(file, readLines);
+    file === "-" ? readUtf8(await readStandardInput(), readLines) : readFile(file, readLines);
   if (read.ok) return read.value;
   const name = file === "-" ? "standard input" : file;
   throw new InputError(read.problems.map((each) => `${name}: ${describeProblem(each)}`));
