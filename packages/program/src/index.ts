@@ -1,4 +1,12 @@
 export { CompiledConditions } from "./compiled-conditions.ts";
+export {
+  codeFiles,
+  codeLanguages,
+  programCode,
+  type CodeLanguage,
+  type ProgramCode,
+} from "./code-export/code-file.ts";
+export { scriptLines, type ScriptLine, type ScriptLines } from "./code-export/script-lines.ts";
 export { countLines } from "./count-lines.ts";
 export { conditionOf, kindOf, numberOf, numberRange } from "./condition-parts.ts";
 export { emptyProgram } from "./empty-program.ts";

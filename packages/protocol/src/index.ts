@@ -92,7 +92,7 @@ export {
   type PlainAction,
   type RemoteCommand,
 } from "./command.ts";
-export { MAX_PLUS, MAX_THAN } from "./condition-bounds.ts";
+export { MAX_CONDITIONS, MAX_PLUS, MAX_THAN } from "./condition-bounds.ts";
 export {
   ruleConditionSchema,
   untilConditionSchema,

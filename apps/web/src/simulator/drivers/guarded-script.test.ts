@@ -3,11 +3,11 @@ import { createRandom, generateMaze, mazePresets, type MazeDocument } from "@cor
 import {
   CompiledProgram,
   programPresets,
-  type Condition,
+  scriptLines,
   type ProgramDocument,
   type Rule,
 } from "@corridor/program";
-import type { PlainAction, RemoteCommand, UntilCondition } from "@corridor/protocol";
+import type { PlainAction, RemoteCommand } from "@corridor/protocol";
 import { openRun, readRun, Recording } from "@corridor/recording";
 import { describe, expect, it } from "vitest";
 import { deliveryOf } from "../worker/testing/bench.ts";
@@ -15,8 +15,6 @@ import { RemoteDriver } from "./remote-driver.ts";
 
 const TICKS = 6_000;
 const MAX_PAUSE = 12;
-
-const OPPOSITE = { ">": "<=", "<": ">=" } as const;
 
 const mazes: MazeDocument[] = [
   ...(["tree", "loops", "rooms"] as const).flatMap((kind) =>
@@ -42,19 +40,14 @@ function programOf(otherwise: PlainAction, rules: Rule[]): ProgramDocument {
   return { format: "corridor/program", version: 1, name: "", default: otherwise, rules };
 }
 
-function opposite(condition: Condition): UntilCondition {
-  return { ...condition, is: OPPOSITE[condition.is] };
-}
-
 /** The command of a rule; a motion ends as soon as the program may decide otherwise. */
-function commandOf({ rules, default: otherwise }: ProgramDocument, rule: number): RemoteCommand {
-  const decided = rules[rule];
-  const action = decided?.do ?? otherwise;
-  if (action !== "forward" && action !== "reverse") return { action };
-  const before = rule < 0 ? rules : rules.slice(0, rule);
-  const until = before.flatMap(({ when }): UntilCondition[] => (when === null ? [] : [when]));
-  const own = decided?.when ?? null;
-  return { action, until: own === null ? until : [...until, opposite(own)] };
+function commandOf(program: ProgramDocument, rule: number): RemoteCommand {
+  const script = scriptLines(program);
+  const line =
+    script.ok && script.lines.find((each) => each.line === (rule < 0 ? "default" : rule));
+  if (!line) throw new Error(`no line ${rule}`);
+  const { action, until } = line;
+  return until === null ? { action } : { action, until: [...until] };
 }
 
 /** The poses of a robot, without those where it stood still. */
