@@ -146,6 +146,14 @@ describe("a planted violation", () => {
       files: { [maze]: "const r = Math.random();" },
       says: `${maze} uses Math.random`,
     },
+    {
+      name: "chance in a writer of code, outside of its template",
+      files: {
+        "packages/program/src/code-export/a-code.ts":
+          "const a = `Math.sin(1)`;\nconst r = Math.random();",
+      },
+      says: "packages/program/src/code-export/a-code.ts uses Math.random",
+    },
   ])("is found: $name", ({ files, says }) => {
     expect(violations(new Map(Object.entries(files))).join("\n")).toContain(says);
   });

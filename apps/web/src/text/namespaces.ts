@@ -5,6 +5,7 @@
  */
 import type { en } from "./en/index.ts";
 import type check from "./en/check.json";
+import type code from "./en/code.json";
 import type lessonEditor from "./en/lesson-editor.json";
 import type dashboard from "./en/dashboard.json";
 import type diagnosis from "./en/diagnosis.json";
@@ -26,6 +27,8 @@ export interface Namespaces {
   words: typeof en;
   /** checks of attempts in all mazes of a task */
   check: typeof check;
+  /** the program as code */
+  code: typeof code;
   /** the dashboard and the big screen of a class */
   dashboard: typeof dashboard;
   /** why a run failed */

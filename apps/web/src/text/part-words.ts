@@ -18,6 +18,16 @@ export const partLoaders: Record<
     pt: async () => (await import("./pt/check.json")).default,
     "zh-Hans": async () => (await import("./zh-Hans/check.json")).default,
   },
+  code: {
+    en: async () => (await import("./en/code.json")).default,
+    ar: async () => (await import("./ar/code.json")).default,
+    de: async () => (await import("./de/code.json")).default,
+    es: async () => (await import("./es/code.json")).default,
+    fr: async () => (await import("./fr/code.json")).default,
+    ja: async () => (await import("./ja/code.json")).default,
+    pt: async () => (await import("./pt/code.json")).default,
+    "zh-Hans": async () => (await import("./zh-Hans/code.json")).default,
+  },
   dashboard: {
     en: async () => (await import("./en/dashboard.json")).default,
     ar: async () => (await import("./ar/dashboard.json")).default,

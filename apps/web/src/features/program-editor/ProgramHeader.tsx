@@ -1,7 +1,7 @@
 /** The program's name, undo and redo, and the preset algorithms. */
 import { MAX_NAME_LENGTH, rename } from "@corridor/program";
-import { BookOpen, Redo2, Undo2 } from "lucide";
-import { useRef } from "react";
+import { BookOpen, Code, Redo2, Undo2 } from "lucide";
+import { useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
@@ -17,10 +17,12 @@ import styles from "./program-header.module.css";
 import { useGoalSentence } from "./use-goal-sentence.ts";
 
 const AlgorithmList = lazyPart(async () => (await import("./AlgorithmList.tsx")).AlgorithmList);
+const ProgramCode = lazyPart(async () => (await import("./ProgramCode.tsx")).ProgramCode);
 
 export function ProgramHeader() {
   const { t } = useTranslation();
   const rights = useRights();
+  const [isCode, setCode] = useState(false);
   const title = <h2 className="visually-hidden">{t("program.program")}</h2>;
   // A challenge offers no preset algorithms. Its card already shows the name, and the lines need
   // the space.
@@ -31,9 +33,17 @@ export function ProgramHeader() {
         {title}
         <ProgramName />
         <AlgorithmMenu />
+        <IconButton
+          label={t("program.code")}
+          aria-expanded={isCode}
+          onClick={() => setCode(!isCode)}
+        >
+          <Icon of={Code} />
+        </IconButton>
         <UndoRedo />
       </div>
       <Explanation />
+      {isCode && <ProgramCode />}
     </header>
   );
 }

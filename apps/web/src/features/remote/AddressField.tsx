@@ -7,7 +7,7 @@ import { joinSentences } from "../../text/joined.ts";
 import { CopyButton } from "../../ui/CopyButton.tsx";
 import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { useMinutesLeft } from "./use-minutes-left.ts";
-import type { RobotAddress } from "./robot-address.ts";
+import type { RobotAddress } from "../../model/remote/robot-address.ts";
 import field from "../../ui/field.module.css";
 import styles from "./fields.module.css";
 

@@ -9,7 +9,7 @@ import { IconButton } from "../../ui/Button.tsx";
 import { CopyButton } from "../../ui/CopyButton.tsx";
 import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { NewKey } from "./NewKey.tsx";
-import { maskKey } from "./robot-address.ts";
+import { maskKey } from "../../model/remote/robot-address.ts";
 import field from "../../ui/field.module.css";
 import styles from "./fields.module.css";
 

@@ -10,7 +10,7 @@ import { CommandLog } from "./CommandLog.tsx";
 import { KeyField } from "./KeyField.tsx";
 import { KeyList } from "./KeyList.tsx";
 import { PairingField } from "./PairingField.tsx";
-import type { RobotAddress } from "./robot-address.ts";
+import type { RobotAddress } from "../../model/remote/robot-address.ts";
 import { ScriptList } from "./ScriptList.tsx";
 import { Snippets } from "./Snippets.tsx";
 import { WatchField } from "./WatchField.tsx";

@@ -9,7 +9,7 @@ import { ConnectionCard } from "./ConnectionCard.tsx";
 import { PausedNote } from "./PausedNote.tsx";
 import { RecentCommands } from "./RecentCommands.tsx";
 import { RemoteMore } from "./RemoteMore.tsx";
-import { robotAddress } from "./robot-address.ts";
+import { robotAddress } from "../../model/remote/robot-address.ts";
 import { StarterScript } from "./StarterScript.tsx";
 import panel from "./remote.module.css";
 import styles from "./remote-panel.module.css";

@@ -5,10 +5,10 @@
 import { useId, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { CopyButton } from "../../ui/CopyButton.tsx";
-import { maskKey, type RobotAddress } from "./robot-address.ts";
+import { maskKey, type RobotAddress } from "../../model/remote/robot-address.ts";
 import { snippet, snippetFiles, snippetLanguages, type SnippetLanguage } from "./snippets.ts";
 import panel from "./remote.module.css";
-import code from "./script-code.module.css";
+import code from "../../ui/script-code.module.css";
 import styles from "./snippets.module.css";
 
 /** Lines of the longest script. */

@@ -6,11 +6,11 @@ import { Download } from "lucide";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { CopyButton } from "../../ui/CopyButton.tsx";
-import { maskKey, type RobotAddress } from "./robot-address.ts";
+import { maskKey, type RobotAddress } from "../../model/remote/robot-address.ts";
 import { starterLines, starterScript } from "./snippets.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import panel from "./remote.module.css";
-import code from "./script-code.module.css";
+import code from "../../ui/script-code.module.css";
 import styles from "./starter-script.module.css";
 
 export function StarterScript({ address }: { address: RobotAddress }) {

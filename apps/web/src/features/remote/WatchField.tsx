@@ -5,7 +5,7 @@ import { Button } from "../../ui/Button.tsx";
 import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts";
 import { CopyButton } from "../../ui/CopyButton.tsx";
 import { createWatchAddress } from "./owner-calls.ts";
-import { maskKey } from "./robot-address.ts";
+import { maskKey } from "../../model/remote/robot-address.ts";
 import panel from "./remote.module.css";
 import field from "../../ui/field.module.css";
 import fields from "./fields.module.css";

@@ -2,7 +2,7 @@ import type { CommandRecord, RemoteCommand } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import { commandText, cutShortAfter } from "../../text/command-text.ts";
 import { viewConnection } from "./connection-view.ts";
-import { maskKey, robotAddress } from "./robot-address.ts";
+import { maskKey, robotAddress } from "../../model/remote/robot-address.ts";
 
 describe("a command in the list", () => {
   it.each<{ command: RemoteCommand; text: string }>([

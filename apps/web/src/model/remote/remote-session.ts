@@ -62,13 +62,19 @@ export class RemoteConnection {
     this.connect();
   }
 
-  /** Lets Remote drive, and opens this tab's robot again or requests a new one. */
-  connect(): void {
-    const { simulator, run, tab } = this.#ports;
+  /** Opens this tab's robot again or requests a new one. The driver stays. */
+  open(): void {
+    const { simulator, tab } = this.#ports;
     this.#isOpening = true;
-    store(tab, DRIVING_KEY, "yes");
     simulator.send({ type: "remote-open", session: readSession(tab), fresh: this.#isFresh });
     this.#isFresh = false;
+  }
+
+  /** Lets Remote drive, and opens the robot. */
+  connect(): void {
+    const { simulator, run, tab } = this.#ports;
+    store(tab, DRIVING_KEY, "yes");
+    this.open();
     // Commands are rejected while another driver has the robot.
     if (run.getState().nowDriver !== "remote") {
       simulator.send({ type: "driver", driver: "remote" });

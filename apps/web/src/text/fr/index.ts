@@ -5,6 +5,7 @@ export const files = import.meta.glob<Words>(
   [
     "./*.json",
     "!./check.json",
+    "!./code.json",
     "!./diagnosis.json",
     "!./embed.json",
     "!./missions.json",
