@@ -4,9 +4,9 @@
  */
 import { spawn, spawnSync } from "node:child_process";
 import { once } from "node:events";
-import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { mkdir, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 import { createInterface } from "node:readline";
 import { encodeLink } from "@corridor/link";
 import { generateMaze, type MazeDocument } from "@corridor/maze";
@@ -31,24 +31,35 @@ const mazes: MazeDocument[] = (["tree", "loops", "rooms"] as const).map((kind) =
   generateMaze({ kind, columns: 7, rows: 7, seed: 5, name: kind }),
 );
 
-/** What each language needs, and how its file is started. Mono stands in for .NET. */
-const runtimes: Record<
-  CodeLanguage,
-  { needs: readonly string[]; start: (file: string) => string[] }
-> = {
+interface Runtime {
+  needs: readonly string[];
+  /** @returns the command that runs a file, which it compiles first where the language needs that */
+  start: (file: string) => string[];
+}
+
+/** Mono stands in for .NET. */
+const runtimes: Record<CodeLanguage, Runtime> = {
   python: { needs: ["python3"], start: (file) => [inPath("python3")[0] ?? "", file] },
   javascript: { needs: [], start: (file) => [process.execPath, file] },
   java: {
-    needs: ["java"],
-    start: (file) => [inPath("java")[0] ?? "", "-XX:TieredStopAtLevel=1", file],
+    needs: ["javac", "java"],
+    start: (file) => {
+      compile("javac", "-d", dirname(file), file);
+      return ["java", "-XX:TieredStopAtLevel=1", "-cp", dirname(file), "Rules"];
+    },
   },
-  csharp: { needs: ["mcs", "mono"], start: compileWithMono },
+  csharp: {
+    needs: ["mcs", "mono"],
+    start: (file) => {
+      compile("mcs", "-r:System.Net.Http", file);
+      return ["mono", file.replace(/\.cs$/, ".exe")];
+    },
+  },
 };
 
-function compileWithMono(file: string): string[] {
-  const { status, stderr } = spawnSync("mcs", ["-r:System.Net.Http", file], { encoding: "utf8" });
+function compile(command: string, ...args: string[]): void {
+  const { status, stderr } = spawnSync(command, args, { encoding: "utf8" });
   expect(status, stderr).toBe(0);
-  return ["mono", file.replace(/\.cs$/, ".exe")];
 }
 
 interface ScriptRun {
@@ -111,22 +122,28 @@ for (const language of codeLanguages) {
     const target = Number(new URL(relay).port);
     const network = await FaultProxy.start({ target: () => target, random: new SeededRandom(1) });
     const folder = await mkdtemp(join(tmpdir(), "corridor-code-"));
-    const file = join(folder, codeFiles[language].file);
     await page.goto("/");
     await setSpeed(page, "max");
     const address = await copyAddress(page);
     const cutter = setInterval(() => network.cut(), CUT_MS);
+    const scripts = await Promise.all(
+      paperPrograms.map(async ({ figure, program }) => {
+        const code = programCode(program, language, address.replace(relay, network.origin));
+        if (!code.ok) throw new Error(`no code for figure ${figure}`);
+        const file = join(folder, `${figure}`, codeFiles[language].file);
+        await mkdir(dirname(file));
+        await writeFile(file, code.text);
+        return { figure, program, command: start(file) };
+      }),
+    );
     const ends = new Set<string>();
     let seq = 0;
     for (const maze of mazes) {
       await openMaze(page, maze);
       await page.getByRole("radio", { name: "Remote" }).click();
-      for (const { figure, program } of paperPrograms) {
+      for (const { figure, program, command } of scripts) {
         const name = `figure ${figure} in ${maze.name}`;
-        const code = programCode(program, language, address.replace(relay, network.origin));
-        if (!code.ok) throw new Error(name);
-        await writeFile(file, code.text);
-        const { lines, end } = await runScript(start(file));
+        const { lines, end } = await runScript(command);
         const records = await recordsAfter(address, seq);
         seq = records.at(-1)?.seq ?? seq;
         const ended = records.filter(({ state }) => /completed|collided/.test(state));

@@ -6,7 +6,6 @@ export function pythonCode({ name, lines, address, command }: CodeContent): stri
 # Choose Remote on the robot's page. Then: ${command}
 ROBOT = ${address}
 
-
 def decide(front, right, back, left):
 ${rules}
 

@@ -20,7 +20,7 @@ import styles from "./program-code.module.css";
 const names = { python: "Python", javascript: "JavaScript", java: "Java", csharp: "C#" } as const;
 const options = codeLanguages.map((value) => ({ value, label: names[value] }));
 
-const SHOWN_LINES = 12;
+const SHOWN_LINES = 10;
 
 export function ProgramCode() {
   const { t, ready } = useTranslation(["words", "code"], { useSuspense: false });
@@ -51,17 +51,6 @@ export function ProgramCode() {
             options={options}
             onChange={setLanguage}
           />
-          {/* A field instead of a `pre`: every browser can scroll and select it by keyboard. */}
-          <textarea
-            dir="ltr"
-            className={code["code"]}
-            readOnly
-            rows={SHOWN_LINES}
-            wrap="off"
-            spellCheck={false}
-            aria-label={t("code:title")}
-            value={displayed.text}
-          />
           <div className={styles["bar"]}>
             <CopyButton
               text={copied.text}
@@ -80,6 +69,17 @@ export function ProgramCode() {
               {t("code:save", { file })}
             </Button>
           </div>
+          {/* A field instead of a `pre`: every browser can scroll and select it by keyboard. */}
+          <textarea
+            dir="ltr"
+            className={code["code"]}
+            readOnly
+            rows={SHOWN_LINES}
+            wrap="off"
+            spellCheck={false}
+            aria-label={t("code:title")}
+            value={displayed.text}
+          />
           <p className={styles["note"]}>
             {t("code:same", { remote: t("drive.remote") })}{" "}
             {address === null

@@ -48,6 +48,19 @@ describe("RemoteConnection", () => {
     ]);
   });
 
+  it("gets an address while another driver has the robot, which the next reload does not resume", () => {
+    const page = openPage();
+    page.drive("program");
+    page.connection.open();
+    page.remote.setState({ status: { kind: "waiting" }, session });
+    expect(page.sent).toEqual([{ type: "remote-open", session: null, fresh: true }]);
+    const reloaded = openPage(page.tab);
+    reloaded.connection.resume();
+    expect(reloaded.sent).toEqual([]);
+    reloaded.drive("remote");
+    expect(reloaded.sent).toEqual([{ type: "remote-open", session, fresh: true }]);
+  });
+
   it("stays off after the user disconnected, until remote is chosen again", () => {
     const page = openPage();
     page.drive("remote");
