@@ -1,7 +1,7 @@
 // cspell:words Alles funktioniert Ergebnis kopieren
 /** The network check at /check, on an open network and where connections are blocked. */
-import { AxeBuilder } from "@axe-core/playwright";
 import { expect, test } from "./fixtures.ts";
+import { allRules, axeViolations } from "./support/axe.ts";
 
 test("reports in the browser's language that all connections pass", async ({ page }) => {
   await page.goto("/check?lang=de");
@@ -32,7 +32,7 @@ test("reports what is blocked and how to fix it", async ({ page }) => {
   for (const colorScheme of ["light", "dark"] as const) {
     await page.emulateMedia({ colorScheme });
     await page.setViewportSize({ width: 390, height: 844 });
-    const { violations } = await new AxeBuilder({ page }).analyze();
+    const violations = await axeViolations(page, allRules);
     expect(violations.map(({ id, help }) => `${id}: ${help}`)).toEqual([]);
     const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     expect(overflow).toBeLessThanOrEqual(0);

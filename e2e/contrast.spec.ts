@@ -2,17 +2,16 @@
  * High contrast: requested by the system or selected on the page, in both themes, and forced
  * colours.
  */
-import { AxeBuilder } from "@axe-core/playwright";
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { StageScreenshot } from "./pages/stage-screenshot.ts";
+import { axeViolations, onlyRule } from "./support/axe.ts";
 import { waitForAnimations } from "./support/wait-for-animations.ts";
 
 /** Texts with a contrast below 7:1, as axe measures them. */
 async function lowContrastTexts(page: Page): Promise<string[]> {
   await waitForAnimations(page);
-  const axe = new AxeBuilder({ page }).withRules("color-contrast-enhanced");
-  const { violations } = await axe.analyze();
+  const violations = await axeViolations(page, onlyRule("color-contrast-enhanced"));
   return violations.flatMap(({ nodes }) => nodes.map(({ target }) => target.join(" ")));
 }
 

@@ -1,31 +1,52 @@
-/** Runs axe on a state of the page, in the light and the dark theme. */
-import { AxeBuilder } from "@axe-core/playwright";
+/**
+ * Runs axe on a state of the page, in the light and the dark theme. Not with `AxeBuilder`, which
+ * opens a page of its own and loads axe into both for each run: that covers frames of other sites.
+ */
+import axe, { type ElementContext, type Result, type RunOptions } from "axe-core";
 import { expect, type Page } from "playwright/test";
 import { waitForAnimations } from "./wait-for-animations.ts";
+
+/** All rules, and target size, which is off by default. */
+export const allRules: RunOptions = { rules: { "target-size": { enabled: true } } };
+
+/** The themes differ only in their colours. */
+export const onlyColours = onlyRule("color-contrast");
+
+export function onlyRule(rule: string): RunOptions {
+  return { runOnly: { type: "rule", values: [rule] } };
+}
 
 /** @param state names the state in the report */
 export async function expectNoAxeViolations(page: Page, state: string): Promise<void> {
   await setTheme(page, "light");
-  expect(await describeViolations(allRules(page)), `axe, ${state}, light`).toEqual([]);
+  expect(await describeViolations(page, allRules), `axe, ${state}, light`).toEqual([]);
   await setTheme(page, "dark");
-  expect(await describeViolations(onlyColours(page)), `axe, ${state}, dark`).toEqual([]);
+  expect(await describeViolations(page, onlyColours), `axe, ${state}, dark`).toEqual([]);
 }
 
-/** Otherwise axe also describes every element that passes. */
-const resultTypes: ["violations"] = ["violations"];
-
-/** All rules, and target size, which is off by default. */
-export function allRules(page: Page): AxeBuilder {
-  const rules = { "target-size": { enabled: true } };
-  return new AxeBuilder({ page }).options({ resultTypes, rules });
-}
-
-/** The themes differ only in their colours. */
-export function onlyColours(page: Page): AxeBuilder {
-  return new AxeBuilder({ page }).options({
-    resultTypes,
-    runOnly: { type: "rule", values: ["color-contrast"] },
-  });
+/**
+ * Violations in a page without frames.
+ * @param exclude selectors of parts that are not the page's own
+ */
+export async function axeViolations(
+  page: Page,
+  options: RunOptions,
+  exclude: string[] = [],
+): Promise<Result[]> {
+  expect(page.frames(), "axe covers pages without frames").toHaveLength(1);
+  if (!(await page.evaluate(() => "axe" in window))) await page.evaluate(axe.source);
+  return page.evaluate(
+    async ([context, runOptions]) => {
+      const { axe: loaded } = window as unknown as { axe: typeof axe };
+      const { violations } = await loaded.run(context, runOptions);
+      return violations;
+    },
+    [
+      { exclude } satisfies ElementContext,
+      // Otherwise axe also describes every element that passes.
+      { ...options, resultTypes: ["violations"] } satisfies RunOptions,
+    ] as const,
+  );
 }
 
 /** Sets the theme, and waits until all colour transitions have finished. */
@@ -35,8 +56,8 @@ async function setTheme(page: Page, colorScheme: "light" | "dark"): Promise<void
   await waitForAnimations(page);
 }
 
-async function describeViolations(axe: AxeBuilder): Promise<string[]> {
-  const { violations } = await axe.analyze();
+async function describeViolations(page: Page, options: RunOptions): Promise<string[]> {
+  const violations = await axeViolations(page, options);
   return violations.flatMap(({ id, help, nodes }) =>
     nodes.map(({ target }) => `${id}: ${help}: ${target.join(" ")}`),
   );
