@@ -9,6 +9,11 @@ import { waitForAnimations } from "./wait-for-animations.ts";
 /** All rules, and target size, which is off by default. */
 export const allRules: RunOptions = { rules: { "target-size": { enabled: true } } };
 
+/** For a page with the elements of another page, which stands for their colours. */
+export const allButColours: RunOptions = {
+  rules: { ...allRules.rules, "color-contrast": { enabled: false } },
+};
+
 /** The themes differ only in their colours. */
 export const onlyColours = onlyRule("color-contrast");
 
