@@ -61,13 +61,16 @@ for (const { name, tag, texts, isPseudolocale } of languages) {
       await page.goto(`/?lang=${tag}`);
       await expect(page.getByRole("grid")).toBeVisible();
       const faults: string[] = [];
+      let order = sizes;
       const checkTexts = async (state: string): Promise<void> => {
-        for (const size of sizes) {
-          await page.setViewportSize(size);
+        for (const size of order) {
+          if (page.viewportSize()?.width !== size.width) await page.setViewportSize(size);
           await waitForAnimations(page);
           const found = await unreadableTexts(page);
           faults.push(...found.map((fault) => `${state}, ${size.width} px: ${fault}`));
         }
+        // The next state begins at the size of this one: a new size costs a layout of the page.
+        order = order.toReversed();
       };
       const overlay = page.locator("dialog[open], :popover-open");
       const button = (path: string, values = {}) =>
