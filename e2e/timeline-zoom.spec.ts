@@ -3,8 +3,7 @@ import { expect, test } from "./fixtures.ts";
 
 test("zooms by buttons, keys and the wheel, and scrolls", async ({ corridor, page }) => {
   const { timeline } = corridor;
-  await corridor.open();
-  await corridor.speed.selectOption("8×");
+  await corridor.speed.selectOption("4×");
   await corridor.run.click();
   await expect(timeline.mark("turn").nth(2)).toBeVisible();
   await corridor.pause.click();
@@ -52,7 +51,7 @@ test("zooms with two fingers on a phone, and returns to the whole run", async ({
   });
   await phone.open();
   const { timeline } = phone;
-  await phone.speed.selectOption("8×");
+  await phone.speed.selectOption("4×");
   await phone.run.click();
   await expect(timeline.mark("turn").nth(2)).toBeVisible();
   await phone.pause.click();

@@ -241,6 +241,7 @@ test("fits a small phone without axe violations in every language", async ({
   corridor,
   openWindow,
 }) => {
+  test.slow();
   const { watch, drive } = await copyAddresses(corridor);
   const { page } = await openWindow({ viewport: { width: 320, height: 640 } });
   await page.goto(watch);
