@@ -6,7 +6,7 @@ import { encodeLink } from "@corridor/link";
 import type { ProgramDocument } from "@corridor/program";
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
-import type { CorridorPage } from "./pages/corridor-page.ts";
+import { CorridorPage } from "./pages/corridor-page.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
 import { api, copyAddress, setSpeed } from "./support/remote-robot.ts";
 import { commandRow } from "./support/remote-panel.ts";
@@ -100,10 +100,8 @@ const wrongAnswers: readonly { mission: number; id: string; answers: readonly An
 ];
 
 for (const { mission, id, answers } of wrongAnswers) {
-  test(`mission ${mission}: every explanation of a failed run is the same`, async ({
-    page,
-    corridor,
-  }) => {
+  test(`mission ${mission}: every explanation of a failed run is the same`, async ({ page }) => {
+    const corridor = new CorridorPage(page);
     const lessons = new LessonsPanel(page);
     await recordAnnouncements(page);
     await corridor.open(`/?first#mission/${id}`);

@@ -10,7 +10,6 @@ test("numbers the commands of a script with their results, and displays a select
   page,
 }) => {
   const { timeline } = corridor;
-  await corridor.open();
   await setSpeed(page, "4");
   const address = await copyAddress(page);
   for (const command of [spin, spin, { action: "move", distance: 5000 }]) {
@@ -32,7 +31,6 @@ test("numbers the commands of a script with their results, and displays a select
 });
 
 test("counts a script's driving and waiting time separately", async ({ corridor, page }) => {
-  await corridor.open();
   await setSpeed(page, "4");
   const address = await copyAddress(page);
   await expect(corridor.drivingTime).toHaveText("Time 0:00.0 driving");
@@ -50,7 +48,6 @@ test("gives the time of a script's bump in driving seconds of the clock", async 
   corridor,
   page,
 }) => {
-  await corridor.open();
   const address = await copyAddress(page);
   await expect(corridor.waitingTime).not.toHaveText(/^0:0[01]/);
   await api(address, "/commands", { action: "move", distance: 5000 });

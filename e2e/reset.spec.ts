@@ -19,7 +19,6 @@ test("a script drives, resets the robot during a motion, and drives again", asyn
   corridor,
   page,
 }) => {
-  await corridor.open();
   await setSpeed(page, "4");
   const address = await copyAddress(page);
   const start = (await newest(address)).pose;
@@ -68,7 +67,6 @@ test("a reset while a program drives is cancelled, and no reset touches the prog
   corridor,
   page,
 }) => {
-  await corridor.open();
   const address = await copyAddress(page);
   await corridor.selectDriver("Program");
   const { program } = corridor;

@@ -38,8 +38,9 @@ export class CorridorPage {
   }
 
   async waitUntilReady(): Promise<void> {
-    await expect(this.robotPose).toBeVisible();
-    await expect(this.maze.grid).toBeVisible();
+    // `expect` describes the whole page after each attempt, while the page is loading.
+    await this.robotPose.waitFor();
+    await this.maze.grid.waitFor();
   }
 
   // Controls.
