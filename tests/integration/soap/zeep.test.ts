@@ -4,7 +4,8 @@ import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
 import { describe, expect, it } from "vitest";
 import { NotInstallableError, requireEnvironment } from "../../../scripts/python.ts";
-import { corridor, corridorHost } from "../../support/mcp/corridor-host.ts";
+import { corridorHost } from "../../support/mcp/corridor-host.ts";
+import { room } from "../../support/soap/room.ts";
 import { startRelayProcess } from "../../support/test-relay-process.ts";
 
 const run = promisify(execFile);
@@ -22,9 +23,6 @@ function library(): { python: string } | { missing: string } {
 }
 
 const SIDES = ["move", "right 90", "move", "right 90", "move", "right 90", "move", "right 90"];
-
-/** A room in which the square fits. */
-const room = { ...corridor, blocks: ["####", "#..#", "#..#", "####"], goals: [] };
 
 interface Record {
   action: string;

@@ -47,6 +47,8 @@ describe("the WSDL", () => {
       }
     }
     expect(all(root, "port")).toHaveLength(1);
+    const wrapperStyles = all(root, "enableWrapperStyle").map(({ text }) => text);
+    expect(wrapperStyles).toEqual(["false", "false"]);
   });
 
   it("describes a command by the fields of all actions", () => {

@@ -35,6 +35,9 @@ const builtIn: Record<SimpleShape["kind"], string> = {
   "number or text": "string",
 };
 
+/** Bindings of JAX-WS, and of its versions before Jakarta EE. */
+const javaNamespaces = ["https://jakarta.ee/xml/ns/jaxws", "http://java.sun.com/xml/ns/jaxws"];
+
 const namesOfOperations = Object.keys(operations);
 
 /** The complex and simple types, and the elements of messages. */
@@ -48,6 +51,7 @@ export function writeWsdl(version: SoapVersion, address: string): string {
     documentation(
       "Drives the robot in a Corridor page. Each request contains the address of the robot, or its address without the key and the header Authorization: Bearer KEY.",
     ),
+    ...javaNamespaces.map(withoutWrapperStyle),
     element("wsdl:types", schema),
     ...namesOfOperations.flatMap((name) => [
       message(name, name),
@@ -77,6 +81,17 @@ export function writeWsdl(version: SoapVersion, address: string): string {
     'xmlns:xs="http://www.w3.org/2001/XMLSchema"',
   ];
   return `<?xml version="1.0" encoding="UTF-8"?>\n${element(`wsdl:definitions ${attributes.join(" ")}`, parts.join(""))}\n`;
+}
+
+/**
+ * Java then generates one class for each message. By default each field is an argument, and
+ * generators refuse a field that has other types in a request and its answer.
+ */
+function withoutWrapperStyle(namespace: string): string {
+  return element(
+    `java:bindings xmlns:java="${namespace}"`,
+    element("java:enableWrapperStyle", "false"),
+  );
 }
 
 function documentation(text: string): string {
