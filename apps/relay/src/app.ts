@@ -34,8 +34,8 @@ import { requestLog } from "./platform/http/request-log.ts";
 import { robotRoutes } from "./gateways/rest/robots/routes.ts";
 import { openToAllSites, securityHeaders } from "./platform/http/security-headers.ts";
 import { scriptRoutes } from "./gateways/rest/scripts/routes.ts";
-import { SOAP_PATH, soapRoutes } from "./gateways/soap/routes.ts";
 import { sensorRoutes } from "./gateways/rest/sensors/routes.ts";
+import { SOAP_PATH, soapRoutes } from "./gateways/soap/routes.ts";
 import { unreadableAddress, wrongAddress } from "./site/wrong-address.ts";
 import type { RobotRegistry } from "./robots/registry.ts";
 
