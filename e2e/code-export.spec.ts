@@ -10,7 +10,13 @@ import { dirname, join } from "node:path";
 import { createInterface } from "node:readline";
 import { encodeLink } from "@corridor/link";
 import { generateMaze, type MazeDocument } from "@corridor/maze";
-import { codeFiles, codeLanguages, programCode, type CodeLanguage } from "@corridor/program";
+import {
+  codeFiles,
+  codeLanguages,
+  emptyProgram,
+  programCode,
+  type CodeLanguage,
+} from "@corridor/program";
 import { paperPrograms } from "@corridor/program/testing";
 import type { CommandRecord, LineRef, Pose } from "@corridor/protocol";
 import type { Page } from "playwright/test";
@@ -25,11 +31,21 @@ import { api, copyAddress, setSpeed } from "./support/remote-robot.ts";
 const DECISIONS = 16;
 const GOAL = "The robot has reached the goal.";
 /** Time between two cuts of all connections of the script, in ms. */
-const CUT_MS = 700;
+const CUT_MS = 1_500;
 
 const mazes: MazeDocument[] = (["tree", "loops", "rooms"] as const).map((kind) =>
   generateMaze({ kind, columns: 7, rows: 7, seed: 5, name: kind }),
 );
+
+/** 30 cells to the goal: 7.5 s at speed 4. */
+const corridorMaze: MazeDocument = {
+  format: "corridor/maze",
+  version: 1,
+  name: "Long corridor",
+  blocks: [".".repeat(32)],
+  start: { column: 0, row: 0, heading: "east" },
+  goals: [{ column: 31, row: 0 }],
+};
 
 interface Runtime {
   needs: readonly string[];
@@ -171,6 +187,37 @@ for (const language of codeLanguages) {
     await rm(folder, { recursive: true });
   });
 }
+
+test("a script that was silent for so long that the robot stopped continues on the path", async ({
+  page,
+  relay,
+}) => {
+  test.setTimeout(120_000);
+  const target = Number(new URL(relay).port);
+  const network = await FaultProxy.start({ target: () => target, random: new SeededRandom(1) });
+  await page.goto("/");
+  await setSpeed(page, "4");
+  const address = await copyAddress(page);
+  await openMaze(page, corridorMaze);
+  await page.getByRole("radio", { name: "Remote" }).click();
+  const program = emptyProgram();
+  const code = programCode(program, "python", address.replace(relay, network.origin));
+  if (!code.ok) throw new Error("no code");
+  const running = runScript([...runtimes.python.start("-c"), code.text]);
+  const motion = async () => (await (await api(address, "/sensors")).json()).motion as string;
+  await expect.poll(motion).toBe("forward");
+  network.breakFor(4_500);
+  const { lines, end } = await running;
+  expect(end).toEqual({ sentence: GOAL, code: 0 });
+  const records = await recordsAfter(address, 0);
+  expect(records.map(({ state }) => state)).toEqual(["completed", "cancelled", "completed"]);
+  const decisions = lines.map((label, at) => ({
+    line: lineOf(label),
+    pose: records[at]?.pose as Pose,
+  }));
+  expect(new ProgramPath(corridorMaze, program).firstDifference(decisions)).toBeNull();
+  await network.close();
+});
 
 test("the panel shows the program as code, follows each edit, and copies a file that drives", async ({
   corridor,
