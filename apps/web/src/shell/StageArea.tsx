@@ -3,6 +3,7 @@ import { RunEventCards } from "../features/cards/RunEventCards.tsx";
 import { ChallengePlace } from "../features/lessons/OpenChallenge.tsx";
 import { HistoryButtons } from "../features/maze-editor/HistoryButtons.tsx";
 import { Stage } from "../features/maze-editor/Stage.tsx";
+import { WallMarksPlace } from "../features/files/WallMarksPlace.tsx";
 import { RacePlace } from "../features/race/RacePlace.tsx";
 import { lazyPart } from "../ui/lazy-part.tsx";
 
@@ -21,9 +22,12 @@ export function StageArea() {
       }
       sound={<SoundMenu />}
       cards={(view) => (
-        <RunEventCards>
-          <StageCards view={view} />
-        </RunEventCards>
+        <>
+          <WallMarksPlace view={view} />
+          <RunEventCards>
+            <StageCards view={view} />
+          </RunEventCards>
+        </>
       )}
     />
   );

@@ -6,6 +6,7 @@
 import type { en } from "./en/index.ts";
 import type check from "./en/check.json";
 import type code from "./en/code.json";
+import type contest from "./en/contest.json";
 import type lessonEditor from "./en/lesson-editor.json";
 import type dashboard from "./en/dashboard.json";
 import type diagnosis from "./en/diagnosis.json";
@@ -29,6 +30,8 @@ export interface Namespaces {
   check: typeof check;
   /** the program as code */
   code: typeof code;
+  /** contest mazes */
+  contest: typeof contest;
   /** the dashboard and the big screen of a class */
   dashboard: typeof dashboard;
   /** why a run failed */

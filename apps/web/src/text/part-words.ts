@@ -28,6 +28,16 @@ export const partLoaders: Record<
     pt: async () => (await import("./pt/code.json")).default,
     "zh-Hans": async () => (await import("./zh-Hans/code.json")).default,
   },
+  contest: {
+    en: async () => (await import("./en/contest.json")).default,
+    ar: async () => (await import("./ar/contest.json")).default,
+    de: async () => (await import("./de/contest.json")).default,
+    es: async () => (await import("./es/contest.json")).default,
+    fr: async () => (await import("./fr/contest.json")).default,
+    ja: async () => (await import("./ja/contest.json")).default,
+    pt: async () => (await import("./pt/contest.json")).default,
+    "zh-Hans": async () => (await import("./zh-Hans/contest.json")).default,
+  },
   dashboard: {
     en: async () => (await import("./en/dashboard.json")).default,
     ar: async () => (await import("./ar/dashboard.json")).default,

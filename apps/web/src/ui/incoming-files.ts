@@ -11,6 +11,8 @@ export interface TextFile {
   /** in bytes */
   size: number;
   text: () => Promise<string>;
+  /** missing for pasted text, which is no binary file */
+  arrayBuffer?: () => Promise<ArrayBuffer>;
 }
 
 interface IncomingPorts {
@@ -88,7 +90,7 @@ export function listenForFiles({ over, take, pasted }: IncomingPorts): () => voi
   return () => end.abort();
 }
 
-const DOCUMENTS = ".json,.txt,.maze,application/json,text/plain";
+const DOCUMENTS = ".json,.txt,.maze,.map,.num,.maz,application/json,text/plain";
 
 /**
  * Opens the file picker. `take` is not called if the user cancels.

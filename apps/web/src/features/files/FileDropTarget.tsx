@@ -12,6 +12,9 @@ import type { FileReport } from "./open-files.ts";
 import styles from "./files.module.css";
 
 const FileProblems = lazyDialog(async () => (await import("./FileProblems.tsx")).FileProblems);
+const ContestDialog = lazyDialog(
+  async () => (await import("./contest/ContestDialog.tsx")).ContestDialog,
+);
 const PictureDialog = lazyDialog(async () => (await import("./PictureDialog.tsx")).PictureDialog);
 
 export function FileDropTarget({ children }: { children: ReactNode }) {
@@ -19,7 +22,7 @@ export function FileDropTarget({ children }: { children: ReactNode }) {
   const services = useServices();
   const [reports, setReports] = useState<readonly FileReport[]>([]);
   const [isOver, setIsOver] = useState(false);
-  const [hasPicture, setHasPicture] = useState(false);
+  const [saving, setSaving] = useState<"picture" | "contest" | null>(null);
 
   const take = useCallback(
     async (files: readonly TextFile[]): Promise<void> => {
@@ -59,7 +62,8 @@ export function FileDropTarget({ children }: { children: ReactNode }) {
     <FileActionsProvider
       value={{
         choose: () => chooseFiles((files) => void take(files)),
-        savePicture: () => setHasPicture(true),
+        savePicture: () => setSaving("picture"),
+        saveContest: () => setSaving("contest"),
       }}
     >
       {children}
@@ -72,7 +76,8 @@ export function FileDropTarget({ children }: { children: ReactNode }) {
         </div>
       )}
       <FileProblems isOpen={reports.length > 0} reports={reports} onClose={() => setReports([])} />
-      <PictureDialog isOpen={hasPicture} onClose={() => setHasPicture(false)} />
+      <PictureDialog isOpen={saving === "picture"} onClose={() => setSaving(null)} />
+      <ContestDialog isOpen={saving === "contest"} onClose={() => setSaving(null)} />
     </FileActionsProvider>
   );
 }

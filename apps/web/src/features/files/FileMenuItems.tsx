@@ -11,6 +11,7 @@ import { Icon } from "../../ui/Icon.tsx";
 import { MenuItem } from "../../ui/Popover.tsx";
 import { useFileActions } from "./file-actions.ts";
 import { saveDocument, saveTextMaze } from "../../ui/save-file.ts";
+import { ContestMenuItem } from "./contest/ContestMenuItem.tsx";
 import { saveRun } from "./save-run.ts";
 
 /** @param race the item that races the run, below the one that saves it */
@@ -19,7 +20,7 @@ export function FileMenuItems({ race }: { race: ReactNode }) {
   const services = useServices();
   const { workspace } = services;
   const hasRun = useStore(services.run, ({ nowTick }) => nowTick > 0);
-  const { choose, savePicture } = useFileActions();
+  const { choose, savePicture, saveContest } = useFileActions();
   const lesson = useStore(services.challenge, (state) => state.lesson);
   const hasFiles = useTool("files");
   if (!hasFiles) return race;
@@ -49,6 +50,7 @@ export function FileMenuItems({ race }: { race: ReactNode }) {
       >
         {t("files.saveText")}
       </MenuItem>
+      <ContestMenuItem onSelect={saveContest} />
       <MenuItem
         icon={<Icon of={ListOrdered} isDirectional />}
         onSelect={() => saveDocument(workspace.getState().program, "program")}

@@ -6,6 +6,8 @@ export interface FileActions {
   choose: () => void;
   /** opens the dialog that saves a picture of the maze and the trail */
   savePicture: () => void;
+  /** opens the dialog that saves the maze for contests */
+  saveContest: () => void;
 }
 
 const FileActionsContext = createContext<FileActions | null>(null);

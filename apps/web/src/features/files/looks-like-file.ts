@@ -1,4 +1,5 @@
 /** Distinguishes text that is meant as a file from text that was pasted by accident. */
+import { isContestText } from "@corridor/maze";
 
 const DRAWN = /[#._|\-+^><▲►▼◄]/g;
 
@@ -8,7 +9,7 @@ const DRAWN = /[#._|\-+^><▲►▼◄]/g;
  */
 export function looksLikeFile(text: string): boolean {
   const seen = text.replaceAll(/\s|\uFEFF/g, "");
-  return seen.startsWith("{") || isDrawn(seen);
+  return seen.startsWith("{") || isDrawn(seen) || isContestText(text);
 }
 
 /** A condition in words of any language: "right > 60". */

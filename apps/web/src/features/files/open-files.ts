@@ -3,7 +3,7 @@
  * project beside the user's own. If any file has a problem, no file opens, and the problems are
  * reported.
  */
-import type { MazeDocument } from "@corridor/maze";
+import { isBinaryMaze, readBinaryMaze, type MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
 import type { FieldProblem } from "@corridor/protocol";
 import type { i18n } from "i18next";
@@ -29,18 +29,20 @@ export interface FileReport {
 
 /** The longest run fits. A larger file, such as a film that was chosen by mistake, is not read. */
 const MAX_BYTES = 9_000_000;
+/** Size of a binary maze. */
+const BINARY_BYTES = 256;
 /** More files than this are not read at all. */
 const MAX_FILES = 10;
 
 type Opener = Pick<
   Services,
-  "projects" | "workspace" | "simulator" | "screen" | "lessons" | "classes"
+  "projects" | "workspace" | "simulator" | "screen" | "lessons" | "classes" | "camera"
 >;
 
 /** @returns an empty list if the files were opened; otherwise the problems, by file */
 export async function openFiles(
   services: Opener,
-  words: Pick<i18n, "t" | "language">,
+  words: Pick<i18n, "t" | "language" | "loadNamespaces">,
   files: readonly TextFile[],
 ): Promise<readonly FileReport[]> {
   if (isPaused(services.classes)) return [];
@@ -86,6 +88,11 @@ export async function openFiles(
   if (lesson === undefined) openDocuments(services, words, mazes[0], programs[0]);
   else if (await services.lessons.openShared(lesson, null)) {
     showMessage(services.screen, { tone: "info", text: words.t("missions:lesson.openedBeside") });
+  }
+  const contest = opened.find((each) => each.kind === "maze" && each.isContest);
+  if (contest?.kind === "maze") {
+    const { showCheck } = await import("./contest/show-check.ts");
+    await showCheck(services, words, contest.maze);
   }
   return [];
 }
@@ -152,6 +159,10 @@ async function readFile(file: TextFile, words: Pick<i18n, "t" | "language">): Pr
   }
   let text: string;
   try {
+    if (file.size === BINARY_BYTES && file.arrayBuffer !== undefined) {
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      if (isBinaryMaze(bytes)) return readBinary(bytes, titleOf(file.name));
+    }
     text = await file.text();
   } catch {
     // A folder, or a file that was moved or locked in the meantime.
@@ -159,6 +170,13 @@ async function readFile(file: TextFile, words: Pick<i18n, "t" | "language">): Pr
   }
   const read = readDocument(text, titleOf(file.name));
   return read.ok ? read : { ...read, isTextWrong: true };
+}
+
+function readBinary(bytes: Uint8Array, name: string): ReadFile {
+  const read = readBinaryMaze(bytes, name);
+  return read.ok
+    ? { ok: true, value: { kind: "maze", maze: read.value, isContest: true } }
+    : { ...read, isTextWrong: true };
 }
 
 /** Detects a picture, such as a photo or a screenshot of a maze, by its type or its name. */

@@ -3,7 +3,7 @@
  * text.
  */
 import { readLesson, type LessonDocument } from "@corridor/challenge";
-import { readMaze, readTextMaze, type MazeDocument } from "@corridor/maze";
+import { isContestText, readMaze, readTextMaze, type MazeDocument } from "@corridor/maze";
 import { readProgram, type ProgramDocument } from "@corridor/program";
 import type { FieldProblem, ReadResult } from "@corridor/protocol";
 import { readRun, type RunDocument } from "@corridor/recording";
@@ -12,7 +12,8 @@ import { looksLikeProgram } from "./looks-like-file.ts";
 const SAVED_PROGRAM = 'a program as Corridor saves it: {"format":"corridor/program", ...}';
 
 export type OpenedDocument =
-  | { kind: "maze"; maze: MazeDocument }
+  /** `isContest`: in a format of contests */
+  | { kind: "maze"; maze: MazeDocument; isContest?: true }
   | { kind: "program"; program: ProgramDocument }
   | { kind: "run"; run: RunDocument }
   | { kind: "lesson"; lesson: LessonDocument };
@@ -55,6 +56,12 @@ const readers = new Map<string, (text: string) => ReadResult<OpenedDocument>>([
  */
 export function readDocument(text: string, name: string): ReadResult<OpenedDocument> {
   const content = text.replace(/^\uFEFF/, "");
+  if (isContestText(content)) {
+    const read = readTextMaze(content, name);
+    return read.ok
+      ? { ok: true, value: { kind: "maze", maze: read.value, isContest: true } }
+      : read;
+  }
   if (!/^\s*[{[]/.test(content)) {
     if (looksLikeProgram(content)) {
       const [line = ""] = content.trim().split("\n", 1);

@@ -1,4 +1,5 @@
 /** State of the screen itself: theme, tool, visible layers, messages. Not part of any document. */
+import type { MazeDocument, WallFollowerMiss } from "@corridor/maze";
 import { createStore } from "zustand/vanilla";
 
 export const tools = ["blocks", "start", "goal", "measure"] as const;
@@ -12,6 +13,12 @@ export type Contrast = "system" | "more";
 /** In display order. */
 export const sheetTabs = ["drive", "program", "presets"] as const;
 export type SheetTab = (typeof sheetTabs)[number];
+
+/** Why a wall follower misses the goal of a maze. */
+export interface WallMarks extends WallFollowerMiss {
+  /** the maze that the marks belong to */
+  maze: MazeDocument;
+}
 
 /** A dismissible message. `text` is already translated. */
 export interface Message {
@@ -52,6 +59,8 @@ export interface ScreenState {
   isOpening: boolean;
   /** set in a frame of another site, where nothing leads to projects of the visitor */
   isEmbedded?: boolean;
+  /** the marks over a maze that wall followers cannot solve; absent or null without them */
+  wallMarks?: WallMarks | null;
   /** whether single-key shortcuts are enabled (WCAG 2.1.4 requires a switch) */
   singleKeys: boolean;
   /** whether screen readers receive messages about the run while it continues */
