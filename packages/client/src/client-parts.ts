@@ -1,5 +1,5 @@
 /** The private parts of a client that its port uses. They are not part of the library's interface. */
-import type { CommandRecord, Order, RelayToDriver, Snapshot } from "@corridor/protocol";
+import type { CommandRecord, Marks, Order, RelayToDriver, Snapshot } from "@corridor/protocol";
 import type { ApiOptions } from "./api-request.ts";
 import type { ClientError } from "./client-error.ts";
 
@@ -11,6 +11,8 @@ export interface ClientParts {
   end(): ClientError | null;
   /** Sends a valid command. @returns the record, once it is stored */
   send(order: Order, key: string | undefined): Promise<CommandRecord>;
+  /** Marks cells of the maze. While there is no connection, nothing is sent. */
+  mark(marks: Marks): void;
   observers: Set<ClientObserver>;
 }
 

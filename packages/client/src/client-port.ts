@@ -13,6 +13,7 @@ import {
   RefusedError,
   SILENT_ROBOT_REASON,
   type CommandRecord,
+  type Marks,
   type Order,
   type ProblemDocument,
   type PublishedMaze,
@@ -32,16 +33,22 @@ const MAX_RECORDS = 200;
 /** Longest record: 200 conditions. */
 const MAX_RECORD = 64 * 1024;
 
+/** A port of a script, which may draw marks over the maze. */
+export interface MarkingPort extends RobotPort {
+  /** Sends at most 10 messages a second. While there is no connection, nothing is sent. */
+  mark(marks: Marks): void;
+}
+
 /**
  * Opens the port of a client. Use only the port from then on; its `close` closes the client.
  */
-export function openPort(client: RobotClient): RobotPort {
+export function openPort(client: RobotClient): MarkingPort {
   const parts = clientParts.get(client);
   if (parts === undefined) throw new TypeError("not a RobotClient");
   return new ClientPort(parts, () => client.close());
 }
 
-class ClientPort implements RobotPort {
+class ClientPort implements MarkingPort {
   readonly capability: RobotPort["capability"];
   readonly #parts: ClientParts;
   readonly #closeClient: () => void;
@@ -109,6 +116,10 @@ class ClientPort implements RobotPort {
     return { text: body, version: (etag ?? "").replace(/^W\//, "").replaceAll('"', "") };
   }
 
+  mark(marks: Marks): void {
+    this.#parts.mark(marks);
+  }
+
   close(): void {
     this.#listeners.clear();
     this.#closeClient();
@@ -132,6 +143,7 @@ class ClientPort implements RobotPort {
         return this.#notify((listener) => listener.gap(message.open));
       case "maze":
         return this.#notify((listener) => listener.maze(message.version));
+      case "marks":
       case "problem":
       case "heartbeat":
         return;

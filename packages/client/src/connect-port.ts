@@ -1,5 +1,4 @@
-import type { RobotPort } from "@corridor/protocol";
-import { openPort } from "./client-port.ts";
+import { openPort, type MarkingPort } from "./client-port.ts";
 import { globalPlatform } from "./platform.ts";
 import { RobotClient } from "./robot-client.ts";
 
@@ -19,7 +18,7 @@ export interface BridgeClientOptions {
 export async function connectPort(
   address: string,
   { userAgent, warn }: BridgeClientOptions,
-): Promise<RobotPort> {
+): Promise<MarkingPort> {
   const platform = { ...globalPlatform(userAgent), warn };
   return openPort(await RobotClient.connect(address, { platform }));
 }

@@ -5,6 +5,7 @@ import {
   relayToDriverSchema,
   sinceOf,
   type CommandRecord,
+  type Marks,
   type Order,
   type RelayToDriver,
   type Snapshot,
@@ -125,6 +126,11 @@ export class DriverLink implements ClientParts {
     return this.#commands.add(order, "accepted", key);
   }
 
+  mark(marks: Marks): void {
+    if (this.#connection.isConnected)
+      this.#connection.send(encodeFrame({ type: "marks", ...marks }));
+  }
+
   /** Sends a valid command. @returns the record, once the command has the state `until` */
   command(order: Order, until: Until): Promise<CommandRecord> {
     return this.#commands.add(order, until);
@@ -187,6 +193,7 @@ export class DriverLink implements ClientParts {
       case "problem":
         return this.#commands.refused(message.problem, message.key);
       case "maze":
+      case "marks":
       case "heartbeat":
         return;
     }

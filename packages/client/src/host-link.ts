@@ -11,6 +11,7 @@ import {
   type DeliveredCommand,
   type Drivers,
   type Ending,
+  type Marks,
   type PageToRelay,
   type RecallCause,
   type RelayToPage,
@@ -85,6 +86,8 @@ export interface HostLinkOptions {
    * commands that waited at the relay.
    */
   onStored?(seq: number): void;
+  /** A script has marked cells of the maze; fresh without cells: its marks end. */
+  onMarks?(marks: Marks): void;
   onStatus(status: HostStatus): void;
   /**
    * The state of scripts, about once a second.
@@ -303,6 +306,10 @@ export class HostLink {
         return this.#transit.answered(message.at, this.#clock.now());
       case "yield":
         return this.#yield();
+      case "marks": {
+        const { type: _type, ...marks } = message;
+        return this.#options.onMarks?.(marks);
+      }
       case "heartbeat":
         return;
     }

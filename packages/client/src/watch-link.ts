@@ -4,6 +4,7 @@ import {
   PROTOCOL_VERSION,
   relayToDriverSchema,
   type CloseReason,
+  type Marks,
   type RelayToDriver,
   type Snapshot,
 } from "@corridor/protocol";
@@ -34,6 +35,8 @@ export interface WatchLinkOptions {
    * The maze as JSON; null if it is unknown. Called after each connection and when it changes.
    */
   onMaze(text: string | null): void;
+  /** A script has marked cells of the maze; fresh without cells: its marks end. */
+  onMarks?(marks: Marks): void;
   onStatus(status: WatchStatus): void;
   /** default: the platform of browsers, workers and Node */
   platform?: Omit<Platform, "uniqueText">;
@@ -92,6 +95,10 @@ export class WatchLink {
         return this.#read(message.snapshot);
       case "maze":
         return this.#requestMaze();
+      case "marks": {
+        const { type: _type, ...marks } = message;
+        return this.#options.onMarks?.(marks);
+      }
       case "ack":
       case "state":
       case "gap":

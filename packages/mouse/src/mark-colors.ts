@@ -1,5 +1,7 @@
 /** The colours of cells, by their letters in commands. */
 
+import type { MarkColor } from "@corridor/protocol";
+
 const colors = {
   k: "black",
   b: "blue",
@@ -18,10 +20,9 @@ const colors = {
   R: "dark-red",
   V: "dark-violet",
   Y: "dark-yellow",
-} as const;
+} as const satisfies Record<string, MarkColor>;
 /** The letter of a colour in commands. */
 export type ColorLetter = keyof typeof colors;
-export type MarkColor = (typeof colors)[ColorLetter];
 
 export function isColorLetter(letter: string): letter is ColorLetter {
   return Object.hasOwn(colors, letter);

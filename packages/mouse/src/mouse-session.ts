@@ -7,12 +7,13 @@ import {
   hasEnded,
   RefusedError,
   type CommandRecord,
+  type Marks,
   type Order,
   type RobotPort,
   type Snapshot,
 } from "@corridor/protocol";
 import { LineBuffer } from "./line-buffer.ts";
-import { Marks, type MarkMessage } from "./marks.ts";
+import { MarkRegister } from "./mark-register.ts";
 import { MazeFrame, type Place } from "./maze-frame.ts";
 import { readMouseCommand, type RobotCommand } from "./mouse-command.ts";
 import { ResetWatch } from "./reset-watch.ts";
@@ -37,7 +38,7 @@ export interface MouseSessionOptions {
   respond(line: string): void | Promise<void>;
   /** Shows a sentence to the person who started the program. */
   report(sentence: string): void;
-  mark(message: MarkMessage): void;
+  mark(marks: Marks): void;
   /** Called once, if the robot cannot be driven any more. */
   onEnd(error: Error): void;
 }
@@ -51,7 +52,7 @@ export class MouseSession {
   readonly #options: MouseSessionOptions;
   readonly #frame: MazeFrame;
   readonly #sensors: WallSensors;
-  readonly #marks: Marks;
+  readonly #marks: MarkRegister;
   readonly #score = new Score();
   readonly #lines = new LineBuffer();
   readonly #waiting: RobotCommand[] = [];
@@ -87,7 +88,7 @@ export class MouseSession {
     this.#options = options;
     this.#frame = frame;
     this.#sensors = new WallSensors(frame);
-    this.#marks = new Marks(frame, options.timers, (message) => options.mark(message));
+    this.#marks = new MarkRegister(frame, options.timers, (marks) => options.mark(marks));
     this.#resets = new ResetWatch(options.port.newest);
     const ignored = (): void => undefined;
     options.port.subscribe({

@@ -172,6 +172,13 @@ export {
   type Resume,
 } from "./messages.ts";
 export {
+  marksFields,
+  MAX_MARKED_CELLS,
+  type CellMark,
+  type MarkColor,
+  type Marks,
+} from "./marks.ts";
+export {
   LEASE_MS,
   MAX_AGE_MS,
   orderSchema,

@@ -9,6 +9,7 @@ import { commandRecordSchema, idempotencyKeySchema } from "./command-record.ts";
 import { endingStates } from "./command-state.ts";
 import { remoteCommandSchema, type RemoteCommand } from "./command.ts";
 import { eventGapSchema, eventStreamSchema, sinceSchema, stateEventSchema } from "./events.ts";
+import { marksFields } from "./marks.ts";
 import { orderSchema, sentAtSchema } from "./order.ts";
 import { problemSchema } from "./problem.ts";
 import { poseSchema } from "./quantities.ts";
@@ -87,6 +88,7 @@ export const resumeSchema = z.strictObject({
 });
 export type Resume = z.infer<typeof resumeSchema>;
 
+const marks = z.strictObject({ type: z.literal("marks"), ...marksFields });
 const heartbeat = z.strictObject({ type: z.literal("heartbeat") });
 
 export const pageToRelaySchema = z.discriminatedUnion(
@@ -200,11 +202,13 @@ export const relayToPageSchema = z.discriminatedUnion(
      * `yielded`
      */
     z.strictObject({ type: z.literal("yield") }),
+    /** a script has marked cells of the maze; fresh without cells: its marks end */
+    marks,
     heartbeat,
   ],
   {
     error:
-      "one of welcome, command, stop, cancel, stored, refused, state, drivers, time, yield, heartbeat",
+      "one of welcome, command, stop, cancel, stored, refused, state, drivers, time, yield, marks, heartbeat",
   },
 );
 export type RelayToPage = z.infer<typeof relayToPageSchema>;
@@ -225,8 +229,10 @@ export const driverToRelaySchema = z.discriminatedUnion(
      * snapshots
      */
     z.strictObject({ type: z.literal("seen"), seq: count }),
+    /** marks cells of the maze, at most 10 times a second */
+    marks,
   ],
-  { error: "one of command, seen" },
+  { error: "one of command, seen, marks" },
 );
 export type DriverToRelay = z.infer<typeof driverToRelaySchema>;
 
@@ -252,6 +258,8 @@ export const relayToDriverSchema = z.discriminatedUnion(
     z.strictObject({ type: z.literal("snapshot"), snapshot: snapshotSchema }),
     /** the robot is in another maze, which `GET .../maze` returns with this as its `ETag` */
     z.strictObject({ type: z.literal("maze"), version: mazeVersionSchema }),
+    /** to viewers: a script has marked cells of the maze; fresh without cells: its marks end */
+    marks,
     /** the message failed; `key` is the command's key, if it had one */
     z.strictObject({
       type: z.literal("problem"),
@@ -260,6 +268,6 @@ export const relayToDriverSchema = z.discriminatedUnion(
     }),
     heartbeat,
   ],
-  { error: "one of welcome, ack, state, gap, snapshot, maze, problem, heartbeat" },
+  { error: "one of welcome, ack, state, gap, snapshot, maze, marks, problem, heartbeat" },
 );
 export type RelayToDriver = z.infer<typeof relayToDriverSchema>;

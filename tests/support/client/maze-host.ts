@@ -1,5 +1,5 @@
 /** A robot in a maze that hosts itself at a relay, as a page does, and publishes its maze. */
-import type { DeliveredCommand, Registration } from "@corridor/protocol";
+import type { DeliveredCommand, Marks, Registration } from "@corridor/protocol";
 import type { MazeDocument } from "@corridor/maze";
 import { MazeRobot } from "../../../packages/agent/src/testing/maze-robot.ts";
 import { HostLink } from "../../../packages/client/src/host-link.ts";
@@ -10,6 +10,8 @@ export class MazeHost {
   readonly connected: Promise<void>;
   /** false: commands start, and end with `endAll` */
   endsCommands = true;
+  /** marks of scripts */
+  readonly marks: Marks[] = [];
   /** number of started commands */
   started = 0;
   readonly #running: DeliveredCommand[] = [];
@@ -36,6 +38,7 @@ export class MazeHost {
         this.link.sendSnapshot(this.robot.snapshot());
         connected.resolve();
       },
+      onMarks: (marks) => void this.marks.push(marks),
       onDrivers: () => undefined,
     });
   }

@@ -3,8 +3,10 @@
  * opens a port for each program that connects to the bridge.
  */
 import { randomUUID } from "node:crypto";
+import type { MarkingPort } from "@corridor/client/bridge";
 import type {
   CommandRecord,
+  Marks,
   Order,
   PublishedMaze,
   RefusedError,
@@ -18,14 +20,17 @@ import { OwnCommands } from "./own-commands.ts";
 /** Time to end the commands of the bridge when it stops. */
 const STOP_MS = 2_000;
 
+/** The port of the bridge's connection. Marks need not be supported. */
+type BridgePort = RobotPort & Partial<Pick<MarkingPort, "mark">>;
+
 export class BridgedRobot {
-  readonly #port: RobotPort;
+  readonly #port: BridgePort;
   readonly #commands = new OwnCommands();
   /** resolves with the reason if the bridge may no longer use the robot; not after `close` */
   readonly ended: Promise<RefusedError>;
 
   /** @param port of the bridge's connection */
-  constructor(port: RobotPort) {
+  constructor(port: BridgePort) {
     this.#port = port;
     this.ended = new Promise((resolve) => {
       port.subscribe({
@@ -45,6 +50,11 @@ export class BridgedRobot {
   /** @returns a port for one program; its `close` ends motions of this program without an end */
   openPort(): RobotPort {
     return new ProgramPort(this.#port, this.#commands);
+  }
+
+  /** Draws marks over the maze in the page. */
+  mark(marks: Marks): void {
+    this.#port.mark?.(marks);
   }
 
   /** Ends all commands of the bridge, in at most 2 s. Other scripts continue. */

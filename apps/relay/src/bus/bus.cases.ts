@@ -111,6 +111,10 @@ export function busCases(name: string, open: () => Promise<[TestRelay, TestRelay
       const maze = { kind: "maze", version: "k3J9x2aBk3J9x2aBk3J9x2" } as const;
       a.channel.notify(maze);
       await vi.waitFor(() => expect(b.received.at(-1)).toMatchObject(maze));
+      const cell = { column: 1, row: 3, text: "7", color: "green", walls: "ns" } as const;
+      const marks = { fresh: true, pitch: 2, cells: [cell] } as const;
+      a.channel.notify({ kind: "marks", marks: { ...marks, cells: [cell] } });
+      await vi.waitFor(() => expect(b.received.at(-1)).toMatchObject({ kind: "marks", marks }));
       expect([a.received.length, elsewhere.received]).toEqual([1, []]);
     });
 

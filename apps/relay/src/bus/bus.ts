@@ -7,6 +7,7 @@ import type {
   AliveDriver,
   CommandRecord,
   Drivers,
+  Marks,
   RecallCause,
   ScriptView,
 } from "@corridor/protocol";
@@ -59,6 +60,8 @@ export type BusMessage =
   | { kind: "keys" }
   /** the robot's maze has changed; read it from the store */
   | { kind: "maze"; version: string }
+  /** a script has marked cells of the maze; not stored */
+  | { kind: "marks"; marks: Marks }
   /** the robot was deleted */
   | { kind: "over" };
 

@@ -8,6 +8,7 @@ import {
   aliveDriverSchema,
   driversSchema,
   hasEnded,
+  marksFields,
   recallCauses,
   scriptSchema,
 } from "@corridor/protocol";
@@ -73,6 +74,7 @@ const messageSchema = z.discriminatedUnion("kind", [
   z.object({ kind: z.literal("cancel"), from, seq: z.int(), cause: z.enum(recallCauses) }),
   z.object({ kind: z.literal("keys"), from }),
   z.object({ kind: z.literal("maze"), from, version: z.string() }),
+  z.object({ kind: z.literal("marks"), from, marks: z.object(marksFields) }),
   z.object({ kind: z.literal("over"), from }),
 ]);
 type Message = z.infer<typeof messageSchema>;

@@ -6,6 +6,7 @@ import type { CommandLife } from "./delivery/command-life.ts";
 import type { KeyRing } from "./access/key-ring.ts";
 import { limits } from "../platform/limits/limits.ts";
 import type { LiveView } from "./live-view.ts";
+import type { MarkBoard } from "./mark-board.ts";
 import type { MazeBoard } from "./maze-board.ts";
 import type { PageOwnership } from "./page/page-ownership.ts";
 import type { RobotChannel } from "./channel/robot-channel.ts";
@@ -20,6 +21,7 @@ export interface OtherRelaysParts {
   life: Pick<CommandLife, "handover" | "missedSteps">;
   keys: Pick<KeyRing, "refresh">;
   mazes: Pick<MazeBoard, "received" | "reload">;
+  marks: Pick<MarkBoard, "received">;
   page: Pick<RobotPage, "lapsed">;
   report: ScriptReport;
   /** another relay has deleted the robot */
@@ -62,7 +64,7 @@ export class OtherRelays {
   }
 
   received(message: BusMessage): void {
-    const { ownership, view, channel, life, keys, mazes, report, clock } = this.#parts;
+    const { ownership, view, channel, life, keys, mazes, marks, report, clock } = this.#parts;
     const { page } = ownership;
     switch (message.kind) {
       case "page":
@@ -94,6 +96,8 @@ export class OtherRelays {
         return keys.refresh();
       case "maze":
         return mazes.received(message.version);
+      case "marks":
+        return marks.received(message.marks);
       case "over":
         return this.#parts.over();
     }

@@ -28,6 +28,7 @@ import type { CommandObserver } from "./delivery/command-observer.ts";
 import { ScriptClocks } from "./delivery/script-clocks.ts";
 import { limits } from "../platform/limits/limits.ts";
 import { LiveView } from "./live-view.ts";
+import { MarkBoard } from "./mark-board.ts";
 import { MazeBoard } from "./maze-board.ts";
 import { OtherRelays } from "./other-relays.ts";
 import { PageOwnership } from "./page/page-ownership.ts";
@@ -66,6 +67,7 @@ export class Robot {
   readonly presence: Presence;
   readonly readers: Readers;
   readonly mazes: MazeBoard;
+  readonly marks: MarkBoard;
   /** last use of the robot and its keys */
   readonly use: RobotUse;
   /** clocks of the scripts that send single requests */
@@ -111,6 +113,7 @@ export class Robot {
     const report = new ScriptReport(sent);
     const page = new RobotPage({ createdAt, clock, ownership, life, view, channel, use, report });
     const mazes = new MazeBoard({ robot, store, clock, subscribers, channel });
+    const marks = new MarkBoard({ ownership, subscribers, channel });
     const source = {
       events,
       newest: () => view.newest,
@@ -122,6 +125,7 @@ export class Robot {
     this.scriptAccess = scripts;
     this.presence = presence;
     this.mazes = mazes;
+    this.marks = marks;
     this.readers = new Readers({ clock, timers, subscribers, source, presence });
     this.#view = view;
     this.#events = events;
@@ -139,6 +143,7 @@ export class Robot {
       life,
       keys,
       mazes,
+      marks,
       page,
       report,
       over: () => {

@@ -7,6 +7,7 @@ import {
   closeReasons,
   termsOf,
   type CommandRecord,
+  type Marks,
   type Order,
   type RelayToPage,
   type Resume,
@@ -169,6 +170,14 @@ describe("page and script at different relays", () => {
     expect(host.sent.at(-1)).toEqual({ type: "cancel", seq: 1, cause: "sender" });
     await submit({ action: "stop" });
     expect(seqs(host)).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 10]);
+  });
+
+  it("sends marks of a script to the page at the other relay", async () => {
+    const { atScripts, host } = await withRelays();
+    const marks: Marks = { fresh: true, pitch: 1, cells: [] };
+    atScripts.marks.publish(marks);
+    await settled();
+    expect(host.sent.at(-1)).toEqual({ type: "marks", ...marks });
   });
 
   it("sends the newest snapshot to readers at the other relay, and reports when the page disconnects", async () => {

@@ -1,7 +1,7 @@
 /** A session with a simulated robot, and its transcript. */
 import type { MazeDocument } from "@corridor/maze";
+import type { Marks } from "@corridor/protocol";
 import { onTestFinished } from "vitest";
-import type { MarkMessage } from "../marks.ts";
 import { MouseSession } from "../mouse-session.ts";
 import type { GridWorld } from "./grid-world.ts";
 import { ManualTimers } from "./manual-timers.ts";
@@ -15,7 +15,7 @@ export interface MouseWorld {
   /** what the program sent (`> `) and received (`< `) */
   transcript: string[];
   reports: string[];
-  marks: MarkMessage[];
+  marks: Marks[];
   ends: string[];
   lines: ProgramLines;
 }
@@ -30,7 +30,7 @@ export async function startMouse(
   const timers = new ManualTimers();
   const transcript: string[] = [];
   const reports: string[] = [];
-  const marks: MarkMessage[] = [];
+  const marks: Marks[] = [];
   const ends: string[] = [];
   let resolveAnswer: (line: string) => void = () => undefined;
   const session = await MouseSession.start({

@@ -64,8 +64,12 @@ describe("corridor mms", () => {
     const { scripts } = scriptListSchema.parse(await (await asOwner("GET", "/scripts")).json());
     expect(scripts).toMatchObject([{ client: "mms", name: null, connections: 1 }]);
     expect(page.robot.done.map(({ action }) => action)).toEqual(["reset", "move"]);
+    const texts = (): string[] => page.marks.flatMap(({ cells }) => cells.map(({ text }) => text));
+    await expect.poll(() => texts().at(-1), { timeout: 5_000 }).toBe("499");
+    expect(texts().length).toBeLessThan(20);
     bridge.signal("SIGINT");
     expect(await bridge.exited).toBe(0);
+    await expect.poll(() => page.marks.at(-1)).toEqual({ fresh: true, pitch: 1, cells: [] });
   });
 
   it("reads the address as an argument, and gives the program all of its own", async () => {

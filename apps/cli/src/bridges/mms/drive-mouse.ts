@@ -26,7 +26,7 @@ export async function driveMouse(robot: BridgedRobot, call: ProgramCall): Promis
       timers: clock,
       respond: (line) => program.write(line),
       report: log,
-      mark: () => undefined,
+      mark: (marks) => robot.mark(marks),
       onEnd: fail,
     })
       .then((session) => program.read((text) => session.receive(text)))

@@ -11,6 +11,7 @@ import {
   termsOf,
   type DriverToRelay,
   type EventGap,
+  type Marks,
   type RelayToDriver,
   type StateEvent,
 } from "@corridor/protocol";
@@ -20,6 +21,7 @@ import type { ProblemKind } from "../../platform/errors/problem-kinds.ts";
 import { asRefusal, badRequest, Refusal, retryAfter } from "../../platform/errors/problems.ts";
 import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
 import { limits } from "../../platform/limits/limits.ts";
+import { TokenBucket } from "../../platform/limits/token-bucket.ts";
 import type { OverReason, ReaderSink, ReaderStart } from "../../robots/readers/feed.ts";
 import type { Grant } from "../../robots/registry.ts";
 import type { JoinedReader } from "../../robots/readers/readers.ts";
@@ -35,9 +37,10 @@ import {
 const keyedSchema = z.object({ key: idempotencyKeySchema });
 
 /** Permission that each message type requires. */
-const verbs = { command: "command", seen: "read" } as const;
+const verbs = { command: "command", seen: "read", marks: "command" } as const;
 
 type CommandMessage = Extract<DriverToRelay, { type: "command" }>;
+type MarksMessage = Extract<DriverToRelay, { type: "marks" }>;
 
 export interface DriverOptions {
   grant: Grant;
@@ -59,11 +62,13 @@ export class DriverConversation implements Conversation, ReaderSink {
   /** a connection belongs to one script, and so to one clock */
   readonly #transit = new TransitEstimate();
   /** version of the rights at the last successful check, by message type */
-  readonly #checkedAt = { command: -1, seen: -1 };
+  readonly #checkedAt = { command: -1, seen: -1, marks: -1 };
   #badFrames = 0;
   #tooFastInARow = 0;
   /** commands that wait for the store */
   #unfinished = 0;
+  readonly #marksBucket: TokenBucket;
+  #hasMarked = false;
 
   /**
    * Joins the robot as a reader, which sends the welcome.
@@ -71,7 +76,8 @@ export class DriverConversation implements Conversation, ReaderSink {
    */
   constructor(options: DriverOptions) {
     this.#options = options;
-    const { grant, connection, since, sentAt } = options;
+    const { grant, connection, since, sentAt, clock } = options;
+    this.#marksBucket = new TokenBucket(limits.marksRate, clock.now());
     this.transport = connection.transport;
     this.flow = connection.flow;
     // Before the welcome: the time until it arrives bounds the transit time of the hello for the
@@ -104,6 +110,11 @@ export class DriverConversation implements Conversation, ReaderSink {
     this.#send({ type: "maze", version });
   }
 
+  /** Viewers show marks. Scripts do not. */
+  marks(marks: Marks): void {
+    if (this.#options.grant.caller.kind === "watch") this.#send({ type: "marks", ...marks });
+  }
+
   over(reason: OverReason): void {
     closeReader(this.#options.connection, reason);
   }
@@ -133,6 +144,7 @@ export class DriverConversation implements Conversation, ReaderSink {
     }
     // Motions without an end continue while their script is active.
     if (caller.script !== null) robot.spoke(caller);
+    if (value.type === "marks") return this.#mark(value);
     this.#reader.seen(value.seq);
     return undefined;
   }
@@ -168,6 +180,20 @@ export class DriverConversation implements Conversation, ReaderSink {
     }
   }
 
+  #mark({ fresh, pitch, cells }: MarksMessage): undefined {
+    const waitMs = this.#marksBucket.take(this.#options.clock.now());
+    if (waitMs > 0) {
+      const refusal = tooManyMarks(waitMs);
+      this.#options.onRefusal(refusal.kind);
+      this.#send({ type: "problem", problem: refusal.problem, key: null });
+      this.#countTooFast();
+      return;
+    }
+    // The first message of a connection replaces the marks of others.
+    this.#options.grant.robot.marks.publish({ fresh: fresh || !this.#hasMarked, pitch, cells });
+    this.#hasMarked = true;
+  }
+
   /** ms that a message took longer than the fastest one; 0 without a timestamp */
   #transitTime(sentAt: number | undefined): number {
     return sentAt === undefined ? 0 : this.#transit.came(sentAt, this.#options.clock.now());
@@ -179,6 +205,8 @@ export class DriverConversation implements Conversation, ReaderSink {
 
   closed(): void {
     this.#reader.leave();
+    if (!this.#hasMarked) return;
+    this.#options.grant.robot.marks.publish({ fresh: true, pitch: 1, cells: [] });
   }
 
   #refuse(refusal: ReturnType<typeof badRequest>, key: string | null): undefined {
@@ -221,5 +249,13 @@ function tooManyUnfinished(): Refusal {
     "too-fast",
     "Too many unanswered commands. Wait for the responses, then send this command again.",
     { headers: retryAfter(1_000) },
+  );
+}
+
+function tooManyMarks(waitMs: number): Refusal {
+  return new Refusal(
+    "too-fast",
+    `Too many messages with marks: a script can send ${limits.marksRate.perSecond} a second. Send the newest marks later.`,
+    { headers: retryAfter(waitMs) },
   );
 }

@@ -24,6 +24,8 @@ export const limits = {
   documentRate: { perSecond: 1 / 30, burst: 80 },
   /** mazes that a robot's page publishes; one per edit, collected for half a second */
   mazeRate: { perSecond: 1, burst: 20 },
+  /** messages of a script that mark cells of the maze */
+  marksRate: { perSecond: 10, burst: 10 },
   /** a document expires this long after its last use; a use is stored at most once a day */
   documentIdleMs: 180 * 24 * 60 * 60 * 1000,
   documentNoteMs: 24 * 60 * 60 * 1000,

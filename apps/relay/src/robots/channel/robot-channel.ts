@@ -2,7 +2,7 @@
  * A robot's channel to the other relays that hold it: messages, their rate, and the list of these
  * relays. Without other relays it costs next to nothing.
  */
-import type { RecallCause } from "@corridor/protocol";
+import type { Marks, RecallCause } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
 import type { BusListener, Channel, Scripts, Step, Bus } from "../../bus/bus.ts";
 import type { CarriedSnapshot } from "../../bus/carried-snapshot.ts";
@@ -83,6 +83,10 @@ export class RobotChannel implements Waiter {
 
   mazeChanged(version: string): void {
     this.#channel?.notify({ kind: "maze", version });
+  }
+
+  marked(marks: Marks): void {
+    this.#channel?.notify({ kind: "marks", marks });
   }
 
   deleted(): void {

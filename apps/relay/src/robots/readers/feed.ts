@@ -6,7 +6,13 @@
  * the reader has not yet taken: two snapshots and some states. Other states wait in the event log.
  * A reader that sleeps for longer than the log lasts receives a gap.
  */
-import { hasEnded, type CommandRecord, type EventGap, type StateEvent } from "@corridor/protocol";
+import {
+  hasEnded,
+  type CommandRecord,
+  type EventGap,
+  type Marks,
+  type StateEvent,
+} from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
 import {
   dueAfter,
@@ -48,6 +54,8 @@ export interface ReaderSink {
   gap(gap: EventGap): void;
   /** the robot's maze has changed */
   maze(version: string): void;
+  /** a script has marked cells; not sent to readers that do not show them */
+  marks?(marks: Marks): void;
   /** the reader may no longer read, the relay stops, or the reader cannot be served */
   over(reason: OverReason): void;
 }
@@ -141,6 +149,11 @@ export class ReaderFeed implements Waiter {
   /** Reports a changed maze immediately, because such messages are rare and short. */
   maze(version: string): void {
     this.#sink.maze(version);
+  }
+
+  /** Marks are repeated by their script, so those for a slow reader are discarded. */
+  marks(marks: Marks): void {
+    if (this.#unread <= limits.heldReaderBytes) this.#sink.marks?.(marks);
   }
 
   /** The reader has read everything up to this snapshot. */

@@ -2,7 +2,7 @@
  * Subscribers of one robot: the feeds of connected readers, and requests that wait for an event
  * (long polls). They receive all changes in order.
  */
-import type { CommandRecord, StateEvent } from "@corridor/protocol";
+import type { CommandRecord, Marks, StateEvent } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
 import type { WaitLimit } from "../../platform/time/wait-limit.ts";
 import { Refusal, retryAfter } from "../../platform/errors/problems.ts";
@@ -19,6 +19,8 @@ interface Listener {
   state(event: StateEvent): void;
   /** the robot's maze has changed */
   maze(version: string): void;
+  /** a script has marked cells */
+  marks?(marks: Marks): void;
   /** states may have been missed */
   missed(): void;
   over(reason: DismissalReason): void;
@@ -128,6 +130,10 @@ export class Subscribers {
 
   publishMaze(version: string): void {
     for (const { listener } of this.#entries) listener.maze(version);
+  }
+
+  publishMarks(marks: Marks): void {
+    for (const { listener } of this.#entries) listener.marks?.(marks);
   }
 
   publishStates(records: readonly CommandRecord[]): void {

@@ -7,6 +7,7 @@ import {
   PROTOCOL_VERSION,
   type DriverToRelay,
   type Hello,
+  type Marks,
   type PageToRelay,
   type RelayToDriver,
   type RelayToPage,
@@ -52,6 +53,12 @@ const delivered = {
   at,
 };
 
+const marks: Marks = {
+  fresh: true,
+  pitch: 2,
+  cells: [{ column: 1, row: 31, text: "14", color: "green", walls: "esw" }],
+};
+
 export const messageExamples: { [S in keyof MessageKinds]: OfEachKind<MessageKinds[S]> } = {
   script: {
     hello: {
@@ -70,6 +77,7 @@ export const messageExamples: { [S in keyof MessageKinds]: OfEachKind<MessageKin
       command: { ...command, ttl: 2_000 },
     },
     seen: { type: "seen", seq: snapshotExample.seq },
+    marks: { type: "marks", ...marks },
   },
   page: {
     hello: { type: "hello", version, role: "own", key: "own_AAAAAAAAAAAAAAAAAAAAAA" },
@@ -94,6 +102,7 @@ export const messageExamples: { [S in keyof MessageKinds]: OfEachKind<MessageKin
     gap: { type: "gap", n: 1_020, open: [{ seq, state: "started" }] },
     snapshot: { type: "snapshot", snapshot: snapshotExample },
     maze: { type: "maze", version: "k3J9x2aBk3J9x2aBk3J9x2" },
+    marks: { type: "marks", ...marks },
     problem: {
       type: "problem",
       problem: {
@@ -152,6 +161,7 @@ export const messageExamples: { [S in keyof MessageKinds]: OfEachKind<MessageKin
     },
     time: { type: "time", at },
     yield: { type: "yield" },
+    marks: { type: "marks", ...marks },
     heartbeat: { type: "heartbeat" },
   },
 };

@@ -78,6 +78,9 @@ ${closeCodes()}`,
         "Acknowledges all messages up to this snapshot, including the one in the welcome. At most 2 unacknowledged snapshots are sent to a " +
         "script. It is cumulative: send it for each snapshot or for every second one, not less often. For a script that never sends it, " +
         "the pongs to the relay's pings count.",
+      marks:
+        "Draws over cells of the robot's maze: a text, a colour and assumed walls. Each cell replaces its earlier marks; the first message of a " +
+        "connection, or one with `fresh`, removes all others first. At most 10 a second. They are not stored, so repeat them; they end with the connection.",
     },
     page: {
       hello:
@@ -113,6 +116,8 @@ ${closeCodes()}`,
         "The robot's latest report, at most 20 a second; reports in between are skipped. `state` is `running`, `paused` " +
         "(the page is asleep, frozen or paused) or `gone`.",
       maze: "The robot's maze has changed. `GET /maze` returns it with this `version` as its `ETag`.",
+      marks:
+        "To viewers only: a script has drawn marks over cells of the maze. `fresh` without cells: its marks have ended.",
       problem:
         "The message was rejected (RFC 9457). `key` is the key of its command, or null if it has no readable key.",
       heartbeat: "Sent every 20 s, as evidence that the connection works.",
@@ -141,6 +146,8 @@ ${closeCodes()}`,
       yield:
         "Another page is about to take over the robot. End the running command, return waiting commands, start nothing more, report all of " +
         "that, and send `yielded`, within a second.",
+      marks:
+        "A script has drawn marks over cells of the maze. `fresh` without cells: its marks have ended.",
       heartbeat: "Sent every 20 s, as evidence that the connection works.",
     },
   },

@@ -3,34 +3,16 @@
  * Display commands only change this register. It is published as messages of changed cells, at most
  * ten a second, however many commands arrive.
  */
-import { colorOf, type MarkColor } from "./mark-colors.ts";
+import { MAX_MARKED_CELLS, type CellMark, type MarkColor, type Marks } from "@corridor/protocol";
+import { colorOf } from "./mark-colors.ts";
 import type { MazeFrame } from "./maze-frame.ts";
 import { sideNames, type DisplayCommand, type SideName } from "./mouse-command.ts";
 import type { Timers } from "./timers.ts";
 
 const INTERVAL_MS = 100;
-/** A whole maze of a contest. */
-const MAX_CELLS = 256;
+/** While nothing changes, marks are repeated this often: for new viewers, and after a reload. */
+const REPEAT_MS = 1_000;
 const MAX_TEXT = 10;
-
-/** The marks of one cell, which replace its earlier ones. */
-export interface CellMark {
-  /** the block in the middle of the cell */
-  column: number;
-  row: number;
-  /** at most 10 printable ASCII characters; empty for none */
-  text: string;
-  color: MarkColor | null;
-  /** sides with an assumed wall, of n, e, s and w of the maze */
-  walls: string;
-}
-
-export interface MarkMessage {
-  /** blocks of a cell along one side */
-  pitch: 1 | 2;
-  /** the cells that have changed, at most 256 */
-  cells: CellMark[];
-}
 
 interface Cell {
   x: number;
@@ -48,16 +30,19 @@ const steps: Record<SideName, { x: number; y: number }> = {
   w: { x: -1, y: 0 },
 };
 
-export class Marks {
+export class MarkRegister {
   readonly #frame: MazeFrame;
   readonly #timers: Timers;
-  readonly #publish: (message: MarkMessage) => void;
+  readonly #publish: (message: Marks) => void;
   readonly #cells = new Map<number, Cell>();
   readonly #changed = new Set<Cell>();
   #lastMs = Number.NEGATIVE_INFINITY;
-  #cancelTimer: (() => void) | null = null;
+  #cancelSend: (() => void) | null = null;
+  #cancelRepeat: () => void = () => undefined;
+  /** the cells that are repeated next */
+  #repeated = this.#cells.values();
 
-  constructor(frame: MazeFrame, timers: Timers, publish: (message: MarkMessage) => void) {
+  constructor(frame: MazeFrame, timers: Timers, publish: (message: Marks) => void) {
     this.#frame = frame;
     this.#timers = timers;
     this.#publish = publish;
@@ -90,7 +75,8 @@ export class Marks {
   }
 
   close(): void {
-    this.#cancelTimer?.();
+    this.#cancelSend?.();
+    this.#cancelRepeat();
   }
 
   #cellAt({ x, y }: { x: number; y: number }): Cell | null {
@@ -132,17 +118,35 @@ export class Marks {
   #change(cell: Cell): void {
     this.#changed.add(cell);
     const waitMs = Math.max(0, this.#lastMs + INTERVAL_MS - this.#timers.now());
-    this.#cancelTimer ??= this.#timers.after(waitMs, () => this.#send());
+    this.#cancelSend ??= this.#timers.after(waitMs, () => this.#send());
   }
 
   #send(): void {
-    this.#cancelTimer = null;
+    this.#cancelSend = null;
     this.#lastMs = this.#timers.now();
-    const cells = [...this.#changed].slice(0, MAX_CELLS);
+    const cells = [...this.#changed].slice(0, MAX_MARKED_CELLS);
     for (const cell of cells) this.#changed.delete(cell);
-    this.#publish({ pitch: this.#frame.pitch, cells: cells.map((cell) => this.#markOf(cell)) });
+    const marks = cells.map((cell) => this.#markOf(cell));
+    this.#publish({ fresh: false, pitch: this.#frame.pitch, cells: marks });
     const [next] = this.#changed;
     if (next !== undefined) this.#change(next);
+    this.#cancelRepeat();
+    this.#cancelRepeat = this.#timers.after(REPEAT_MS, () => this.#repeat());
+  }
+
+  /** Sends the next cells again. Ends when no cell has marks. */
+  #repeat(): void {
+    const isMarked = ({ text, color, walls }: Cell): boolean =>
+      text !== "" || color !== null || walls.size > 0;
+    for (let count = 0; count < this.#cells.size; count += 1) {
+      let next = this.#repeated.next();
+      if (next.done === true) {
+        this.#repeated = this.#cells.values();
+        next = this.#repeated.next();
+      }
+      if (next.done !== true && isMarked(next.value)) this.#change(next.value);
+      if (this.#changed.size >= MAX_MARKED_CELLS) return;
+    }
   }
 
   #markOf({ x, y, text, color, walls }: Cell): CellMark {
