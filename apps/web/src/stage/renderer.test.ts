@@ -4,12 +4,13 @@
  */
 import { snapshotOf } from "@corridor/protocol/testing";
 import type { MazeDocument } from "@corridor/maze";
-import type { Snapshot } from "@corridor/protocol";
-import { beforeEach, describe, expect, it, vi } from "vitest";
+import type { CellMark, Snapshot } from "@corridor/protocol";
+import { beforeEach, describe, expect, it, onTestFinished, vi } from "vitest";
 import { frameOf } from "./testing/frame-of.ts";
 import type { Frame } from "./drawing/frame.ts";
 import type { LayerCanvas, LayerCanvases } from "./drawing/drawing-context.ts";
 import { readPalette } from "./drawing/palette.ts";
+import { lateMarks } from "./layers/late-marks.ts";
 import { StageRenderer } from "./renderer.ts";
 import type { StageModel } from "./layers/stage-model.ts";
 import { layOut, type Scroll } from "./drawing/viewport.ts";
@@ -121,6 +122,12 @@ function newStage() {
     renderer.frameArrived();
     paint();
   };
+  const standing = snapshotAt(50, 50);
+  const mark = (marks: Frame["marks"]): void => {
+    frame = { ...frameOf({ snapshot: standing, corners: [], trailReset: false }), marks };
+    renderer.frameArrived();
+    paint();
+  };
   const drive = (x: number, y: number, isReset = false): void =>
     show(snapshotAt(x, y), isReset ? [x, y] : [], isReset);
   const rest = (x: number, y: number): void => show(snapshotAt(x, y, "paused"), [], false);
@@ -137,7 +144,19 @@ function newStage() {
     for (const { counts } of Object.values(layers)) counts.cleared = counts.pictures = 0;
     return now;
   };
-  return { renderer, layers, canvases, requestFrame, paint, show, drive, rest, redrawn, scrolls };
+  return {
+    renderer,
+    layers,
+    canvases,
+    requestFrame,
+    paint,
+    show,
+    mark,
+    drive,
+    rest,
+    redrawn,
+    scrolls,
+  };
 }
 
 beforeEach(() => {
@@ -152,6 +171,27 @@ describe("the stage", () => {
     paint();
     expect(redrawn()).toEqual({ maze: 1, trail: 1, live: 1 });
     expect(canvases.maze).toMatchObject({ width: 2056, height: 1288 });
+  });
+
+  it("redraws the maze when marks of scripts have changed, also while the robot stands", () => {
+    const { renderer, paint, drive, redrawn, mark } = newStage();
+    lateMarks.draw = vi.fn<NonNullable<typeof lateMarks.draw>>();
+    onTestFinished(() => {
+      lateMarks.draw = null;
+    });
+    renderer.show(model);
+    drive(50, 50, true);
+    paint();
+    redrawn();
+    const marks: CellMark[] = [{ column: 0, row: 0, text: "1", color: null, walls: "" }];
+    mark(marks);
+    mark(marks);
+    expect(redrawn().maze).toBe(1);
+    expect(lateMarks.draw).toHaveBeenCalledOnce();
+    expect(vi.mocked(lateMarks.draw).mock.lastCall?.[3]).toBe(marks);
+    mark(undefined);
+    expect(redrawn().maze).toBe(1);
+    expect(lateMarks.draw).toHaveBeenCalledOnce();
   });
 
   it("leaves maze and old trail alone while the robot drives", () => {

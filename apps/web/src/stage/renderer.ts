@@ -14,6 +14,7 @@ import type { LayerCanvases } from "./drawing/drawing-context.ts";
 import { Camera } from "./camera.ts";
 import { bumpMarks, drawBumps, type BumpMark } from "./layers/bumps.ts";
 import { recoilDirection, type Hit } from "./layers/hit.ts";
+import { lateMarks } from "./layers/late-marks.ts";
 import { loadMeasure, measureLayer } from "./layers/lazy-measure.ts";
 import { drawLive, type DisplayedRun } from "./layers/live.ts";
 import { drawPlaces } from "./layers/places.ts";
@@ -202,7 +203,7 @@ export class StageRenderer {
       // A maze that no longer fits starts at the robot, even if the robot stands still.
       this.#follow(model, this.#frame.snapshot.pose);
     }
-    if (this.#outdated.has("maze")) paintMaze(canvasLayers.maze, model, viewport);
+    if (this.#outdated.has("maze")) paintMaze(canvasLayers.maze, model, viewport, this.#frame);
     if (this.#outdated.has("trail")) {
       paintTrail(canvasLayers.trail, model, viewport, this.#trail);
       paintBumps(canvasLayers.trail, model, viewport, this.#bumps);
@@ -245,6 +246,7 @@ export class StageRenderer {
       this.#hit = hitOf(frame, before);
     }
     if (before?.snapshot !== frame.snapshot) this.#outdated.add("live");
+    if (before?.marks !== frame.marks) this.#outdated.add("maze");
     if (!model.isCalm && before !== null && !frame.trailReset && frame.view !== "past") {
       this.#startNudge(model, frame, before);
     }
@@ -303,10 +305,16 @@ export class StageRenderer {
 
 const layers = Object.keys(parts) as Layer[];
 
-function paintMaze(layer: CanvasLayer, model: StageModel, viewport: Viewport): void {
+function paintMaze(
+  layer: CanvasLayer,
+  model: StageModel,
+  viewport: Viewport,
+  frame: Frame | null,
+): void {
   layer.reset(model);
   layer.clipped(viewport.port, () => {
     drawWalls(layer.context, viewport, model.palette, model.maze);
+    if (frame?.marks) lateMarks.draw?.(layer.context, viewport, model.palette, frame.marks);
     drawPlaces(layer.context, viewport, model.palette, model.maze, model);
   });
   if (model.showRulers) drawRulers(layer.context, viewport, model.palette);

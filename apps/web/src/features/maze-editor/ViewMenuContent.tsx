@@ -29,7 +29,7 @@ export interface ViewMenuProps {
  */
 export function ViewMenuContent({ hasHistory, sound, onClear, onResize }: ViewMenuProps) {
   const services = useServices();
-  const { screen } = services;
+  const { screen, simulator } = services;
   const { t, i18n } = useTranslation();
   const isFixed = useRights()?.maze === false;
   const state = useStore(screen);
@@ -44,6 +44,14 @@ export function ViewMenuContent({ hasHistory, sound, onClear, onResize }: ViewMe
           />
         </div>
       ))}
+      <Checkbox
+        label={t("stage.showMarks")}
+        checked={state.showMarks !== false}
+        onChange={(showMarks) => {
+          screen.setState({ showMarks });
+          simulator.send({ type: "hide-marks", isHidden: !showMarks });
+        }}
+      />
       <div className={styles["zoomItems"]}>
         <ZoomButtons size="large" />
       </div>

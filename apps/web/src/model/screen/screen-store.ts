@@ -45,6 +45,8 @@ export interface ScreenState {
   showBeams: boolean;
   showTrail: boolean;
   showRulers: boolean;
+  /** false: marks of scripts over the maze are hidden */
+  showMarks?: boolean;
   messages: readonly Message[];
   /** the open tab of a phone's sheet; null: the tab that fits the current task */
   sheetTab: SheetTab | null;

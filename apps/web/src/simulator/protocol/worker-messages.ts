@@ -127,6 +127,8 @@ export type ToWorker =
   | { type: "remote-open"; session: RemoteSession | null; fresh: boolean }
   | { type: "remote-close" }
   | { type: "remote-clear" }
+  /** whether marks of scripts are drawn over the maze */
+  | { type: "hide-marks"; isHidden: boolean }
   | { type: "class"; request: ClassRequest }
   /** the teacher pauses the class, or ends the pause: nothing moves the robot meanwhile */
   | { type: "class-pause"; isPaused: boolean }

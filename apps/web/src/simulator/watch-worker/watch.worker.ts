@@ -5,8 +5,10 @@
 import { WatchLink } from "@corridor/client/watch";
 import { readMaze } from "@corridor/maze";
 import type { Snapshot } from "@corridor/protocol";
+import type { Frame } from "../../stage/drawing/frame.ts";
 import { StagePainter } from "../../stage/stage-painter.ts";
 import type { FromWatcher, ToWatcher, WatchedRobot } from "../protocol/watch-messages.ts";
+import { MarkedCells } from "../marks/marked-cells.ts";
 import { WatchMirror } from "./watch-mirror.ts";
 
 /** Milliseconds between two updates of the page's numbers. */
@@ -26,6 +28,8 @@ let sending: ReturnType<typeof setTimeout> | undefined;
 let resting: ReturnType<typeof setTimeout> | undefined;
 
 const mirror = new WatchMirror(now);
+const marks = new MarkedCells();
+let newest: Frame | null = null;
 const painter = new StagePainter({
   post: (message) => {
     if (message.type === "picture" || message.type === "stage-scroll-to") post(message);
@@ -48,6 +52,7 @@ worker.onmessage = ({ data }: MessageEvent<ToWatcher>) => {
 function watch(robot: WatchedRobot | null): void {
   link?.close();
   link = null;
+  marks.add({ fresh: true, pitch: 1, cells: [] });
   if (robot === null) return;
   const { id, key } = robot;
   link = new WatchLink({
@@ -62,6 +67,10 @@ function watch(robot: WatchedRobot | null): void {
       resting = setTimeout(draw, REST_MS);
       send(snapshot);
     },
+    onMarks: (received) => {
+      marks.add(received);
+      if (newest !== null) paint({ ...newest, corners: [], bumps: [], trailReset: false });
+    },
     onMaze: (text) => {
       const read = text === null ? null : readMaze(text);
       post({ type: "watch-maze", maze: read?.ok === true ? read.value : null });
@@ -73,7 +82,12 @@ function watch(robot: WatchedRobot | null): void {
 /** While the robot moves, each frame requests the next one. */
 function draw(): void {
   const frame = mirror.frame();
-  if (frame !== null) painter.add(frame);
+  if (frame !== null) paint(frame);
+}
+
+function paint(frame: Frame): void {
+  newest = frame;
+  painter.add({ ...frame, marks: marks.shown });
 }
 
 function send(snapshot: Snapshot): void {

@@ -3,6 +3,8 @@
  * Remote opens for the first time.
  */
 import { RemoteDriver } from "../drivers/remote-driver.ts";
+import type { CellMark } from "@corridor/protocol";
+import { MarkedCells } from "../marks/marked-cells.ts";
 import { RemoteHost, type RemoteHostPorts } from "./remote-host.ts";
 import type { RunLoop } from "./run-loop.ts";
 import { SnapshotThrottle } from "./snapshot-throttle.ts";
@@ -21,6 +23,7 @@ export class RelayLink {
   readonly host: RemoteHost;
   readonly #run: RunLoop;
   readonly #throttle: SnapshotThrottle;
+  readonly #marks = new MarkedCells();
 
   constructor({ run, now, ...ports }: RelayLinkPorts) {
     this.#run = run;
@@ -34,6 +37,10 @@ export class RelayLink {
       cancelOne: (seq, reason) => run.remote?.cancelOne(seq, reason),
       reset: () => run.remote?.reset(),
       renew: (alive) => run.remote?.renew(alive),
+      onMarks: (marks) => {
+        this.#marks.add(marks);
+        run.updates.changed();
+      },
       fetch: (url, request) => fetch(url, request),
     });
     run.connect((robot) => new RemoteDriver(this.host, robot, now));
@@ -43,6 +50,16 @@ export class RelayLink {
   get journal(): WorldJournal | null {
     const { journal } = this.host;
     return journal && { ...journal, running: this.#run.remote?.running ?? null };
+  }
+
+  /** Marks of scripts, to be drawn. */
+  get marks(): readonly CellMark[] {
+    return this.#marks.shown;
+  }
+
+  hideMarks(isHidden: boolean): void {
+    this.#marks.hide(isHidden);
+    this.#run.updates.changed();
   }
 
   /**

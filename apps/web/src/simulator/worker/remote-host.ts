@@ -62,6 +62,8 @@ export interface RemoteHostPorts {
     url: string,
     request: { method: string; headers?: Record<string, string>; body?: string },
   ) => Promise<{ status: number; text(): Promise<string> }>;
+  /** scripts draw over the maze */
+  onMarks?: NonNullable<HostLinkOptions["onMarks"]>;
   /** default: the worker's own */
   platform?: NonNullable<HostLinkOptions["platform"]>;
 }
@@ -179,7 +181,7 @@ export class RemoteHost implements RemoteDriverEvents {
       import("@corridor/client/host"),
       import("./remote-trouble.ts"),
     ]);
-    const { origin, platform, save, fetch } = this.#ports;
+    const { origin, platform, save, fetch, onMarks } = this.#ports;
     const isCurrent = (): boolean => attempt === this.#attempt;
     const onStatus = (status: RemoteStatus): void => this.#setStatus(status);
     const session =
@@ -229,6 +231,7 @@ export class RemoteHost implements RemoteDriverEvents {
         this.#ports.renew(alive);
         if (this.isOpen) this.#setStatus(this.#connectedStatus());
       },
+      ...(onMarks === undefined ? {} : { onMarks }),
       ...(platform === undefined ? {} : { platform }),
     });
   }

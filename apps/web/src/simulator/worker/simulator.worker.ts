@@ -68,7 +68,11 @@ const painter = new StagePainter({
   },
 });
 
-const feed = new PageFeed({ post, draw: (frame) => painter.add(frame), now });
+const feed = new PageFeed({
+  post,
+  draw: (frame) => painter.add({ ...frame, marks: relay.loaded?.marks }),
+  now,
+});
 const evaluation = new RunEvaluation({
   post,
   guarded,
@@ -245,6 +249,8 @@ function control(run: RunLoop, message: RunMessage): void {
       return withHost((host) => host.close());
     case "remote-clear":
       return withHost((host) => host.clearCommands());
+    case "hide-marks":
+      return relay.use((link) => link.hideMarks(message.isHidden));
     case "stage-mount":
     case "stage-mount-here":
     case "stage-model":

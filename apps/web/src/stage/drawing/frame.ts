@@ -1,5 +1,5 @@
 /** The state of the robot that the stage draws. */
-import type { DriverName, Snapshot } from "@corridor/protocol";
+import type { CellMark, DriverName, Snapshot } from "@corridor/protocol";
 import type { Progress } from "@corridor/simulation";
 
 /** Which tick is displayed: the newest, an earlier one, or a playback towards the newest. */
@@ -38,6 +38,8 @@ export interface Frame {
   trailReset: boolean;
   /** the ghosts of a race at the displayed tick; absent without a race */
   ghosts?: readonly GhostPose[];
+  /** marks of scripts over the maze; absent without any */
+  marks?: readonly CellMark[] | undefined;
 }
 
 /** The letters of a race's ghosts. With the student's robot, a race has up to eight robots. */

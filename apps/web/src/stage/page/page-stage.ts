@@ -3,6 +3,7 @@
  * worker.
  */
 import type { LayerCanvases } from "../drawing/drawing-context.ts";
+import { lateMarks } from "../layers/late-marks.ts";
 import { loadRaceGhosts, raceGhostsLayer } from "../layers/lazy-race-ghosts.ts";
 import { StageRenderer } from "../renderer.ts";
 import type { Scroll } from "../drawing/viewport.ts";
@@ -32,6 +33,15 @@ export function openPageStage(
       // If the ghosts fail to load, they are not drawn; the next frame tries again.
       loadRaceGhosts().then(
         () => renderer.repaint(),
+        () => undefined,
+      );
+    }
+    if (message.frame.marks !== undefined && lateMarks.draw === null) {
+      import("../layers/marks.ts").then(
+        ({ drawMarks }) => {
+          lateMarks.draw = drawMarks;
+          renderer.repaint();
+        },
         () => undefined,
       );
     }
