@@ -1,3 +1,4 @@
+import { globSync } from "node:fs";
 import { join } from "node:path";
 import { expect, it } from "vitest";
 import { bundledLicenses } from "./bundled-licenses.ts";
@@ -13,6 +14,15 @@ it("lists each package of the modules once, by name, with its version and licens
   expect(text).toMatch(/^@fontsource-variable\/inter [\d.]+\n\n[^]*\n---\n\nreact [\d.]+\n\nMIT/);
   expect(text).toContain("SIL OPEN FONT LICENSE");
   expect(text.match(/^react /gm)).toHaveLength(1);
+});
+
+it("lists the packages that a package has copied into its files", async () => {
+  const folder = "@modelcontextprotocol/server/dist";
+  const [file = ""] = globSync("ajvProvider-*.mjs", { cwd: join(modules, folder) });
+  const text = await bundledLicenses([join(modules, folder, file)]);
+  for (const name of ["@modelcontextprotocol/server", "ajv", "ajv-formats", "fast-uri"]) {
+    expect(text).toMatch(new RegExp(`^${name} \\d`, "m"));
+  }
 });
 
 it("fails if a package has no license file", async () => {

@@ -1,3 +1,4 @@
+import { RefusedError } from "@corridor/protocol";
 import { decode } from "fast-png";
 import { describe, expect, it, vi } from "vitest";
 import { instructions, watchInstructions } from "./instructions.ts";
@@ -84,6 +85,19 @@ describe("sense", () => {
     const { isError, text } = await call("sense");
     expect(isError).toBe(true);
     expect(text).toContain("The robot has not reported yet.");
+  });
+
+  it("says why a connection that lasted may no longer read", async () => {
+    const { call, port } = await agentFor();
+    port.newest = null;
+    port.refusal = new RefusedError({
+      type: "/problems/not-authorised",
+      title: "Missing or invalid key",
+      status: 401,
+      detail: "The key was revoked.",
+      errors: [],
+    });
+    expect(await call("sense")).toMatchObject({ isError: true, text: "The key was revoked." });
   });
 });
 

@@ -69,9 +69,14 @@ export function readArguments<T>(schema: z.ZodType<T>, args: unknown): T {
 export const NOT_REPORTED =
   "The robot has not reported yet. Ask its owner to open the page and choose Remote, then try again.";
 
-/** @throws RefusedError no-snapshot before the robot's first report */
-export function newestOf({ newest }: RobotPort): Snapshot {
-  if (newest !== null) return newest;
+const ignore = (): void => undefined;
+const noListener = { snapshot: ignore, state: ignore, gap: ignore, maze: ignore, end: ignore };
+
+/** @throws RefusedError no-snapshot before the robot's first report, or why the port may not read */
+export function newestOf(port: RobotPort): Snapshot {
+  if (port.newest !== null) return port.newest;
+  // A port that may no longer read has no snapshot either, and refuses subscriptions.
+  port.subscribe(noListener)();
   throw new RefusedError({
     type: "/problems/no-snapshot",
     title: "No snapshot yet",

@@ -48,6 +48,7 @@ export class MazePort implements RobotPort {
   }
 
   subscribe(listener: RobotListener): () => void {
+    if (this.refusal !== null) throw this.refusal;
     this.#listeners.add(listener);
     return () => void this.#listeners.delete(listener);
   }

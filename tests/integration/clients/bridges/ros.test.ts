@@ -113,7 +113,7 @@ describe("corridor ros", () => {
     expect(host.bridge.output.stderr).toContain("The key is invalid or was revoked.");
   });
 
-  it("keeps its clients while the relay restarts", { timeout: 60_000 }, async () => {
+  it("keeps its clients while the relay restarts", { timeout: 120_000 }, async () => {
     const { relay, url, page } = await bridgedRobot();
     const client = await RosClient.open(url);
     client.send(goal("/move", { distance: 1 }));
