@@ -1,14 +1,19 @@
 /**
- * The command `corridor`, installed outside of the repository, and `grade.mjs`, downloaded from a
- * relay. They print what the sources print.
+ * The command `corridor`, installed outside of the repository or downloaded from a relay as
+ * `corridor-cli.mjs`, and `grade.mjs`. They do what the sources do.
  * conformance.spec.ts runs `corridor conformance`.
  */
+import { spawn } from "node:child_process";
+import { once } from "node:events";
 import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { Client } from "@modelcontextprotocol/client";
+import { StdioClientTransport } from "@modelcontextprotocol/client/stdio";
 import { publint } from "publint";
 import { expect, test } from "./fixtures.ts";
-import { EmptyFolder } from "./support/installed-package.ts";
+import { EmptyFolder, userEnvironment } from "./support/installed-package.ts";
+import { api, copyAddress, setSpeed } from "./support/remote-robot.ts";
 
 const CLI = fileURLToPath(new URL("../apps/cli/", import.meta.url));
 const PACKAGE = join(CLI, "dist");
@@ -144,4 +149,65 @@ test("the downloaded grade.mjs grades in an empty folder, on all cores too", asy
   const help = folder.run(process.execPath, "grade.mjs", "--help");
   expect(help).toContain("node grade.mjs --challenge LESSON");
   expect(await readFile(join(folder.path, "grade.mjs"), "utf8")).toContain("Colin McDonnell");
+});
+
+test("the downloaded corridor-cli.mjs has the commands, under its name", async ({ relay }) => {
+  folder.run("curl", "-sSfO", `${relay}/corridor-cli.mjs`);
+  await writeDocuments();
+  const run = ["simulate", "--maze", "maze.json", "--program", "right-wall.json"];
+  const downloaded = (...args: string[]) =>
+    folder.try(process.execPath, "corridor-cli.mjs", ...args);
+  expect(downloaded(...run)).toEqual(fromSources(...run));
+  expect(downloaded("ros", "--help").stdout).toMatch(/^Usage: node corridor-cli\.mjs ros "http/);
+  expect(downloaded("ross").stderr).toContain("Run node corridor-cli.mjs --help");
+  const text = await readFile(join(folder.path, "corridor-cli.mjs"), "utf8");
+  for (const name of ["zod", "ws", "ajv"]) {
+    expect(text).toMatch(new RegExp(`^${name} \\d`, "m"));
+  }
+});
+
+test("a ROS client and an agent drive the page's robot by corridor-cli.mjs", async ({
+  page,
+  relay,
+}) => {
+  await page.goto("/");
+  await setSpeed(page, "16");
+  const address = await copyAddress(page);
+  folder.run("curl", "-sSfO", `${relay}/corridor-cli.mjs`);
+
+  const environment = { ...userEnvironment, CORRIDOR_ROBOT: address };
+  const bridge = spawn(process.execPath, ["corridor-cli.mjs", "ros", "--port", "0"], {
+    cwd: folder.path,
+    env: environment,
+    stdio: ["ignore", "ignore", "pipe"],
+  });
+  const exited = once(bridge, "close");
+  const [line] = await once(bridge.stderr, "data");
+  const [, url = ""] = /connect to (\S+)\./.exec(String(line)) ?? [];
+  const ros = new WebSocket(url);
+  await once(ros, "open");
+  ros.send(JSON.stringify({ op: "send_action_goal", action: "/do", args: { action: "right 90" } }));
+  const [message] = await once(ros, "message");
+  expect(JSON.parse(message.data)).toMatchObject({ op: "action_result", status: 4 });
+  bridge.kill("SIGINT");
+  expect(await exited).toEqual([0, null]);
+
+  const agent = new Client({ name: "agent", version: "1.0.0" });
+  await agent.connect(
+    new StdioClientTransport({
+      command: process.execPath,
+      args: ["corridor-cli.mjs", "mcp"],
+      cwd: folder.path,
+      env: { CORRIDOR_ROBOT: address },
+    }),
+  );
+  const turn = { action: "left 90", key: "turn-0001" };
+  const turned = await agent.callTool({ name: "act", arguments: turn });
+  expect(turned).toMatchObject({ structuredContent: { record: { state: "completed" } } });
+  await agent.close();
+  const { commands } = await (await api(address, "/commands?after=0")).json();
+  expect(commands).toMatchObject([
+    { action: "right 90", state: "completed" },
+    { action: "left 90", state: "completed" },
+  ]);
 });

@@ -1,15 +1,18 @@
 """An agent in Python: follows the right wall by MCP, with sense and act alone.
 
-    python agent.py URL KEY auto|legacy
+    python agent.py auto|legacy URL KEY
+    CORRIDOR_ROBOT=ADDRESS python agent.py auto|legacy COMMAND...
 
 Prints one line of JSON: the tools, the last snapshot, and a refusal.
 """
 
 import asyncio
 import json
+import os
 import sys
 
-from mcp import Client
+from mcp import Client, StdioServerParameters
+from mcp.client.stdio import stdio_client
 from mcp.client.streamable_http import create_mcp_http_client, streamable_http_client
 
 
@@ -36,9 +39,19 @@ async def solve(agent):
     return snapshot
 
 
-async def main(url, key, mode):
+def transport(program, *args):
+    if not program.startswith("http"):
+        environment = {"CORRIDOR_ROBOT": os.environ["CORRIDOR_ROBOT"]}
+        return stdio_client(
+            StdioServerParameters(command=program, args=list(args), env=environment)
+        )
+    [key] = args
     http = create_mcp_http_client(headers={"Authorization": f"Bearer {key}"})
-    async with Client(streamable_http_client(url, http_client=http), mode=mode) as agent:
+    return streamable_http_client(program, http_client=http)
+
+
+async def main(mode, *server):
+    async with Client(transport(*server), mode=mode) as agent:
         tools = [tool.name for tool in (await agent.list_tools()).tools]
         snapshot = await solve(agent)
         refused = await agent.call_tool("act", {"action": "move", "distance": 90000})

@@ -86,4 +86,5 @@ def main():
     ros.terminate()
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -3,23 +3,13 @@ import { execFile } from "node:child_process";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
 import { describe, expect, it } from "vitest";
-import { NotInstallableError, requireEnvironment } from "../../../../scripts/python.ts";
 import { corridorHost } from "../../../support/mcp/corridor-host.ts";
+import { mcpEnvironment } from "../../../support/mcp/python-mcp.ts";
 import { startRelayProcess } from "../../../support/test-relay-process.ts";
 
 const run = promisify(execFile);
 const support = (name: string): string =>
   fileURLToPath(new URL(`../../../support/mcp/${name}`, import.meta.url));
-
-/** Python with the library, or why it cannot be installed here. */
-function library(): { python: string } | { missing: string } {
-  try {
-    return { python: requireEnvironment("mcp", support("requirements.txt"), 10) };
-  } catch (error) {
-    if (error instanceof NotInstallableError) return { missing: error.message };
-    throw error;
-  }
-}
 
 describe("an agent in Python", () => {
   it.for(["auto", "legacy"])(
@@ -27,9 +17,9 @@ describe("an agent in Python", () => {
     { timeout: 300_000 },
     async (mode, { skip }) => {
       const { relay, page, registration, url } = await corridorHost(await startRelayProcess());
-      const found = library();
+      const found = mcpEnvironment();
       if ("missing" in found) return skip(found.missing);
-      const args = [support("agent.py"), url, registration.driverKey, mode];
+      const args = [support("agent.py"), mode, url, registration.driverKey];
       const { stdout } = await run(found.python, args).catch((error: unknown) => {
         throw new Error(`${String(error)}\n${relay.log}`);
       });
