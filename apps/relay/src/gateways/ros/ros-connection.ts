@@ -119,7 +119,7 @@ export class RosConnection implements OpenSocket {
         port: new RelayPort(grant, { transport: this.#port.transport, flow: this.#port.flow }),
         timers: clock,
         send: (text) => this.#port.send(text),
-          close: (reason, detail) => closeWith(this.#port, reason, detail),
+        close: (reason, detail) => closeWith(this.#port, reason, detail),
         onProblem: (error) =>
           robot.refused(
             caller,

@@ -3,10 +3,10 @@ import { execFile } from "node:child_process";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
 import { describe, expect, it } from "vitest";
-import { NotInstallableError, requireEnvironment } from "../../../scripts/python.ts";
-import { corridorHost } from "../../support/mcp/corridor-host.ts";
-import { room } from "../../support/soap/room.ts";
-import { startRelayProcess } from "../../support/test-relay-process.ts";
+import { NotInstallableError, requireEnvironment } from "../../../../scripts/python.ts";
+import { corridorHost } from "../../../support/mcp/corridor-host.ts";
+import { room } from "../../../support/soap/room.ts";
+import { startRelayProcess } from "../../../support/test-relay-process.ts";
 
 const run = promisify(execFile);
 const support = (name: string): string =>

@@ -1,8 +1,8 @@
 /** A SOAP client and the page of its robot at different relays. */
 import { expect, it } from "vitest";
-import { callSoap } from "../../../apps/relay/src/testing/soap-client.ts";
-import { startCluster } from "../../support/client/cluster.ts";
-import { corridor, corridorHost } from "../../support/mcp/corridor-host.ts";
+import { callSoap } from "../../../../apps/relay/src/testing/soap-client.ts";
+import { startCluster } from "../../../support/client/cluster.ts";
+import { corridor, corridorHost } from "../../../support/mcp/corridor-host.ts";
 
 it("any relay serves a SOAP client: each call by another one than the last", async () => {
   const cluster = await startCluster();

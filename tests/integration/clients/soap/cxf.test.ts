@@ -6,12 +6,12 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { promisify, stripVTControlCharacters } from "node:util";
 import { expect, it, onTestFinished } from "vitest";
-import { corridorHost } from "../../support/mcp/corridor-host.ts";
-import { room } from "../../support/soap/room.ts";
-import { startRelayProcess } from "../../support/test-relay-process.ts";
+import { corridorHost } from "../../../support/mcp/corridor-host.ts";
+import { room } from "../../../support/soap/room.ts";
+import { startRelayProcess } from "../../../support/test-relay-process.ts";
 
 const run = promisify(execFile);
-const pom = fileURLToPath(new URL("../../support/soap/java/pom.xml", import.meta.url));
+const pom = fileURLToPath(new URL("../../../support/soap/java/pom.xml", import.meta.url));
 
 function missingProgram(): string | null {
   for (const [program, option] of [
