@@ -80,7 +80,7 @@ ${closeCodes()}`,
         "the pongs to the relay's pings count.",
       marks:
         "Draws over cells of the robot's maze: a text, a colour and assumed walls. Each cell replaces its earlier marks; the first message of a " +
-        "connection, or one with `fresh`, removes all others first. At most 10 a second. They are not stored, so repeat them; they end with the connection.",
+        "connection, or one with `fresh`, removes all others first. At most 10 a second. They are not stored, so repeat them: they end with the connection, and 5 s after the last message.",
     },
     page: {
       hello:

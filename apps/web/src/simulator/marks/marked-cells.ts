@@ -1,14 +1,24 @@
-/** The newest marks of scripts, by cell. They are not stored. */
+/**
+ * The newest marks of scripts, by cell. They are not stored. Scripts repeat them every second, so
+ * marks of a script whose end was missed are removed.
+ */
 import type { CellMark, Marks } from "@corridor/protocol";
 import { lateMarks } from "../../stage/layers/late-marks.ts";
 import { drawMarks } from "../../stage/layers/marks.ts";
 
+/** Time without a message after which marks are removed. */
+const LEASE_MS = 5_000;
+
 export class MarkedCells {
+  readonly #onChange: () => void;
   readonly #cells = new Map<string, CellMark>();
   #shown: readonly CellMark[] = [];
   #isHidden = false;
+  #lease: ReturnType<typeof setTimeout> | undefined;
 
-  constructor() {
+  /** @param onChange called after each change of `shown` */
+  constructor(onChange: () => void) {
+    this.#onChange = onChange;
     lateMarks.draw = drawMarks;
   }
 
@@ -20,6 +30,13 @@ export class MarkedCells {
       if (isEmpty) this.#cells.delete(key);
       else this.#cells.set(key, mark);
     }
+    clearTimeout(this.#lease);
+    if (this.#cells.size > 0) this.#lease = setTimeout(() => this.clear(), LEASE_MS);
+    this.#update();
+  }
+
+  clear(): void {
+    this.#cells.clear();
     this.#update();
   }
 
@@ -35,5 +52,6 @@ export class MarkedCells {
 
   #update(): void {
     this.#shown = this.#isHidden ? [] : [...this.#cells.values()];
+    this.#onChange();
   }
 }

@@ -28,7 +28,9 @@ let sending: ReturnType<typeof setTimeout> | undefined;
 let resting: ReturnType<typeof setTimeout> | undefined;
 
 const mirror = new WatchMirror(now);
-const marks = new MarkedCells();
+const marks = new MarkedCells(() => {
+  if (newest !== null) paint({ ...newest, corners: [], bumps: [], trailReset: false });
+});
 let newest: Frame | null = null;
 const painter = new StagePainter({
   post: (message) => {
@@ -52,7 +54,7 @@ worker.onmessage = ({ data }: MessageEvent<ToWatcher>) => {
 function watch(robot: WatchedRobot | null): void {
   link?.close();
   link = null;
-  marks.add({ fresh: true, pitch: 1, cells: [] });
+  marks.clear();
   if (robot === null) return;
   const { id, key } = robot;
   link = new WatchLink({
@@ -67,10 +69,7 @@ function watch(robot: WatchedRobot | null): void {
       resting = setTimeout(draw, REST_MS);
       send(snapshot);
     },
-    onMarks: (received) => {
-      marks.add(received);
-      if (newest !== null) paint({ ...newest, corners: [], bumps: [], trailReset: false });
-    },
+    onMarks: (received) => marks.add(received),
     onMaze: (text) => {
       const read = text === null ? null : readMaze(text);
       post({ type: "watch-maze", maze: read?.ok === true ? read.value : null });

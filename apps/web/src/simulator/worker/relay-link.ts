@@ -23,11 +23,12 @@ export class RelayLink {
   readonly host: RemoteHost;
   readonly #run: RunLoop;
   readonly #throttle: SnapshotThrottle;
-  readonly #marks = new MarkedCells();
+  readonly #marks: MarkedCells;
 
   constructor({ run, now, ...ports }: RelayLinkPorts) {
     this.#run = run;
     this.#throttle = new SnapshotThrottle(now);
+    this.#marks = new MarkedCells(() => run.updates.changed());
     this.host = new RemoteHost({
       ...ports,
       now: () => Date.now(),
@@ -37,10 +38,7 @@ export class RelayLink {
       cancelOne: (seq, reason) => run.remote?.cancelOne(seq, reason),
       reset: () => run.remote?.reset(),
       renew: (alive) => run.remote?.renew(alive),
-      onMarks: (marks) => {
-        this.#marks.add(marks);
-        run.updates.changed();
-      },
+      onMarks: (marks) => this.#marks.add(marks),
       fetch: (url, request) => fetch(url, request),
     });
     run.connect((robot) => new RemoteDriver(this.host, robot, now));
@@ -59,7 +57,6 @@ export class RelayLink {
 
   hideMarks(isHidden: boolean): void {
     this.#marks.hide(isHidden);
-    this.#run.updates.changed();
   }
 
   /**
