@@ -2,7 +2,7 @@
  * The SOAP service, one for all robots: generated clients stay valid after a robot is deleted. Each
  * request is complete, so that any relay behind a balancer answers it.
  */
-import { MAX_FRAME_BYTES, type RefusedError } from "@corridor/protocol";
+import { MAX_FRAME_BYTES, protocolClients, type RefusedError } from "@corridor/protocol";
 import { Router, type Request, type Response } from "express";
 import { asRefused, badRequest, Refusal } from "../../platform/errors/problems.ts";
 import { methodNotAllowed, refusalOf } from "../../platform/http/fallbacks.ts";
@@ -120,7 +120,7 @@ async function answerOf(
   const operation = operationOf(source);
   const { verb } = operation;
   const { id, key } = readAddress(readText(source, "robot"));
-  const claim = { id, key, use: undefined, verb, client: "SOAP" };
+  const claim = { id, key, use: undefined, verb, client: protocolClients.soap };
   const grant = await authoriseGateway(registry, request, response, claim);
   const run = await readFor(grant, () => operation.read(source));
   if (response.closed) return null;
