@@ -6,6 +6,7 @@ import { join } from "node:path";
 import { registrationSchema } from "@corridor/protocol";
 import { describe, expect, it, onTestFinished, vi } from "vitest";
 import { findRedis } from "../../../scripts/redis-server.ts";
+import { textsInFiles } from "../../support/stored-files.ts";
 
 const SCRIPT = join(import.meta.dirname, "../../../scripts/start-cluster.ts");
 
@@ -35,6 +36,8 @@ describe.skipIf(findRedis() === null)("npm run start:cluster", () => {
     // A killed Redis restarts with the same data, and the relays reconnect to it.
     const robot = await fetch(`${origin}/api/v1/robots`, { method: "POST" });
     const { id, ownerKey } = registrationSchema.parse(await robot.json());
+    // While Redis writes to a slow disk, it confirms what it has not written yet.
+    await vi.waitFor(() => expect(textsInFiles(folder, [id])).toEqual([id]), { timeout: 10_000 });
     const before = text.length;
     process.kill(Number(/^Redis.*kill -9 (\d+)/m.exec(text)?.[1]), "SIGKILL");
     const restarted = /^Redis.*kill -9 (\d+)/m;

@@ -10,7 +10,7 @@ import { startRelayProcess } from "../../../support/test-relay-process.ts";
 
 const run = promisify(execFile);
 const support = (name: string): string =>
-  fileURLToPath(new URL(`../../support/soap/${name}`, import.meta.url));
+  fileURLToPath(new URL(`../../../support/soap/${name}`, import.meta.url));
 
 /** Python with the library, or why it cannot be installed here. */
 function library(): { python: string } | { missing: string } {
