@@ -11,7 +11,9 @@ import type { Goal } from "../../core/goals.ts";
 import { median, quantile } from "../../core/measure.ts";
 import { ask } from "../load/ask.ts";
 import { Load } from "../load/load.ts";
+import { delay } from "../load/load-recorder.ts";
 import { startPeer, startRelayOnRedis } from "../peers/start-peer.ts";
+import { processorMs } from "../process-metrics.ts";
 import { costPerItem } from "../rounds.ts";
 import { printRow, type Section } from "../section.ts";
 import type { ClassesJob, ClassesResult } from "./jobs.ts";
@@ -97,7 +99,10 @@ async function measureRound(): Promise<{ result: ClassesResult; snapshot: number
   }
 }
 
-/** Measures classes at a relay that stores its data in Redis: costs per record, and capacity. */
+/**
+ * Measures classes at a relay that stores its data in Redis: costs per record, and capacity. What
+ * Redis needs without records does not grow with the number of classes.
+ */
 async function measureOnRedis() {
   const running = await startRelayOnRedis();
   if (running === null) {
@@ -106,17 +111,25 @@ async function measureOnRedis() {
   }
   try {
     const { pages: port, pids } = running;
-    const { seconds, stored, processorMs } = await runClasses({ port, pids, ...ON_REDIS });
-    const [relay = Number.NaN, redis = Number.NaN] = processorMs;
+    const idle = await idleShare(pids[1]);
+    const { seconds, stored, processorMs: spent } = await runClasses({ port, pids, ...ON_REDIS });
+    const [relay = Number.NaN, redis = Number.NaN] = spent;
     return {
       recordsPerSecond: stored / seconds,
       relay: (relay * 1000) / stored,
       redis: (redis * 1000) / stored,
-      classes: (ON_REDIS.classes * seconds * 1000) / redis,
+      classes: (ON_REDIS.classes * (1 - idle)) / (redis / (seconds * 1000) - idle),
     };
   } finally {
     await running.stop();
   }
+}
+
+/** The share of a core that a process without work needs. */
+async function idleShare(pid = Number.NaN): Promise<number> {
+  const before = { processor: processorMs(pid), at: performance.now() };
+  await delay(ON_REDIS.seconds * 1000);
+  return (processorMs(pid) - before.processor) / (performance.now() - before.at);
 }
 
 async function runClasses(job: ClassesJob): Promise<ClassesResult> {
