@@ -285,7 +285,6 @@ it("refuses messages that do not match the WSDL, with one sentence each", async 
   const robot = await relay.register();
   for (const { name, change, says, headers = {} } of messages) {
     const body = change(command(robot, move("40")));
-    // oxlint-disable-next-line no-await-in-loop
     const outcome = await soapOutcome(relay.origin, { body, headers });
     expect({ name, ...outcome }).toEqual({
       name,

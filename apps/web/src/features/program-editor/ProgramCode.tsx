@@ -4,16 +4,16 @@
  */
 import { codeFiles, codeLanguages, programCode, type CodeLanguage } from "@corridor/program";
 import { Download } from "lucide";
-import { useEffect, useState } from "react";
+import { useEffect, useLayoutEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { maskKey, robotAddress } from "../../model/remote/robot-address.ts";
 import { useServices } from "../../model/use-services.ts";
 import { Button } from "../../ui/Button.tsx";
+import { CodeField } from "../../ui/CodeField.tsx";
 import { CopyButton } from "../../ui/CopyButton.tsx";
 import { Icon } from "../../ui/Icon.tsx";
 import { saveFile } from "../../ui/save-file.ts";
-import code from "../../ui/script-code.module.css";
 import { Segmented } from "../../ui/Segmented.tsx";
 import styles from "./program-code.module.css";
 
@@ -27,6 +27,7 @@ export function ProgramCode() {
   const { workspace, remote, connection } = useServices();
   const [language, setLanguage] = useState<CodeLanguage>("python");
   const [isRefused, setRefused] = useState(false);
+  const section = useRef<HTMLDivElement>(null);
   const program = useStore(workspace, (state) => state.program);
   const session = useStore(remote, (state) => state.session);
   // The script needs the address of a robot, which this page may not have yet.
@@ -34,6 +35,8 @@ export function ProgramCode() {
     const { session: own, status } = remote.getState();
     if (own === null && status.kind === "off") connection.open();
   }, [remote, connection]);
+  // On a phone, the button stands on the lower edge of the sheet, and the code opens below.
+  useLayoutEffect(() => section.current?.scrollIntoView({ block: "nearest" }), [ready]);
   if (!ready) return null;
   const address = session === null ? null : robotAddress(session);
   const full = address?.full ?? `${location.origin}/r/ID#KEY`;
@@ -42,7 +45,7 @@ export function ProgramCode() {
   const displayed = programCode(program, language, isRefused ? full : masked);
   const { file, command, needs } = codeFiles[language];
   return (
-    <div className={styles["section"]}>
+    <div ref={section} className={styles["section"]}>
       {copied.ok && displayed.ok ? (
         <>
           <Segmented
@@ -69,17 +72,7 @@ export function ProgramCode() {
               {t("code:save", { file })}
             </Button>
           </div>
-          {/* A field instead of a `pre`: every browser can scroll and select it by keyboard. */}
-          <textarea
-            dir="ltr"
-            className={code["code"]}
-            readOnly
-            rows={SHOWN_LINES}
-            wrap="off"
-            spellCheck={false}
-            aria-label={t("code:title")}
-            value={displayed.text}
-          />
+          <CodeField label={t("code:title")} lines={SHOWN_LINES} text={displayed.text} />
           <p className={styles["note"]}>
             {t("code:same", { remote: t("drive.remote") })}{" "}
             {address === null

@@ -4,11 +4,11 @@
  */
 import { useId, useState } from "react";
 import { useTranslation } from "react-i18next";
+import { CodeField } from "../../ui/CodeField.tsx";
 import { CopyButton } from "../../ui/CopyButton.tsx";
 import { maskKey, type RobotAddress } from "../../model/remote/robot-address.ts";
 import { snippet, snippetFiles, snippetLanguages, type SnippetLanguage } from "./snippets.ts";
 import panel from "./remote.module.css";
-import code from "../../ui/script-code.module.css";
 import styles from "./snippets.module.css";
 
 /** Lines of the longest script. */
@@ -48,16 +48,10 @@ export function Snippets({ address }: { address: RobotAddress }) {
           onRefused={() => setRefused(true)}
         />
       </div>
-      {/* A field instead of a `pre`: every browser can scroll and select it by keyboard. */}
-      <textarea
-        dir="ltr"
-        className={code["code"]}
-        readOnly
-        rows={SHOWN_LINES}
-        wrap="off"
-        spellCheck={false}
-        aria-label={t("remote.otherLanguages")}
-        value={isRefused ? full : snippet(language, address.api, maskKey(address.key))}
+      <CodeField
+        label={t("remote.otherLanguages")}
+        lines={SHOWN_LINES}
+        text={isRefused ? full : snippet(language, address.api, maskKey(address.key))}
       />
       <p className={panel["note"]}>
         {t(isRefused ? "remote.copyByHand" : "remote.scriptNote", { file, command })}{" "}

@@ -5,12 +5,12 @@
 import { Download } from "lucide";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
+import { CodeField } from "../../ui/CodeField.tsx";
 import { CopyButton } from "../../ui/CopyButton.tsx";
 import { maskKey, type RobotAddress } from "../../model/remote/robot-address.ts";
 import { starterLines, starterScript } from "./snippets.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import panel from "./remote.module.css";
-import code from "../../ui/script-code.module.css";
 import styles from "./starter-script.module.css";
 
 export function StarterScript({ address }: { address: RobotAddress }) {
@@ -37,16 +37,10 @@ export function StarterScript({ address }: { address: RobotAddress }) {
           onRefused={() => setRefused(true)}
         />
       </div>
-      {/* A field instead of a `pre`: every browser can scroll and select it by keyboard. */}
-      <textarea
-        dir="ltr"
-        className={code["code"]}
-        readOnly
-        rows={starterLines}
-        wrap="off"
-        spellCheck={false}
-        aria-label={t("remote.script")}
-        value={(isRefused ? full : masked).trimEnd()}
+      <CodeField
+        label={t("remote.script")}
+        lines={starterLines}
+        text={(isRefused ? full : masked).trimEnd()}
       />
       <p className={panel["note"]}>
         {isRefused ? t("remote.copyByHand") : t("remote.libraryNote")}

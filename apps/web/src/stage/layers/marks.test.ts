@@ -30,7 +30,7 @@ function drawn(marks: CellMark[], cellPx = 40): string[] {
   };
   const layout = layOut({ columns: 40, rows: 40 }, view, padding, cellPx, cellPx);
   const viewport = viewportAt(layout, { x: 0, y: 0 });
-  // oxlint-disable-next-line typescript/consistent-type-assertions -- the part of a context that marks use
+  // oxlint-disable-next-line typescript/consistent-type-assertions -- a test cannot draw: it needs only the part of a context that marks use
   drawMarks(
     context as unknown as DrawingContext,
     viewport,
