@@ -3,11 +3,16 @@
  * Display commands only change this register. It is published as messages of changed cells, at most
  * ten a second, however many commands arrive.
  */
-import { MAX_MARKED_CELLS, type CellMark, type MarkColor, type Marks } from "@corridor/protocol";
+import {
+  MAX_MARKED_CELLS,
+  type CellMark,
+  type MarkColor,
+  type Marks,
+  type Timers,
+} from "@corridor/protocol";
 import { colorOf } from "./mark-colors.ts";
 import type { MazeFrame } from "./maze-frame.ts";
 import { sideNames, type DisplayCommand, type SideName } from "./mouse-command.ts";
-import type { Timers } from "./timers.ts";
 
 const INTERVAL_MS = 100;
 /** While nothing changes, marks are repeated this often: for new viewers, and after a reload. */

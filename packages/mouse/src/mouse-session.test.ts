@@ -4,7 +4,7 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { MouseSession } from "./mouse-session.ts";
 import { GridWorld } from "./testing/grid-world.ts";
-import { ManualTimers, settled } from "./testing/manual-timers.ts";
+import { ManualTimers, settled } from "@corridor/protocol/testing";
 import { documentOf, gridOfDrawing } from "./testing/mouse-mazes.ts";
 import { startMouse, type MouseWorld } from "./testing/mouse-world.ts";
 import { refusal, SimulatedPort } from "./testing/simulated-port.ts";

@@ -11,6 +11,7 @@ import {
   type Order,
   type RobotPort,
   type Snapshot,
+  type Timers,
 } from "@corridor/protocol";
 import { LineBuffer } from "./line-buffer.ts";
 import { MarkRegister } from "./mark-register.ts";
@@ -18,7 +19,6 @@ import { MazeFrame, type Place } from "./maze-frame.ts";
 import { readMouseCommand, type RobotCommand } from "./mouse-command.ts";
 import { ResetWatch } from "./reset-watch.ts";
 import { Score } from "./score.ts";
-import type { Timers } from "./timers.ts";
 import { WallSensors } from "./wall-sensors.ts";
 
 /** Commands that wait for their turn. A program that sends more is no longer read. */

@@ -256,6 +256,7 @@ export {
   type BlockedScript,
 } from "./scripts.ts";
 export type { SocketEvents, SocketFactory, SocketPort } from "./socket-port.ts";
+export type { Timers } from "./timers.ts";
 export { PROTOCOL_VERSION } from "./version.ts";
 export { timedCommandsSchema, type TimedCommand } from "./timed-command.ts";
 export { sensorNames, type SensorName } from "./sensor-names.ts";

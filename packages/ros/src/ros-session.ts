@@ -1,5 +1,11 @@
 /** One connection of a ROS client, by rosbridge v2, to one robot. */
-import { closeReasons, RefusedError, type CloseReason, type RobotPort } from "@corridor/protocol";
+import {
+  closeReasons,
+  RefusedError,
+  type CloseReason,
+  type RobotPort,
+  type Timers,
+} from "@corridor/protocol";
 import { CommandEnds } from "./command-ends.ts";
 import { TICKS_PER_SECOND } from "./conversions.ts";
 import { Goals } from "./goals.ts";
@@ -11,7 +17,6 @@ import { RosError } from "./ros-error.ts";
 import { serviceOf } from "./rosapi.ts";
 import { robotServices } from "./services.ts";
 import { Subscriptions } from "./subscriptions.ts";
-import type { Timers } from "./timers.ts";
 import { isVelocityType, topicOf, topics, VELOCITY_TOPIC } from "./topics.ts";
 import { VelocityRegister } from "./velocity.ts";
 

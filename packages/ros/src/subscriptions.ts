@@ -3,7 +3,7 @@
  * newest message wins: what is published meanwhile is dropped.
  */
 import { RosError } from "./ros-error.ts";
-import type { Timers } from "./timers.ts";
+import type { Timers } from "@corridor/protocol";
 
 /** At most 20 messages a second of each topic. */
 const MIN_INTERVAL_MS = 50;

@@ -2,9 +2,8 @@
  * The velocity of `/cmd_vel`: a register with a lease, never a queue. Clients store what they publish
  * while they are disconnected, and send all of it at once later.
  */
-import type { Order } from "@corridor/protocol";
+import type { Order, Timers } from "@corridor/protocol";
 import { wheelPowers, type Velocity } from "./conversions.ts";
-import type { Timers } from "./timers.ts";
 
 /** At most 10 orders a second. */
 const MIN_INTERVAL_MS = 100;

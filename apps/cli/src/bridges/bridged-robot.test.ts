@@ -1,6 +1,7 @@
 import { RefusedError } from "@corridor/protocol";
 import { describe, expect, it, onTestFinished, vi } from "vitest";
-import { ManualPort, settled } from "../../../../packages/ros/src/testing/manual-port.ts";
+import { settled } from "@corridor/protocol/testing";
+import { ManualPort } from "../../../../packages/ros/src/testing/manual-port.ts";
 import { BridgedRobot } from "./bridged-robot.ts";
 
 const move = { action: "move", distance: 100 } as const;

@@ -4,7 +4,7 @@ import type { Marks } from "@corridor/protocol";
 import { onTestFinished } from "vitest";
 import { MouseSession } from "../mouse-session.ts";
 import type { GridWorld } from "./grid-world.ts";
-import { ManualTimers } from "./manual-timers.ts";
+import { ManualTimers } from "@corridor/protocol/testing";
 import type { ProgramLines } from "./mouse-programs.ts";
 import { SimulatedPort } from "./simulated-port.ts";
 

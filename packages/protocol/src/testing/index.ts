@@ -1,4 +1,5 @@
-/** Messages for tests. */
+/** Messages and time for tests. */
+export { ManualTimers, settled } from "./manual-timers.ts";
 import type { Snapshot } from "../snapshot.ts";
 
 /** A snapshot of a robot that stands in a corridor under remote control. */

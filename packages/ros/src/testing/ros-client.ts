@@ -1,7 +1,8 @@
 /** A ROS client that is connected to a session with a manual robot. */
 import { snapshotOf } from "@corridor/protocol/testing";
 import { RosSession } from "../ros-session.ts";
-import { ManualPort, ManualTimers, settled } from "./manual-port.ts";
+import { ManualTimers, settled } from "@corridor/protocol/testing";
+import { ManualPort } from "./manual-port.ts";
 
 /** 3 x 2 cells; the robot of `snapshotOf` stands in the right one of the upper row. */
 export const maze = {

@@ -8,7 +8,7 @@ import {
   gridOfDrawing,
   mouseMazes,
 } from "../../../../packages/mouse/src/testing/mouse-mazes.ts";
-import { ManualTimers } from "../../../../packages/mouse/src/testing/manual-timers.ts";
+import { ManualTimers } from "@corridor/protocol/testing";
 import { SimulatedPort } from "../../../../packages/mouse/src/testing/simulated-port.ts";
 import { MouseSession } from "../../../../packages/mouse/src/mouse-session.ts";
 import { runProgram } from "../../../support/mouse/run-program.ts";

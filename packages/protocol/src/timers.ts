@@ -1,4 +1,4 @@
-/** What a session needs of its transport: time, timers, and a connection. */
+/** Time and timers, which sessions of other protocols receive from their transport. */
 export interface Timers {
   /** ms of a clock that never decreases */
   now(): number;
