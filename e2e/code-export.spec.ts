@@ -8,6 +8,7 @@ import { mkdir, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { createInterface } from "node:readline";
+import { setTimeout as sleep } from "node:timers/promises";
 import { encodeLink } from "@corridor/link";
 import { generateMaze, type MazeDocument } from "@corridor/maze";
 import {
@@ -30,8 +31,10 @@ import { api, copyAddress, setSpeed } from "./support/remote-robot.ts";
 /** Decisions of a script after which the test ends it: some programs have no end. */
 const DECISIONS = 16;
 const GOAL = "The robot has reached the goal.";
-/** Time between two cuts of all connections of the script, in ms. */
-const CUT_MS = 1_500;
+/** The network is cut once in this number of decisions. */
+const DECISIONS_PER_CUT = 4;
+/** A cut follows its decision by at most this time, in ms, if the script is connected then. */
+const MAX_CUT_DELAY = 60;
 
 const mazes: MazeDocument[] = (["tree", "loops", "rooms"] as const).map((kind) =>
   generateMaze({ kind, columns: 7, rows: 7, seed: 5, name: kind }),
@@ -85,8 +88,14 @@ interface ScriptRun {
   end: { sentence: string; code: number } | null;
 }
 
-/** Runs a script to its end, or until it has made many decisions. */
-async function runScript([command = "", ...args]: string[]): Promise<ScriptRun> {
+/**
+ * Runs a script to its end, or until it has made many decisions.
+ * @param onDecision called with the number of decisions
+ */
+async function runScript(
+  [command = "", ...args]: string[],
+  onDecision: (count: number) => void = () => undefined,
+): Promise<ScriptRun> {
   const script = spawn(command, args, { stdio: ["ignore", "pipe", "pipe"] });
   const closed = once(script, "close");
   const lines: string[] = [];
@@ -97,12 +106,22 @@ async function runScript([command = "", ...args]: string[]): Promise<ScriptRun> 
   for await (const text of createInterface({ input: script.stdout })) {
     const label = /^(line \d+|otherwise): /.exec(text)?.[1];
     if (label === undefined) sentence = text;
-    else lines.push(label);
+    else onDecision(lines.push(label));
     if (lines.length < DECISIONS || isKilled) continue;
     isKilled = script.kill("SIGKILL");
   }
   const [code] = (await closed) as [number | null];
   return { lines, end: code === null ? null : { sentence: `${errors}${sentence}`.trim(), code } };
+}
+
+/** Cuts the connections of a script as soon as it has one, after a delay in ms. */
+async function cutNextConnection(
+  network: FaultProxy,
+  delay: number,
+  isRunning: () => boolean,
+): Promise<void> {
+  await sleep(delay);
+  while (isRunning() && network.cut() === 0) await sleep(1);
 }
 
 function lineOf(label: string): LineRef {
@@ -136,12 +155,12 @@ for (const language of codeLanguages) {
     test.skip(missing !== undefined, `${missing} is not installed`);
     test.setTimeout(400_000);
     const target = Number(new URL(relay).port);
-    const network = await FaultProxy.start({ target: () => target, random: new SeededRandom(1) });
+    const random = new SeededRandom(1);
+    const network = await FaultProxy.start({ target: () => target, random });
     const folder = await mkdtemp(join(tmpdir(), "corridor-code-"));
     await page.goto("/");
     await setSpeed(page, "max");
     const address = await copyAddress(page);
-    const cutter = setInterval(() => network.cut(), CUT_MS);
     const scripts = await Promise.all(
       paperPrograms.map(async ({ figure, program }) => {
         const code = programCode(program, language, address.replace(relay, network.origin));
@@ -159,7 +178,12 @@ for (const language of codeLanguages) {
       await page.getByRole("radio", { name: "Remote" }).click();
       for (const { figure, program, command } of scripts) {
         const name = `figure ${figure} in ${maze.name}`;
-        const { lines, end } = await runScript(command);
+        let isRunning = true;
+        const { lines, end } = await runScript(command, (count) => {
+          if (count % DECISIONS_PER_CUT !== 1) return;
+          void cutNextConnection(network, random.between(0, MAX_CUT_DELAY), () => isRunning);
+        });
+        isRunning = false;
         const records = await recordsAfter(address, seq);
         seq = records.at(-1)?.seq ?? seq;
         const ended = records.filter(({ state }) => /completed|collided/.test(state));
@@ -180,7 +204,6 @@ for (const language of codeLanguages) {
         ends.add(end?.sentence ?? "none");
       }
     }
-    clearInterval(cutter);
     expect(network.cuts).toBeGreaterThan(10);
     expect([...ends]).toContain(GOAL);
     await network.close();
@@ -249,4 +272,18 @@ test("the panel shows the program as code, follows each edit, and copies a file 
   const { lines, end } = await runScript([...runtimes.python.start("-c"), copied]);
   expect(lines.length).toBeGreaterThan(0);
   expect(end === null || end.sentence === GOAL, end?.sentence).toBe(true);
+});
+
+test("shows the code in sight on a phone", async ({ openWindow }) => {
+  const phone = await openWindow({
+    viewport: { width: 390, height: 844 },
+    hasTouch: true,
+    isMobile: true,
+  });
+  await phone.open();
+  await phone.program.button("Show as code").tap();
+  await expect(phone.program.button("Save rules.py")).toBeInViewport();
+  await expect(
+    phone.program.region.getByRole("textbox", { name: "The program as code" }),
+  ).toBeInViewport();
 });

@@ -36,7 +36,9 @@ export function ProgramCode() {
     if (own === null && status.kind === "off") connection.open();
   }, [remote, connection]);
   // On a phone, the button stands on the lower edge of the sheet, and the code opens below.
-  useLayoutEffect(() => section.current?.scrollIntoView({ block: "nearest" }), [ready]);
+  useLayoutEffect(() => {
+    section.current?.scrollIntoView({ block: "nearest" });
+  }, [ready]);
   if (!ready) return null;
   const address = session === null ? null : robotAddress(session);
   const full = address?.full ?? `${location.origin}/r/ID#KEY`;
