@@ -7,25 +7,10 @@ import {
   type MazeDocument,
 } from "@corridor/maze";
 import type { Page } from "playwright/test";
+import { SAMPLE } from "../packages/maze/src/contest/testing/sample-contest.ts";
 import { expect, test } from "./fixtures.ts";
-import type { CorridorPage } from "./pages/corridor-page.ts";
+import type { ChosenFile, CorridorPage } from "./pages/corridor-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
-
-/** Breaks no rule of contests. No wall follower reaches its goal. */
-const island = `o---o---o---o---o---o---o
-|           |           |
-o   o---o---o   o   o---o
-|   |           |       |
-o   o   o---o   o---o   o
-|       | G   G |       |
-o   o---o   o   o   o---o
-|       | G   G |       |
-o---o   o---o---o   o   o
-|       |           |   |
-o   o   o---o---o---o   o
-| S |                   |
-o---o---o---o---o---o---o
-`;
 
 function mazeOf(text: string): MazeDocument {
   const read = readTextMaze(text, "Final");
@@ -45,14 +30,11 @@ function contentOf(maze: MazeDocument, format: ContestFormat): Buffer {
 }
 
 async function open(corridor: CorridorPage, name: string, content: Buffer | string): Promise<void> {
-  await corridor.mazeMenu.click();
-  const chooser = corridor.page.waitForEvent("filechooser");
-  await corridor
-    .dialog("Maze menu")
-    .getByRole("button", { name: /^Open file…/ })
-    .click();
-  const mimeType = "application/octet-stream";
-  await (await chooser).setFiles([{ name, mimeType, buffer: Buffer.from(content) }]);
+  await corridor.openFiles([chosen(name, content)]);
+}
+
+function chosen(name: string, content: Buffer | string): ChosenFile {
+  return { name, mimeType: "application/octet-stream", buffer: Buffer.from(content) };
 }
 
 async function openSaveDialog(corridor: CorridorPage) {
@@ -64,7 +46,7 @@ async function openSaveDialog(corridor: CorridorPage) {
 const marksOf = (page: Page) => page.locator("svg[data-marks] path");
 
 test("shows why a wall follower misses the goal, by keyboard", async ({ corridor, page }) => {
-  await open(corridor, "final.map", `${island.replaceAll("\n", "\r\n")}\r\nFinal 2019\r\n`);
+  await open(corridor, "final.map", `${SAMPLE.replaceAll("\n", "\r\n")}\r\nFinal 2019\r\n`);
   await expect(corridor.mazeMenu).toHaveAccessibleName("final, Maze menu");
   const check = corridor.message("Contest maze, 6 × 6 cells.");
   await expect(check).toContainText("Shortest path to the goal: 10 cells.");
@@ -85,12 +67,12 @@ test("removes the marks with an edit, another maze, and a dismissed message", as
   corridor,
   page,
 }) => {
-  await open(corridor, "final.map", island);
+  await open(corridor, "final.map", SAMPLE);
   await corridor.messages.getByRole("button", { name: "Show why" }).click();
   await expect(marksOf(page)).toHaveCount(3);
   await corridor.maze.click({ column: 4, row: 4 });
   await expect(marksOf(page)).toHaveCount(0);
-  await open(corridor, "final.map", island);
+  await open(corridor, "final.map", SAMPLE);
   await corridor.messages.getByRole("button", { name: "Show why" }).click();
   await expect(marksOf(page)).toHaveCount(3);
   await corridor.choosePreset("Spiral");
@@ -159,15 +141,7 @@ test("shows the check and the marks on a phone", async ({ openWindow }) => {
     isMobile: true,
   });
   await phone.open();
-  await phone.page.getByRole("button", { name: "More" }).tap();
-  const chooser = phone.page.waitForEvent("filechooser");
-  await phone
-    .dialog("More")
-    .getByRole("button", { name: /^Open file…/ })
-    .tap();
-  await (
-    await chooser
-  ).setFiles([{ name: "final.map", mimeType: "text/plain", buffer: Buffer.from(island) }]);
+  await phone.openFiles([chosen("final.map", SAMPLE)], "tap");
   await phone.messages.getByRole("button", { name: "Show why" }).tap();
   await expect(marksOf(phone.page)).toHaveCount(3);
 });

@@ -4,7 +4,7 @@ import { mazePresets, parseMaze, writeTextMaze } from "@corridor/maze";
 import { programPresets } from "@corridor/program";
 import type { Download, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
-import type { CorridorPage } from "./pages/corridor-page.ts";
+import type { ChosenFile, CorridorPage } from "./pages/corridor-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 
 const spiral = mazePresets.find(({ id }) => id === "spiral")?.maze;
@@ -48,23 +48,8 @@ async function save(corridor: CorridorPage, entry: string): Promise<Download> {
   return download;
 }
 
-/** Selects files in the browser's file chooser. */
-async function choose(corridor: CorridorPage, files: readonly TextFile[]): Promise<void> {
-  await corridor.mazeMenu.click();
-  const chooser = corridor.page.waitForEvent("filechooser");
-  await corridor
-    .dialog("Maze menu")
-    .getByRole("button", { name: /^Open file…/ })
-    .click();
-  await (
-    await chooser
-  ).setFiles(
-    files.map(({ name, text }) => ({
-      name,
-      mimeType: "application/json",
-      buffer: Buffer.from(text),
-    })),
-  );
+function chosen({ name, text }: TextFile): ChosenFile {
+  return { name, mimeType: "application/json", buffer: Buffer.from(text) };
 }
 
 test("opens a maze by dropping its file", async ({ corridor, page }) => {
@@ -105,7 +90,7 @@ test("does not open a file that is dragged across the page", async ({ corridor, 
 });
 
 test("opens a maze and a program together as one project", async ({ corridor }) => {
-  await choose(corridor, [leftWallFile, spiralFile]);
+  await corridor.openFiles([leftWallFile, spiralFile].map(chosen));
   await expect(corridor.message("“Spiral” and “Left wall” are open.")).toBeVisible();
   await expect(corridor.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
   await expect(corridor.program.name).toHaveValue("Left wall");
@@ -150,12 +135,14 @@ test("pastes text into a field as text", async ({ corridor, page }) => {
 test("lists the errors of a broken file and changes nothing", async ({ corridor, page }) => {
   await corridor.maze.click({ column: 2, row: 6 });
   const broken = { ...spiral, name: 7, start: { ...spiral.start, heading: "up" } };
-  await choose(corridor, [
-    { name: "broken.maze.json", text: JSON.stringify(broken) },
-    { name: "drawn.txt", text: "####\n#S?#\n####" },
-    { name: "words.txt", text: "if right > 60 then right 90\notherwise forward" },
-    leftWallFile,
-  ]);
+  await corridor.openFiles(
+    [
+      { name: "broken.maze.json", text: JSON.stringify(broken) },
+      { name: "drawn.txt", text: "####\n#S?#\n####" },
+      { name: "words.txt", text: "if right > 60 then right 90\notherwise forward" },
+      leftWallFile,
+    ].map(chosen),
+  );
   const dialog = corridor.dialog("These files cannot be opened");
   await expect(dialog.getByText("Nothing changed.")).toBeVisible();
   const first = dialog.getByRole("region", { name: "broken.maze.json" });
@@ -214,7 +201,7 @@ test("saves the maze as a file and opens it again", async ({ corridor }) => {
   const text = await readFile(await download.path(), "utf8");
   expect(parseMaze(JSON.parse(text)).ok).toBe(true);
   await corridor.choosePreset("Spiral");
-  await choose(corridor, [{ name: download.suggestedFilename(), text }]);
+  await corridor.openFiles([chosen({ name: download.suggestedFilename(), text })]);
   await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
   await corridor.maze.expectSquare({ column: 2, row: 6 }, "block");
 });
@@ -299,17 +286,7 @@ test("opens and saves files on a phone", async ({ openWindow }) => {
     isMobile: true,
   });
   await phone.open();
-  await phone.page.getByRole("button", { name: "More" }).tap();
-  const chooser = phone.page.waitForEvent("filechooser");
-  await phone
-    .dialog("More")
-    .getByRole("button", { name: /^Open file…/ })
-    .tap();
-  await (
-    await chooser
-  ).setFiles([
-    { name: "x.json", mimeType: "application/json", buffer: Buffer.from(spiralFile.text) },
-  ]);
+  await phone.openFiles([chosen({ name: "x.json", text: spiralFile.text })], "tap");
   await expect(phone.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
   await phone.page.getByRole("button", { name: "More" }).tap();
   const download = phone.page.waitForEvent("download");

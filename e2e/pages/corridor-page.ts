@@ -7,6 +7,12 @@ import { MazeGrid } from "./maze-grid.ts";
 import { ProgramPanel } from "./program-panel.ts";
 import { TimelinePanel } from "./timeline-panel.ts";
 
+export interface ChosenFile {
+  name: string;
+  mimeType: string;
+  buffer: Buffer;
+}
+
 export type Driver = "Me" | "Program" | "Remote";
 
 export class CorridorPage {
@@ -191,6 +197,20 @@ export class CorridorPage {
     await this.page.keyboard.press("Escape");
     await expect(dialog).toBeHidden();
     return link;
+  }
+
+  /**
+   * Selects files in the browser's file chooser.
+   * @param by tap: with a finger on a phone, where the entry is in another menu
+   */
+  async openFiles(files: readonly ChosenFile[], by: "click" | "tap" = "click"): Promise<void> {
+    const opener = by === "tap" ? this.page.getByRole("button", { name: "More" }) : this.mazeMenu;
+    await opener[by]();
+    const chooser = this.page.waitForEvent("filechooser");
+    await this.dialog(by === "tap" ? "More" : "Maze menu")
+      .getByRole("button", { name: /^Open file…/ })
+      [by]();
+    await (await chooser).setFiles([...files]);
   }
 
   /** Waits until the robot has not moved for 12 frames. */

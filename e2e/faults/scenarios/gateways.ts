@@ -48,14 +48,7 @@ export const gateways: Scenario = {
     if (!victim || !ofAgent || !ofRos || !bystander) throw new Error("no robots");
     const script = await BareSocketScript.connect(relay.url, bystander.id, bystander.driverKey);
     context.onCleanup(() => script.close());
-    const ends: string[] = [];
-    let isOver = false;
-    const driving = (async () => {
-      for (let n = 0; !isOver; n++) {
-        const { state } = await script.run({ action: n % 2 === 0 ? "left 90" : "right 90" });
-        ends.push(state);
-      }
-    })();
+    const endTurning = script.keepTurning();
 
     const path = new URL(await urlWithKey(relay.url, victim)).pathname;
     const shown = await sendBroken(relay.url, path, {
@@ -92,8 +85,7 @@ export const gateways: Scenario = {
     const backMs = await waitUntil(() => ros.poses > poses, TIMEOUT_MS);
     isCut = true;
     const keys = await agent;
-    isOver = true;
-    await driving;
+    const ends = await endTurning();
     const health = await fetch(`${relay.url}/healthz`);
     const compared = await testBed.compare(relay.url);
     const [, agentRobot] = testBed.robots;

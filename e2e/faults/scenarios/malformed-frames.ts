@@ -42,14 +42,7 @@ export const malformedFrames: Scenario = {
     const count = context.isLong ? FRAMES.long : FRAMES.short;
     let sent = 0;
     let shown = 0;
-    const ends: string[] = [];
-    let isOver = false;
-    const driving = (async () => {
-      for (let n = 0; !isOver; n++) {
-        const { state } = await script.run({ action: n % 2 === 0 ? "left 90" : "right 90" });
-        ends.push(state);
-      }
-    })();
+    const endTurning = script.keepTurning();
     const attack = async (): Promise<void> => {
       while (sent < count) {
         const socket = await RawSocket.open(relay.url, path);
@@ -71,8 +64,7 @@ export const malformedFrames: Scenario = {
       }
     };
     await Promise.all(Array.from({ length: PARALLEL }, attack));
-    isOver = true;
-    await driving;
+    const ends = await endTurning();
     const health = await fetch(`${relay.url}/healthz`);
     return [
       { label: "broken frames sent", measured: sent, bound: { atLeast: count }, unit: "frames" },

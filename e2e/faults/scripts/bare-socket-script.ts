@@ -7,6 +7,7 @@ import {
   hasEnded,
   relayToDriverSchema,
   type CommandRecord,
+  type CommandState,
   type Order,
   type Snapshot,
 } from "@corridor/protocol";
@@ -75,6 +76,26 @@ export class BareSocketScript {
     const record = this.#records.get(seq);
     if (record === undefined) throw new Error("The relay does not answer.");
     return record;
+  }
+
+  /**
+   * Turns the robot to and fro, one command after the other.
+   * @returns a function that ends this, and resolves with the final state of each command
+   */
+  keepTurning(): () => Promise<CommandState[]> {
+    let isOver = false;
+    const turning = (async () => {
+      const ends: CommandState[] = [];
+      while (!isOver) {
+        const action = ends.length % 2 === 0 ? "left 90" : "right 90";
+        ends.push((await this.run({ action })).state);
+      }
+      return ends;
+    })();
+    return async () => {
+      isOver = true;
+      return turning;
+    };
   }
 
   close(): void {

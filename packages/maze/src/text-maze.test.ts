@@ -4,22 +4,13 @@ import { parseMaze, type Cell, type MazeDocument } from "./maze-document.ts";
 import { mazePresets } from "./presets.ts";
 import { arbitraryMaze } from "./testing/arbitrary-maze.ts";
 import { readTextMaze, writeTextMaze } from "./text-maze.ts";
+import { readLines } from "./testing/read-lines.ts";
 
 /** The maze that a drawing represents: each goal once, in reading order. */
 function drawn(maze: MazeDocument): MazeDocument {
   const key = ({ column, row }: Cell): number => row * 256 + column;
   const byKey = new Map(maze.goals.map((goal) => [key(goal), goal]));
   return { ...maze, goals: [...byKey.values()].toSorted((a, b) => key(a) - key(b)) };
-}
-
-function read(...lines: string[]): unknown {
-  const result = readTextMaze(lines.join("\n"), "Drawn");
-  if (!result.ok) {
-    return result.problems.map((each) => `${each.path}: ${each.found}, ${each.expected}`);
-  }
-  const { blocks, start, goals } = result.value;
-  const to = goals.map(({ column, row }) => `${column},${row}`);
-  return [...blocks, `${start.column},${start.row} ${start.heading}`, ...to];
 }
 
 describe("a maze drawn as text", () => {
@@ -49,7 +40,7 @@ describe("a maze drawn as text", () => {
   });
 
   it("accepts all marks and a byte order mark", () => {
-    expect(read("\uFEFF#Xx█", ">._*", "Gg##")).toEqual([
+    expect(readLines("\uFEFF#Xx█", ">._*", "Gg##")).toEqual([
       "####",
       "....",
       "..##",
@@ -67,12 +58,12 @@ describe("a maze drawn as text", () => {
     { lines: [".S#", "###"], heading: "west" },
     { lines: ["#S#", "###", "..."], heading: "north" },
   ])("sets the heading of an S to its first open direction: $heading", ({ lines, heading }) => {
-    expect(read(...lines)).toContainEqual(expect.stringContaining(heading));
+    expect(readLines(...lines)).toContainEqual(expect.stringContaining(heading));
   });
 
   it("pads shorter lines with open squares if spaces are open squares", () => {
-    expect(read("#####", "#S", "#   #")).toEqual(["#####", "#....", "#...#", "1,1 east"]);
-    expect(read("####", "#S  ", "#   ")).toEqual(["####", "#...", "#...", "1,1 east"]);
+    expect(readLines("#####", "#S", "#   #")).toEqual(["#####", "#....", "#...#", "1,1 east"]);
+    expect(readLines("####", "#S  ", "#   ")).toEqual(["####", "#...", "#...", "1,1 east"]);
   });
 
   it.each([
@@ -136,7 +127,7 @@ describe("a maze drawn as text", () => {
       problem: "line 3, column 2: one more goal, at most 256 goals",
     },
   ])("is rejected for $defect, with position, found and expected", ({ lines, problem }) => {
-    expect(read(...lines)).toEqual([expect.stringContaining(problem)]);
+    expect(readLines(...lines)).toEqual([expect.stringContaining(problem)]);
   });
 });
 

@@ -2,31 +2,13 @@ import fc from "fast-check";
 import { describe, expect, it } from "vitest";
 import { parseMaze } from "../maze-document.ts";
 import { readTextMaze } from "../text-maze.ts";
-
-function read(text: string): unknown {
-  const result = readTextMaze(text, "Listed");
-  if (!result.ok) {
-    return result.problems.map((each) => `${each.path}: ${each.found}, ${each.expected}`);
-  }
-  const { blocks, start, goals } = result.value;
-  const to = goals.map(({ column, row }) => `${column},${row}`);
-  return [...blocks, `${start.column},${start.row} ${start.heading}`, ...to];
-}
+import { readLines } from "../testing/read-lines.ts";
 
 describe("a list of cells", () => {
   it("has the start at the bottom left and the goal in the centre", () => {
-    expect(read("\r\n0 0 0 1 1 1\r\n\r\n 0\t1 1 0 0 1\r\n1 1 1 1 1 0\n1 0 1 1 1 1\n")).toEqual([
-      "#####",
-      "#...#",
-      "#.###",
-      "#.#.#",
-      "#####",
-      "1,3 north",
-      "1,1",
-      "3,1",
-      "1,3",
-      "3,3",
-    ]);
+    expect(readLines("\r\n0 0 0 1 1 1\r\n\r\n 0\t1 1 0 0 1\r\n1 1 1 1 1 0\n1 0 1 1 1 1\n")).toEqual(
+      ["#####", "#...#", "#.###", "#.#.#", "#####", "1,3 north", "1,1", "3,1", "1,3", "3,3"],
+    );
   });
 
   it.each([
@@ -77,12 +59,12 @@ describe("a list of cells", () => {
       problems: ["line 2: no wall in the east, a wall, as cell 1 0 has on its side"],
     },
   ])("is rejected for $defect, with line, found and expected", ({ text, problems }) => {
-    expect(read(text)).toEqual(problems);
+    expect(readLines(text)).toEqual(problems);
   });
 
   it("reports at most 20 problems", () => {
-    expect(read("0 0 1 1 1 1\n126 126 1 1 1 1")).toHaveLength(20);
-    expect(read(`0 0 1 1 1 1${"\nx".repeat(99_999)}`)).toHaveLength(20);
+    expect(readLines("0 0 1 1 1 1\n126 126 1 1 1 1")).toHaveLength(20);
+    expect(readLines(`0 0 1 1 1 1${"\nx".repeat(99_999)}`)).toHaveLength(20);
   });
 
   it("is a valid maze or rejected, whatever it contains", () => {

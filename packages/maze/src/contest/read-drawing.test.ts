@@ -4,16 +4,7 @@ import { parseMaze } from "../maze-document.ts";
 import { readTextMaze } from "../text-maze.ts";
 import { startsDrawing } from "./read-drawing.ts";
 import { SAMPLE } from "./testing/sample-contest.ts";
-
-function read(...lines: string[]): unknown {
-  const result = readTextMaze(lines.join("\n"), "Drawn");
-  if (!result.ok) {
-    return result.problems.map((each) => `${each.path}: ${each.found}, ${each.expected}`);
-  }
-  const { blocks, start, goals } = result.value;
-  const to = goals.map(({ column, row }) => `${column},${row}`);
-  return [...blocks, `${start.column},${start.row} ${start.heading}`, ...to];
-}
+import { readLines } from "../testing/read-lines.ts";
 
 describe("a drawing of posts and walls", () => {
   it("is read with a block for each wall and post", () => {
@@ -25,9 +16,9 @@ describe("a drawing of posts and walls", () => {
       "+---+---+---+",
     ];
     const maze = ["#######", "#...#.#", "#.###.#", "#.#....", "#######", "1,3 north", "5,1"];
-    expect(read(...lines)).toEqual(maze);
+    expect(readLines(...lines)).toEqual(maze);
     // Editors strip trailing spaces, and mail clients indent quoted text.
-    expect(read(...lines.map((line) => `  ${line.trimEnd()}`))).toEqual(maze);
+    expect(readLines(...lines.map((line) => `  ${line.trimEnd()}`))).toEqual(maze);
   });
 
   it("has the start at the bottom left and the goal in the centre, unless marks say otherwise", () => {
@@ -39,17 +30,23 @@ describe("a drawing of posts and walls", () => {
       "o---o---o---o",
     ];
     const blocks = ["#######", "#.....#", "#.#.#.#", "#.....#", "#######"];
-    expect(read(...lines("         "))).toEqual([...blocks, "1,3 north", "3,1", "3,3"]);
-    expect(read(...lines("S        "))).toEqual([...blocks, "1,1 east", "3,1", "3,3"]);
-    expect(read(...lines("        G"))).toEqual([...blocks, "1,3 north", "5,1"]);
+    expect(readLines(...lines("         "))).toEqual([...blocks, "1,3 north", "3,1", "3,3"]);
+    expect(readLines(...lines("S        "))).toEqual([...blocks, "1,1 east", "3,1", "3,3"]);
+    expect(readLines(...lines("        G"))).toEqual([...blocks, "1,3 north", "5,1"]);
   });
 
   it("has any characters for posts and walls", () => {
     const maze = ["#####", "#.#.#", "#.###", "#...#", "#####", "1,3 north", "3,1"];
-    expect(read("+===+===+", "!   I G !", "+   *===+", "! S     !", "+===*===+")).toEqual(maze);
-    expect(read("---------", "|   | G |", "|   -----", "| S     |", "---------")).toEqual(maze);
+    expect(readLines("+===+===+", "!   I G !", "+   *===+", "! S     !", "+===*===+")).toEqual(
+      maze,
+    );
+    expect(readLines("---------", "|   | G |", "|   -----", "| S     |", "---------")).toEqual(
+      maze,
+    );
     // Simulators read only the middle of a wall.
-    expect(read("o---o---o", "|   | G |", "o   o - o", "| S     |", "o---o-- o")).toEqual(maze);
+    expect(readLines("o---o---o", "|   | G |", "o   o - o", "| S     |", "o---o-- o")).toEqual(
+      maze,
+    );
   });
 
   it.each([
@@ -69,7 +66,7 @@ describe("a drawing of posts and walls", () => {
   });
 
   it("is open where a post is missing", () => {
-    expect(read("o---o---o", "| >     |", "o       o", "| G |   |", "o---o---o")).toEqual([
+    expect(readLines("o---o---o", "| >     |", "o       o", "| G |   |", "o---o---o")).toEqual([
       "#####",
       "#...#",
       "#...#",
@@ -87,7 +84,7 @@ describe("a drawing of posts and walls", () => {
     ["the end of a text in DOS", ["\u001A"]],
   ])("ends before %s", (_, after) => {
     const plain = SAMPLE.trimEnd().split("\n");
-    expect(read(...plain, ...after)).toEqual(read(...plain));
+    expect(readLines(...plain, ...after)).toEqual(readLines(...plain));
   });
 
   it.each([
@@ -142,7 +139,7 @@ describe("a drawing of posts and walls", () => {
   ])("is rejected for $defect, with position, found and expected", ({ at, line, problem }) => {
     const lines = ["o---o---o", "| S     |", "o   o   o", "|   |   |", "o---o---o"];
     lines[at] = line;
-    expect(read(...lines)).toEqual([expect.stringContaining(problem)]);
+    expect(readLines(...lines)).toEqual([expect.stringContaining(problem)]);
   });
 
   it("is limited to 127 x 127 cells", () => {
@@ -158,7 +155,7 @@ describe("a drawing of posts and walls", () => {
   });
 
   it("is rejected with one problem when it has 131,001 lines", () => {
-    expect(read("o".concat("\no".repeat(131_000)))).toEqual([
+    expect(readLines("o".concat("\no".repeat(131_000)))).toEqual([
       "line 1: 1 characters, 1 to 127 cells: a post every 4 characters, o---o---o",
     ]);
   });
