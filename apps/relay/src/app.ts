@@ -87,7 +87,7 @@ export function createApp(dependencies: AppDependencies): Express {
   app.use(builtFileRoutes());
   const api = Router();
   api.use(openToAllSites);
-  api.use(robotRoutes(registry, guard));
+  api.use(robotRoutes(registry, guard, gateways));
   api.use(keyRoutes(registry, guard, gateways));
   api.use(pairingRoutes(registry, pairing, guard));
   api.use(scriptRoutes(registry));

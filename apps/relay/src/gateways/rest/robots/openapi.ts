@@ -8,6 +8,7 @@ import {
 } from "@corridor/protocol";
 import { z } from "zod";
 import type { ZodOpenApiPathsObject } from "zod-openapi";
+import { gatewayNames } from "../../../platform/gateway-names.ts";
 import { answer, location, refusals } from "../../../platform/openapi/parts.ts";
 import { keyed, owner, robot } from "../../requests/openapi-parts.ts";
 
@@ -28,6 +29,9 @@ export const heldSessionSchema = z.strictObject({
     .describe("version of the maze that its page published; null if there is none"),
   /** null until the robot has reported */
   snapshot: snapshotSchema.nullable(),
+  gateways: z
+    .array(z.enum(gatewayNames))
+    .describe("protocols by which this service connects programs to the robot, besides the API"),
 });
 export type HeldSession = z.infer<typeof heldSessionSchema>;
 

@@ -141,6 +141,13 @@ describe("the HTTP service", () => {
     expect((await relay.ask(robot, "/sensors")).status).toBe(404);
   });
 
+  it("lists the gateways that its operator has not switched off", async () => {
+    const relay = await startTestRelay({ config: { gateways: ["ros", "soap"] } });
+    const robot = await relay.register();
+    const stored = await relay.ask(robot, "", { key: robot.ownerKey });
+    expect(await stored.json()).toMatchObject({ gateways: ["ros", "soap"] });
+  });
+
   it("answers excess stops with the open one or with 429", async () => {
     const relay = await startTestRelay({ clock: new FakeClock() });
     const robot = await relay.register();

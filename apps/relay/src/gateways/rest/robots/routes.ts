@@ -1,12 +1,18 @@
 /** Registers, shows and deletes robots. */
 import { Router } from "express";
+import type { GatewayName } from "../../../platform/gateway-names.ts";
 import type { RequestGuard } from "../../../platform/http/request-guard.ts";
 import type { RobotRegistry } from "../../../robots/registry.ts";
 import type { HeldSession } from "./openapi.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";
 import { readBearer } from "../../../platform/http/reading.ts";
 
-export function robotRoutes(registry: RobotRegistry, guard: RequestGuard): Router {
+/** @param gateways those that the operator has not switched off */
+export function robotRoutes(
+  registry: RobotRegistry,
+  guard: RequestGuard,
+  gateways: readonly GatewayName[],
+): Router {
   const router = Router();
 
   router
@@ -34,6 +40,7 @@ export function robotRoutes(registry: RobotRegistry, guard: RequestGuard): Route
         drivers: robot.presence.now(),
         maze: (await robot.mazes.read())?.version ?? null,
         snapshot: robot.newest?.value ?? null,
+        gateways: [...gateways],
       };
       response.json(stored);
     })
