@@ -96,8 +96,8 @@ test("shows one language at a time, by keyboard and without JavaScript", async (
   const page = await context.newPage();
   await page.goto(`${relay}/docs`);
   await expect(page.getByText("from corridor import Robot")).toBeVisible();
-  await page.getByRole("radio", { name: "Python" }).press("ArrowRight");
-  await expect(page.getByRole("radio", { name: "JavaScript" })).toBeFocused();
+  await page.getByRole("radio", { name: "Python", exact: true }).press("ArrowRight");
+  await expect(page.getByRole("radio", { name: "JavaScript", exact: true })).toBeFocused();
   await expect(page.getByText("const robot =")).toBeVisible();
   await expect(page.getByText("from corridor import Robot")).toBeHidden();
   await context.close();

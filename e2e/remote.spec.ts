@@ -57,7 +57,7 @@ test("the first script runs as copied, with the linked library file beside it", 
   await page.goto(linkTo(tree));
   await setSpeed(page, "16");
   const address = await copyAddress(page);
-  const starter = page.getByRole("region", { name: "Python" });
+  const starter = page.getByRole("region", { name: "Connect with" });
   await starter.getByRole("button", { name: "Copy", exact: true }).click();
   const copied = await page.evaluate(() => navigator.clipboard.readText());
   expect(copied.trim().split("\n")).toHaveLength(6);
@@ -381,11 +381,7 @@ for (const [width, height] of [
     await copyAddress(page);
     await openMoreSection(page);
     // The Tab key moves the focus there in the same way.
-    await page
-      .getByRole("group", { name: "Language of the script" })
-      .getByRole("radio")
-      .last()
-      .focus();
+    await page.getByRole("checkbox", { name: "Scripts may reset the robot" }).focus();
     const { scrollTop, scrollHeight } = await page.evaluate(() => {
       const { scrollTop: top, scrollHeight: whole } = document.documentElement;
       return { scrollTop: top, scrollHeight: whole };

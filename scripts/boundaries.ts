@@ -42,6 +42,7 @@ const allowed: Record<string, readonly string[]> = {
     "zod",
   ],
   "packages/mouse": ["@corridor/maze", "@corridor/protocol"],
+  "packages/quickstarts": ["@corridor/protocol"],
   "packages/ros": ["@corridor/geometry", "@corridor/maze", "@corridor/protocol", "zod"],
   "packages/recording": [
     "@corridor/maze",
@@ -91,6 +92,7 @@ const allowed: Record<string, readonly string[]> = {
     "@corridor/maze",
     "@corridor/program",
     "@corridor/protocol",
+    "@corridor/quickstarts",
     "@corridor/ros",
     "@modelcontextprotocol/server",
     "@redis/client",
@@ -124,6 +126,7 @@ const allowed: Record<string, readonly string[]> = {
     "@corridor/maze",
     "@corridor/program",
     "@corridor/protocol",
+    "@corridor/quickstarts",
     "@corridor/recording",
     "@corridor/report",
     "@corridor/simulation",
@@ -156,7 +159,8 @@ const impurePattern =
   /\bMath\.(?:sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|hypot|exp|expm1|log|log1p|log2|log10|pow|cbrt|random)\b|\*\*|\bnew Date\b|\bDate\.now\b|\bperformance\b|\bprocess\./;
 
 /** Files that write code for other programs: their templates are text, not code of the package. */
-const writers = /^packages\/program\/src\/code-export\/\w+-code\.ts$/;
+const writers =
+  /^packages\/(?:program\/src\/code-export\/\w+-code|quickstarts\/src\/\w+-texts)\.ts$/;
 
 const importPattern =
   /(?:^|\n)\s*(?:import|export)\s[^;'"]*?from\s*"([^"]+)"|(?:^|\n)\s*import\s*"([^"]+)"|\bimport\(\s*"([^"]+)"/g;

@@ -1,7 +1,7 @@
 /** Locators of the Remote panel. */
 import type { Locator, Page } from "playwright/test";
 
-/** Opens the "More" section: key, code, watch link, other languages, scripts and the log. */
+/** Opens the "More" section: key, code, watch link, scripts and the log. */
 export async function openMoreSection(around: Page | Locator): Promise<void> {
   await around.locator("summary").filter({ hasText: "More" }).click();
 }

@@ -81,7 +81,7 @@ export function createApp(dependencies: AppDependencies): Express {
     next();
   });
   app.use(descriptionRoutes());
-  app.use(docsRoutes());
+  app.use(docsRoutes(gateways));
   app.use(checkRoutes(guard, clock));
   app.use(pythonClientRoutes());
   app.use(builtFileRoutes());

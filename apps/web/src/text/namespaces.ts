@@ -6,6 +6,7 @@
 import type { en } from "./en/index.ts";
 import type check from "./en/check.json";
 import type code from "./en/code.json";
+import type connect from "./en/connect.json";
 import type contest from "./en/contest.json";
 import type lessonEditor from "./en/lesson-editor.json";
 import type dashboard from "./en/dashboard.json";
@@ -30,6 +31,8 @@ export interface Namespaces {
   check: typeof check;
   /** the program as code */
   code: typeof code;
+  /** programs that connect to the robot */
+  connect: typeof connect;
   /** contest mazes */
   contest: typeof contest;
   /** the dashboard and the big screen of a class */

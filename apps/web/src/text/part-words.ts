@@ -28,6 +28,16 @@ export const partLoaders: Record<
     pt: async () => (await import("./pt/code.json")).default,
     "zh-Hans": async () => (await import("./zh-Hans/code.json")).default,
   },
+  connect: {
+    en: async () => (await import("./en/connect.json")).default,
+    ar: async () => (await import("./ar/connect.json")).default,
+    de: async () => (await import("./de/connect.json")).default,
+    es: async () => (await import("./es/connect.json")).default,
+    fr: async () => (await import("./fr/connect.json")).default,
+    ja: async () => (await import("./ja/connect.json")).default,
+    pt: async () => (await import("./pt/connect.json")).default,
+    "zh-Hans": async () => (await import("./zh-Hans/connect.json")).default,
+  },
   contest: {
     en: async () => (await import("./en/contest.json")).default,
     ar: async () => (await import("./ar/contest.json")).default,

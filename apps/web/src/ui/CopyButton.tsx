@@ -9,7 +9,8 @@ import { copyText, pageClipboard } from "./clipboard.ts";
 const CONFIRM_MS = 2_000;
 
 interface CopyButtonProps {
-  text: string;
+  /** a function creates the text when the button is pressed; null: it failed */
+  text: string | (() => Promise<string | null>);
   label: string;
   /** announced after copying */
   done: string;
@@ -35,7 +36,9 @@ export function CopyButton({
     return () => clearTimeout(timer);
   }, [isCopied]);
   async function copy(): Promise<void> {
-    if (await copyText(text, pageClipboard())) setCopied(true);
+    const copied = typeof text === "string" ? text : await text();
+    if (copied === null) return;
+    if (await copyText(copied, pageClipboard())) setCopied(true);
     else onRefused();
   }
   const icon = isCopied ? <Icon of={Check} /> : <Icon of={Copy} />;

@@ -20,7 +20,7 @@ async function site(origin: string): Promise<Map<string, string>> {
 
 /** Whether a file exists only after `npm run build`. The built files have tests of their own. */
 function isBuilt(path: string): boolean {
-  return path === "/" || path === "/corridor.js";
+  return ["/", "/corridor.js", "/corridor-cli.mjs"].includes(path);
 }
 
 /** Path and fragment of every internal link. */

@@ -7,6 +7,7 @@ import { fileURLToPath } from "node:url";
 import { Router } from "express";
 import { renderPage } from "./frame.ts";
 import { pagesOfSite } from "./site.ts";
+import type { GatewayName } from "../../platform/gateway-names.ts";
 import { methodNotAllowed } from "../../platform/http/fallbacks.ts";
 import { listedFiles } from "../../platform/http/listed-files.ts";
 import { allowPolicy } from "../../platform/http/security-headers.ts";
@@ -24,10 +25,11 @@ const FILES = {
   ),
 };
 
-export function docsRoutes(): Router {
+/** @param gateways those that the operator has not switched off */
+export function docsRoutes(gateways: readonly GatewayName[]): Router {
   // Before the routes, because a nested router at the end delays every other request by a turn.
   const router = Router().use(listedFiles(FILES));
-  for (const page of pagesOfSite()) {
+  for (const page of pagesOfSite(gateways)) {
     const html = renderPage(page);
     router
       .route(page.path)

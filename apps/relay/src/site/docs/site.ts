@@ -1,9 +1,11 @@
 /** Renders all pages of the documentation from Markdown. */
 import { readFileSync } from "node:fs";
 import { join, posix } from "node:path";
+import type { GatewayName } from "../../platform/gateway-names.ts";
 import type { Page } from "./frame.ts";
 import type { Address } from "./markdown.ts";
 import { problemPages } from "./problem-pages.ts";
+import { withQuickstarts } from "./quickstart-blocks.ts";
 import { CONSOLE_PATH, sections } from "./sections.ts";
 import { htmlWithTabs } from "./tabs.ts";
 
@@ -41,11 +43,15 @@ function withContents(html: string): string {
   return html.replace("</h1>", `</h1>\n${contents}`);
 }
 
-/** Reads and renders all pages. Called once, at startup. */
-export function pagesOfSite(): Page[] {
+/**
+ * Reads and renders all pages. Called once, at startup.
+ * @param gateways those that the operator has not switched off
+ */
+export function pagesOfSite(gateways: readonly GatewayName[]): Page[] {
   const pages = entries.flatMap(({ path, label, title = label, file }): Page[] => {
     if (file === null) return [];
-    const html = htmlWithTabs(readFileSync(join(ROOT, file), "utf8"), addressIn(file));
+    const text = withQuickstarts(readFileSync(join(ROOT, file), "utf8"), gateways);
+    const html = htmlWithTabs(text, addressIn(file));
     const page = { path, title, html: withContents(html) };
     return [
       path === CONSOLE_PATH ? { ...page, html: page.html + CONSOLE, head: CONSOLE_HEAD } : page,

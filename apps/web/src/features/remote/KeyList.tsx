@@ -9,6 +9,7 @@ import type { RemoteSession } from "../../simulator/protocol/worker-messages.ts"
 import { agoText } from "./ago-text.ts";
 import { listKeys, revokeKey, type ListedKey } from "./key-calls.ts";
 import { pairingOf } from "./robot-pairing.ts";
+import { dropUrlKey, tabStorage } from "./url-key.ts";
 import panel from "./remote.module.css";
 import rows from "./list-rows.module.css";
 
@@ -21,6 +22,7 @@ export function KeyList({ session }: { session: RemoteSession }) {
   const [outcome, setOutcome] = useState<"done" | "failed" | null>(null);
   const revoke = async ({ id }: ListedKey): Promise<void> => {
     const isDone = await revokeKey(fetch, session, id);
+    if (isDone) dropUrlKey(tabStorage, id);
     setOutcome(isDone ? "done" : "failed");
     lookAgain();
     // The pressed button disappears with its row.

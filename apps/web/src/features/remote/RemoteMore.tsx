@@ -1,6 +1,5 @@
 /**
- * What a first script does not need: key, code, watch link, other languages, scripts by name, and
- * the log.
+ * What a first script does not need: key, code, watch link, scripts by name, and the log.
  */
 import { ChevronRight } from "lucide";
 import { useEffect, useRef, useState } from "react";
@@ -10,9 +9,7 @@ import { CommandLog } from "./CommandLog.tsx";
 import { KeyField } from "./KeyField.tsx";
 import { KeyList } from "./KeyList.tsx";
 import { PairingField } from "./PairingField.tsx";
-import type { RobotAddress } from "../../model/remote/robot-address.ts";
 import { ScriptList } from "./ScriptList.tsx";
-import { Snippets } from "./Snippets.tsx";
 import { WatchField } from "./WatchField.tsx";
 import { Icon } from "../../ui/Icon.tsx";
 import panel from "./remote.module.css";
@@ -21,11 +18,10 @@ import styles from "./remote-more.module.css";
 
 interface RemoteMoreProps {
   /** null while scripts cannot reach the robot: then only the log is displayed */
-  address: RobotAddress | null;
   session: RemoteSession | null;
 }
 
-export function RemoteMore({ address, session }: RemoteMoreProps) {
+export function RemoteMore({ session }: RemoteMoreProps) {
   const { t } = useTranslation();
   const [isOpen, setOpen] = useState(false);
   const details = useRef<HTMLDetailsElement>(null);
@@ -56,7 +52,6 @@ export function RemoteMore({ address, session }: RemoteMoreProps) {
           </dl>
         </div>
       )}
-      {isOpen && address !== null && <Snippets address={address} />}
       {isOpen && session !== null && <ScriptList session={session} />}
       {isOpen && session !== null && <KeyList session={session} />}
       {isOpen && <CommandLog />}

@@ -1,16 +1,16 @@
 /**
- * The Remote panel: connection, address, a first script and its commands; the rest is behind
- * "More".
+ * The Remote panel: connection, address, the texts that connect a program, and its commands; the
+ * rest is behind "More".
  */
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
 import { AddressField } from "./AddressField.tsx";
+import { ConnectWith } from "./ConnectWith.tsx";
 import { ConnectionCard } from "./ConnectionCard.tsx";
 import { PausedNote } from "./PausedNote.tsx";
 import { RecentCommands } from "./RecentCommands.tsx";
 import { RemoteMore } from "./RemoteMore.tsx";
 import { robotAddress } from "../../model/remote/robot-address.ts";
-import { StarterScript } from "./StarterScript.tsx";
 import panel from "./remote.module.css";
 import styles from "./remote-panel.module.css";
 
@@ -27,9 +27,9 @@ export function RemotePanel() {
         {isShown && <AddressField address={address} session={session} />}
         {isShown && <PausedNote session={session} />}
       </div>
-      {isShown && <StarterScript address={address} />}
+      {isShown && <ConnectWith key={session.id} address={address} session={session} />}
       <RecentCommands />
-      <RemoteMore address={isShown ? address : null} session={isShown ? session : null} />
+      <RemoteMore session={isShown ? session : null} />
     </div>
   );
 }

@@ -4,6 +4,7 @@ import {
   unblockScript,
   pauseDriving,
   permitReset,
+  offeredGateways,
   secondsLeft,
   blockScript,
   createWatchAddress,
@@ -68,6 +69,23 @@ describe("a new key for scripts", () => {
     expect(await withNewKey(ask, session)).toBeNull();
     expect(await createWatchAddress(ask, session)).toBeNull();
     expect(await secondsLeft(ask, session)).toBeNull();
+    expect(await offeredGateways(ask, session)).toBeNull();
+  });
+});
+
+describe("the stored data of a robot", () => {
+  it("has the remaining time and the gateways", async () => {
+    const { asked, ask } = service(() =>
+      Response.json({ endsInSeconds: 60, gateways: ["ros", 1, "soap"] }),
+    );
+    expect(await secondsLeft(ask, session)).toBe(60);
+    expect(await offeredGateways(ask, session)).toEqual(["ros", "soap"]);
+    expect(asked).toEqual(Array(2).fill(`GET /api/v1/robots/${id} Bearer own_secret`));
+  });
+
+  it("has no gateways if the service does not send them", async () => {
+    const { ask } = service(() => Response.json({ endsInSeconds: 60 }));
+    expect(await offeredGateways(ask, session)).toBeNull();
   });
 });
 

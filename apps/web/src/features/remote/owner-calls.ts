@@ -1,6 +1,6 @@
 /**
- * Requests of a robot's owner to the service: remaining lifetime, new keys, and permissions of
- * scripts.
+ * Requests of a robot's owner to the service: remaining lifetime, gateways, new keys, and
+ * permissions of scripts.
  */
 import {
   createdKeySchema,
@@ -14,6 +14,8 @@ import { keyIdOf } from "./key-id.ts";
 
 const MAX_ANSWER = 4_096;
 
+type RobotOwner = Pick<RemoteSession, "id" | "ownerKey">;
+
 /** The part of `fetch` that is used here. */
 export type Ask = (
   url: string,
@@ -21,18 +23,15 @@ export type Ask = (
 ) => Promise<Response>;
 
 /** @returns seconds until the service deletes the robot; null if unavailable */
-export async function secondsLeft(
-  ask: Ask,
-  { id, ownerKey }: Pick<RemoteSession, "id" | "ownerKey">,
-): Promise<number | null> {
-  try {
-    const answer = await ask(`/api/v1/robots/${id}`, { headers: bearer(ownerKey) });
-    if (!answer.ok) return null;
-    const { endsInSeconds } = (await answer.json()) as { endsInSeconds?: unknown };
-    return typeof endsInSeconds === "number" ? endsInSeconds : null;
-  } catch {
-    return null;
-  }
+export async function secondsLeft(ask: Ask, owner: RobotOwner): Promise<number | null> {
+  const { endsInSeconds } = await readRobot(ask, owner);
+  return typeof endsInSeconds === "number" ? endsInSeconds : null;
+}
+
+/** @returns the names of the gateways that the service offers; null if unavailable */
+export async function offeredGateways(ask: Ask, owner: RobotOwner): Promise<string[] | null> {
+  const { gateways } = await readRobot(ask, owner);
+  return Array.isArray(gateways) ? gateways.filter((name) => typeof name === "string") : null;
 }
 
 /**
@@ -57,6 +56,12 @@ export async function withNewKey(ask: Ask, session: RemoteSession): Promise<Remo
 export async function createWatchAddress(ask: Ask, session: RemoteSession): Promise<string | null> {
   const { made } = await makeKey(ask, session, { kind: "watch", replace: true });
   return made?.address ?? null;
+}
+
+/** Creates a key that a URL may contain. @returns the key; null if the service created none */
+export async function createUrlKey(ask: Ask, owner: RobotOwner): Promise<string | null> {
+  const { made } = await makeKey(ask, owner, { kind: "drive", use: "url" });
+  return made?.key ?? null;
 }
 
 /** Blocks a script until it is unblocked. @returns whether the service did so */
@@ -101,7 +106,7 @@ export async function permitReset(
 /** @returns whether the service accepted the request */
 export async function isDone(
   ask: Ask,
-  { id, ownerKey }: Pick<RemoteSession, "id" | "ownerKey">,
+  { id, ownerKey }: RobotOwner,
   path: string,
   request: { method: string; body?: string },
 ): Promise<boolean> {
@@ -113,10 +118,23 @@ export async function isDone(
   }
 }
 
+/** @returns the stored data of the robot; without fields if unavailable */
+async function readRobot(
+  ask: Ask,
+  { id, ownerKey }: RobotOwner,
+): Promise<{ endsInSeconds?: unknown; gateways?: unknown }> {
+  try {
+    const answer = await ask(`/api/v1/robots/${id}`, { headers: bearer(ownerKey) });
+    return answer.ok ? ((await answer.json()) as object) : {};
+  } catch {
+    return {};
+  }
+}
+
 /** @returns the key, and the status: null if the service does not respond */
 async function makeKey(
   ask: Ask,
-  { id, ownerKey }: RemoteSession,
+  { id, ownerKey }: RobotOwner,
   request: KeyRequest,
 ): Promise<{ status: number | null; made: CreatedKey | null }> {
   try {

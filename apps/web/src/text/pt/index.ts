@@ -6,6 +6,7 @@ export const files = import.meta.glob<Words>(
     "./*.json",
     "!./check.json",
     "!./code.json",
+    "!./connect.json",
     "!./contest.json",
     "!./diagnosis.json",
     "!./embed.json",

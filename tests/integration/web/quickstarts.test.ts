@@ -6,23 +6,33 @@ import { createServer } from "node:http";
 import type { AddressInfo } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { quickstarts } from "@corridor/quickstarts";
 import { describe, expect, it, onTestFinished } from "vitest";
-import { snippet, snippetLanguages } from "../../../apps/web/src/features/remote/snippets.ts";
 
 const KEY = "d_test-key";
+const languages = ["plainPython", "javascript", "java", "csharp", "go", "curl"] as const;
+type Language = (typeof languages)[number];
+
 const programs = {
-  python: ["python3", "script.py"],
-  javascript: [process.execPath, "script.mjs"],
+  plainPython: ["python3", "drive.py"],
+  javascript: [process.execPath, "drive.mjs"],
   java: ["java", "Robot.java"],
-  curl: ["sh", "script.sh"],
+  // Mono stands in for .NET.
+  csharp: ["sh", "-c", "mcs -r:System.Net.Http Robot.cs && exec mono Robot.exe"],
+  go: ["sh", "-c", "go build -o drive drive.go && exec ./drive"],
+  curl: ["sh", "drive.sh"],
 } as const;
 
-const isMissing = {
-  python: false,
-  javascript: false,
-  java: spawnSync(programs.java[0], ["-version"]).status !== 0,
-  curl: spawnSync("curl", ["--version"]).status !== 0,
+const isMissing: Partial<Record<Language, boolean>> = {
+  java: isWithout("java", "-version"),
+  csharp: isWithout("mcs", "--version") || isWithout("mono", "--version"),
+  go: isWithout("go", "version"),
+  curl: isWithout("curl", "--version"),
 };
+
+function isWithout(program: string, option: string): boolean {
+  return spawnSync(program, [option]).status !== 0;
+}
 
 /**
  * How a robot responds to a command and to the request for its record, and what the script prints.
@@ -37,7 +47,7 @@ const endings = [
   { name: "was refused", detail: "The owner has paused.", prints: "The owner has paused." },
 ];
 
-/** @returns the base URL of the robot's API, and the requests that it receives */
+/** @returns the origin of a service with the robot, and the requests that the robot receives */
 async function startRobot({ record, detail }: (typeof endings)[number]) {
   const requests: string[] = [];
   const server = createServer((request, response) => {
@@ -58,15 +68,16 @@ async function startRobot({ record, detail }: (typeof endings)[number]) {
   await once(server, "listening");
   onTestFinished(() => void server.close());
   const { port } = server.address() as AddressInfo;
-  return { api: `http://127.0.0.1:${port}/api/v1/robots/r1`, requests };
+  return { origin: `http://127.0.0.1:${port}`, requests };
 }
 
 /** Runs a script to its end. @returns its last printed line, and its exit code */
-async function run(language: keyof typeof programs, api: string) {
-  const [program, file] = programs[language];
+async function run(language: Language, origin: string) {
+  const [program, ...args] = programs[language];
+  const { file, text } = quickstarts[language];
   const folder = await mkdtemp(join(tmpdir(), "corridor-script-"));
-  await writeFile(join(folder, file), snippet(language, api, KEY));
-  const child = spawn(program, [file], { cwd: folder, stdio: ["ignore", "pipe", "pipe"] });
+  await writeFile(join(folder, file ?? ""), text({ origin, id: "r1", key: KEY, urlKey: "" }));
+  const child = spawn(program, args, { cwd: folder, stdio: ["ignore", "pipe", "pipe"] });
   let output = "";
   let errors = "";
   child.stdout.on("data", (chunk: Buffer) => (output += chunk.toString()));
@@ -77,12 +88,12 @@ async function run(language: keyof typeof programs, api: string) {
   return { last: `${output}${errors}`.trimEnd().split("\n").at(-1) ?? "", code };
 }
 
-describe.each(snippetLanguages)("the script to copy in %s", (language) => {
-  it.skipIf(isMissing[language]).each(endings)(
+describe.each(languages)("the script to copy in %s", (language) => {
+  it.skipIf(isMissing[language] ?? false).each(endings)(
     "prints at its end that the command $name",
     async (ending) => {
-      const { api, requests } = await startRobot(ending);
-      const { last, code } = await run(language, api);
+      const { origin, requests } = await startRobot(ending);
+      const { last, code } = await run(language, origin);
       expect(language === "curl" ? /"\w+":"(.*)"/.exec(last)?.[1] : last).toBe(ending.prints);
       // A shell or a build server sees that the robot did not drive.
       expect(code).toBe(ending.prints === "completed" ? 0 : 1);

@@ -1,0 +1,2 @@
+export { quickstartIds, quickstarts, type Quickstart, type QuickstartId } from "./quickstarts.ts";
+export type { RobotParts } from "./robot-parts.ts";
