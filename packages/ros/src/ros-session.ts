@@ -1,13 +1,14 @@
 /** One connection of a ROS client, by rosbridge v2, to one robot. */
 import {
   closeReasons,
+  MotionRegister,
   RefusedError,
   type CloseReason,
   type RobotPort,
   type Timers,
 } from "@corridor/protocol";
 import { CommandEnds } from "./command-ends.ts";
-import { TICKS_PER_SECOND } from "./conversions.ts";
+import { TICKS_PER_SECOND, wheelPowers } from "./conversions.ts";
 import { Goals } from "./goals.ts";
 import { absoluteName, shortName } from "./interfaces.ts";
 import { readOperation, type Fields, type Operation } from "./operations.ts";
@@ -18,7 +19,6 @@ import { serviceOf } from "./rosapi.ts";
 import { robotServices } from "./services.ts";
 import { Subscriptions } from "./subscriptions.ts";
 import { isVelocityType, topicOf, topics, VELOCITY_TOPIC } from "./topics.ts";
-import { VelocityRegister } from "./velocity.ts";
 
 const ERROR_LEVEL = 40;
 const MAX_OPEN_CALLS = 64;
@@ -44,7 +44,7 @@ export class RosSession {
   readonly #options: RosSessionOptions;
   readonly #view: RobotView;
   readonly #subscriptions: Subscriptions;
-  readonly #velocity: VelocityRegister;
+  readonly #velocity: MotionRegister;
   readonly #goals: Goals;
   #isClosed = false;
   /** the newest message of /rosout */
@@ -63,10 +63,10 @@ export class RosSession {
     this.#subscriptions = new Subscriptions(timers, (name, msg) =>
       this.#send({ op: "publish", topic: name, msg }),
     );
-    this.#velocity = new VelocityRegister({
+    this.#velocity = new MotionRegister({
       timers,
       running: () => this.#view.snapshot?.command ?? null,
-      hasGoal: () => !this.#goals.isEmpty,
+      hasOther: () => !this.#goals.isEmpty,
       send: async (order) => {
         let seq: number | null = null;
         await this.#attempt(async () => {
@@ -173,7 +173,10 @@ export class RosSession {
     const message = readMessage(type, msg);
     const twist = (isStamped ? message["twist"] : message) as Twist;
     const stampMs = isStamped ? stampMsOf(message) : null;
-    this.#velocity.set({ linear: twist.linear.x, angular: twist.angular.z }, stampMs);
+    this.#velocity.set(
+      wheelPowers({ linear: twist.linear.x, angular: twist.angular.z }),
+      stampMs,
+    );
   }
 
   #subscribe(request: Fields<"subscribe">): void {

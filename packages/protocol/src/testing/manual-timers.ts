@@ -1,5 +1,5 @@
 /** Timers whose time passes only when the test says so. */
-import type { Timers } from "../timers.ts";
+import type { Timers } from "@corridor/protocol";
 
 export class ManualTimers implements Timers {
   #now = 10_000;

@@ -1,9 +1,9 @@
 /**
- * The velocity of `/cmd_vel`: a register with a lease, never a queue. Clients store what they publish
- * while they are disconnected, and send all of it at once later.
+ * The velocity of a client of another protocol: a register with a lease, never a queue. Clients store
+ * what they send while they are disconnected, and send all of it at once later.
  */
-import type { Order, Timers } from "@corridor/protocol";
-import { wheelPowers, type Velocity } from "./conversions.ts";
+import type { Order } from "./order.ts";
+import type { Timers } from "./timers.ts";
 
 /** At most 10 orders a second. */
 const MIN_INTERVAL_MS = 100;
@@ -25,22 +25,23 @@ const MAX_BEHIND_MS = 600_000;
 /** Clients may be ahead of the simulated time by the interval of snapshots. */
 const MAX_AHEAD_MS = 1_000;
 
-interface Powers {
+/** Wheel powers from -1 to 1. */
+export interface WheelPowers {
   left: number;
   right: number;
 }
 
-interface NextPowers extends Powers {
+interface NextPowers extends WheelPowers {
   /** time of its arrival */
   at: number;
 }
 
-export interface VelocityOptions {
+export interface MotionRegisterOptions {
   timers: Timers;
   /** Number of the command that runs; null: none. */
   running(): number | null;
-  /** Whether a goal of this client runs or waits. */
-  hasGoal(): boolean;
+  /** Whether another command of this client runs or waits. */
+  hasOther(): boolean;
   /**
    * Sends an order. Never rejects.
    * @returns number of its command, once the next order may be sent; null if it was refused
@@ -48,8 +49,8 @@ export interface VelocityOptions {
   send(order: Order): Promise<number | null>;
 }
 
-export class VelocityRegister {
-  readonly #options: VelocityOptions;
+export class MotionRegister {
+  readonly #options: MotionRegisterOptions;
   /** nothing is sent before this time: of what arrives until then, only the newest value counts */
   #heldUntil: number;
   #arrivedAt = Number.NEGATIVE_INFINITY;
@@ -60,7 +61,7 @@ export class VelocityRegister {
   /** the newest value that has not been sent */
   #next: NextPowers | null = null;
   /** null: the robot may do something else */
-  #sent: Powers | null = null;
+  #sent: WheelPowers | null = null;
   #sentAt = Number.NEGATIVE_INFINITY;
   #cancelTimer: (() => void) | null = null;
   /** numbers of the newest commands of this register */
@@ -72,16 +73,16 @@ export class VelocityRegister {
   /** simulated times of the last `MAX_DELAY_MS`, and the newest before it */
   readonly #simulated: { at: number; ms: number }[] = [];
 
-  constructor(options: VelocityOptions) {
+  constructor(options: MotionRegisterOptions) {
     this.#options = options;
     this.#heldUntil = options.timers.now() + START_MS;
   }
 
   /** @param stampMs the time of the message by the clock of the client; null: none */
-  set(velocity: Velocity, stampMs: number | null): void {
+  set(powers: WheelPowers, stampMs: number | null): void {
     this.#arrived(this.#options.timers.now());
     if (stampMs !== null && this.#isLate(stampMs)) return;
-    this.#next = { ...wheelPowers(velocity), at: this.#options.timers.now() };
+    this.#next = { ...powers, at: this.#options.timers.now() };
     this.#schedule();
   }
 
@@ -177,7 +178,7 @@ export class VelocityRegister {
   /** A drive replaces an earlier one by itself, and waits for other commands. */
   #mustTakeOver(): boolean {
     const running = this.#options.running();
-    return this.#options.hasGoal() || (running !== null && !this.#own.has(running));
+    return this.#options.hasOther() || (running !== null && !this.#own.has(running));
   }
 
   #remember(seq: number): void {
@@ -186,7 +187,7 @@ export class VelocityRegister {
     if (this.#own.size > MAX_OWN && oldest !== undefined) this.#own.delete(oldest);
   }
 
-  #isDue({ left, right }: Powers): boolean {
+  #isDue({ left, right }: WheelPowers): boolean {
     if (this.#sent?.left !== left || this.#sent.right !== right) return true;
     const isZero = left === 0 && right === 0;
     return !isZero && this.#options.timers.now() - this.#sentAt >= RENEWAL_MS;
