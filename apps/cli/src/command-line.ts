@@ -52,6 +52,11 @@ const entries: readonly Entry[] = [
     summary: "start a micromouse program, which drives a robot",
     load: async () => import("./bridges/mms/mms-command.ts"),
   },
+  {
+    name: "viple",
+    summary: "let diagrams of ASU VIPLE drive a robot",
+    load: async () => import("./bridges/viple/viple-command.ts"),
+  },
 ];
 
 const HELP = `Usage: corridor COMMAND [OPTIONS]
@@ -63,7 +68,7 @@ corridor COMMAND --help describes a command and its options.
 
 ${exitCodes(
   "success; conformance: PASSED",
-  "conformance: FAILED or INCOMPLETE; grade: --require is not met; ros, mcp, mms: the robot cannot be used",
+  "conformance: FAILED or INCOMPLETE; grade: --require is not met; ros, mcp, mms, viple: the robot cannot be used",
 )}`;
 
 /**

@@ -26,10 +26,11 @@ export class RobotPage {
   constructor(
     { page, origin, session, transports }: OpenMessage,
     report: (message: FromPages) => void,
+    maze = firstMaze,
   ) {
     this.#number = page;
     this.#report = report;
-    this.#loop = new RunLoop(firstMaze, firstProgram, () => performance.now());
+    this.#loop = new RunLoop(maze, firstProgram, () => performance.now());
     this.#host = new RemoteHost({
       origin,
       now: () => Date.now(),

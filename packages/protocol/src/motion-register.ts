@@ -1,6 +1,7 @@
 /**
- * The velocity of a client of another protocol: a register with a lease, never a queue. Clients store
- * what they send while they are disconnected, and send all of it at once later.
+ * The motion of a client of another protocol: a register, never a queue. A velocity has a lease; a turn
+ * ends by itself. Clients store what they send while they are disconnected, and send all of it at once
+ * later.
  */
 import type { Order } from "./order.ts";
 import type { Timers } from "./timers.ts";
@@ -11,6 +12,8 @@ const MIN_INTERVAL_MS = 100;
 const RENEWAL_MS = 200;
 /** The robot stops if no message arrives for this time. */
 const LEASE_MS = 500;
+/** A turn is sent once, so it may start later than a velocity. */
+const TURN_TTL_MS = 2_000;
 /** A connection begins with what its client has stored, and so does one that was interrupted. */
 const START_MS = 300;
 /** Of a stream that resumes, messages that arrive this close together may be what was stored. */
@@ -25,16 +28,10 @@ const MAX_BEHIND_MS = 600_000;
 /** Clients may be ahead of the simulated time by the interval of snapshots. */
 const MAX_AHEAD_MS = 1_000;
 
-/** Wheel powers from -1 to 1. */
-export interface WheelPowers {
-  left: number;
-  right: number;
-}
-
-interface NextPowers extends WheelPowers {
-  /** time of its arrival */
-  at: number;
-}
+/** Wheel powers from -1 to 1, or degrees to turn on the spot (negative: left). */
+export type Motion =
+  | { action: "drive"; left: number; right: number }
+  | { action: "turn"; degrees: number };
 
 export interface MotionRegisterOptions {
   timers: Timers;
@@ -58,13 +55,13 @@ export class MotionRegister {
   #isStream = false;
   /** the newest time at which a stream resumed, and the number of messages soon after it */
   #resumed = { at: Number.NEGATIVE_INFINITY, messages: 0 };
-  /** the newest value that has not been sent */
-  #next: NextPowers | null = null;
+  /** the newest value that has not been sent, and the time of its arrival */
+  #next: { motion: Motion; at: number } | null = null;
   /** null: the robot may do something else */
-  #sent: WheelPowers | null = null;
+  #sent: Motion | null = null;
   #sentAt = Number.NEGATIVE_INFINITY;
   #cancelTimer: (() => void) | null = null;
-  /** numbers of the newest commands of this register */
+  /** numbers of the newest velocities of this register */
   readonly #own = new Set<number>();
   #isSending = false;
   #isClosed = false;
@@ -79,10 +76,10 @@ export class MotionRegister {
   }
 
   /** @param stampMs the time of the message by the clock of the client; null: none */
-  set(powers: WheelPowers, stampMs: number | null): void {
+  set(motion: Motion, stampMs: number | null): void {
     this.#arrived(this.#options.timers.now());
     if (stampMs !== null && this.#isLate(stampMs)) return;
-    this.#next = { ...powers, at: this.#options.timers.now() };
+    this.#next = { motion, at: this.#options.timers.now() };
     this.#schedule();
   }
 
@@ -160,23 +157,29 @@ export class MotionRegister {
     const next = this.#next;
     this.#next = null;
     if (next === null) return;
-    const { at, ...powers } = next;
+    const { motion, at } = next;
     // Sending an earlier order took long, because the network was lost.
     if (at < this.#options.timers.now() - MAX_DELAY_MS) return;
-    if (!this.#isDue(powers)) return;
-    this.#sent = powers;
+    if (!this.#isDue(motion)) return;
+    const order = this.#orderOf(motion);
+    this.#sent = motion;
     this.#sentAt = this.#options.timers.now();
     this.#isSending = true;
-    const terms = { lease: LEASE_MS, ttl: LEASE_MS, replace: this.#mustTakeOver() };
-    const seq = await this.#options.send({ action: "drive", ...powers, ...terms });
+    const seq = await this.#options.send(order);
     if (seq === null) this.#sent = null;
     this.#isSending = false;
-    if (seq !== null) this.#remember(seq);
+    if (seq !== null && motion.action === "drive") this.#remember(seq);
     if (this.#next !== null) this.#schedule();
+  }
+
+  #orderOf(motion: Motion): Order {
+    if (motion.action === "turn") return { ...motion, ttl: TURN_TTL_MS, replace: true };
+    return { ...motion, lease: LEASE_MS, ttl: LEASE_MS, replace: this.#mustTakeOver() };
   }
 
   /** A drive replaces an earlier one by itself, and waits for other commands. */
   #mustTakeOver(): boolean {
+    if (this.#sent?.action === "turn") return true;
     const running = this.#options.running();
     return this.#options.hasOther() || (running !== null && !this.#own.has(running));
   }
@@ -187,8 +190,10 @@ export class MotionRegister {
     if (this.#own.size > MAX_OWN && oldest !== undefined) this.#own.delete(oldest);
   }
 
-  #isDue({ left, right }: WheelPowers): boolean {
-    if (this.#sent?.left !== left || this.#sent.right !== right) return true;
+  #isDue(motion: Motion): boolean {
+    if (motion.action !== "drive" || this.#sent?.action !== "drive") return true;
+    const { left, right } = motion;
+    if (this.#sent.left !== left || this.#sent.right !== right) return true;
     const isZero = left === 0 && right === 0;
     return !isZero && this.#options.timers.now() - this.#sentAt >= RENEWAL_MS;
   }

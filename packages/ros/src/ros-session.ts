@@ -173,10 +173,8 @@ export class RosSession {
     const message = readMessage(type, msg);
     const twist = (isStamped ? message["twist"] : message) as Twist;
     const stampMs = isStamped ? stampMsOf(message) : null;
-    this.#velocity.set(
-      wheelPowers({ linear: twist.linear.x, angular: twist.angular.z }),
-      stampMs,
-    );
+    const powers = wheelPowers({ linear: twist.linear.x, angular: twist.angular.z });
+    this.#velocity.set({ action: "drive", ...powers }, stampMs);
   }
 
   #subscribe(request: Fields<"subscribe">): void {

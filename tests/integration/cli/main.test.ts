@@ -56,7 +56,7 @@ describe("help", () => {
     { found: "conf", answer: "Did you mean conformance?" },
     {
       found: "drive",
-      answer: "The commands are simulate, grade, report, maze, conformance, ros, mcp, mms.",
+      answer: "The commands are simulate, grade, report, maze, conformance, ros, mcp, mms, viple.",
     },
   ])("names the command that resembles $found", ({ found, answer }) => {
     expect(corridor(found)).toEqual({

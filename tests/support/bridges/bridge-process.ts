@@ -44,6 +44,20 @@ export class BridgeProcess {
     return { bridge, url };
   }
 
+  /** Starts the bridge for VIPLE on free ports, with the address in the environment. */
+  static async startViple(
+    address: string,
+    ...options: string[]
+  ): Promise<{ bridge: BridgeProcess; simulatorPort: number; robotPort: number }> {
+    const ports = ["--simulator-port", "0", "--robot-port", "0"];
+    const environment = { CORRIDOR_ROBOT: address };
+    const bridge = BridgeProcess.launch(["viple", ...ports, ...options], environment);
+    const [, simulatorPort, robotPort] = await bridge.says(
+      /VIPLE connects to .*port (\d+) .*port (\d+) /,
+    );
+    return { bridge, simulatorPort: Number(simulatorPort), robotPort: Number(robotPort) };
+  }
+
   /** Waits until standard error matches. @throws Error if it exits before */
   async says(pattern: RegExp): Promise<RegExpExecArray> {
     for (;;) {
@@ -54,6 +68,10 @@ export class BridgeProcess {
       if (end !== null) throw new Error(`The bridge exited with ${end}: ${this.output.stderr}`);
       await Promise.race([once(stderr, "data"), this.exited]);
     }
+  }
+
+  get pid(): number {
+    return this.#child.pid ?? 0;
   }
 
   signal(signal: NodeJS.Signals): void {

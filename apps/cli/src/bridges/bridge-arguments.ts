@@ -71,11 +71,12 @@ export function listenHelp(defaultPort: number): string {
 export function readListenAddress(
   { host, port }: { host: string; port?: string | undefined },
   defaultPort: number,
+  option = "--port",
 ): ListenAddress {
   const number = Number(port ?? defaultPort);
   if (port?.trim() === "" || !Number.isInteger(number) || number < 0 || number > 65_535) {
     throw new InputError([
-      `--port: found ${JSON.stringify(port)}, expected a number from 0 to 65535; 0: any free port`,
+      `${option}: found ${JSON.stringify(port)}, expected a number from 0 to 65535; 0: any free port`,
     ]);
   }
   return { host, port: number };

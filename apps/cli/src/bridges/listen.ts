@@ -4,13 +4,17 @@ import type { AddressInfo, Server } from "node:net";
 import type { ListenAddress } from "./bridge-arguments.ts";
 import { BridgeError } from "./bridge-error.ts";
 
-/** @returns the port @throws BridgeError */
-export async function listen(server: Server, { host, port }: ListenAddress): Promise<number> {
+/** @param option that chooses another port @returns the port @throws BridgeError */
+export async function listen(
+  server: Server,
+  { host, port }: ListenAddress,
+  option = "--port",
+): Promise<number> {
   try {
     await once(server.listen(port, host), "listening");
   } catch (error) {
     const { code = "" } = error as NodeJS.ErrnoException;
-    const sentence = sentences[code]?.(host, port);
+    const sentence = sentences[code]?.({ host, port, option });
     throw new BridgeError(sentence ?? `Cannot listen on port ${port} of ${host} (${code}).`, {
       cause: error,
     });
@@ -18,16 +22,19 @@ export async function listen(server: Server, { host, port }: ListenAddress): Pro
   return (server.address() as AddressInfo).port;
 }
 
-const sentences: Readonly<Record<string, (host: string, port: number) => string>> = {
-  EADDRINUSE: (_host, port) =>
-    `Port ${port} is in use. Stop the other program, or choose another port with --port.`,
-  EACCES: (_host, port) => `Port ${port} is not permitted. Choose a port above 1023 with --port.`,
+type Place = ListenAddress & { option: string };
+
+const sentences: Readonly<Record<string, (place: Place) => string>> = {
+  EADDRINUSE: ({ port, option }) =>
+    `Port ${port} is in use. Stop the other program, or choose another port with ${option}.`,
+  EACCES: ({ port, option }) =>
+    `Port ${port} is not permitted. Choose a port above 1023 with ${option}.`,
   EADDRNOTAVAIL: noAddress,
   ENOTFOUND: noAddress,
   EAI_AGAIN: noAddress,
 };
 
-function noAddress(host: string): string {
+function noAddress({ host }: Place): string {
   return `This computer has no address ${host}. Omit --host, or use 0.0.0.0 for all addresses.`;
 }
 

@@ -6,7 +6,7 @@ import { FaultProxy } from "../../../../e2e/faults/net/fault-proxy.ts";
 import { registerRobot } from "../../../../packages/client/src/register-robot.ts";
 import { startRelayProcess } from "../../../support/test-relay-process.ts";
 import { roslibpyEnvironment } from "../../../support/ros/roslibpy.ts";
-import { openSimulatedPage } from "../../../support/ros/simulated-page.ts";
+import { openSimulatedPage } from "../../../support/client/simulated-page.ts";
 import { urlWithKey } from "../../../support/ros/url-with-key.ts";
 import { sendWrongMessages } from "../../../support/ros/wrong-messages.ts";
 import {

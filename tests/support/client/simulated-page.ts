@@ -1,4 +1,5 @@
 /** A page that is the robot, with its real simulation and remote driver, on real time. */
+import type { MazeDocument } from "@corridor/maze";
 import type { Registration } from "@corridor/protocol";
 import { onTestFinished } from "vitest";
 import { RobotPage } from "../../../e2e/faults/robots/robot-page.ts";
@@ -7,14 +8,23 @@ import { Robot } from "../../../e2e/faults/robots/robot.ts";
 /** interval of the page's worker */
 const INTERVAL_MS = 8;
 
-/** Opens the page of a robot. It closes with the test. @param origin of its relay */
-export function openSimulatedPage(origin: string, registration: Registration): Robot {
+/**
+ * Opens the page of a robot. It closes with the test.
+ * @param origin of its relay
+ * @param maze default: that of a first visit
+ */
+export function openSimulatedPage(
+  origin: string,
+  registration: Registration,
+  maze?: MazeDocument,
+): Robot {
   const robot = new Robot(registration);
   const page = new RobotPage(
     { type: "open", page: robot.page, origin, session: robot.session, transports: "websocket" },
     (message) => {
       if (message.type !== "ready") robot.receive(message);
     },
+    maze,
   );
   const timer = setInterval(() => page.advance(), INTERVAL_MS);
   onTestFinished(() => {
