@@ -1,17 +1,24 @@
 /**
- * Clients of ROS and agents that send broken messages, do not read, or lose their connections: the
- * relay survives, memory stays bounded, other robots drive on, and no command runs twice.
+ * Clients of ROS, agents and clients of SOAP that send broken messages, do not read, or lose their
+ * connections: the relay survives, memory stays bounded, other robots drive on, and no command runs
+ * twice.
  */
 import { randomUUID } from "node:crypto";
 import { WebSocket } from "ws";
 import { badCommands } from "../../../apps/relay/src/testing/bad-commands.ts";
 import { SeededRandom } from "../../../apps/relay/src/testing/faults/seeded-random.ts";
+import {
+  callSoap,
+  envelopeXml,
+  operationXml,
+} from "../../../apps/relay/src/testing/soap-client.ts";
 import { RelayProcess } from "../../../tests/support/relay-process.ts";
 import { urlWithKey } from "../../../tests/support/ros/url-with-key.ts";
 import { callRepeatedly, sleep, waitUntil } from "../clock.ts";
 import { FaultProxy } from "../net/fault-proxy.ts";
 import { memoryMib } from "../memory.ts";
 import { RawSocket } from "../net/raw-socket.ts";
+import type { Robot } from "../robots/robot.ts";
 import { RosScript } from "../scripts/ros-script.ts";
 import type { Scenario } from "../scenario.ts";
 import { TestBed } from "../test-bed.ts";
@@ -33,19 +40,20 @@ const size = (sizes: { short: number; long: number }, isLong: boolean): number =
 export const gateways: Scenario = {
   title: "Gateways",
   describe: (isLong) =>
-    `${size(MESSAGES, isLong)} broken messages arrive at the gateways for ROS and for agents, ${READERS} ROS clients read nothing for ${SLEEP_MS / 1000} s, and the connections of an agent and a ROS client are cut ${size(CUTS, isLong)} times. Meanwhile a script drives another robot`,
+    `${size(MESSAGES, isLong)} broken messages arrive at the gateways for ROS, agents and SOAP, ${READERS} ROS clients read nothing for ${SLEEP_MS / 1000} s, and the connections of an agent, a SOAP client and a ROS client are cut ${size(CUTS, isLong)} times. Meanwhile a script drives another robot`,
   run: async (context) => {
     const random = new SeededRandom(context.seed);
     const relay = await RelayProcess.start();
     context.onCleanup(() => relay.stop());
     const { pid } = relay;
     const testBed = new TestBed(context);
-    await testBed.register(relay.url, 4);
+    await testBed.register(relay.url, 5);
     const pages = await testBed.startPages();
     for (const robot of testBed.robots) testBed.open(robot, pages, relay.url, "websocket");
     await testBed.waitUntilConnected();
-    const [victim, ofAgent, ofRos, bystander] = testBed.robots.map((each) => each.registration);
-    if (!victim || !ofAgent || !ofRos || !bystander) throw new Error("no robots");
+    const registrations = testBed.robots.map((each) => each.registration);
+    const [victim, ofAgent, ofSoap, ofRos, bystander] = registrations;
+    if (!victim || !ofAgent || !ofSoap || !ofRos || !bystander) throw new Error("no robots");
     const script = await BareSocketScript.connect(relay.url, bystander.id, bystander.driverKey);
     context.onCleanup(() => script.close());
     const endTurning = script.keepTurning();
@@ -66,17 +74,26 @@ export const gateways: Scenario = {
     const ros = new RosScript(proxy.origin.replace("http", "ws") + rosPath);
     context.onCleanup(() => ros.close());
     let isCut = false;
-    const agent = (async () => {
+    /** Makes calls until the cuts are over, and repeats each until it is answered. @returns their keys */
+    const callOften = async (call: (args: Args) => Promise<boolean>): Promise<string[]> => {
       const keys: string[] = [];
       while (!isCut) {
         const key = randomUUID();
         keys.push(key);
-        const url = `${proxy.origin}/r/${ofAgent.id}/mcp`;
         const action = keys.length % 2 === 0 ? "left 90" : "right 90";
-        await callUntilAnswered(url, ofAgent.driverKey, { action, key });
+        while (!(await isAnswered(() => call({ action, key })))) await sleep(50);
       }
       return keys;
-    })();
+    };
+    const agent = callOften((args) =>
+      callTool(`${proxy.origin}/r/${ofAgent.id}/mcp`, ofAgent.driverKey, args),
+    );
+    const soapRobot = `${relay.url}/r/${ofSoap.id}#${ofSoap.driverKey}`;
+    const soap = callOften(async (args) => {
+      const fields = { robot: soapRobot, ...args, wait: 25 };
+      const { name } = await callSoap(proxy.origin, "Command", fields);
+      return name === "CommandResponse";
+    });
     for (let cut = size(CUTS, context.isLong); cut > 0; cut -= 1) {
       await sleep(random.between(50, 500));
       proxy.cut();
@@ -84,12 +101,17 @@ export const gateways: Scenario = {
     const { poses } = ros;
     const backMs = await waitUntil(() => ros.poses > poses, TIMEOUT_MS);
     isCut = true;
-    const keys = await agent;
+    const agentKeys = await agent;
+    const soapKeys = await soap;
     const ends = await endTurning();
     const health = await fetch(`${relay.url}/healthz`);
     const compared = await testBed.compare(relay.url);
-    const [, agentRobot] = testBed.robots;
-    const log = (agentRobot && compared.logs.get(agentRobot)) ?? [];
+    const [, agentRobot, robotOfSoap] = testBed.robots;
+    /** Number of calls whose key is in the log of the robot not exactly once. */
+    const countWrong = (robot: Robot | undefined, keys: readonly string[]): number => {
+      const log = (robot && compared.logs.get(robot)) ?? [];
+      return keys.filter((key) => log.filter((each) => each.key === key).length !== 1).length;
+    };
     return [
       {
         label: "the relay is the same process, and healthy",
@@ -123,9 +145,15 @@ export const gateways: Scenario = {
       },
       {
         label: "calls of an agent that did not move the robot exactly once",
-        measured: keys.filter((key) => log.filter((each) => each.key === key).length !== 1).length,
+        measured: countWrong(agentRobot, agentKeys),
         bound: { atMost: 0 },
-        unit: `of ${keys.length}`,
+        unit: `of ${agentKeys.length}`,
+      },
+      {
+        label: "calls of a SOAP client that did not move the robot exactly once",
+        measured: countWrong(robotOfSoap, soapKeys),
+        bound: { atMost: 0 },
+        unit: `of ${soapKeys.length}`,
       },
       {
         label: "commands of the bystander that did not complete",
@@ -145,7 +173,7 @@ interface Attack {
   key: string;
 }
 
-/** Sends broken messages to both gateways. @returns the number of answers that show internals */
+/** Sends broken messages to the gateways. @returns the number of answers that show internals */
 async function sendBroken(
   origin: string,
   path: string,
@@ -165,7 +193,16 @@ async function sendBroken(
     const body = new Uint8Array(brokenMessage(random));
     const answer = await fetch(agentUrl, { method: "POST", headers, body });
     if (answer.status >= 500 || INTERNALS.test(await answer.text())) shown += 1;
-    sent += 1;
+    const fault = await fetch(`${origin}/soap`, {
+      method: "POST",
+      headers: { Authorization: `Bearer ${key}`, "Content-Type": "text/xml; charset=utf-8" },
+      body: new Uint8Array(brokenXml(random)),
+    });
+    // Faults of SOAP 1.1 have the status 500, but none is the relay's own.
+    const faultText = await fault.text();
+    if (!faultText.includes("Fault") || /code>internal</.test(faultText)) shown += 1;
+    else if (INTERNALS.test(faultText)) shown += 1;
+    sent += 2;
   }
   return shown;
 }
@@ -187,6 +224,23 @@ function brokenMessage(random: SeededRandom): Buffer {
     () => '{"jsonrpc":"1.0","id":{},"method":"tools/call"}',
   ];
   if (random.chance(0.1)) return Buffer.from([0x22, 0xc3, 0x28, 0x22]);
+  return Buffer.from(random.pick(texts)());
+}
+
+function brokenXml(random: SeededRandom): Buffer {
+  const { body } = random.pick(badCommands);
+  const text = (body || "null").replaceAll("&", "&amp;").replaceAll("<", "&lt;");
+  const texts: (() => string)[] = [
+    () => body || "null",
+    () => envelopeXml(operationXml("Command", `<robot>${text}</robot><action>${text}</action>`)),
+    () => envelopeXml(operationXml("Fly", { robot: "nobody" })),
+    () => envelopeXml("<Sense/>"),
+    () => `<!DOCTYPE a [<!ENTITY b "c">]>${envelopeXml(operationXml("Sense", "&b;"))}`,
+    () => envelopeXml("<a>".repeat(2_000) + "</a>".repeat(2_000)),
+    () => envelopeXml("").slice(0, random.between(1, 100)),
+    () => "x".repeat(20_000),
+  ];
+  if (random.chance(0.1)) return Buffer.from([0x3c, 0xc3, 0x28, 0x3e]);
   return Buffer.from(random.pick(texts)());
 }
 
@@ -220,19 +274,26 @@ async function readNothing(url: string, pid: number) {
   return { memoryMib: most - before, backlogKib };
 }
 
-/** Repeats a call with the same key until it is answered, as agents do. */
-async function callUntilAnswered(url: string, key: string, args: object): Promise<void> {
+interface Args {
+  action: string;
+  /** idempotency key, the same for each attempt */
+  key: string;
+}
+
+/** Whether a call is answered. It fails if its connection is cut. */
+async function isAnswered(call: () => Promise<boolean>): Promise<boolean> {
+  try {
+    return await call();
+  } catch {
+    return false;
+  }
+}
+
+async function callTool(url: string, key: string, args: Args): Promise<boolean> {
   const params = { name: "act", arguments: args };
   const body = JSON.stringify({ jsonrpc: "2.0", id: 1, method: "tools/call", params });
   const headers = { Authorization: `Bearer ${key}`, "Content-Type": "application/json" };
-  const call = async (): Promise<boolean> => {
-    try {
-      const answer = await fetch(url, { method: "POST", headers, body });
-      await answer.text();
-      return answer.ok;
-    } catch {
-      return false;
-    }
-  };
-  while (!(await call())) await sleep(50);
+  const answer = await fetch(url, { method: "POST", headers, body });
+  await answer.text();
+  return answer.ok;
 }
