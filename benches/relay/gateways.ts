@@ -1,11 +1,12 @@
 /**
  * Measures the gateways of other protocols relative to native clients of the same relay: a velocity
  * of a ROS client until it starts, the cost of snapshots as topics of ROS, 500 robots with a ROS
- * reader each, and calls of agents.
+ * reader each, calls of agents, commands by SOAP and those of micromouse programs.
  */
 import type { Registration } from "@corridor/protocol";
 import type { Goal } from "../core/goals.ts";
 import { quantile } from "../core/measure.ts";
+import { measureMouse, measureSoap } from "./gateway-commands.ts";
 import type { LoadResult, OpenJob, PacedJob } from "./load/jobs.ts";
 import { Load } from "./load/load.ts";
 import type { RunningPeer } from "./peers/peer.ts";
@@ -68,6 +69,7 @@ export const gateways: Section = {
     const crowd = await measure({ native: null, odom: ODOM }, CROWD);
     printCost("500 robots, 30/s each", crowd);
     await printCalls();
+    const commands = await measureCommands();
     return [
       goal("from a velocity of a ROS client to its start, p50", 1.15, {
         rounds: velocities,
@@ -83,6 +85,7 @@ export const gateways: Section = {
         rounds: crowd,
         name: "odom",
       }),
+      ...commands,
     ];
   },
 };
@@ -141,6 +144,16 @@ function goal(
     bound: { atMost },
     unit: "times",
   };
+}
+
+async function measureCommands(): Promise<readonly Goal[]> {
+  const relay = await startRelay();
+  try {
+    const origin = `http://127.0.0.1:${relay.pages}`;
+    return [await measureSoap(origin), await measureMouse(origin)];
+  } finally {
+    await relay.stop();
+  }
 }
 
 /** Calls of an agent one after the other, and the native request that returns the same. */
