@@ -6,6 +6,11 @@ export function micromouse(robot: RobotParts): string {
 node corridor-cli.mjs mms "${addressOf(robot)}" -- python3 Main.py`;
 }
 
+export function viple(robot: RobotParts): string {
+  return `curl -O ${robot.origin}/corridor-cli.mjs
+node corridor-cli.mjs viple "${addressOf(robot)}"`;
+}
+
 export function generated(robot: RobotParts): string {
   return `# First: pip install openapi-python-client
 # Then: openapi-python-client generate --meta none --output-path corridor_client --url ${robot.origin}/openapi.json

@@ -5,7 +5,7 @@
 import { protocolClients } from "@corridor/protocol";
 import { csharp, curl, go, java, javascript, plainPython, python } from "./http-texts.ts";
 import { claudeCode, cursor, vsCode } from "./mcp-texts.ts";
-import { generated, micromouse } from "./program-texts.ts";
+import { generated, micromouse, viple } from "./program-texts.ts";
 import type { RobotParts } from "./robot-parts.ts";
 import { rosbridge, roslib, roslibpy } from "./ros-texts.ts";
 import { soapCsharp, soapJava, soapPython } from "./soap-texts.ts";
@@ -30,6 +30,7 @@ export const quickstartIds = [
   "soapJava",
   "soapPython",
   "micromouse",
+  "viple",
 ] as const;
 export type QuickstartId = (typeof quickstartIds)[number];
 
@@ -129,5 +130,13 @@ export const quickstarts: Readonly<Record<QuickstartId, Quickstart>> = {
     client: protocolClients.mms,
     needs: "Node 22",
     text: micromouse,
+  },
+  viple: {
+    ...script,
+    ...noFile,
+    name: "ASU VIPLE",
+    client: protocolClients.viple,
+    needs: "Node 22",
+    text: viple,
   },
 };

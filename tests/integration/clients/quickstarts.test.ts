@@ -11,10 +11,11 @@ import { Client, StreamableHTTPClientTransport } from "@modelcontextprotocol/cli
 import { Ros, Topic } from "roslib";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { NotInstallableError, requireEnvironment } from "../../../scripts/python.ts";
-import { MAIN } from "../../support/bridges/bridge-process.ts";
+import { BridgeProcess, MAIN } from "../../support/bridges/bridge-process.ts";
 import { corridorHost } from "../../support/mcp/corridor-host.ts";
 import { urlWithKey } from "../../support/ros/url-with-key.ts";
 import { startRelayProcess } from "../../support/test-relay-process.ts";
+import { VipleClient } from "../../support/viple/viple-client.ts";
 
 const run = promisify(execFile);
 const ROOT = fileURLToPath(new URL("../../../", import.meta.url));
@@ -185,6 +186,16 @@ describe("the quickstart of", () => {
     const command = start.replace("node corridor-cli.mjs", `"${process.execPath}" "${MAIN}"`);
     await run("sh", ["-c", command], { cwd: folder });
     expect(actions()).toEqual(["reset", "left 90"]);
+    await expectListed();
+  });
+
+  it("ASU VIPLE starts a bridge that its diagrams drive", { timeout: TIMEOUT_MS }, async () => {
+    const { text, actions, expectListed } = await prepare("viple");
+    const [, address = ""] = /^node corridor-cli\.mjs viple "(.*)"$/m.exec(text) ?? [];
+    const { simulatorPort } = await BridgeProcess.startViple(address);
+    const diagram = await VipleClient.open(simulatorPort);
+    diagram.send({ servos: [{ servoSpeed: -90, isTurn: true }] });
+    await expect.poll(actions, { timeout: 10_000 }).toEqual(["turn"]);
     await expectListed();
   });
 });

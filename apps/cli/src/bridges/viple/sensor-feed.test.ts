@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { ManualTimers } from "../../../../../packages/ros/src/testing/manual-port.ts";
+import { ManualTimers } from "@corridor/protocol/testing";
 import { SensorFeed } from "./sensor-feed.ts";
 
 function feed() {

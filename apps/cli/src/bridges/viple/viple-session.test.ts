@@ -1,11 +1,7 @@
 import { RefusedError, type CommandRecord } from "@corridor/protocol";
-import { snapshotOf } from "@corridor/protocol/testing";
+import { ManualTimers, settled, snapshotOf } from "@corridor/protocol/testing";
 import { describe, expect, it } from "vitest";
-import {
-  ManualPort,
-  ManualTimers,
-  settled,
-} from "../../../../../packages/ros/src/testing/manual-port.ts";
+import { ManualPort } from "../../../../../packages/ros/src/testing/manual-port.ts";
 import { readSensorSettings } from "./sensor-settings.ts";
 import { VipleSession } from "./viple-session.ts";
 

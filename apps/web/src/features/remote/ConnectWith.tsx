@@ -149,6 +149,7 @@ function useNote(id: QuickstartId): string {
   const needed = needs === null ? [] : [t("remote.scriptNeeds", { program: needs })];
   if (hasUrlKey) return t("connect:url");
   if (id === "micromouse") return joinSentences(t, [t("connect:program"), ...needed]);
+  if (id === "viple") return joinSentences(t, [t("connect:diagram"), ...needed]);
   if (file === null) return t("connect:terminal");
   if (command === null) return t("connect:file", { file });
   return joinSentences(t, [t("remote.scriptNote", { file, command }), ...needed]);
