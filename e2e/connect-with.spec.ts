@@ -101,8 +101,8 @@ test("offers only what a service without gateways serves, in the page and in the
     await page.goto(`${relay.url}/docs#connect`);
     await expect(page.getByRole("heading", { name: "Connect" })).toBeInViewport();
     const tabs = page.getByRole("group", { name: "Connect with" }).getByRole("radio");
-    await expect(tabs.last()).toHaveAccessibleName("Micromouse program");
-    await expect(tabs).toHaveCount(9);
+    await expect(tabs.last()).toHaveAccessibleName("ASU VIPLE");
+    await expect(tabs).toHaveCount(10);
   } finally {
     await relay.stop();
   }
@@ -112,7 +112,7 @@ test("shows the same texts in the documentation", async ({ page }) => {
   await page.goto("/");
   const { origin, pathname, hash } = new URL(await copyAddress(page));
   const panel = connect(page);
-  await expect(panel.kind.getByRole("option")).toHaveCount(18);
+  await expect(panel.kind.getByRole("option")).toHaveCount(19);
   const names = await panel.kind.getByRole("option").allTextContents();
   const copied: string[] = [];
   for (const name of names) copied.push((await panel.copy(name)).trim());
