@@ -91,7 +91,10 @@ export const rosapi: Readonly<Record<string, Service>> = {
   service_response_details: service("rosapi_msgs/ServiceResponseDetails", ({ type }) =>
     details(`${typeOf(type)}_Response`),
   ),
-  get_param: service("rosapi_msgs/GetParam", (request) => ({ value: request["default_value"] })),
+  // JSON text, which clients parse: without a default, the text of an empty string.
+  get_param: service("rosapi_msgs/GetParam", (request) => ({
+    value: request["default_value"] || JSON.stringify(""),
+  })),
   set_param: service("rosapi_msgs/SetParam", () => {
     throw new RosError(NO_PARAMETERS);
   }),

@@ -53,6 +53,7 @@ describe("rosapi", () => {
     ["action_servers", {}, { action_servers: ["/move", "/turn", "/do"] }],
     ["interfaces", {}, { interfaces: expect.arrayContaining(["corridor_msgs/action/Move"]) }],
     ["get_param", { name: "a", default_value: "1" }, { value: "1" }],
+    ["get_param", { name: "a" }, { value: '""' }],
     ["has_param", { name: "a" }, { exists: false }],
     ["get_param_names", {}, { names: [] }],
     ["get_time", {}, { time: { sec: 1, nanosec: 0, secs: 1, nsecs: 0 } }],
