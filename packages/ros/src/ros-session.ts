@@ -101,7 +101,6 @@ export class RosSession {
 
   /**
    * Handles one message. Never rejects.
-   * @param text empty for a binary message
    * @returns false if the message cannot be read
    */
   receive(text: string): boolean {

@@ -91,9 +91,8 @@ function serveClient(robot: BridgedRobot, socket: WebSocket): void {
       },
       onEnd: ({ problem }) => close(closeReasonFor(problem), problem.detail),
     });
-    socket.on("message", (data: Buffer, isBinary) => {
-      session.receive(isBinary ? "" : data.toString());
-    });
+    // ROS# sends its JSON as binary messages.
+    socket.on("message", (data: Buffer) => void session.receive(data.toString()));
     socket.on("close", () => session.close());
   } catch (error) {
     if (!(error instanceof RefusedError)) throw error;

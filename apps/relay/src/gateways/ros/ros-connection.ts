@@ -55,7 +55,8 @@ export class RosConnection implements OpenSocket {
     this.socket = socket;
     this.lastMessageAt = clock.now();
     this.lastHeartbeatAt = clock.now();
-    socket.on("message", (data: Buffer, isBinary) => this.#receive(data, isBinary));
+    // ROS# sends its JSON as binary messages.
+    socket.on("message", (data: Buffer) => this.#receive(data.toString()));
     socket.on("pong", () => (this.lastMessageAt = clock.now()));
     // On oversized messages or broken framing, `ws` closes the socket with 1009 or 1002.
     socket.on("error", (error) => log.debug({ err: error }, "ROS connection error"));
@@ -78,11 +79,10 @@ export class RosConnection implements OpenSocket {
     this.#cancelTimer = this.#options.clock.after(AUTH_MS, () => this.#closeWithoutKey());
   }
 
-  #receive(data: Buffer, isBinary: boolean): void {
+  #receive(text: string): void {
     if (!this.#port.isOpen) return;
     this.lastMessageAt = this.#options.clock.now();
     this.#options.metrics.gatewayMessage("ros");
-    const text = isBinary ? "" : data.toString();
     const session = this.#session;
     const isKeyExpected = session === null ? !this.#isChecking : this.#mayChangeKey;
     this.#mayChangeKey = false;

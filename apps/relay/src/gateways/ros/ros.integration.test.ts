@@ -62,6 +62,13 @@ describe("a ROS client", () => {
     }
   });
 
+  it("is answered in text if it sends binary messages, as ROS# does", async () => {
+    const { relay, robot } = await reportedRobot();
+    const client = await RosClient.connect(relay, robot);
+    client.sendText(Buffer.from(JSON.stringify(subscribe)), true);
+    expect(await client.next("topic", "/pose2d")).toMatchObject({ op: "publish" });
+  });
+
   it("connects from a page of another site", async () => {
     const { relay, robot } = await reportedRobot();
     const headers = { Origin: "https://elsewhere.example" };
