@@ -163,7 +163,7 @@ describe("the quickstart of", () => {
   });
 
   it("a generated client drives the robot", { timeout: TIMEOUT_MS }, async ({ skip }) => {
-    const found = python("openapi-python-client", "e2e/generated-clients/requirements.txt", 11);
+    const found = python("openapi-python-client", "tests/support/openapi/requirements.txt", 11);
     if ("missing" in found) return skip(found.missing);
     const { folder, text, actions, expectListed } = await prepare("generated");
     const [, command = ""] = /^# Then: openapi-python-client (.*)$/m.exec(text) ?? [];
