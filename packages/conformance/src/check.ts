@@ -1,9 +1,10 @@
 /** A requirement for the host of a robot. */
 import type { HostFeature } from "@corridor/protocol";
+import type { GatewayName } from "./gateway-names.ts";
 import type { Host } from "./host.ts";
 
 export interface Check {
-  /** id of the promise in the table "What every host promises" of /docs/promises */
+  /** id of the promise in the tables of /docs/promises */
   promise: string;
   /** what scripts may rely on, as a sentence */
   name: string;
@@ -22,5 +23,7 @@ export interface Check {
 
 export interface CheckGroup {
   title: string;
+  /** skipped if the operator of the host has switched this gateway off */
+  gateway?: GatewayName;
   checks: readonly Check[];
 }

@@ -12,6 +12,8 @@ import { must, validate } from "./mismatch.ts";
 const TIMEOUT_MS = 15_000;
 /** wait of a long poll in seconds */
 const WAIT = 1;
+/** close code of a WebSocket that the host refused to open */
+const NEVER_OPENED = 1006;
 /** maximum size of a message or a request */
 export const MAX_BYTES = 16 * 1024;
 /** a message from a script; the first one is its hello */
@@ -190,16 +192,27 @@ export async function closeCodeAfter(host: Host, ...texts: string[]): Promise<nu
 }
 
 async function openSocket(host: Host) {
-  const socket = new WebSocket(`${host.api.replace(/^http/, "ws")}/socket`);
-  const closed = new Promise<number>((resolve) =>
-    socket.addEventListener("close", ({ code }) => resolve(code)),
-  );
-  const opened = new Promise<null>((resolve) =>
-    socket.addEventListener("open", () => resolve(null)),
-  );
+  const { socket, opened, closed } = connectSocket(`${host.api}/socket`);
   const code = await Promise.race([opened, closed]);
   must(code === null, "a WebSocket", `close code ${code} instead of its opening`);
   return { socket, closed };
+}
+
+/**
+ * Starts a WebSocket.
+ * @returns also when it opens, and its close code: 1006 if the host refuses the upgrade
+ */
+export function connectSocket(url: string, headers: Record<string, string> = {}) {
+  const socket = new WebSocket(url.replace(/^http/, "ws"), { headers });
+  const closed = new Promise<number>((resolve) => {
+    socket.addEventListener("close", ({ code }) => resolve(code));
+    // Node.js 20 sends no close event after a refused upgrade.
+    socket.addEventListener("error", () => resolve(NEVER_OPENED));
+  });
+  const opened = new Promise<null>((resolve) =>
+    socket.addEventListener("open", () => resolve(null)),
+  );
+  return { socket, opened, closed };
 }
 
 /** JSON, padded with spaces to a size in bytes. */

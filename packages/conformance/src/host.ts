@@ -10,6 +10,7 @@ import {
   type Order,
   type Snapshot,
 } from "@corridor/protocol";
+import type { GatewayName } from "./gateway-names.ts";
 import { must, validate } from "./mismatch.ts";
 
 const ADDRESS = /^(https?:\/\/[^/?#\s@]+)\/r\/([A-Za-z0-9_-]{1,64})#([A-Za-z0-9_-]{8,64})$/;
@@ -78,6 +79,20 @@ export class Host {
     return `${this.origin}/api/v1/robots/${this.id}`;
   }
 
+  /** The URL of a gateway. ROS clients connect to it with WebSockets. */
+  gatewayUrl(gateway: GatewayName): string {
+    return gateway === "soap" ? `${this.origin}/soap` : `${this.origin}/r/${this.id}/${gateway}`;
+  }
+
+  /** The robot's address, as SOAP messages contain it. */
+  addressWith(key = this.#key): string {
+    return `${this.origin}/r/${this.id}#${key}`;
+  }
+
+  authorization(key = this.#key): { Authorization: string } {
+    return { Authorization: `Bearer ${key}` };
+  }
+
   /** The first message of a connection. */
   hello(terms: HelloOptions = {}) {
     const hello = { type: "hello", version: PROTOCOL_VERSION, role: "drive", key: this.#key };
@@ -98,8 +113,13 @@ export class Host {
 
   /** Sends a request to the robot's API. Retries a response of 429 after `Retry-After`. */
   async request(path: string, options: RequestOptions = {}): Promise<HttpResponse> {
+    return this.requestUrl(this.api + path, options);
+  }
+
+  /** As `request`, for any URL of the host. */
+  async requestUrl(url: string, options: RequestOptions = {}): Promise<HttpResponse> {
     for (let retryCount = 0; ; retryCount++) {
-      const response = await this.requestOnce(path, options);
+      const response = await this.#fetch(url, options);
       if (response.status !== 429 || retryCount === MAX_RETRIES) return response;
       await waitForRetryAfter(response);
     }
@@ -107,13 +127,7 @@ export class Host {
 
   /** Sends one request, without retries. */
   async requestOnce(path: string, options: RequestOptions = {}): Promise<HttpResponse> {
-    const response = await fetch(this.api + path, {
-      ...this.#initOf(options),
-      signal: AbortSignal.timeout(RESPONSE_MS),
-    });
-    const text = await response.text();
-    const header = (name: string): string => response.headers.get(name) ?? "";
-    return { status: response.status, header, text, json: parse(text) };
+    return this.#fetch(this.api + path, options);
   }
 
   /** Opens a stream that durationOf until `signal` is aborted. */
@@ -199,12 +213,22 @@ export class Host {
     return response.json;
   }
 
+  async #fetch(url: string, options: RequestOptions): Promise<HttpResponse> {
+    const response = await fetch(url, {
+      ...this.#initOf(options),
+      signal: AbortSignal.timeout(RESPONSE_MS),
+    });
+    const text = await response.text();
+    const header = (name: string): string => response.headers.get(name) ?? "";
+    return { status: response.status, header, text, json: parse(text) };
+  }
+
   #initOf({ method = "GET", key = this.#key, body, headers }: RequestOptions) {
     return {
       method,
       redirect: "manual" as const,
       headers: {
-        ...(key !== null && { Authorization: `Bearer ${key}` }),
+        ...(key !== null && this.authorization(key)),
         ...(body !== undefined && { "Content-Type": "application/json" }),
         ...headers,
       },

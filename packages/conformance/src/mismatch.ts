@@ -40,6 +40,21 @@ export function validate<T>(
   throw new Mismatch(`the shape of ${what}`, result.problems.map(describeProblem).join("; "));
 }
 
+/** The value at a path such as `pose.position.x`; undefined if there is none. */
+export function valueAt(value: unknown, path: string): unknown {
+  return path.split(".").reduce<unknown>((part, name) => {
+    if (typeof part !== "object" || part === null) return undefined;
+    return (part as Record<string, unknown>)[name];
+  }, value);
+}
+
+/** @throws Mismatch unless there is a number at the path */
+export function numberAt(value: unknown, path: string): number {
+  const found = valueAt(value, path);
+  must(typeof found === "number", `a number ${path}`, found ?? value);
+  return found;
+}
+
 function show(found: unknown): string {
   const text = typeof found === "string" ? found : (JSON.stringify(found) ?? String(found));
   return text.length > 300 ? `${text.slice(0, 300)}…` : text;

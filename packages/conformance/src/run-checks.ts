@@ -14,7 +14,11 @@ import { reading } from "./checks/reading.ts";
 import { reset } from "./checks/reset.ts";
 import { retries } from "./checks/retries.ts";
 import { stops } from "./checks/stops.ts";
+import { mcp } from "./checks/gateways/mcp.ts";
+import { ros } from "./checks/gateways/ros.ts";
+import { soap } from "./checks/gateways/soap.ts";
 import type { Check, CheckGroup } from "./check.ts";
+import type { GatewayName } from "./gateway-names.ts";
 import { Host } from "./host.ts";
 import { Mismatch, NeverTestable, NotTestable } from "./mismatch.ts";
 
@@ -36,11 +40,14 @@ export const groups: readonly CheckGroup[] = [
   connections,
 ];
 
+/** Checks of the gateways that a host may offer. */
+export const gatewayGroups: Readonly<Record<GatewayName, CheckGroup>> = { ros, mcp, soap };
+
 export type Outcome =
   | { kind: "passed" }
   | { kind: "failed"; expected: string; found: string }
   /** the host reports that it does not offer the feature, which is not a failure */
-  | { kind: "not offered"; feature: HostFeature; why: string }
+  | { kind: "not offered"; feature: HostFeature | GatewayName; why: string }
   /** not tested; `isNever`: no run can test it, so that it does not count against the host */
   | { kind: "not testable"; why: string; isNever: boolean };
 
@@ -65,16 +72,24 @@ export async function runChecks(address: string, options: RunOptions = {}): Prom
   const host = new Host(address);
   const missing = await missingFeatures(host);
   const results: Result[] = [];
-  for (const { title, checks } of options.groups ?? groups) {
+  const add = (result: Result): void => {
+    results.push(result);
+    options.onResult?.(result);
+  };
+  for (const { title, checks, gateway } of options.groups ?? groups) {
+    if (gateway !== undefined && (await isDisabled(host, gateway))) {
+      const why = "The operator of the host has switched this gateway off.";
+      const outcome: Outcome = { kind: "not offered", feature: gateway, why };
+      for (const { promise, name } of checks) add({ group: title, promise, check: name, outcome });
+      continue;
+    }
     const early = new Map<Check, Promise<Outcome>>();
     for (const check of checks) {
       if (check.onlyListens === true) early.set(check, outcomeOf(check, host, missing));
     }
     for (const check of checks) {
       const outcome = await (early.get(check) ?? outcomeOf(check, host, missing));
-      const result = { group: title, promise: check.promise, check: check.name, outcome };
-      results.push(result);
-      options.onResult?.(result);
+      add({ group: title, promise: check.promise, check: check.name, outcome });
       if (outcome.kind !== "failed") continue;
       if (options.stopsAtFailure === true) return results;
       // Commands of a failed check must not affect the next one.
@@ -93,6 +108,16 @@ async function missingFeatures(host: Host): Promise<ReadonlyMap<HostFeature, str
     return new Map(notOffered.map(({ feature, reason }) => [feature, reason]));
   } catch {
     return new Map();
+  }
+}
+
+/** A gateway without this answer, or without any, must pass its checks. */
+async function isDisabled(host: Host, gateway: GatewayName): Promise<boolean> {
+  try {
+    const { status, text } = await host.requestUrl(host.gatewayUrl(gateway));
+    return status === 404 && text.includes("/problems/gateway-disabled");
+  } catch {
+    return false;
   }
 }
 

@@ -220,6 +220,21 @@ describe("invalid input", () => {
   it.each([
     { name: "no command", args: [], message: "Expected a command.\n\nUsage: corridor COMMAND" },
     { name: "no robot", args: ["conformance"], message: "address: found nothing, expected" },
+    {
+      name: "gateways and no robot",
+      args: ["conformance", "--gateways"],
+      message: "address: found nothing, expected",
+    },
+    {
+      name: "an unknown gateway",
+      args: ["conformance", "--gateways", "ros,grpc", "http://localhost/r/abc#0123456789"],
+      message: "--gateways: found another text, expected a list of ros, mcp, soap",
+    },
+    {
+      name: "an unknown option of conformance",
+      args: ["conformance", "http://localhost/r/abc#0123456789", "--gateway"],
+      message: "The options are --gateways, --help.",
+    },
     { name: "an unknown option", args: ["simulate", "--speed", "3"], message: "--speed" },
     {
       name: "a missing file",
