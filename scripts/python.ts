@@ -3,6 +3,7 @@ import { spawnSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { withFileLock } from "./file-lock.ts";
 import { inPath, run, tryInstall } from "./programs.ts";
 
 const ROOT = join(import.meta.dirname, "..");
@@ -50,10 +51,21 @@ export function requireEnvironment(name: string, requirements: string, minMinor 
   const python = pythonOf(name);
   const stamp = join(folder, STAMP);
   const expected = `${readFileSync(requirements, "utf8")}\n${pythonVersion()}`;
-  if (existsSync(stamp) && readFileSync(stamp, "utf8") === expected) return python;
+  const isCurrent = (): boolean => existsSync(stamp) && readFileSync(stamp, "utf8") === expected;
+  if (isCurrent()) return python;
   if (Number(/^Python 3\.(\d+)/.exec(pythonVersion())?.[1] ?? 0) < minMinor) {
     throw new NotInstallableError(`The tests need Python 3.${minMinor} or newer (${name}).`);
   }
+  // Test files run beside each other, and some share an environment.
+  return withFileLock(`${folder}.lock`, () => {
+    if (!isCurrent()) buildEnvironment(folder, python, requirements);
+    writeFileSync(stamp, expected);
+    return python;
+  });
+}
+
+/** @throws Error as `requireEnvironment` does */
+function buildEnvironment(folder: string, python: string, requirements: string): void {
   rmSync(folder, { recursive: true, force: true });
   if (!createEnvironment(folder) && !(tryInstall("python3-venv") && createEnvironment(folder))) {
     if (hasVenv())
@@ -70,8 +82,6 @@ export function requireEnvironment(name: string, requirements: string, minMinor 
       "pip could not reach a package index (see above). The tests need PyPI, or your own index (set PIP_INDEX_URL).",
     );
   }
-  writeFileSync(stamp, expected);
-  return python;
 }
 
 function pip(python: string, ...args: string[]): boolean {
