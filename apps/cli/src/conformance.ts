@@ -4,16 +4,15 @@ import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
 import {
   gatewayGroups,
-  gatewayNames,
   groups,
   linesOf,
   passes,
   readAddress,
   runChecks,
   verdict,
-  type GatewayName,
   type Result,
 } from "@corridor/conformance";
+import { gatewayNames, type GatewayName } from "@corridor/protocol";
 import { exitCodes, type Command, type Context } from "./command.ts";
 import { InputError } from "./input-error.ts";
 

@@ -1,5 +1,5 @@
 /** The HTTP application: API, health and page, without a port of its own. */
-import type { ClassHello, Hello } from "@corridor/protocol";
+import type { ClassHello, Hello, GatewayName } from "@corridor/protocol";
 import express, { Router, type Express, type RequestHandler } from "express";
 import type { Logger } from "pino";
 import type { Clock } from "./platform/time/clock.ts";
@@ -29,7 +29,6 @@ import { rosRoutes } from "./gateways/ros/routes.ts";
 import { mazeRoutes } from "./gateways/rest/maze/routes.ts";
 import { pairingRoutes } from "./gateways/rest/pairing/routes.ts";
 import { oembedRoutes } from "./gateways/rest/embedding/routes.ts";
-import type { GatewayName } from "./platform/gateway-names.ts";
 import { requestLog } from "./platform/http/request-log.ts";
 import { robotRoutes } from "./gateways/rest/robots/routes.ts";
 import { openToAllSites, securityHeaders } from "./platform/http/security-headers.ts";

@@ -1,8 +1,13 @@
 /** Settings of the relay, read from the environment and validated once at startup. */
-import { describeProblem, readValue, type FieldProblem } from "@corridor/protocol";
+import {
+  describeProblem,
+  readValue,
+  type FieldProblem,
+  gatewayNames,
+  type GatewayName,
+} from "@corridor/protocol";
 import { z } from "zod";
 import { misspeltSettings } from "./platform/process/misspelt-settings.ts";
-import { gatewayNames, type GatewayName } from "./platform/gateway-names.ts";
 import { readNetwork, type TrustedProxies } from "./platform/http/trusted-proxies.ts";
 
 const DEFAULT_PORT = 8080;

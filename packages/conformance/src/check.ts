@@ -1,6 +1,5 @@
 /** A requirement for the host of a robot. */
-import type { HostFeature } from "@corridor/protocol";
-import type { GatewayName } from "./gateway-names.ts";
+import type { HostFeature, GatewayName } from "@corridor/protocol";
 import type { Host } from "./host.ts";
 
 export interface Check {

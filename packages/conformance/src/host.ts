@@ -9,8 +9,8 @@ import {
   type FeatureList,
   type Order,
   type Snapshot,
+  type GatewayName,
 } from "@corridor/protocol";
-import type { GatewayName } from "./gateway-names.ts";
 import { must, validate } from "./mismatch.ts";
 
 const ADDRESS = /^(https?:\/\/[^/?#\s@]+)\/r\/([A-Za-z0-9_-]{1,64})#([A-Za-z0-9_-]{8,64})$/;

@@ -1,5 +1,5 @@
 /** Runs every check in order. Each check starts with a robot that stands. */
-import type { HostFeature } from "@corridor/protocol";
+import type { HostFeature, GatewayName } from "@corridor/protocol";
 import { access } from "./checks/access.ts";
 import { invalidInput } from "./checks/invalid-input.ts";
 import { connections } from "./checks/connections.ts";
@@ -18,7 +18,6 @@ import { mcp } from "./checks/gateways/mcp.ts";
 import { ros } from "./checks/gateways/ros.ts";
 import { soap } from "./checks/gateways/soap.ts";
 import type { Check, CheckGroup } from "./check.ts";
-import type { GatewayName } from "./gateway-names.ts";
 import { Host } from "./host.ts";
 import { Mismatch, NeverTestable, NotTestable } from "./mismatch.ts";
 

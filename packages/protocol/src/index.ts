@@ -223,6 +223,7 @@ export {
   type FrameReport,
   type FrameRequest,
 } from "./frame-messages.ts";
+export { gatewayNames, type GatewayName } from "./gateway-names.ts";
 export { MotionRegister } from "./motion-register.ts";
 export {
   bridgeAgent,

@@ -2,7 +2,7 @@
  * The texts with which a user connects a program to a robot, ready to copy. The page and the
  * documentation display the same texts.
  */
-import { protocolClients } from "@corridor/protocol";
+import { protocolClients, type GatewayName } from "@corridor/protocol";
 import { csharp, curl, go, java, javascript, plainPython, python } from "./http-texts.ts";
 import { claudeCode, cursor, vsCode } from "./mcp-texts.ts";
 import { generated, micromouse, viple } from "./program-texts.ts";
@@ -40,7 +40,7 @@ export interface Quickstart {
   /** how the list of scripts names its program, in `client` */
   client: string;
   /** the gateway that it needs; null: the API */
-  gateway: "ros" | "mcp" | "soap" | null;
+  gateway: GatewayName | null;
   /** where the text is saved; null: it is not a file */
   file: string | null;
   /** starts the file; null: another program reads or builds it */

@@ -2,10 +2,9 @@
  * Prometheus metrics of the relay. Label values come from a small fixed set and never contain an
  * id, key, name or address.
  */
-import { closeReasons, type CommandRecord } from "@corridor/protocol";
+import { closeReasons, type CommandRecord, type GatewayName } from "@corridor/protocol";
 import { collectDefaultMetrics, Counter, Gauge, Histogram, Registry } from "prom-client";
 import type { ProblemKind } from "../platform/errors/problem-kinds.ts";
-import type { GatewayName } from "../platform/gateway-names.ts";
 import type { ClassCounts } from "../classes/registry.ts";
 import type { ConnectionCounts } from "../robots/registry.ts";
 import type { CommandObserver } from "../robots/delivery/command-observer.ts";

@@ -1,8 +1,7 @@
 /** Creates the conversation with a robot for a hello, on every transport. */
-import type { Hello } from "@corridor/protocol";
+import type { Hello, GatewayName } from "@corridor/protocol";
 import type { Clock } from "../../platform/time/clock.ts";
 import type { ProblemKind } from "../../platform/errors/problem-kinds.ts";
-import type { GatewayName } from "../../platform/gateway-names.ts";
 import type { Grant } from "../../robots/registry.ts";
 import { withBoundedQueue } from "./bounded-queue.ts";
 import type { Conversation, ClientConnection } from "./conversation.ts";

@@ -1,7 +1,7 @@
 /** Requests to gateways of other protocols: the key stands in a header, or in the path. */
 import type { Request, RequestHandler, Response } from "express";
 import { Refusal } from "../../platform/errors/problems.ts";
-import type { GatewayName } from "../../platform/gateway-names.ts";
+import type { GatewayName } from "@corridor/protocol";
 import { readBearer } from "../../platform/http/reading.ts";
 import type { Verb } from "../../robots/access/callers.ts";
 import type { Grant, RobotRegistry } from "../../robots/registry.ts";

@@ -1,7 +1,7 @@
 /** Ordinary requests to the URL of the ROS gateway, which is a WebSocket. */
 import { Router } from "express";
 import { Refusal } from "../../platform/errors/problems.ts";
-import type { GatewayName } from "../../platform/gateway-names.ts";
+import type { GatewayName } from "@corridor/protocol";
 import { refuseDisabled } from "../requests/gateway-requests.ts";
 
 const PATH = "/r/:id/ros";

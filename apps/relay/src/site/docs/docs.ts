@@ -7,7 +7,7 @@ import { fileURLToPath } from "node:url";
 import { Router } from "express";
 import { renderPage } from "./frame.ts";
 import { pagesOfSite } from "./site.ts";
-import type { GatewayName } from "../../platform/gateway-names.ts";
+import type { GatewayName } from "@corridor/protocol";
 import { methodNotAllowed } from "../../platform/http/fallbacks.ts";
 import { listedFiles } from "../../platform/http/listed-files.ts";
 import { allowPolicy } from "../../platform/http/security-headers.ts";

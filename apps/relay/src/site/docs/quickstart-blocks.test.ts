@@ -1,6 +1,6 @@
 import { quickstarts } from "@corridor/quickstarts";
 import { describe, expect, it } from "vitest";
-import { gatewayNames } from "../../platform/gateway-names.ts";
+import { gatewayNames } from "@corridor/protocol";
 import { withQuickstarts } from "./quickstart-blocks.ts";
 
 const text = `# Page

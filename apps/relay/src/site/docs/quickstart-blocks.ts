@@ -3,7 +3,7 @@
  * with placeholders for the parts of the robot's address.
  */
 import { quickstartIds, quickstarts, type Quickstart } from "@corridor/quickstarts";
-import type { GatewayName } from "../../platform/gateway-names.ts";
+import type { GatewayName } from "@corridor/protocol";
 
 const PLACEHOLDERS = { origin: "http://HOST", id: "ID", key: "KEY", urlKey: "url_KEY" };
 

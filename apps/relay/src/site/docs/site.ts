@@ -1,7 +1,7 @@
 /** Renders all pages of the documentation from Markdown. */
 import { readFileSync } from "node:fs";
 import { join, posix } from "node:path";
-import type { GatewayName } from "../../platform/gateway-names.ts";
+import type { GatewayName } from "@corridor/protocol";
 import type { Page } from "./frame.ts";
 import type { Address } from "./markdown.ts";
 import { problemPages } from "./problem-pages.ts";

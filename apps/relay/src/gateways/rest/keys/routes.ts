@@ -1,8 +1,13 @@
 /** Keys that a robot's owner creates for others and revokes. */
-import { keyIdSchema, keyRequestSchema, type KeyList, type CreatedKey } from "@corridor/protocol";
+import {
+  keyIdSchema,
+  keyRequestSchema,
+  type KeyList,
+  type CreatedKey,
+  type GatewayName,
+} from "@corridor/protocol";
 import { Router } from "express";
 import { z } from "zod";
-import type { GatewayName } from "../../../platform/gateway-names.ts";
 import type { RequestGuard } from "../../../platform/http/request-guard.ts";
 import type { RobotRegistry } from "../../../robots/registry.ts";
 import { methodNotAllowed } from "../../../platform/http/fallbacks.ts";

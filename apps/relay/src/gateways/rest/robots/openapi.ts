@@ -5,10 +5,10 @@ import {
   driversSchema,
   mazeVersionSchema,
   robotIdSchema,
+  gatewayNames,
 } from "@corridor/protocol";
 import { z } from "zod";
 import type { ZodOpenApiPathsObject } from "zod-openapi";
-import { gatewayNames } from "../../../platform/gateway-names.ts";
 import { answer, location, refusals } from "../../../platform/openapi/parts.ts";
 import { keyed, owner, robot } from "../../requests/openapi-parts.ts";
 

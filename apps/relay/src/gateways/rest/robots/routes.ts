@@ -1,6 +1,6 @@
 /** Registers, shows and deletes robots. */
 import { Router } from "express";
-import type { GatewayName } from "../../../platform/gateway-names.ts";
+import type { GatewayName } from "@corridor/protocol";
 import type { RequestGuard } from "../../../platform/http/request-guard.ts";
 import type { RobotRegistry } from "../../../robots/registry.ts";
 import type { HeldSession } from "./openapi.ts";
