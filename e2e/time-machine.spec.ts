@@ -23,14 +23,18 @@ async function bump(corridor: CorridorPage): Promise<void> {
   await expect(corridor.run).toBeVisible();
 }
 
-/** Runs the right-wall program for a few turns, and pauses long before the goal. */
+/**
+ * Steps through a few turns of the right-wall program. A step pauses by itself: after Run, a slow
+ * machine can reach the goal before the test presses Pause.
+ */
 async function turnSomeTimes(corridor: CorridorPage): Promise<void> {
-  // At 8x a slow machine pauses after the goal, whose card moves the timeline.
-  await corridor.speed.selectOption("4×");
-  await corridor.run.click();
-  await expect(corridor.timeline.mark("turn").nth(2)).toBeVisible();
-  await corridor.pause.click();
-  await expect(corridor.run).toBeVisible();
+  await corridor.speed.selectOption("8×");
+  while ((await corridor.timeline.mark("turn").count()) < 3) {
+    const before = (await corridor.clock.textContent()) ?? "";
+    await corridor.step.click();
+    await expect(corridor.clock).not.toHaveText(before);
+    await expect(corridor.run).toBeVisible();
+  }
 }
 
 test("scrubs back to the bump and shows the robot, sensors, truth values and line of that tick", async ({
@@ -210,6 +214,34 @@ test("goes back with a finger on a phone", async ({ openWindow }) => {
   const { x, y } = await timeline.pointAt(0.1);
   await phone.page.touchscreen.tap(x, y);
   await expect(timeline.pastLabel).toBeVisible();
+  await timeline.backToNow.tap();
+  await expect(timeline.pastLabel).toBeHidden();
+});
+
+test("moves nothing under the finger while the controls of the past load", async ({
+  openWindow,
+}) => {
+  const viewport = { width: 390, height: 844 };
+  const phone = await openWindow({ viewport, hasTouch: true, isMobile: true });
+  let load = (): void => {};
+  const isLoading = new Promise<void>((resolve) => (load = resolve));
+  await phone.page.route(/\/assets\/(PastControls|RaceIconButton)-[^/]*\.js$/, async (route) => {
+    await isLoading;
+    await route.continue();
+  });
+  await phone.open();
+  const { timeline } = phone;
+  await turnSomeTimes(phone);
+  const top = async (): Promise<number | undefined> => (await timeline.slider.boundingBox())?.y;
+  const now = await top();
+  const { x, y } = await timeline.pointAt(0.1);
+  await phone.page.touchscreen.tap(x, y);
+  await expect(timeline.pastLabel).toBeVisible();
+  await expect(timeline.runFromHere).toBeVisible();
+  expect(await top()).toBe(now);
+  load();
+  await expect(timeline.backToNow).toBeVisible();
+  expect(await top()).toBe(now);
   await timeline.backToNow.tap();
   await expect(timeline.pastLabel).toBeHidden();
 });

@@ -5,9 +5,9 @@ import { HistoryButtons } from "../features/maze-editor/HistoryButtons.tsx";
 import { Stage } from "../features/maze-editor/Stage.tsx";
 import { WallMarksPlace } from "../features/files/WallMarksPlace.tsx";
 import { RacePlace } from "../features/race/RacePlace.tsx";
-import { lazyPart } from "../ui/lazy-part.tsx";
+import { deferredPart, lazyPart } from "../ui/lazy-part.tsx";
 
-const StageCards = lazyPart(async () => (await import("./StageCards.tsx")).StageCards);
+const StageCards = deferredPart(async () => (await import("./StageCards.tsx")).StageCards);
 const SoundMenu = lazyPart(async () => (await import("../features/sound/SoundMenu.tsx")).SoundMenu);
 
 export function StageArea() {
@@ -25,7 +25,7 @@ export function StageArea() {
         <>
           <WallMarksPlace view={view} />
           <RunEventCards>
-            <StageCards view={view} />
+            <StageCards isWanted view={view} />
           </RunEventCards>
         </>
       )}

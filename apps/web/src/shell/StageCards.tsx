@@ -2,9 +2,9 @@ import { Cards } from "../features/cards/Cards.tsx";
 import { RaceButton } from "../features/race/RaceButton.tsx";
 import { RaceOutcome } from "../features/race/RaceOutcome.tsx";
 import type { StageViewStore } from "../stage/page/stage-view.ts";
-import { lazyPart } from "../ui/lazy-part.tsx";
+import { deferredPart } from "../ui/lazy-part.tsx";
 
-const TaskSentence = lazyPart(
+const TaskSentence = deferredPart(
   async () => (await import("../features/lessons/TaskSentence.tsx")).TaskSentence,
 );
 
@@ -13,7 +13,7 @@ export function StageCards({ view }: { view: StageViewStore }) {
   return (
     <Cards
       view={view}
-      task={<TaskSentence />}
+      task={<TaskSentence isWanted />}
       raceOutcome={<RaceOutcome />}
       raceButton={<RaceButton kind="quiet" />}
     />

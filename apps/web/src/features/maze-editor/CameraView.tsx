@@ -10,7 +10,7 @@ import { useServices } from "../../model/use-services.ts";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button } from "../../ui/Button.tsx";
 import { classNames } from "../../ui/class-names.ts";
-import { lazyPart } from "../../ui/lazy-part.tsx";
+import { deferredPart } from "../../ui/lazy-part.tsx";
 import { centredScroll, viewportAt, viewX, viewY } from "../../stage/drawing/viewport.ts";
 import type { StageViewStore } from "../../stage/page/stage-view.ts";
 import { cellBox } from "../../stage/layers/places.ts";
@@ -20,7 +20,7 @@ import styles from "./camera-view.module.css";
 /** Largest number of goals that the button avoids: a maze may be full of goals. */
 const MAX_GOALS = 16;
 
-const SmallMap = lazyPart(async () => (await import("./SmallMap.tsx")).SmallMap);
+const SmallMap = deferredPart(async () => (await import("./SmallMap.tsx")).SmallMap);
 
 export function CameraView({ view }: { view: StageViewStore }) {
   const { t, i18n } = useTranslation();
@@ -47,7 +47,7 @@ export function CameraView({ view }: { view: StageViewStore }) {
           {t(isWhole ? "phone.followRobot" : "phone.wholeMaze")}
         </Button>
       </div>
-      {follows && <SmallMap view={view} />}
+      {follows && <SmallMap isWanted view={view} />}
     </>
   );
 }

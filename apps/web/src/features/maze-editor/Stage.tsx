@@ -3,7 +3,7 @@ import { useEffect, useLayoutEffect, useRef, useState, type ReactNode } from "re
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
-import { lazyPart } from "../../ui/lazy-part.tsx";
+import { deferredPart } from "../../ui/lazy-part.tsx";
 import type { StageViewStore } from "../../stage/page/stage-view.ts";
 import { MazeGrid } from "./MazeGrid.tsx";
 import { StageController } from "./stage-controller.ts";
@@ -12,10 +12,10 @@ import { ToolStrip } from "./ToolStrip.tsx";
 import styles from "./stage.module.css";
 
 /** For a phone while its Drive tab is open. */
-const CameraView = lazyPart(async () => (await import("./CameraView.tsx")).CameraView);
+const CameraView = deferredPart(async () => (await import("./CameraView.tsx")).CameraView);
 
 /** For a maze that is larger than the stage. */
-const SmallMap = lazyPart(async () => (await import("./SmallMap.tsx")).SmallMap);
+const SmallMap = deferredPart(async () => (await import("./SmallMap.tsx")).SmallMap);
 
 interface StageProps {
   /** whether the strip with the tools is above the maze */
@@ -57,7 +57,7 @@ export function Stage({ hasTools = true, history, strip, sound, cards }: StagePr
   return (
     <section className={styles["stage"]} aria-label={t("stage.name")} data-driving={isDriving}>
       {isDriving ? (
-        <CameraView view={controller.view} />
+        <CameraView isWanted view={controller.view} />
       ) : (
         hasTools && (
           <ToolStrip history={history} sound={sound}>
@@ -76,7 +76,7 @@ export function Stage({ hasTools = true, history, strip, sound, cards }: StagePr
         </div>
       </div>
       {layout?.overflows === true && (
-        <SmallMap view={controller.view} onScroll={controller.scrollTo} />
+        <SmallMap isWanted view={controller.view} onScroll={controller.scrollTo} />
       )}
       <StageLegend view={controller.view} />
     </section>

@@ -3,15 +3,15 @@
  */
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
-import { lazyPart } from "../../ui/lazy-part.tsx";
+import { deferredPart } from "../../ui/lazy-part.tsx";
 
-const RaceChip = lazyPart(async () => (await import("./RaceChip.tsx")).RaceChip);
-const RaceIconButton = lazyPart(async () => (await import("./RaceIconButton.tsx")).RaceIconButton);
+const RaceChip = deferredPart(async () => (await import("./RaceChip.tsx")).RaceChip);
+const RaceIconButton = deferredPart(async () => (await import("./RaceIconButton.tsx")).RaceIconButton);
 
 export function RacePlace() {
   const { race, run } = useServices();
   const isOn = useStore(race, ({ ghosts }) => ghosts.length > 0);
   const isPast = useStore(run, ({ view }) => view !== "now");
-  if (isOn) return <RaceChip />;
-  return isPast ? <RaceIconButton /> : null;
+  if (isOn) return <RaceChip isWanted />;
+  return isPast ? <RaceIconButton isWanted /> : null;
 }
