@@ -13,11 +13,11 @@ from corridor_client.api.driving import follow_command, send_command
 from corridor_client.models import (
     CommandRecord,
     ForwardOrder,
+    GoalUntilCondition,
     Problem,
-    UntilConditionType0,
-    UntilConditionType0Is,
-    UntilConditionType0Sensor,
-    UntilConditionType2,
+    SensorUntilCondition,
+    SensorUntilConditionIs,
+    SensorUntilConditionSensor,
 )
 
 origin, robot, key = sys.argv[1:]
@@ -33,13 +33,13 @@ def record_of(answer: CommandRecord | Problem | None) -> CommandRecord:
     return answer
 
 
-wall = UntilConditionType0(
-    sensor=UntilConditionType0Sensor("front"), is_=UntilConditionType0Is("<"), than=60
+wall = SensorUntilCondition(
+    sensor=SensorUntilConditionSensor("front"), is_=SensorUntilConditionIs("<"), than=60
 )
 near = ForwardOrder(action="forward", until=[wall])
 first = record_of(send(near))
 again = record_of(send(near))
-conflict = send(ForwardOrder(action="forward", until=[UntilConditionType2(goal=True)]))
+conflict = send(ForwardOrder(action="forward", until=[GoalUntilCondition(goal=True)]))
 assert isinstance(conflict, Problem), conflict
 end = record_of(follow_command.sync(robot, first.seq, client=client, wait=25))
 print(

@@ -57,7 +57,7 @@ import {
   untilConditionSchema,
 } from "@corridor/protocol";
 import type { z } from "zod";
-import { createSchema, type ZodOpenApiOverride } from "zod-openapi";
+import { createSchema, type oas31, type ZodOpenApiOverride } from "zod-openapi";
 import { documentSchema } from "../short-links/document-schema.ts";
 import { classRequestSchema } from "./rest/classes/reading.ts";
 import { commandLogSchema } from "./rest/commands/openapi.ts";
@@ -70,12 +70,28 @@ const { gap, states } = eventPageSchema.shape;
 const script = scriptListSchema.shape.scripts.element;
 
 const task = lessonSchema.shape.tasks.element;
+const { allowed } = task.shape;
+
+const [untilSensor, untilLeftRight, untilGoal] = untilConditionSchema.def.out.options;
+const [ruleSensor, ruleLeftRight] = ruleConditionSchema.def.out.options;
+
+/** Kinds of the conditions, by the name of the schema that accepts all of them. */
+const conditionKinds: Record<string, Record<string, z.ZodType>> = {
+  UntilCondition: {
+    SensorUntilCondition: untilSensor,
+    LeftRightUntilCondition: untilLeftRight,
+    GoalUntilCondition: untilGoal,
+  },
+  RuleCondition: { SensorRuleCondition: ruleSensor, LeftRightRuleCondition: ruleLeftRight },
+};
 
 export const schemas: Record<string, z.ZodType> = {
   Command: remoteCommandSchema,
   ...alternatives("Command", "action", remoteCommandSchema),
   OtherCommand: otherCommandSchema,
   UntilCondition: untilConditionSchema,
+  RuleCondition: ruleConditionSchema,
+  ...Object.assign({}, ...Object.values(conditionKinds)),
   CommandLog: commandLogSchema,
   CommandRecord: commandRecordSchema,
   Order: orderSchema,
@@ -96,10 +112,12 @@ export const schemas: Record<string, z.ZodType> = {
   Drivers: heldSessionSchema.shape.drivers,
   KeyRequest: keyRequestSchema,
   CreatedKey: createdKeySchema,
+  KeyUrls: createdKeySchema.shape.urls.unwrap(),
   KeyList: keyListSchema,
   Key: keyListSchema.shape.keys.element,
   ScriptList: scriptListSchema,
   Script: script,
+  ScriptProblem: script.shape.lastProblem.unwrap(),
   LastCommand: script.shape.last.unwrap(),
   ScriptRef: scriptRefSchema,
   BlockedScript: blockedScriptSchema,
@@ -137,7 +155,14 @@ export const schemas: Record<string, z.ZodType> = {
   Task: task,
   LessonGoal: task.shape.goal,
   ...alternatives("LessonGoal", "kind", task.shape.goal),
-  LessonAllowed: task.shape.allowed,
+  LessonAllowed: allowed,
+  // Named, because generators of Java write no valid code for sets of unnamed enums.
+  AllowedDriver: allowed.shape.drivers.element,
+  AllowedCondition: allowed.shape.conditions.unwrap().element,
+  AllowedAction: allowed.shape.actions.unwrap().element,
+  AllowedEdit: allowed.shape.edits.element,
+  AllowedTool: allowed.shape.tools.unwrap().element,
+  AllowedHelp: allowed.shape.help.unwrap().element,
   LessonChecks: task.shape.checks,
   LessonPar: task.shape.par.unwrap(),
   UnseenMazes: task.shape.unseen.unwrap(),
@@ -172,9 +197,23 @@ export const describeCondition: ZodOpenApiOverride = ({ zodSchema, jsonSchema })
   Object.assign(jsonSchema, createSchema(condition.def.out, { opts }).schema);
 };
 
-/** A discriminator of OpenAPI is a string, and the version of a lesson is a number. */
+/** References the kinds of the conditions by name, so that generated clients show these names. */
+export function withConditionKinds(document: oas31.OpenAPIObject): oas31.OpenAPIObject {
+  for (const [name, kinds] of Object.entries(conditionKinds)) {
+    const condition = document.components?.schemas?.[name];
+    const anyOf = Object.keys(kinds).map((kind) => ({ $ref: `#/components/schemas/${kind}` }));
+    if (condition !== undefined) Object.assign(condition, { anyOf });
+  }
+  return document;
+}
+
+/**
+ * A discriminator of OpenAPI is a string, and the version of a lesson is a number. Versions are whole
+ * numbers, because a constant of Java cannot be a decimal number.
+ */
 export const describeVersions: ZodOpenApiOverride = ({ zodSchema, jsonSchema }) => {
   if (zodSchema === challengeOrLessonSchema) delete jsonSchema["discriminator"];
+  if (Number.isInteger(jsonSchema.const)) jsonSchema.type = "integer";
 };
 
 /**

@@ -1,6 +1,14 @@
 /** Clients that well-known generators create from `/openapi.json` of a running relay drive a robot. */
 import { execFile } from "node:child_process";
-import { copyFileSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import {
+  copyFileSync,
+  globSync,
+  mkdtempSync,
+  readFileSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { delimiter, dirname, join } from "node:path";
@@ -10,6 +18,7 @@ import { describe, expect, it, onTestFinished } from "vitest";
 import { registerRobot } from "../../../../packages/client/src/register-robot.ts";
 import { NotInstallableError, requireEnvironment } from "../../../../scripts/python.ts";
 import { openSimulatedPage } from "../../../support/client/simulated-page.ts";
+import { runMaven, skipWithoutMaven } from "../../../support/maven.ts";
 import { corridor } from "../../../support/mcp/corridor-host.ts";
 import { startRelayProcess } from "../../../support/test-relay-process.ts";
 
@@ -171,6 +180,33 @@ export const until: components["schemas"]["UntilCondition"] = { sensor: "front",
       expect(drive).toMatchObject({ code: 0 });
       await expectOneMotion(drive.stdout);
     },
+  );
+
+  it(
+    "OpenAPI Generator for Java has every operation, and drives until a wall is near once",
+    { timeout: 600_000 },
+    ({ skip }) =>
+      skipWithoutMaven(skip, async () => {
+        const { relay, folder, programArguments, expectOneMotion } = await openRobot();
+        const output = await runMaven(join(SUPPORT, "java/pom.xml"), {
+          origin: relay,
+          target: folder,
+          "exec.args": programArguments.join(" "),
+        });
+        const apis = globSync(join(folder, "generated/src/main/java/corridor/api/*.java"));
+        const code = apis.map((file) => readFileSync(file, "utf8")).join("");
+        const operations = await operationsAt(relay);
+        expect(operations.filter((name) => !code.includes(` ${name}(`))).toEqual([]);
+        await expectOneMotion(output.split("\n").find((line) => line.startsWith("{")) ?? "");
+
+        const wrong = join(SUPPORT, "java/Wrong.java");
+        const classes = ["-classpath", join(folder, "classes"), "-d", join(folder, "wrong")];
+        const compiled = await run("javac", [...classes, wrong], { cwd: folder });
+        const errors = compiled.output.split("\n").filter((line) => line.includes("error:"));
+        expect(errors).toEqual([
+          expect.stringMatching(/Wrong\.java:5: error: .*ReverseOrder.* cannot be converted/),
+        ]);
+      }),
   );
 });
 

@@ -66,6 +66,38 @@ describe("the description of the API", () => {
     const alternatives = [...nodes(document)].flatMap(({ oneOf }) => (oneOf ?? []) as object[]);
     expect(alternatives.length).toBeGreaterThan(30);
     for (const alternative of alternatives) expect(alternative).toHaveProperty("$ref");
+    const choices = [...nodes(document)].flatMap(({ anyOf }) => (anyOf ?? []) as object[]);
+    expect(choices.filter((choice) => "properties" in choice)).toEqual([]);
+  });
+
+  it("names the kinds of a condition, as generated clients show them", () => {
+    const kindsOf = (name: string) =>
+      (at(`#/components/schemas/${name}`) as { anyOf: { $ref: string }[] }).anyOf.map(({ $ref }) =>
+        $ref.replace("#/components/schemas/", ""),
+      );
+    expect(kindsOf("UntilCondition")).toEqual([
+      "SensorUntilCondition",
+      "LeftRightUntilCondition",
+      "GoalUntilCondition",
+    ]);
+    expect(kindsOf("RuleCondition")).toEqual(["SensorRuleCondition", "LeftRightRuleCondition"]);
+  });
+
+  it("gives every constant the type of its value, a version a whole number", () => {
+    const constants = [...nodes(document)].filter((node) => "const" in node);
+    expect(constants.length).toBeGreaterThan(30);
+    for (const { const: value, type } of constants) {
+      expect({ value, type }).toEqual({
+        value,
+        type: Number.isInteger(value) ? "integer" : typeof value,
+      });
+    }
+  });
+
+  it("names the items of every set, which generators of Java need", () => {
+    const sets = [...nodes(document)].filter(({ uniqueItems }) => uniqueItems === true);
+    expect(sets.length).toBeGreaterThan(5);
+    for (const { items } of sets) expect(items).toHaveProperty("$ref");
   });
 
   it("discriminates alternatives only by strings, as OpenAPI requires", () => {

@@ -9,7 +9,12 @@ import { healthCalls, healthSchemas } from "../../ops/health-openapi.ts";
 import { describeByExpectation } from "../../platform/openapi/describe-by-expectation.ts";
 import { withOpenResponses } from "./open-responses.ts";
 import { withReadingAids } from "./reading-aids.ts";
-import { describeCondition, describeVersions, schemas } from "../../gateways/openapi-schemas.ts";
+import {
+  describeCondition,
+  describeVersions,
+  schemas,
+  withConditionKinds,
+} from "../../gateways/openapi-schemas.ts";
 
 const DESCRIPTION = `Each robot has an address, \`https://HOST/r/ID#KEY\`. A script needs only this address:
 send the part after # in the header \`Authorization: Bearer KEY\`. The robot's page registers the robot.
@@ -99,5 +104,5 @@ export function describeApi(): oas31.OpenAPIObject {
       allowEmptySchema: { pipe: { output: true }, transform: { output: true } },
     },
   );
-  return withReadingAids(withOpenResponses(document));
+  return withReadingAids(withOpenResponses(withConditionKinds(document)));
 }
