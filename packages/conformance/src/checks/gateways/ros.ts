@@ -1,17 +1,17 @@
 /** The gateway for ROS clients: rosbridge v2 with the units of REP 103. */
+import type { Snapshot } from "@corridor/protocol";
 import type { CheckGroup } from "../../check.ts";
 import { connectSocket } from "../../connection.ts";
 import { pause, type Host } from "../../host.ts";
 import { must, numberAt, valueAt } from "../../mismatch.ts";
 import { isNear, moveToStart, mustHaveReadings, mustStand, readings } from "../../pen.ts";
 import { RosConnection } from "../../ros-connection.ts";
+import { distance, drive, publish } from "../../ros-velocity.ts";
 
 const TOLERANCE_RADIANS = 0.07;
 const TOLERANCE_METRES = 0.06;
-/** ms between two velocities */
-const INTERVAL_MS = 100;
-/** Velocities of one second. The gateway may wait 300 ms before the first one counts. */
-const COUNT = 10;
+/** of the speed of a turn, in rad/s */
+const TOLERANCE_TURN = 0.3;
 /** ms in which a robot stops after a velocity of zero. The lease of a velocity is longer. */
 const STOP_MS = 200;
 /** ms until the lease of the last velocity has ended */
@@ -125,12 +125,12 @@ export const ros: CheckGroup = {
       promise: "ros-velocity",
       name: "/cmd_vel drives by `linear.x` in m/s, and its lease ends the motion",
       run: async (host) => {
-        const { sensors } = await moveToStart(host);
+        await moveToStart(host);
         await RosConnection.use(host, async (ros) => {
-          await publish(ros, { linear: { x: 0.5 } });
+          const velocity = { linear: { x: 0.5 } };
+          const { speed } = await drive(host, ros, { velocity, amount: 150, travel: distance });
+          must(isNear(speed, 50), "about 50 cm in a second of 0.5 m/s", speed);
           await pause(LEASE_MS);
-          const driven = sensors.front - (await readings(host)).front;
-          must(driven > 20 && driven < 120, "about 50 to 75 cm in a second of 0.5 m/s", driven);
           await mustStand(host);
         });
       },
@@ -139,13 +139,13 @@ export const ros: CheckGroup = {
       promise: "ros-velocity-zero",
       name: "a velocity of zero stops the robot at once",
       run: async (host) => {
-        const { sensors } = await moveToStart(host);
+        await moveToStart(host);
         await RosConnection.use(host, async (ros) => {
-          await publish(ros, { linear: { x: 1 } });
-          send(ros, {});
+          const velocity = { linear: { x: 1 } };
+          const { travelled } = await drive(host, ros, { velocity, amount: 20, travel: distance });
+          publish(ros, {});
           await pause(STOP_MS);
-          const driven = sensors.front - (await readings(host)).front;
-          must(driven > 20, "a robot that has moved", `${driven} cm`);
+          must(travelled >= 20, "a robot that has moved", `${travelled} cm`);
           await mustStand(host);
         });
       },
@@ -155,16 +155,18 @@ export const ros: CheckGroup = {
       name: "`angular.z` in rad/s is positive to the left",
       needs: ["pose"],
       run: async (host) => {
-        await moveToStart(host);
-        const start = await pose(host);
-        await RosConnection.use(host, async (ros) => {
-          await publish(ros, { angular: { z: 1 } });
-          send(ros, {});
+        const start = await moveToStart(host);
+        const { speed } = await RosConnection.use(host, async (ros) => {
+          const velocity = { angular: { z: 1 } };
+          const motion = await drive(host, ros, { velocity, amount: 1, travel: turnToTheLeft });
+          publish(ros, {});
+          return motion;
         });
         await pause(LEASE_MS);
-        const turned = angle((await pose(host)).yaw - start.yaw);
-        await host.sendAndWait({ action: "turn", degrees: (turned * 180) / Math.PI });
-        must(turned > 0.3 && turned < 2, "about 1 rad to the left in a second of 1 rad/s", turned);
+        const radians = turnToTheLeft(start, await host.snapshot());
+        await host.sendAndWait({ action: "turn", degrees: (radians * 180) / Math.PI });
+        const isRight = Math.abs(speed - 1) < TOLERANCE_TURN;
+        must(isRight, "about 1 rad to the left in a second of 1 rad/s", speed);
       },
     },
     {
@@ -205,16 +207,9 @@ async function pose(host: Host): Promise<{ x: number; y: number; yaw: number }> 
   return { x: at("position.x"), y: at("position.y"), yaw };
 }
 
-/** Publishes a velocity for a second. */
-async function publish(ros: RosConnection, velocity: object): Promise<void> {
-  for (let n = 0; n < COUNT; n++) {
-    send(ros, velocity);
-    await pause(INTERVAL_MS);
-  }
-}
-
-function send(ros: RosConnection, velocity: object): void {
-  ros.send({ op: "publish", topic: "/cmd_vel", msg: velocity });
+/** The angle between two snapshots, in radians, positive to the left. */
+function turnToTheLeft(from: Snapshot, to: Snapshot): number {
+  return angle(((from.pose.heading - to.pose.heading) * Math.PI) / 180);
 }
 
 /** An angle from -pi to pi. */
