@@ -67,6 +67,14 @@ describe("corridor ros", () => {
     expect(scripts).toMatchObject([{ client: "ROS", name: null, connections: 1 }]);
   });
 
+  it("drives by the binary messages that ROS# sends", async () => {
+    const { url, page } = await bridgedRobot();
+    const client = await RosClient.open(url);
+    client.sendText(Buffer.from(JSON.stringify(goal("/move", { distance: 1 }))), true);
+    expect(await client.next("op", "action_result")).toMatchObject({ status: 4 });
+    expect(page.robot.done).toMatchObject([{ action: "move", distance: 100 }]);
+  });
+
   it("refuses pages of other sites, and accepts those of this computer", async () => {
     const { url } = await bridgedRobot();
     await expect(RosClient.open(url, { Origin: "https://elsewhere.example" })).rejects.toThrow(
