@@ -33,16 +33,18 @@ interface ToolStripProps {
 }
 
 export function ToolStrip({ history, sound, children }: ToolStripProps) {
-  const { screen, race } = useServices();
+  const { screen, race, run } = useServices();
   const { t } = useTranslation();
   const isFixed = useRights()?.maze === false;
   const hasMeasure = useTool("measure");
   const tool = useStore(screen, (state) => state.tool);
-  const hasRace = useStore(race, ({ ghosts }) => ghosts.length > 0);
+  const isRacing = useStore(race, ({ ghosts }) => ghosts.length > 0);
+  // A past run is offered for a race.
+  const isPast = useStore(run, ({ view }) => view !== "now");
   const [dialog, setDialog] = useState<"clear" | "resize" | null>(null);
   const close = (): void => setDialog(null);
   return (
-    <div className={styles["strip"]} data-race={hasRace}>
+    <div className={styles["strip"]} data-race={isRacing || isPast}>
       <div className={styles["tools"]}>
         <Segmented
           look="strip"
