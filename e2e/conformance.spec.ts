@@ -1,6 +1,6 @@
 /**
- * The robot in the page passes the conformance kit, as any robot host must. The kit is the npm package
- * that builders of robots install.
+ * The robot in the page passes the conformance kit, as any robot host must, and so do the gateways to
+ * it. The kit is the npm package that builders of robots install.
  */
 import { encodeLink } from "@corridor/link";
 import { join } from "node:path";
@@ -22,8 +22,10 @@ const pen = encodeLink({
   },
 });
 
-test("the robot in the page passes every check of the conformance kit", async ({ page }) => {
-  test.setTimeout(420_000);
+test("the robot in the page and its gateways pass every check of the conformance kit", async ({
+  page,
+}) => {
+  test.setTimeout(500_000);
   if (!pen.ok) throw new Error(pen.code);
   await page.goto(`/#${pen.text}`);
   await page.getByRole("radio", { name: "Remote" }).click();
@@ -32,8 +34,10 @@ test("the robot in the page passes every check of the conformance kit", async ({
   const folder = await EmptyFolder.create();
   await folder.install(PACKAGE);
   const command = join(folder.path, "node_modules/.bin/corridor");
-  const { code, output } = await runScript([command, "conformance", address], "", userEnvironment);
+  const words = [command, "conformance", address, "--gateways"];
+  const { code, output } = await runScript(words, "", userEnvironment);
   await folder.remove();
+  expect(output).toContain("\nSOAP gateway\n");
   expect(output).toMatch(
     /\nCorridor conformance, .*: PASSED, \d+ passed, 0 failed, 0 not offered, 2 not testable here\n$/,
   );
