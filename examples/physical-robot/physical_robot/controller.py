@@ -129,7 +129,7 @@ class Controller:
         is_connected = not is_drive and self._store.open_requests > 0
         if is_connected or now - since < lease:
             return False
-        self._end(entry, "cancelled", f"The script sent nothing for {lease:g} s, so the robot stopped.")
+        self._end_silent(entry, lease)
         return True
 
     def _is_silent(self, entry: Entry, now: float) -> bool:
@@ -137,9 +137,13 @@ class Controller:
         last_contact = max(self._started_at, self._store.last_contact)
         if self._store.open_requests > 0 or now - last_contact < SCRIPT_TIMEOUT:
             return False
-        reason = f"The script sent nothing for {SCRIPT_TIMEOUT:g} s, so the robot stopped."
-        self._end(entry, "cancelled", reason)
+        self._end_silent(entry, SCRIPT_TIMEOUT)
         return True
+
+    def _end_silent(self, entry: Entry, lease: float) -> None:
+        # Programs that the page exports decide again after "stopped sending".
+        reason = f"The script stopped sending for {lease:g} s, so the robot stopped."
+        self._end(entry, "cancelled", reason)
 
     def _execute(self, entry: Entry, seconds: float) -> None:
         command = entry.request.command

@@ -108,7 +108,14 @@ export {
   PAUSED_RUN_REASON,
   SILENT_ROBOT_REASON,
 } from "./expired-reason.ts";
-export { BLOCKED_REASON, PAUSED_REASON, RELOADED_REASON, REVOKED_REASON } from "./owner-reasons.ts";
+export {
+  BLOCKED_REASON,
+  PAUSED_REASON,
+  RELOADED_REASON,
+  REVOKED_REASON,
+  SILENT_REASON,
+  SILENT_WORDS,
+} from "./owner-reasons.ts";
 export {
   eventGapSchema,
   eventPageSchema,

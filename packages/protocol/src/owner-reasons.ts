@@ -1,7 +1,17 @@
 /**
- * Reasons of commands that the owner or a reload of the page ended, with what to do next. In its own file so
- * that the page's worker imports no schemas.
+ * Reasons of commands that the owner, a reload of the page or a silent script ended, with what to do
+ * next. In its own file so that the page's worker imports no schemas.
  */
+
+/**
+ * Words in the reason of a command whose script was silent for so long that its lease ended. A record
+ * has no cause as a code, so exported programs look for these words. The page and the example of a
+ * physical robot write them.
+ */
+export const SILENT_WORDS = "stopped sending";
+
+/** The lease of the script ended, for example because its connection was lost. */
+export const SILENT_REASON = `The script ${SILENT_WORDS}, so the robot stopped. Send commands or read the robot more often.`;
 
 /** Remote driving is paused. */
 export const PAUSED_REASON =

@@ -2,6 +2,7 @@
 import { execFile, execFileSync } from "node:child_process";
 import { join } from "node:path";
 import { promisify } from "node:util";
+import { SILENT_WORDS } from "@corridor/protocol";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { startPhysicalRobot } from "../../support/conformance/physical-robot.ts";
 
@@ -66,7 +67,7 @@ with Robot(sys.argv[1]) as robot:
     const address = await startHost(`${"#".repeat(16)},#${".".repeat(14)}#,${"#".repeat(16)}`);
     const { stdout } = await run("python3", ["-c", script, address], { env });
     expect(stdout).toBe(
-      "reverse cancelled The script sent nothing for 3 s, so the robot stopped.\n",
+      `reverse cancelled The script ${SILENT_WORDS} for 3 s, so the robot stopped.\n`,
     );
     const { origin, pathname, hash } = new URL(address);
     const log = await fetch(`${origin}/api/v1/robots/${pathname.slice(3)}/commands?after=4`, {

@@ -1,3 +1,4 @@
+import { SILENT_WORDS } from "@corridor/protocol";
 import { describe, expect, it } from "vitest";
 import type { ProgramDocument } from "../program-document.ts";
 import { paperPrograms } from "../testing/paper-programs.ts";
@@ -88,6 +89,10 @@ describe.each(codeLanguages)("a file in %s", (language) => {
     const calls = lines.findIndex((line) => line.includes("The calls of the robot's service."));
     expect(calls).toBeGreaterThan(0);
     expect(lines.length - calls).toBeLessThanOrEqual(60);
+  });
+
+  it("decides again after the words that hosts write for a lost lease", () => {
+    expect(codeOf(figure23, language).join("\n")).toContain(`"${SILENT_WORDS}"`);
   });
 
   it("has the address in one place", () => {

@@ -1,3 +1,4 @@
+import { SILENT_WORDS } from "@corridor/protocol";
 import { chainOf, commentName, type CodeContent } from "./code-text.ts";
 
 export function csharpCode({ name, lines, address, command }: CodeContent): string {
@@ -62,7 +63,7 @@ ${rules}
         if (state == "collided" && Field(record, "pose") == Field(now, "pose"))
             throw new ApplicationException(line + " drives against a wall. No reading changes after that.");
         // After a lost connection, the robot stands on its path: decide again.
-        if (state != "completed" && state != "collided" && !reason.Contains("stopped sending"))
+        if (state != "completed" && state != "collided" && !reason.Contains("${SILENT_WORDS}"))
             throw new ApplicationException(reason == "null" ? state : reason);
     }
     static string Field(string json, string name) => Regex.Replace(Regex.Match(json,

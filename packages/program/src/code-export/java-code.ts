@@ -1,3 +1,4 @@
+import { SILENT_WORDS } from "@corridor/protocol";
 import { chainOf, commentName, type CodeContent } from "./code-text.ts";
 
 export function javaCode({ name, lines, address, command }: CodeContent): string {
@@ -58,7 +59,7 @@ ${rules}
     if (state.equals("collided") && field(record, "pose").equals(field(now, "pose")))
       throw new IllegalStateException(line + " drives against a wall. No reading changes after that.");
     // After a lost connection, the robot stands on its path: decide again.
-    if (!state.matches("completed|collided") && !reason.contains("stopped sending"))
+    if (!state.matches("completed|collided") && !reason.contains("${SILENT_WORDS}"))
       throw new IllegalStateException(reason.equals("null") ? state : reason);
   }
 

@@ -1,3 +1,4 @@
+import { SILENT_WORDS } from "@corridor/protocol";
 import { chainOf, commentName, type CodeContent } from "./code-text.ts";
 
 export function javascriptCode({ name, lines, address, command }: CodeContent): string {
@@ -58,7 +59,7 @@ async function drive(line, action, until = "") {
   if (state === "collided" && JSON.stringify(pose) === JSON.stringify(now.pose))
     throw new Error(\`\${line} drives against a wall. No reading changes after that.\`);
   // After a lost connection, the robot stands on its path: decide again.
-  if (state !== "completed" && state !== "collided" && !reason?.includes("stopped sending"))
+  if (state !== "completed" && state !== "collided" && !reason?.includes("${SILENT_WORDS}"))
     throw new Error(reason ?? state);
 }
 

@@ -1,3 +1,4 @@
+import { SILENT_WORDS } from "@corridor/protocol";
 import { chainOf, commentName, type CodeContent } from "./code-text.ts";
 
 export function pythonCode({ name, lines, address, command }: CodeContent): string {
@@ -56,7 +57,7 @@ def drive(line, action, until=""):
     if record["state"] == "collided" and record["pose"] == pose:
         sys.exit(f"{line} drives against a wall. No reading changes after that.")
     # After a lost connection, the robot stands on its path: decide again.
-    if record["state"] not in ("completed", "collided") and "stopped sending" not in str(record["reason"]):
+    if record["state"] not in ("completed", "collided") and "${SILENT_WORDS}" not in str(record["reason"]):
         sys.exit(record["reason"] or record["state"])
 
 try:

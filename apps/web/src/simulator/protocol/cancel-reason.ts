@@ -2,7 +2,7 @@
  * Why this page ends remote commands early. The page displays a translated reason, by its code;
  * scripts receive the English sentence.
  */
-import { BLOCKED_REASON, PAUSED_REASON, REVOKED_REASON } from "@corridor/protocol";
+import { BLOCKED_REASON, PAUSED_REASON, REVOKED_REASON, SILENT_REASON } from "@corridor/protocol";
 
 export const cancelReasons = {
   notRemote: "Remote is not driving: choose Remote on the robot's page.",
@@ -16,8 +16,7 @@ export const cancelReasons = {
   keyRevoked: REVOKED_REASON,
   blocked: BLOCKED_REASON,
   paused: PAUSED_REASON,
-  silent:
-    "The script stopped sending, so the robot stopped. Send commands or read the robot more often.",
+  silent: SILENT_REASON,
   disconnected: "The robot's page disconnected.",
   addressEnded: "The robot's page no longer uses this address. Copy its new address.",
 } as const satisfies Record<string, string>;
