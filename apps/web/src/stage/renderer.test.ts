@@ -119,13 +119,13 @@ function newStage() {
   requestFrame.mockClear();
   const show = (snapshot: Snapshot, corners: number[], trailReset: boolean): void => {
     frame = frameOf({ snapshot, corners, trailReset });
-    renderer.frameArrived();
+    renderer.frameArrived(frame);
     paint();
   };
   const standing = snapshotAt(50, 50);
   const mark = (marks: Frame["marks"]): void => {
     frame = { ...frameOf({ snapshot: standing, corners: [], trailReset: false }), marks };
-    renderer.frameArrived();
+    renderer.frameArrived(frame);
     paint();
   };
   const drive = (x: number, y: number, isReset = false): void =>
@@ -251,11 +251,32 @@ describe("the stage", () => {
     const { renderer, requestFrame, paint } = newStage();
     renderer.show(model);
     renderer.show({ ...model, showBeams: false });
-    renderer.frameArrived();
+    renderer.frameArrived(frameOf());
     expect(requestFrame).toHaveBeenCalledTimes(1);
     paint();
     renderer.show({ ...model, showBeams: false });
     expect(requestFrame).toHaveBeenCalledTimes(1);
+  });
+
+  it("draws nothing while only time passes, as when a robot waits for its script", () => {
+    const { renderer, requestFrame, paint, drive, show, redrawn } = newStage();
+    renderer.show(model);
+    drive(50, 50, true);
+    drive(60, 50);
+    paint();
+    redrawn();
+    requestFrame.mockClear();
+    const standing = snapshotAt(60, 50);
+    for (let tick = 1; tick <= 10; tick++) show({ ...standing, tick, seq: tick }, [], false);
+    expect(requestFrame).not.toHaveBeenCalled();
+    renderer.showNumbersOf(standing);
+    paint();
+    redrawn();
+    requestFrame.mockClear();
+    renderer.showNumbersOf({ ...standing, tick: 10, seq: 10 });
+    expect(requestFrame).not.toHaveBeenCalled();
+    show({ ...standing, tick: 11, goalReached: true }, [], false);
+    expect(redrawn()).toEqual({ maze: 0, trail: 0, live: 1 });
   });
 
   it("redraws the trail when the robot returns to its start", () => {
@@ -370,7 +391,7 @@ describe("the readings on the beams", () => {
     paint();
     expect(readings(layers.live)).toContain("250");
     for (let tick = 2; tick < 12; tick++) {
-      show(withFront(252 - tick, tick), [], false);
+      show(withFront(251 - tick, tick), [], false);
       expect(readings(layers.live)).toContain("250");
     }
     renderer.showNumbersOf(withFront(240, 12));

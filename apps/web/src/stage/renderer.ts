@@ -25,6 +25,7 @@ import { drawWalls } from "./layers/walls.ts";
 import { nudgeOffset, type Nudge } from "./nudge.ts";
 import type { StageModel } from "./layers/stage-model.ts";
 import { CanvasLayer } from "./layers/canvas-layer.ts";
+import { isSamePicture, isSameSnapshot } from "./drawing/same-picture.ts";
 import { Trail } from "./drawing/trail.ts";
 import {
   followScroll,
@@ -158,7 +159,9 @@ export class StageRenderer {
 
   /** The page displays the numbers of this snapshot: the stage writes the same ones. */
   showNumbersOf(snapshot: Snapshot): void {
+    const before = this.#numbers;
     this.#numbers = snapshot;
+    if (before !== null && isSameSnapshot(before, snapshot)) return;
     this.#outdated.add("live");
     this.#requestPaint();
   }
@@ -175,9 +178,12 @@ export class StageRenderer {
     this.#requestPaint();
   }
 
-  /** A new frame is available at the port. */
-  frameArrived(): void {
-    this.#requestPaint();
+  /**
+   * A new frame is available at the port. While a robot waits for a script, time passes in every
+   * frame but nothing else changes: such frames are not painted.
+   */
+  frameArrived(frame: Frame): void {
+    if (this.#frame === null || !isSamePicture(this.#frame, frame)) this.#requestPaint();
   }
 
   #requestPaint(): void {
@@ -245,7 +251,7 @@ export class StageRenderer {
       if (change.kind !== "replaced") paintBumps(layer, model, viewport, bumps);
       this.#hit = hitOf(frame, before);
     }
-    if (before?.snapshot !== frame.snapshot) this.#outdated.add("live");
+    if (before === null || !isSamePicture(before, frame)) this.#outdated.add("live");
     if (before?.marks !== frame.marks) this.#outdated.add("maze");
     if (!model.isCalm && before !== null && !frame.trailReset && frame.view !== "past") {
       this.#startNudge(model, frame, before);

@@ -62,7 +62,7 @@ export class StagePainter {
       this.#post();
       return;
     }
-    this.#renderer.frameArrived();
+    this.#renderer.frameArrived(frame);
   }
 
   handle(message: StageToWorker): void {

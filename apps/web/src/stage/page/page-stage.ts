@@ -45,7 +45,7 @@ export function openPageStage(
         () => undefined,
       );
     }
-    renderer.frameArrived();
+    renderer.frameArrived(message.frame);
   });
   const onFont = (): void => renderer.fontLoaded();
   document.fonts.addEventListener("loadingdone", onFont);

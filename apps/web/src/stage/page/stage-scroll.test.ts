@@ -161,7 +161,7 @@ class Stage {
       corners: isReset ? [pose.x, pose.y] : [],
       trailReset: isReset || this.#frame?.trailReset === true,
     });
-    this.#renderer.frameArrived();
+    this.#renderer.frameArrived(this.#frame);
   }
 
   paint(): void {
