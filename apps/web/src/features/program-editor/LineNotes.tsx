@@ -97,7 +97,8 @@ function LineProgress({ line }: Pick<LineNoteProps, "line">) {
   return (
     <div ref={note} className={styles["note"]} data-resting="">
       <div className={styles["progress"]}>
-        <progress ref={bar} aria-hidden="true" />
+        {/* Without a value, Chromium animates it even while it is hidden: eight frames per second. */}
+        <progress ref={bar} value={0} aria-hidden="true" />
         <span ref={fill} className={styles["bar"]} aria-hidden="true" />
         <span ref={text} className={styles["words"]} aria-hidden="true">
           <span className="live-box" />

@@ -155,6 +155,14 @@ describe("while the program drives", () => {
     await expect.element(line(1)).not.toHaveAttribute("aria-current");
   });
 
+  it("no line animates a progress bar while it rests", async () => {
+    await renderEditor();
+    await expect.element(line(1)).toBeVisible();
+    const bars = [...document.querySelectorAll("progress")];
+    // A bar without a value has the position -1, and Chromium animates it even while it is hidden.
+    expect(bars.map(({ position }) => position)).toEqual([0, 0, 0]);
+  });
+
   it("a manoeuvre shows how far it still is, and a bump which line to look at", async () => {
     const { show, receive } = await renderEditor();
     const driving = {
