@@ -1,6 +1,6 @@
 /**
- * The robot in the page passes the conformance kit, as any robot host must, and so do the gateways to
- * it. The kit is the npm package that builders of robots install.
+ * The robot in the page, as any robot host, and the gateways of its relay must pass the conformance
+ * kit. The kit is the npm package that builders of robots install.
  */
 import { encodeLink } from "@corridor/link";
 import { join } from "node:path";

@@ -18,6 +18,7 @@ export function isSamePicture(before: Frame, frame: Frame): boolean {
 
 /** Whether two snapshots differ at most in their tick and number, which the stage does not draw. */
 export function isSameSnapshot(a: Snapshot, b: Snapshot): boolean {
+  // The pose first: while the robot moves, it decides without a copy of the snapshot.
   return a === b || (isSame(a.pose, b.pose) && isSame(a, { ...b, tick: a.tick, seq: a.seq }));
 }
 
