@@ -6,7 +6,9 @@ import { useServices } from "../../model/use-services.ts";
 import { deferredPart } from "../../ui/lazy-part.tsx";
 
 const RaceChip = deferredPart(async () => (await import("./RaceChip.tsx")).RaceChip);
-const RaceIconButton = deferredPart(async () => (await import("./RaceIconButton.tsx")).RaceIconButton);
+const RaceIconButton = deferredPart(
+  async () => (await import("./RaceIconButton.tsx")).RaceIconButton,
+);
 
 export function RacePlace() {
   const { race, run } = useServices();
