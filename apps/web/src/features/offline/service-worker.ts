@@ -52,13 +52,15 @@ export async function startServiceWorker({ onReady, onTaken }: UpdatePorts): Pro
       return takeOver(worker);
     });
   };
-  offer(registration.waiting);
-  registration.addEventListener("updatefound", () => {
-    const worker = registration.installing;
+  const offerOnceInstalled = (worker: ServiceWorker | null): void => {
     worker?.addEventListener("statechange", () => {
       if (worker.state === "installed") offer(worker);
     });
-  });
+  };
+  offer(registration.waiting);
+  // Another page may have found the version before this page listened.
+  offerOnceInstalled(registration.installing);
+  registration.addEventListener("updatefound", () => offerOnceInstalled(registration.installing));
   setInterval(() => {
     // Offline, or the relay does not respond: the next check is enough.
     registration.update().catch(() => undefined);
