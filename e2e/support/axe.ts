@@ -2,7 +2,7 @@
  * Runs axe on a state of the page, in the light and the dark theme. Not with `AxeBuilder`, which
  * opens a page of its own and loads axe into both for each run: that covers frames of other sites.
  */
-import axe, { type ElementContext, type Result, type RunOptions } from "axe-core";
+import axe, { type Result, type RunOptions } from "axe-core";
 import { expect, type Page } from "playwright/test";
 import { waitForAnimations } from "./wait-for-animations.ts";
 
@@ -29,14 +29,18 @@ export async function expectNoAxeViolations(page: Page, state: string): Promise<
   expect(await describeViolations(page, onlyColours), `axe, ${state}, dark`).toEqual([]);
 }
 
-/**
- * Violations in a page without frames.
- * @param exclude selectors of parts that are not the page's own
- */
+/** selectors */
+export interface PageParts {
+  /** default: the whole page */
+  include?: string[];
+  exclude: string[];
+}
+
+/** Violations in a page without frames. */
 export async function axeViolations(
   page: Page,
   options: RunOptions,
-  exclude: string[] = [],
+  parts: PageParts = { exclude: [] },
 ): Promise<Result[]> {
   expect(page.frames(), "axe covers pages without frames").toHaveLength(1);
   if (!(await page.evaluate(() => "axe" in window))) await page.evaluate(axe.source);
@@ -47,7 +51,7 @@ export async function axeViolations(
       return violations;
     },
     [
-      { exclude } satisfies ElementContext,
+      parts,
       // Otherwise axe also describes every element that passes.
       { ...options, resultTypes: ["violations"] } satisfies RunOptions,
     ] as const,
