@@ -8,9 +8,10 @@ import { expect, test as base } from "./fixtures.ts";
 import { DashboardPage } from "./pages/dashboard-page.ts";
 import { textsInFiles } from "../tests/support/stored-files.ts";
 import { ClassTeacher } from "./support/class-teacher.ts";
-import { enterClass } from "./support/enter-class.ts";
+import { enterClass, scanCode } from "./support/enter-class.ts";
 import { lessonTask } from "./support/lesson-task.ts";
 import { RelayProxy } from "./support/relay-proxy.ts";
+import { smallWindow } from "./support/window-sizes.ts";
 
 /** Two relays that share a Redis, which stores its data in the folder. */
 interface Cluster {
@@ -56,7 +57,7 @@ test("teacher and student work over plain HTTPS where WebSockets are blocked", a
   // Not openWindow fixtures: the browser logs an error for each WebSocket that does not open.
   const contexts = [
     await browser.newContext({ ignoreHTTPSErrors: true }),
-    await browser.newContext({ ignoreHTTPSErrors: true }),
+    await browser.newContext({ ...smallWindow, ignoreHTTPSErrors: true }),
   ] as const;
   const [page, studentPage] = [await contexts[0].newPage(), await contexts[1].newPage()];
   const longPolls = [page, studentPage].map((each) =>
@@ -65,7 +66,7 @@ test("teacher and student work over plain HTTPS where WebSockets are blocked", a
   await page.goto(`${origin}/class/${created.id}#${created.teacherKey}`);
   const dashboard = new DashboardPage(page);
   await expect(dashboard.code).toContainText("No student has joined yet.");
-  const student = await enterClass(studentPage, created.code, origin);
+  const student = await scanCode(studentPage, created.code, origin);
   // What a student does before the lesson opens belongs to the student's own project.
   await expect(student.page.getByRole("heading", { name: "Straight on" })).toBeVisible();
   await Promise.all(longPolls);
@@ -91,13 +92,15 @@ test("teacher and student use two relays, of which one is killed", async ({
   pageErrors,
   cluster: { first, second, folder },
 }) => {
+  // Three starts of a relay and two of a page.
+  test.setTimeout(300_000);
   pageErrors.ignoreFailedRequests();
   const teacher = await ClassTeacher.start(first.url, NAMES, lesson);
   const { created } = teacher;
   const { page } = await openWindow();
   await page.goto(teacher.address());
   const dashboard = new DashboardPage(page);
-  const student = await enterClass((await openWindow()).page, created.code, second.url);
+  const student = await enterClass((await openWindow(smallWindow)).page, created.code, second.url);
   await expect(student.page.getByRole("heading", { name: "Straight on" })).toBeVisible();
   await expect(dashboard.cards).toHaveAccessibleName(/, Writing, 0 minutes/);
   await student.program.otherwise.selectOption("reverse");
@@ -109,7 +112,7 @@ test("teacher and student use two relays, of which one is killed", async ({
 
   await second.killAndRestart();
   await page.getByRole("button", { name: "End the pause" }).click();
-  await expect(band).toBeHidden({ timeout: 30_000 });
+  await expect(band).toBeHidden({ timeout: 90_000 });
   await student.reset.click();
   await student.program.otherwise.selectOption("forward");
   await student.run.click();
