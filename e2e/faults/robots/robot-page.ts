@@ -2,9 +2,11 @@
  * A page that is the robot, assembled as in its worker from run, driver, host and connection, on
  * real timers and sockets.
  */
+import type { MazeDocument } from "@corridor/maze";
 import { decodeFrame, relayToPageSchema } from "@corridor/protocol";
 import { RemoteDriver } from "../../../apps/web/src/simulator/drivers/remote-driver.ts";
 import { firstMaze, firstProgram } from "../../../apps/web/src/simulator/protocol/first-project.ts";
+import type { Speed } from "../../../apps/web/src/simulator/protocol/worker-messages.ts";
 import { RemoteHost } from "../../../apps/web/src/simulator/worker/remote-host.ts";
 import { RunLoop } from "../../../apps/web/src/simulator/worker/run-loop.ts";
 import { SnapshotThrottle } from "../../../apps/web/src/simulator/worker/snapshot-throttle.ts";
@@ -73,6 +75,15 @@ export class RobotPage {
     if (this.#host.isOpen && this.#throttle.take()) {
       this.#host.sendSnapshot(this.#loop.snapshot());
     }
+  }
+
+  setSpeed(speed: Speed): void {
+    this.#loop.setSpeed(speed);
+  }
+
+  /** The next run, such as after a script's reset, starts in this maze. */
+  editMaze(maze: MazeDocument): void {
+    this.#loop.editMaze(maze);
   }
 
   /** Closes the tab: its connection closes without further messages. */

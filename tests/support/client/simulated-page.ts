@@ -8,16 +8,21 @@ import { Robot } from "../../../e2e/faults/robots/robot.ts";
 /** interval of the page's worker */
 const INTERVAL_MS = 8;
 
+export interface SimulatedPage {
+  robot: Robot;
+  page: RobotPage;
+}
+
 /**
- * Opens the page of a robot. It closes with the test.
+ * Starts the page of a robot. It closes with the test.
  * @param origin of its relay
  * @param maze default: that of a first visit
  */
-export function openSimulatedPage(
+export function startSimulatedPage(
   origin: string,
   registration: Registration,
   maze?: MazeDocument,
-): Robot {
+): SimulatedPage {
   const robot = new Robot(registration);
   const page = new RobotPage(
     { type: "open", page: robot.page, origin, session: robot.session, transports: "websocket" },
@@ -31,5 +36,10 @@ export function openSimulatedPage(
     clearInterval(timer);
     page.close();
   });
-  return robot;
+  return { robot, page };
+}
+
+/** Like `startSimulatedPage`, for tests that need only the robot. */
+export function openSimulatedPage(...args: Parameters<typeof startSimulatedPage>): Robot {
+  return startSimulatedPage(...args).robot;
 }

@@ -49,6 +49,11 @@ export class ProgramPath {
   }
 }
 
+/** @param label of a script's decision, such as "line 1" */
+export function lineOf(label: string): LineRef {
+  return label === "otherwise" ? "default" : Number(label.slice("line ".length)) - 1;
+}
+
 /** JSON writes numbers so that they are read as the same bits. */
 function textOf({ x, y, heading }: Pose): string {
   return JSON.stringify([x, y, heading]);
