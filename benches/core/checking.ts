@@ -5,7 +5,8 @@
 import { checkMaze } from "@corridor/challenge";
 import { generateTree } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
-import { ProgramRun, Simulation, TICKS_PER_SECOND } from "@corridor/simulation";
+import { TICKS_PER_SECOND } from "@corridor/protocol";
+import { ProgramRun, Simulation } from "@corridor/simulation";
 import { measureRounds, timesSlower, type Timed } from "./measure.ts";
 import { taskIn } from "./task.ts";
 

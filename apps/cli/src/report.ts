@@ -1,7 +1,7 @@
 /** Formats the results of runs as JSON or CSV. Rounds distances to 0.1 and poses to 0.001. */
 import type { Diagnosis } from "@corridor/coach";
 import { csvLines } from "@corridor/report";
-import { TICKS_PER_SECOND } from "@corridor/simulation";
+import { TICKS_PER_SECOND } from "@corridor/protocol";
 import { round } from "./round.ts";
 import type { RunResult } from "./run-result.ts";
 

@@ -1,8 +1,8 @@
 /** Runs a program in a maze and measures the run. */
 import { countOpenCells, sizeOf, type MazeDocument } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
-import type { Pose } from "@corridor/protocol";
-import { ProgramRun, Simulation, TICKS_PER_SECOND } from "@corridor/simulation";
+import { type Pose, TICKS_PER_SECOND } from "@corridor/protocol";
+import { ProgramRun, Simulation } from "@corridor/simulation";
 import type { RunLimits } from "./run-limits.ts";
 
 export interface RunResult {

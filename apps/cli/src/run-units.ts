@@ -2,7 +2,8 @@
 import { diagnoseFreePlay, type Diagnosis } from "@corridor/coach";
 import type { MazeDocument } from "@corridor/maze";
 import type { ProgramDocument } from "@corridor/program";
-import { Simulation, TICKS_PER_SECOND } from "@corridor/simulation";
+import { TICKS_PER_SECOND } from "@corridor/protocol";
+import { Simulation } from "@corridor/simulation";
 import type { RunLimits } from "./run-limits.ts";
 import { runProgram, type RunResult } from "./run-result.ts";
 import type { Units } from "./work-share.ts";

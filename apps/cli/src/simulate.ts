@@ -1,6 +1,7 @@
 /** `simulate`: runs one program in one maze and prints one line of JSON. */
 import { CompiledProgram } from "@corridor/program";
-import { replayDigest, TICKS_PER_SECOND, type Inputs } from "@corridor/simulation";
+import { TICKS_PER_SECOND } from "@corridor/protocol";
+import { replayDigest, type Inputs } from "@corridor/simulation";
 import { simulateArguments } from "./arguments.ts";
 import { exitCodes, runFields, type Command } from "./command.ts";
 import { readFiles } from "./read-files.ts";

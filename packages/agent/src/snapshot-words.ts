@@ -1,9 +1,8 @@
 /** A snapshot in words, for agents that read text only. */
-import type { Snapshot } from "@corridor/protocol";
+import { type Snapshot, TICKS_PER_SECOND } from "@corridor/protocol";
 
 /** Directions of the four headings, clockwise from 0 degrees. */
 const directions = ["north", "east", "south", "west"] as const;
-const TICKS_PER_SECOND = 60;
 
 const round = (number: number): string => String(Math.round(number * 10) / 10);
 

@@ -3,8 +3,7 @@
  * failed. For a program that drives alone, the result and its tick equal those of `checkChallenge`.
  */
 import type { MazeDocument } from "@corridor/maze";
-import type { DriverName, Pose, RobotReport } from "@corridor/protocol";
-import { TICKS_PER_SECOND } from "@corridor/simulation";
+import { type DriverName, type Pose, type RobotReport, TICKS_PER_SECOND } from "@corridor/protocol";
 import { GoalTracker, type GoalRobot } from "./goal-tracker.ts";
 import type { Goal, Task } from "./task-schema.ts";
 import type { FailureCode } from "./verdict.ts";

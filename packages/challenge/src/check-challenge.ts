@@ -4,8 +4,8 @@
  */
 import { sizeOf, type MazeDocument } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
-import type { LineRef, TimedCommand } from "@corridor/protocol";
-import { ProgramRun, Simulation, TICKS_PER_SECOND } from "@corridor/simulation";
+import { type LineRef, TICKS_PER_SECOND, type TimedCommand } from "@corridor/protocol";
+import { ProgramRun, Simulation } from "@corridor/simulation";
 import { findViolation } from "./allowed-program.ts";
 import { GoalTracker } from "./goal-tracker.ts";
 import type { Task } from "./task-schema.ts";

@@ -1,7 +1,6 @@
 /** Tracks tick by tick whether the robot meets the goal of a challenge. */
 import { CELL, countOpenCells, isBlock, sizeOf, type MazeDocument } from "@corridor/maze";
-import type { RobotReport } from "@corridor/protocol";
-import { TICKS_PER_SECOND } from "@corridor/simulation";
+import { type RobotReport, TICKS_PER_SECOND } from "@corridor/protocol";
 import type { Goal } from "./task-schema.ts";
 
 /** The parts of a robot at the end of a tick that a goal depends on. */

@@ -1,5 +1,5 @@
 /** The rows of a table of graded attempts: one for each attempt and task. */
-import { TICKS_PER_SECOND } from "@corridor/simulation";
+import { TICKS_PER_SECOND } from "@corridor/protocol";
 import { isProgram, type Attempt } from "./check-challenge.ts";
 import { taskVerdict } from "./check-task.ts";
 import type { LessonTask } from "./lesson-document.ts";

@@ -2,14 +2,12 @@
  * Publishes velocities, and measures the speed of the robot in its own time: a busy computer delays
  * messages and wall time, but not the ticks of a robot.
  */
-import type { Snapshot } from "@corridor/protocol";
+import { type Snapshot, TICKS_PER_SECOND } from "@corridor/protocol";
 import { pause, type Host } from "./host.ts";
 import type { RosConnection } from "./ros-connection.ts";
 
 /** ms between two velocities. The lease of a velocity is longer. */
 const INTERVAL_MS = 100;
-/** ticks in a second of the robot's time */
-const TICKS_PER_SECOND = 60;
 /** ms after which a robot that does not move is given up */
 const TIMEOUT_MS = 10_000;
 

@@ -267,5 +267,6 @@ export {
 export type { SocketEvents, SocketFactory, SocketPort } from "./socket-port.ts";
 export type { Timers } from "./timers.ts";
 export { PROTOCOL_VERSION } from "./version.ts";
+export { TICKS_PER_SECOND } from "./ticks.ts";
 export { timedCommandsSchema, type TimedCommand } from "./timed-command.ts";
 export { sensorNames, type SensorName } from "./sensor-names.ts";

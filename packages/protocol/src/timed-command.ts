@@ -1,8 +1,9 @@
 /** Commands, each with the tick before which the robot receives it. A replay is bit-identical. */
 import { z } from "zod";
 import { commandSchema, type Command } from "./command.ts";
+import { TICKS_PER_SECOND } from "./ticks.ts";
 
-const MAX_TICKS = 60 * 60 * 24 * 60;
+const MAX_TICKS = 24 * 60 * 60 * TICKS_PER_SECOND;
 const MAX_COMMANDS = 100_000;
 const tickError = "a tick: a whole number from 0, none smaller than the one before";
 

@@ -1,4 +1,4 @@
-import { snapshotSchema, type Snapshot } from "@corridor/protocol";
+import { snapshotSchema, TICKS_PER_SECOND, type Snapshot } from "@corridor/protocol";
 import { snapshotOf } from "@corridor/protocol/testing";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
@@ -8,7 +8,6 @@ import {
   rosPose,
   sinCos,
   stampOf,
-  TICKS_PER_SECOND,
   velocityBetween,
   WHEEL_SPEED,
   wheelPowers,

@@ -3,9 +3,8 @@
  * yaw counter-clockwise. The map's origin is the bottom left corner of the maze.
  */
 import { normaliseHeading, writeUnitVector } from "@corridor/geometry";
-import type { Pose } from "@corridor/protocol";
+import { type Pose, TICKS_PER_SECOND } from "@corridor/protocol";
 
-export const TICKS_PER_SECOND = 60;
 const CM = 100;
 /** m between the wheels */
 export const TRACK_WIDTH = 0.4;

@@ -1,14 +1,15 @@
 /** One connection of a ROS client, by rosbridge v2, to one robot. */
 import {
+  type CloseReason,
   closeReasons,
   MotionRegister,
   RefusedError,
-  type CloseReason,
   type RobotPort,
+  TICKS_PER_SECOND,
   type Timers,
 } from "@corridor/protocol";
 import { CommandEnds } from "./command-ends.ts";
-import { TICKS_PER_SECOND, wheelPowers } from "./conversions.ts";
+import { wheelPowers } from "./conversions.ts";
 import { Goals } from "./goals.ts";
 import { absoluteName, shortName } from "./interfaces.ts";
 import { readOperation, type Fields, type Operation } from "./operations.ts";

@@ -3,7 +3,7 @@
  * the maximum gap is discarded, so that a machine that wakes from sleep does not run minutes of
  * ticks.
  */
-import { TICKS_PER_SECOND } from "./settings.ts";
+import { TICKS_PER_SECOND } from "@corridor/protocol";
 
 /** Maximum elapsed time per call, in ms of real time. */
 const MAX_GAP_MS = 250;

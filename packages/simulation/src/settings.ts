@@ -2,9 +2,9 @@
  * All tuning constants of the simulation, with units and sources.
  * The Classic robot is the robot of the 2013 thesis. 1 unit is 1 cm.
  */
+import { TICKS_PER_SECOND } from "@corridor/protocol";
 
-/** Number and length of ticks in simulated time. */
-export const TICKS_PER_SECOND = 60;
+/** Length of a tick in simulated time. */
 export const TICK_SECONDS = 1 / TICKS_PER_SECOND;
 
 /** Radius of the disc-shaped body, in units. */

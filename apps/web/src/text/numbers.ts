@@ -2,9 +2,7 @@
  * Formats the numbers of a run with the decimal separator of the language. Digits are Latin in every
  * language, as on rulers, beams and program lines.
  */
-
-/** Ticks in a second of simulated time. */
-const TICKS_PER_SECOND = 60;
+import { TICKS_PER_SECOND } from "@corridor/protocol";
 
 /** Languages with a decimal comma. Intl would delay the first screen by 9 ms. */
 const withComma: ReadonlySet<string> = new Set(["de", "es", "fr", "pt"]);

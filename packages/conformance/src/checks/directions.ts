@@ -1,5 +1,11 @@
 /** Units, sides, directions and signs, measured by the range sensors in a pen of known size. */
-import type { CommandRecord, Order, SensorReadings, Snapshot } from "@corridor/protocol";
+import {
+  type CommandRecord,
+  type Order,
+  type SensorReadings,
+  type Snapshot,
+  TICKS_PER_SECOND,
+} from "@corridor/protocol";
 import type { CheckGroup } from "../check.ts";
 import { pause, type Host } from "../host.ts";
 import { must, Mismatch } from "../mismatch.ts";
@@ -365,7 +371,7 @@ async function forwardSpeed(host: Host): Promise<number> {
   const first = await whenFront(host, (front) => front < START_READINGS.front - 20, "below");
   const last = await whenFront(host, (front) => front < first.sensors.front - 60, "below");
   await host.sendAndWait({ action: "stop" });
-  return (first.sensors.front - last.sensors.front) / ((last.tick - first.tick) / 60);
+  return (first.sensors.front - last.sensors.front) / ((last.tick - first.tick) / TICKS_PER_SECOND);
 }
 
 /** Waits for a reading of the front sensor. @returns its snapshot */

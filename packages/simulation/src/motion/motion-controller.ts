@@ -6,13 +6,12 @@
  * Speeds are in units per tick and degrees per tick. This class contains no physics.
  */
 import { normaliseHeading } from "@corridor/geometry";
-import type { Command } from "@corridor/protocol";
+import { TICKS_PER_SECOND, type Command } from "@corridor/protocol";
 import {
   DELAY_DISTANCE,
   DRIVE_STEP,
   LEAVE_DISTANCE,
   TICK_SECONDS,
-  TICKS_PER_SECOND,
   TRACK_WIDTH,
   TURN_STEP,
   WHEEL_SPEED,

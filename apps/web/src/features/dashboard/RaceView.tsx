@@ -1,6 +1,6 @@
 /** A race of the verified programs of a task, together in one maze. Robots have numbers, no names. */
 import { CELL, sizeOf, type MazeDocument } from "@corridor/maze";
-import { TICKS_PER_SECOND } from "@corridor/simulation";
+import { TICKS_PER_SECOND } from "@corridor/protocol";
 import { useEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { countRacers } from "../../model/classroom/racers.ts";

@@ -1,5 +1,5 @@
 /** Where the robots of a race are, and how fast the race is displayed. Pure. */
-import { TICKS_PER_SECOND } from "@corridor/simulation";
+import { TICKS_PER_SECOND } from "@corridor/protocol";
 import { blendHeading } from "../../simulator/protocol/blend-heading.ts";
 import { TICKS_PER_POSE, type RacedRun } from "../../simulator/protocol/pool-messages.ts";
 

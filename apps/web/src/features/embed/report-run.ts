@@ -1,11 +1,10 @@
 /** Reports the runs of the page to the site around it. */
 import { lessonMark, type LessonTask } from "@corridor/challenge";
 import { encodeLink } from "@corridor/link";
-import { TICKS_PER_SECOND } from "@corridor/simulation";
 import { openTask, type ChallengeState } from "../../model/challenge/challenge-store.ts";
 import type { Services } from "../../model/services.ts";
 import type { RunEvent } from "../../simulator/protocol/worker-messages.ts";
-import type { FrameReport } from "@corridor/protocol";
+import { type FrameReport, TICKS_PER_SECOND } from "@corridor/protocol";
 
 type Observed = Pick<Services, "run" | "challenge"> & {
   workspace: Pick<Services["workspace"], "getState">;

@@ -1,4 +1,5 @@
 /** The timeline's track and the axis below it. */
+import { TICKS_PER_SECOND } from "@corridor/protocol";
 import { useTranslation } from "react-i18next";
 import { formatClock } from "../../text/numbers.ts";
 import type { AxisMark, TimeScale } from "./time-scale.ts";
@@ -6,7 +7,6 @@ import styles from "./timeline.module.css";
 
 /** Half the width of a long label of the axis, in px. */
 const END_PX = 20;
-const TICKS_PER_SECOND = 60;
 
 interface TimelineAxisProps {
   scale: TimeScale;

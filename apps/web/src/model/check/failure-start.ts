@@ -1,5 +1,5 @@
 /** Where the replay of a failed run starts: the failure needs its last seconds only. */
-import { TICKS_PER_SECOND } from "@corridor/simulation";
+import { TICKS_PER_SECOND } from "@corridor/protocol";
 
 const SHOWN_TICKS = 2 * TICKS_PER_SECOND;
 

@@ -9,7 +9,8 @@ import {
   type MazeDocument,
 } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
-import { ProgramRun, Simulation, TICKS_PER_SECOND } from "@corridor/simulation";
+import { TICKS_PER_SECOND } from "@corridor/protocol";
+import { ProgramRun, Simulation } from "@corridor/simulation";
 import type { BonusAnswer, BonusAnswers, BonusQuestion } from "../protocol/bonus-request.ts";
 
 /** Ticks between two points of a trail: 10 units of a straight line. */

@@ -1,7 +1,8 @@
 /** Runs a program in a generated maze without a page. */
 import { generateMaze, type MazeDocument } from "@corridor/maze";
 import { CompiledProgram, type ProgramDocument } from "@corridor/program";
-import { ProgramRun, Simulation, TICKS_PER_SECOND } from "@corridor/simulation";
+import { TICKS_PER_SECOND } from "@corridor/protocol";
+import { ProgramRun, Simulation } from "@corridor/simulation";
 import type { TrialMazes, TrialOutcome, TrialResult } from "../protocol/trial-messages.ts";
 
 /**

@@ -8,7 +8,7 @@ import {
 } from "@corridor/challenge";
 import type { Diagnosis, DiagnosisTask } from "@corridor/coach";
 import type { MazeDocument } from "@corridor/maze";
-import { TICKS_PER_SECOND } from "@corridor/simulation";
+import { TICKS_PER_SECOND } from "@corridor/protocol";
 
 /** A task that may hide which line caused a failure. */
 export interface PageTask extends DiagnosisTask {

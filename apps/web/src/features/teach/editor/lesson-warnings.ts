@@ -11,7 +11,7 @@ import {
   UNREACHABLE,
   type MazeDocument,
 } from "@corridor/maze";
-import { TICKS_PER_SECOND } from "@corridor/simulation";
+import { TICKS_PER_SECOND } from "@corridor/protocol";
 import { solutionOf, type Solution, type Solutions } from "../../../model/teaching/solution.ts";
 
 export type WarningCode =
