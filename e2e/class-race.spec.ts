@@ -14,6 +14,9 @@ const task = {
   unseen: { kind: "tree", columns: 11, rows: 11, seed: 7, count: 50, pass: 1 } as const,
 };
 const lesson: LessonDocument = { ...sampleLesson, name: "Races", tasks: [task] };
+/** A big screen of fewer pixels: the robots of a race move all the time. */
+const smallScreen = { viewport: { width: 960, height: 540 } };
+
 /** Joins, and claims the task with the solution of the mission. */
 async function joinAndSolve(
   relay: string,
@@ -37,7 +40,7 @@ test("a race takes place in the maze that the teacher chooses, also on the big s
 }) => {
   const teacher = await ClassTeacher.start(relay, null, lesson);
   await page.goto(`/class/${teacher.created.id}#${teacher.created.teacherKey}`);
-  const { page: screen } = await openWindow({ viewport: { width: 1920, height: 1080 } });
+  const { page: screen } = await openWindow(smallScreen);
   await screen.goto(`${relay}/class/${teacher.created.id}#${teacher.created.screenKey}`);
   const students = [
     await joinAndSolve(relay, teacher.code),
@@ -79,7 +82,7 @@ test("a race on the big screen ends when the results of another task are shown",
   const twoTasks: LessonDocument = { ...lesson, tasks };
   const teacher = await ClassTeacher.start(relay, null, twoTasks);
   await page.goto(`/class/${teacher.created.id}#${teacher.created.teacherKey}`);
-  const { page: screen } = await openWindow({ viewport: { width: 1920, height: 1080 } });
+  const { page: screen } = await openWindow(smallScreen);
   await screen.goto(`${relay}/class/${teacher.created.id}#${teacher.created.screenKey}`);
   const students = [
     await joinAndSolve(relay, teacher.code, twoTasks),

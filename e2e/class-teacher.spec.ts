@@ -13,6 +13,7 @@ import { ClassTeacher } from "./support/class-teacher.ts";
 import { horizontalOverflow, smallTouchTargets } from "./support/layout.ts";
 import { phone } from "./support/phone.ts";
 import { ScriptedStudent } from "./support/scripted-student.ts";
+import { smallWindow } from "./support/window-sizes.ts";
 
 const NAMES = ["Team 1", "Team 2", "Team 3", "Team 4"];
 const lesson: LessonDocument = {
@@ -77,7 +78,7 @@ test("a teacher starts a class, and a student joins with the letters on the boar
   await expect(page.getByRole("button", { name: "8B Robotics" })).toBeVisible();
   await expect(page.getByRole("heading", { name: "The 2013 study" })).toBeVisible();
   const letters = await code.getByText(/^[B-Z]{3} [B-Z]{3}$/).textContent();
-  const { page: student } = await openWindow();
+  const { page: student } = await openWindow(smallWindow);
   await student.goto("/join");
   await student.getByRole("textbox", { name: "Letters on the board" }).fill(letters ?? "");
   await student.getByRole("button", { name: "Join" }).click();

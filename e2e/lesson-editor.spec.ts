@@ -61,6 +61,14 @@ class LessonEditor {
     await expect(this.maze.grid).toBeVisible();
     await this.openTask(1);
   }
+
+  /** Solves the empty maze in the trial that is open, with one line. */
+  async solveEmpty(): Promise<void> {
+    const student = new CorridorPage(this.page);
+    await student.program.addLine("front <", "60", "left 90");
+    await student.speed.selectOption("16×");
+    await student.run.click();
+  }
 }
 
 test("opens the lesson of a link, and saves what the teacher changes", async ({ page }) => {
@@ -227,11 +235,8 @@ test("lets the teacher solve a task, which sets its numbers", async ({ page }) =
   const student = new CorridorPage(page);
   const band = page.getByRole("region", { name: "Trial" });
   await expect(band).toContainText("Solve this task once");
-  await student.program.addLine("front <", "60", "left 90");
-  await student.run.click();
-  await expect(band.getByRole("status")).toHaveText(/^passes: 1 line, \d+\.\d s$/, {
-    timeout: 40_000,
-  });
+  await editor.solveEmpty();
+  await expect(band.getByRole("status")).toHaveText(/^passes: 1 line, \d+\.\d s$/);
   await band.getByRole("button", { name: "Back to the editor" }).click();
 
   await expect(page.getByText(/^passes: 1 line/)).toBeVisible();
@@ -260,17 +265,14 @@ test("leads from a task that the teacher has solved to the next one", async ({ p
   await page.getByRole("button", { name: /^An empty maze/ }).click();
   await expect(editor.tasks).toHaveCount(2);
   const band = page.getByRole("region", { name: "Trial" });
-  const student = new CorridorPage(page);
   // The added task is open.
   await editor.button("Solve it once").click();
-  await student.program.addLine("front <", "60", "left 90");
-  await student.run.click();
-  await band.getByRole("button", { name: "Solve task 1" }).click({ timeout: 40_000 });
+  await editor.solveEmpty();
+  await band.getByRole("button", { name: "Solve task 1" }).click();
   await expect(band.getByRole("button", { name: /^Solve task/ })).toBeHidden();
   await expect(band.getByRole("status")).toBeEmpty();
-  await student.program.addLine("front <", "60", "left 90");
-  await student.run.click();
-  await expect(band.getByRole("status")).toContainText("passes: 1 line", { timeout: 40_000 });
+  await editor.solveEmpty();
+  await expect(band.getByRole("status")).toContainText("passes: 1 line");
   // Both are solved.
   await expect(band.getByRole("button", { name: /^Solve task/ })).toBeHidden();
   await band.getByRole("button", { name: "Back to the editor" }).click();
@@ -364,8 +366,10 @@ test("keeps both versions if two tabs change a lesson", async ({ page, context }
     [editor, "Mine"],
   ] as const) {
     await each.button("Lesson").click();
+    const stored = () => each.page.evaluate(() => JSON.stringify(localStorage));
+    const before = await stored();
     await each.field("Name of the lesson").fill(name);
-    await each.page.waitForTimeout(600);
+    await expect.poll(stored).not.toBe(before);
   }
   await expect(page.getByText("This one is now a copy.")).toBeVisible();
   await page.goto("/teach");

@@ -10,6 +10,9 @@ import { waitForAnimations } from "./support/wait-for-animations.ts";
 import { boxOf, phone, smallestPhone, tab } from "./support/phone.ts";
 import { commandRow, openMoreSection } from "./support/remote-panel.ts";
 import { exampleCommand, runScript } from "./support/script.ts";
+import { smallWindow } from "./support/window-sizes.ts";
+
+test.use(smallWindow);
 
 const library = fileURLToPath(new URL("../packages/client-python/src/", import.meta.url));
 
@@ -230,8 +233,10 @@ test.describe("on a phone", () => {
   });
 });
 
-/** Prepares a page with a pending pairing request, as after a reload of its tab. */
+/** Prepares a tab with a pending pairing request, as before a reload. */
 async function preparePairingRequest(page: Page, origin: string, name: string): Promise<void> {
+  // A document of the same origin, without scripts.
+  await page.goto(`${origin}/robots.txt`);
   const json = { "content-type": "application/json" };
   const registered = await fetch(`${origin}/api/v1/robots`, { method: "POST" });
   const { id, ownerKey, driverKey, address } = (await registered.json()) as Registration;
@@ -257,15 +262,10 @@ test.describe("a question on a phone does not cover the button that stops the ro
     { size: smallestPhone, path: "/?lang=ar", pause: "إيقاف مؤقّت" },
   ]) {
     const { width, height } = size.viewport;
-    test(`${width} x ${height}, ${path}`, async ({ page }) => {
+    test(`${width} x ${height}, ${path}`, async ({ page, relay }) => {
       await page.setViewportSize({ width, height });
+      await preparePairingRequest(page, relay, "Right wall of a long corridor");
       await page.goto(path);
-      await preparePairingRequest(
-        page,
-        new URL(page.url()).origin,
-        "Right wall of a long corridor",
-      );
-      await page.reload();
       const messages = page.locator("section").filter({ hasText: "Right wall of a long corridor" });
       const answers = messages.getByRole("button");
       await expect(answers).toHaveCount(2);
