@@ -326,29 +326,34 @@ test("copies the code of a frame from the share dialog, in three sizes", async (
   await expect(frame.getByRole("heading", { name: "Spiral" })).toBeVisible();
 });
 
-for (const width of [320, 390, 720, 1080]) {
-  test(`has no accessibility violations and no sideways scrolling at ${width} px`, async ({
-    page,
-    relay,
-    site,
-  }) => {
-    const frame = await site.open(
-      page,
-      `${relay}/embed#${linkOf({ lesson: lessonOf(task) })}`,
-      width,
-    );
-    await expect(frame.getByRole("button", { name: "Run" })).toBeVisible();
+test("has no accessibility violations and no sideways scrolling at any width", async ({
+  page,
+  relay,
+  site,
+}) => {
+  test.slow();
+  const frame = await site.open(page, `${relay}/embed#${linkOf({ lesson: lessonOf(task) })}`, 320);
+  await expect(frame.getByRole("button", { name: "Run" })).toBeVisible();
+  for (const width of [320, 390, 720, 1080]) {
+    await page
+      .locator("iframe")
+      .evaluate((each, value) => each.setAttribute("width", value), `${width}`);
+    await expect.poll(() => frame.locator("html").evaluate(() => innerWidth)).toBe(width);
     for (const colorScheme of ["light", "dark"] as const) {
       await page.emulateMedia({ colorScheme, reducedMotion: "reduce" });
       await expect(frame.locator("html")).toHaveAttribute("data-theme", colorScheme);
-      const { violations } = await new AxeBuilder({ page }).include(["iframe"]).analyze();
-      expect(violations.map(({ id, nodes }) => [id, nodes.map(({ target }) => target)])).toEqual(
-        [],
-      );
+      const axe = new AxeBuilder({ page }).include(["iframe"]);
+      // The themes differ only in their colours.
+      if (colorScheme === "dark") axe.withRules(["color-contrast"]);
+      const { violations } = await axe.analyze();
+      expect(
+        violations.map(({ id, nodes }) => [id, nodes.map(({ target }) => target)]),
+        `${width} px, ${colorScheme}`,
+      ).toEqual([]);
     }
     const overflow = await frame
       .locator("html")
       .evaluate((html) => html.scrollWidth - html.clientWidth);
-    expect(overflow).toBe(0);
-  });
-}
+    expect(overflow, `${width} px`).toBe(0);
+  }
+});
