@@ -59,16 +59,19 @@ test("pauses, and continues from the same place", async ({ corridor }) => {
 
 test("advances by ticks and decisions with Step, and returns the robot with Reset", async ({
   corridor,
+  page,
 }) => {
   // 100 cm/s are 5/3 cm a tick: 51.67, 53.33, 55, then 60 after six ticks, a tenth of a second.
   for (const x of [52, 53, 55]) {
     await corridor.step.click({ modifiers: ["Shift"] });
     await expect(corridor.robotPose).toHaveText(`Robot at ${x}, 650, facing right`);
   }
-  // A long press does the same on a touch screen.
+  // A long press does the same on a touch screen. It ends once it had its effect.
+  await corridor.step.hover();
   for (const x of [57, 58, 60]) {
-    await corridor.step.click({ delay: 600 });
+    await page.mouse.down();
     await expect(corridor.robotPose).toHaveText(`Robot at ${x}, 650, facing right`);
+    await page.mouse.up();
   }
   await expect(corridor.clock).toHaveText("Time 0:00.1");
   // The next change of decision is at the first wall ahead.

@@ -95,8 +95,11 @@ test("lays out an earlier tick by the maze of that tick", async ({ corridor }) =
   await dialog.getByRole("textbox", { name: "Columns" }).fill(String(columns + 30));
   await dialog.getByRole("button", { name: "Resize maze" }).click();
   await expect(maze.grid).toHaveAttribute("aria-colcount", String(columns + 30));
-  await corridor.run.click();
-  await corridor.pause.click();
+  // Not Run and Pause: a slow machine can reach the goal between both.
+  const now = (await corridor.clock.textContent()) ?? "";
+  await corridor.step.click();
+  await expect(corridor.clock).not.toHaveText(now);
+  await expect(corridor.run).toBeVisible();
   await timeline.drag(0.3, 0.1);
   await expect(timeline.pastLabel).toBeVisible();
   await expect(maze.grid).toHaveAttribute("aria-colcount", String(columns));
@@ -158,7 +161,7 @@ test("runs from an earlier tick with a fixed line", async ({ corridor }) => {
   await corridor.program.number(1).fill("50");
   await timeline.runFromHere.click();
   await expect(corridor.pause).toBeVisible();
-  await expect(corridor.clock).toHaveText(/0:0[89]|0:1\d/);
+  await expect(corridor.clock).toHaveText(/0:0[89]|0:[1-5]\d/);
   await expect(corridor.bumps).toHaveText("0 bumps");
   await expect(timeline.mark("bump")).toHaveCount(0);
   await expect(timeline.mark("turn").first()).toBeVisible();
