@@ -11,7 +11,6 @@ test("the right-wall follower drives a page that only plain HTTPS reaches", asyn
   browser,
   relay,
 }) => {
-  test.setTimeout(120_000);
   const maze = generateTree({ columns: 7, rows: 7, seed: 3, name: "Tree" });
   const link = encodeLink({ maze });
   if (!link.ok) throw new Error(link.code);

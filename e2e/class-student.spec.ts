@@ -212,7 +212,6 @@ test("a pause ends by the clock", async ({ page, relay }) => {
 });
 
 test("the page reconnects after the network was lost", async ({ browser, relay }) => {
-  test.setTimeout(180_000);
   const teacher = await ClassTeacher.start(relay, NAMES);
   const target = Number(new URL(relay).port);
   const network = await FaultProxy.start({ target: () => target, random: new SeededRandom(1) });

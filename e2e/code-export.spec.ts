@@ -40,7 +40,6 @@ test("the panel shows the program as code, follows each edit, and copies a file 
   corridor,
   page,
 }) => {
-  test.setTimeout(120_000);
   const { program } = corridor;
   await program.button("Show as code").click();
   const code = program.region.getByRole("textbox", { name: "The program as code" });

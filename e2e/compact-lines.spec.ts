@@ -101,7 +101,7 @@ for (const lang of ["en", "de"]) {
             }
             return seen.size;
           },
-          { intervals: [100], timeout: 30_000 },
+          { intervals: [100] },
         )
         .toBeGreaterThanOrEqual(2);
       await button("shell.run.pause").click();

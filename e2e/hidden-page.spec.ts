@@ -11,7 +11,6 @@ import { RawChromium } from "./support/devtools.ts";
 const HIDDEN_MS = 10_000;
 
 test("a remotely driven robot keeps moving while its page is hidden", async ({ relay }) => {
-  test.setTimeout(120_000);
   const browser = await RawChromium.start();
   try {
     const page = await browser.open(`${relay}/`);
@@ -59,7 +58,6 @@ test("a remotely driven robot keeps moving while its page is hidden", async ({ r
 test("a page that was hidden while the robot drove displays its current place once visible", async ({
   relay,
 }) => {
-  test.setTimeout(120_000);
   const browser = await RawChromium.start();
   try {
     const page = await browser.open(`${relay}/`);

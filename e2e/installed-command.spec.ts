@@ -78,7 +78,6 @@ test("the npm package contains one file of code and needs no other package", asy
 });
 
 test("each command of the README prints what the README shows", async () => {
-  test.setTimeout(180_000);
   await installWithDocuments();
   const blocks = await blocksOfReadme();
   const examples = blocks.flatMap(({ language, code }, at) => {
@@ -95,7 +94,6 @@ test("each command of the README prints what the README shows", async () => {
 });
 
 test("simulate and grade print the same as from the sources, on all cores too", async () => {
-  test.setTimeout(180_000);
   await installWithDocuments();
   const [maze, rightWall, forward] = ["maze.json", "right-wall.json", "forward.json"];
   const everyCore = ["--seconds", "86400", "--until", "goal"];
@@ -115,7 +113,6 @@ test("simulate and grade print the same as from the sources, on all cores too", 
 });
 
 test("invalid files and unknown commands exit with code 2", async () => {
-  test.setTimeout(180_000);
   await installWithDocuments();
   for (const args of [
     ["simulate", "--maze", "maze.json", "--program", "maze.json"],
@@ -131,7 +128,6 @@ test("invalid files and unknown commands exit with code 2", async () => {
 });
 
 test("the downloaded grade.mjs grades in an empty folder, on all cores too", async ({ relay }) => {
-  test.setTimeout(180_000);
   folder.run("curl", "-sSfO", `${relay}/grade.mjs`);
   await writeDocuments();
   const lesson = ["--challenge", "lesson.json", "--program", "right-wall.json", "forward.json"];

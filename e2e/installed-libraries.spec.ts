@@ -100,7 +100,6 @@ test("the npm package contains the built files, README and license, and tools ac
 test("the README's first example drives from an empty folder with the installed package", async ({
   page,
 }) => {
-  test.setTimeout(180_000);
   const address = await openRobot(page);
   await folder.install(PACKAGE);
   await folder.write("drive.mjs", withPackage(await example("while ((await", address)));
@@ -111,7 +110,6 @@ test("the README's first example drives from an empty folder with the installed 
 });
 
 test("TypeScript checks a script with the installed package", async () => {
-  test.setTimeout(180_000);
   await folder.install(PACKAGE);
   const script = withPackage(await example("while ((await", "http://HOST/r/ID#KEY"));
   await folder.write(
@@ -197,7 +195,6 @@ test("a page of another site imports corridor.js and drives", async ({ page, rel
 test("the Python README's first example drives from an empty folder with the installed wheel", async ({
   page,
 }) => {
-  test.setTimeout(180_000);
   const address = await openRobot(page);
   folder.run("python3", "-m", "venv", "env");
   const python = join(

@@ -89,9 +89,7 @@ test("solves a mission by keyboard alone", async ({ corridor, page }) => {
   await corridor.program.line(2).focus();
   await page.keyboard.press("Alt+ArrowUp");
   await page.keyboard.press("Control+Enter");
-  await expect(lessons.outcome).toHaveText("Task solved. Lines used: 2 of 2", {
-    timeout: 20_000,
-  });
+  await expect(lessons.outcome).toHaveText("Task solved. Lines used: 2 of 2");
 });
 
 test("lists the missions in chapters, each with its progress", async ({ corridor, page }) => {

@@ -72,6 +72,8 @@ test("keeps the tick mark of a line in place while its number changes", async ({
   const { program } = corridor;
   await program.deleteAllLines();
   await program.addLine("front >", "50", "forward");
+  // A slow machine must see the robot before it reaches the wall.
+  await corridor.speed.selectOption("0.25×");
   await corridor.run.click();
   const seen = await program.line(1).evaluate(
     (line) =>

@@ -30,7 +30,6 @@ function connectionStatus(page: Page): Locator {
 
 // bad-network.spec.ts runs the follower in Python.
 test("the JavaScript right-wall follower visits every cell of a tree maze", async ({ page }) => {
-  test.setTimeout(180_000);
   await page.goto(linkTo(tree));
   await setSpeed(page, "16");
   const address = await copyAddress(page);
@@ -54,7 +53,6 @@ test("the JavaScript right-wall follower visits every cell of a tree maze", asyn
 test("the first script runs as copied, with the linked library file beside it", async ({
   page,
 }) => {
-  test.setTimeout(60_000);
   await page.setViewportSize({ width: 1440, height: 900 });
   await page.goto(linkTo(tree));
   await setSpeed(page, "16");
@@ -177,16 +175,13 @@ test("keeps the robot's address across a reload, and ends a running command as c
 test("drives on while the script waits, and stops when the script falls silent", async ({
   page,
 }) => {
-  test.setTimeout(60_000);
   await page.goto("/");
   const address = await copyAddress(page);
   await setSpeed(page, "0.25");
   await api(address, "/commands", { action: "forward" });
   const waiting = await (await api(address, "/commands/1?wait=5")).json();
   expect(waiting).toMatchObject({ state: "started" });
-  await expect(commandRow(page, /forward/)).toContainText("cancelled", {
-    timeout: 10_000,
-  });
+  await expect(commandRow(page, /forward/)).toContainText("cancelled");
   const record = await (await api(address, "/commands/1")).json();
   expect(record.reason).toContain("stopped sending");
 });

@@ -19,7 +19,6 @@ async function turn(address: string): Promise<CommandRecord> {
 
 for (const speed of ["1", "16"]) {
   test(`keeps turns reported as completed across a reload at ${speed}x`, async ({ page }) => {
-    test.setTimeout(120_000);
     await page.goto("/");
     await setSpeed(page, speed);
     const address = await copyAddress(page);

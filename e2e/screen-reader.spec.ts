@@ -144,7 +144,6 @@ test("builds, programs, bumps, fixes, goes back and solves with a screen reader"
   await user.press(corridor.run);
   await expect(corridor.announcement).toHaveText(
     /^Bump: look at line 2\. Bump at \d+\.\d s\. Line 2 chose “delayed left 90” at \d+\.\d s with (4\d|50) cm in front\. It drives on first and needs 75 cm\. The bump card offers \d fix(es)?\.$/,
-    { timeout: 30_000 },
   );
   await expect(program.line(2)).toHaveAccessibleName(/^Line 2, look here: /);
   const card = corridor.bumpCard(2);

@@ -101,7 +101,6 @@ const states = [
 test("a first script with a misspelled action reports its name and the valid actions", async ({
   page,
 }) => {
-  test.setTimeout(120_000);
   const folder = await mkdtemp(join(tmpdir(), "corridor-misspelled-"));
   await page.goto("/");
   const scripts = await firstScripts(page, await copyAddress(page), folder);

@@ -247,11 +247,10 @@ test.describe("offline", () => {
   test.use({ serviceWorkers: "allow" });
 
   test("checks hand-ins without a network after one visit", async ({ context, page }) => {
-    test.setTimeout(120_000);
     const teach = new TeachPage(page);
     await teach.openHandIns(lessonLink);
     const isControlled = () => navigator.serviceWorker.controller !== null;
-    await page.waitForFunction(isControlled, undefined, { timeout: 45_000 });
+    await page.waitForFunction(isControlled, undefined, { timeout: 120_000 });
     await context.setOffline(true);
     await page.reload();
     await teach.checkLines([linkOf({ program: juniper })]);
