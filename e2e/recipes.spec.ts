@@ -104,7 +104,7 @@ const recipes: Recipe[] = [
     section: "start-over",
     language: "Python",
     address: "/",
-    before: (page) => setSpeed(page, "0.5"),
+    before: (page) => setSpeed(page, "0.25"),
     meanwhile: reset,
     prints: /^The robot was put back to its start\.\nGoal reached\n$/,
   },
