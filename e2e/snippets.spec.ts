@@ -118,7 +118,6 @@ test("a first script with a misspelled action reports its name and the valid act
 
 for (const { state, prepare, last } of states) {
   test(`every first script ends with instructions when the page is ${state}`, async ({ page }) => {
-    test.setTimeout(120_000);
     const folder = await mkdtemp(join(tmpdir(), "corridor-first-"));
     await page.goto("/");
     await setSpeed(page, "16");
