@@ -9,13 +9,13 @@ import { followedMaze, followWall } from "../tests/support/client/wall-follower.
 import { FaultProxy } from "./faults/net/fault-proxy.ts";
 import { expect, test } from "./fixtures.ts";
 import { copyAddress, setSpeed } from "./support/remote-robot.ts";
+import { smallWindow } from "./support/window-sizes.ts";
 
 async function follow(browser: Browser, network: FaultProxy, isBad: boolean) {
   // Not an openWindow fixture: the browser logs an error for each cut connection.
   const context = await browser.newContext({
     permissions: ["clipboard-read", "clipboard-write"],
-    // Drawing a moving robot costs processor time for each pixel.
-    viewport: { width: 800, height: 600 },
+    ...smallWindow,
   });
   const page = await context.newPage();
   const link = encodeLink({ maze: followedMaze });

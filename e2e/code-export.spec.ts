@@ -9,13 +9,13 @@ import { ProgramScript, thesisMazes } from "../tests/support/code-export/program
 import { GOAL, runScript, runtimes } from "../tests/support/code-export/script-run.ts";
 import { expect, test } from "./fixtures.ts";
 import { copyAddress, setSpeed } from "./support/remote-robot.ts";
+import { smallWindow } from "./support/window-sizes.ts";
 
 test("scripts drive the robot of a page on the paths of the programs of the thesis", async ({
   page,
 }) => {
   test.setTimeout(400_000);
-  // Drawing a moving robot costs processor time for each pixel.
-  await page.setViewportSize({ width: 800, height: 600 });
+  await page.setViewportSize(smallWindow.viewport);
   const { tree } = thesisMazes;
   const link = encodeLink({ maze: tree });
   if (!link.ok) throw new Error(link.code);

@@ -7,6 +7,7 @@ import { join } from "node:path";
 import { expect, test } from "./fixtures.ts";
 import { EmptyFolder, userEnvironment } from "./support/installed-package.ts";
 import { runScript } from "./support/script.ts";
+import { smallWindow } from "./support/window-sizes.ts";
 
 const PACKAGE = join(import.meta.dirname, "../apps/cli/dist");
 
@@ -26,8 +27,7 @@ test("the robot in the page and its gateways pass every check of the conformance
   page,
 }) => {
   test.setTimeout(500_000);
-  // Drawing a moving robot costs processor time for each pixel.
-  await page.setViewportSize({ width: 800, height: 400 });
+  await page.setViewportSize(smallWindow.viewport);
   if (!pen.ok) throw new Error(pen.code);
   await page.goto(`/#${pen.text}`);
   await page.getByRole("radio", { name: "Remote" }).click();

@@ -5,7 +5,7 @@
 import type { RunOptions } from "axe-core";
 import type { Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
-import { allButColours, axeViolations, onlyColours, type Parts } from "./support/axe.ts";
+import { allButColours, axeViolations, onlyColours, type PageParts } from "./support/axe.ts";
 
 test("executes the calls that the documentation shows", async ({ page, relay }) => {
   const hosts = new Set<string>();
@@ -166,7 +166,7 @@ async function markNewPlaces(page: Page, known: ReadonlySet<string>): Promise<st
   );
 }
 
-async function violations(page: Page, options: RunOptions, parts: Parts): Promise<string[]> {
+async function violations(page: Page, options: RunOptions, parts: PageParts): Promise<string[]> {
   const found = await axeViolations(page, options, parts);
   return found.map(({ id, help }) => `${id}: ${help}`);
 }

@@ -10,9 +10,10 @@ import { expectNoAxeViolations } from "./support/axe.ts";
 import { commandRow, openMoreSection } from "./support/remote-panel.ts";
 import { api, copyAddress, setSpeed } from "./support/remote-robot.ts";
 import { exampleCommand, runScript } from "./support/script.ts";
+import { smallWindow } from "./support/window-sizes.ts";
 
-// Drawing a moving robot costs processor time for each pixel. Tests of the layout set their size.
-test.use({ viewport: { width: 800, height: 600 } });
+// Tests of the layout set their size.
+test.use(smallWindow);
 
 const tree = generateTree({ columns: 7, rows: 7, seed: 3, name: "Tree" });
 const openCells = countOpenCells(tree);

@@ -19,12 +19,12 @@ const axeSource = readFileSync(
 export const allRules: RunOptions = { rules: { "target-size": { enabled: true } } };
 
 /** Selectors of the parts of a page that axe checks. */
-export interface Parts {
+export interface PageParts {
   include?: string[];
   exclude: string[];
 }
 
-const wholePage: Parts = { exclude: [] };
+const wholePage: PageParts = { exclude: [] };
 const modal = "dialog:modal";
 
 /** For a page with the elements of another page, which stands for their colours. */
@@ -47,7 +47,7 @@ export function onlyRule(rule: string): RunOptions {
 export async function expectNoAxeViolations(page: Page, state: string): Promise<void> {
   await setTheme(page, "light");
   const isModal = (await page.locator(modal).count()) > 0;
-  const inDialog: Parts = isModal ? { include: [modal], exclude: [] } : wholePage;
+  const inDialog: PageParts = isModal ? { include: [modal], exclude: [] } : wholePage;
   const light = isModal
     ? [
         ...(await describeViolations(page, allButColours)),
@@ -67,7 +67,7 @@ export async function expectNoAxeViolations(page: Page, state: string): Promise<
 export async function axeViolations(
   page: Page,
   options: RunOptions,
-  parts: Parts = wholePage,
+  parts: PageParts = wholePage,
 ): Promise<Result[]> {
   expect(page.frames(), "axe covers pages without frames").toHaveLength(1);
   if (!(await page.evaluate(() => "axe" in window))) await page.evaluate(axeSource);
@@ -100,7 +100,7 @@ async function setTheme(page: Page, colorScheme: "light" | "dark"): Promise<void
 async function describeViolations(
   page: Page,
   options: RunOptions,
-  parts?: Parts,
+  parts?: PageParts,
 ): Promise<string[]> {
   const violations = await axeViolations(page, options, parts);
   return violations.flatMap(({ id, help, nodes }) =>
