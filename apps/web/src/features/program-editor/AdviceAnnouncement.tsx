@@ -1,14 +1,9 @@
-/**
- * Announces new advice once to screen readers. Sighted students see it in its line. Scrolls the
- * line that has the focus into view with its advice.
- */
-import { useEffect } from "react";
+/** Announces new advice once to screen readers. Sighted students see it in its line. */
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useServices } from "../../model/use-services.ts";
 import { useAnnouncement } from "../../model/use-announcement.ts";
 import { adviceOn } from "../../model/advice/advice-store.ts";
-import { lineElementId } from "../../model/workspace/focus-line.ts";
 import { useAdviceText } from "./use-advice-text.ts";
 
 export function AdviceAnnouncement() {
@@ -25,16 +20,6 @@ export function AdviceAnnouncement() {
     line === "default" ? null : (program.rules[line]?.when ?? null),
   );
   const text = useAdviceText(announcement, when);
-  useEffect(() => {
-    if (announcement === null || announcement.line === "default") return undefined;
-    const id = workspace.getState().lineIds[announcement.line];
-    const element = document.getElementById(lineElementId(id ?? -1));
-    // The note of the first advice may render in the same frame.
-    const frame = requestAnimationFrame(() => {
-      if (element?.contains(document.activeElement)) element.scrollIntoView({ block: "nearest" });
-    });
-    return () => cancelAnimationFrame(frame);
-  }, [announcement, workspace]);
   useAnnouncement(
     text === null
       ? null

@@ -3,6 +3,7 @@
  * advice. The style is calm because nothing is broken.
  */
 import { Lightbulb, X } from "lucide";
+import { useLayoutEffect, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { Icon } from "../../ui/Icon.tsx";
 import { Button, IconButton } from "../../ui/Button.tsx";
@@ -18,8 +19,14 @@ export interface AdviceNoteProps {
 
 export function AdviceNote({ text, onFix, onHide }: AdviceNoteProps) {
   const { t } = useTranslation();
+  const note = useRef<HTMLDivElement>(null);
+  // Below an edited line in a list that scrolls, the note would be out of sight.
+  useLayoutEffect(() => {
+    const line = note.current?.closest("li");
+    if (line?.contains(document.activeElement)) line.scrollIntoView({ block: "nearest" });
+  }, [text.reason, text.fix]);
   return (
-    <div className={styles["advice"]}>
+    <div ref={note} className={styles["advice"]}>
       <Icon of={Lightbulb} size={16} />
       <p>{text.reason}</p>
       {text.fix !== null && onFix !== undefined && (
