@@ -21,8 +21,9 @@ export const appLayers: Record<string, AppLayers> = {
     layers: [
       ["main.ts"],
       ["relay.ts"],
-      ["app.ts", "backend.ts"],
-      ["config.ts"],
+      ["app.ts", "open-backend.ts"],
+      ["redis-backend.ts"],
+      ["config.ts", "backend.ts"],
       ["site"],
       ["gateways", "ops"],
       ["pairing", "short-links", "robots", "classes"],

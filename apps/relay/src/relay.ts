@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { Router } from "express";
 import type { Logger } from "pino";
 import { createApp } from "./app.ts";
-import { openBackend } from "./backend.ts";
+import { openBackend } from "./open-backend.ts";
 import { ClassRegistry } from "./classes/registry.ts";
 import type { Clock } from "./platform/time/clock.ts";
 import type { Config } from "./config.ts";

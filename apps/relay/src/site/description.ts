@@ -1,23 +1,27 @@
 /**
  * Serves the machine-readable API descriptions `/openapi.json` and `/asyncapi.json`, which are
- * built once at startup.
+ * loaded and built at their first request.
  */
 import { Router } from "express";
-import { describeMessages } from "./asyncapi/document.ts";
-import { describeApi } from "./openapi/document.ts";
 import { methodNotAllowed } from "../platform/http/fallbacks.ts";
 import { openToAllSites } from "../platform/http/security-headers.ts";
 
+const builders = {
+  "/openapi.json": async () => (await import("./openapi/document.ts")).describeApi(),
+  "/asyncapi.json": async () => (await import("./asyncapi/document.ts")).describeMessages(),
+};
+
 export function descriptionRoutes(): Router {
   const router = Router();
-  const descriptions = { "/openapi.json": describeApi(), "/asyncapi.json": describeMessages() };
-  for (const [path, description] of Object.entries(descriptions)) {
-    const text = JSON.stringify(description);
+  for (const [path, describe] of Object.entries(builders)) {
+    let text: Promise<string> | null = null;
     router
       .route(path)
       .all(openToAllSites)
-      .get((_request, response) => {
-        response.set("Cache-Control", "public, max-age=300").type("json").send(text);
+      .get(async (_request, response) => {
+        text ??= describe().then((description) => JSON.stringify(description));
+        const body = await text;
+        response.set("Cache-Control", "public, max-age=300").type("json").send(body);
       })
       .all(methodNotAllowed("GET"));
   }

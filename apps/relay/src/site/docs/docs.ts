@@ -30,14 +30,18 @@ export function docsRoutes(gateways: readonly GatewayName[]): Router {
   // Before the routes, because a nested router at the end delays every other request by a turn.
   const router = Router().use(listedFiles(FILES));
   for (const page of pagesOfSite(gateways)) {
-    const html = renderPage(page);
+    // Rendering all pages would take a fifth of the relay's start.
+    let html: string | null = null;
     router
       .route(page.path)
       .get((_request, response) => {
         // Swagger UI sanitises its markup with DOMPurify, which creates a trusted-types policy of
         // this name.
         allowPolicy(response, "dompurify");
-        response.set("Cache-Control", "no-cache").type("html").send(html);
+        response
+          .set("Cache-Control", "no-cache")
+          .type("html")
+          .send((html ??= renderPage(page)));
       })
       .all(methodNotAllowed("GET"));
   }

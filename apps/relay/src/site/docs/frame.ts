@@ -5,8 +5,8 @@ import { sections, type Entry } from "./sections.ts";
 export interface Page {
   path: string;
   title: string;
-  /** content of `main` */
-  html: string;
+  /** renders the content of `main` */
+  html: () => string;
   /** additional elements of the head */
   head?: string;
 }
@@ -42,7 +42,7 @@ export function renderPage({ path, title, html, head = "" }: Page): string {
       </nav>
     </header>
     <main id="text" tabindex="-1">
-${html}
+${html()}
     </main>
   </body>
 </html>

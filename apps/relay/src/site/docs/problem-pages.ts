@@ -10,7 +10,8 @@ export const problemPages: readonly Page[] = [
   {
     path: "/problems",
     title: "Problems",
-    html: htmlOf(`# Problems
+    html: () =>
+      htmlOf(`# Problems
 
 Each error response is a [problem document](/docs/limits#errors). \`type\` is the path of one of these pages.
 [Limits and errors](/docs/limits#retry) lists the responses to retry.
@@ -23,7 +24,7 @@ ${kinds.map(([kind, { status, title }]) => `| ${status} | [/problems/${kind}](/p
   ...kinds.map(([kind, text]) => ({
     path: `/problems/${kind}`,
     title: text.title,
-    html: htmlOf(wordsOf(kind, text)),
+    html: () => htmlOf(wordsOf(kind, text)),
   })),
 ];
 

@@ -1,4 +1,4 @@
-/** Renders all pages of the documentation from Markdown. */
+/** The pages of the documentation, rendered from Markdown. */
 import { readFileSync } from "node:fs";
 import { join, posix } from "node:path";
 import type { GatewayName } from "@corridor/protocol";
@@ -44,17 +44,20 @@ function withContents(html: string): string {
 }
 
 /**
- * Reads and renders all pages. Called once, at startup.
+ * All pages. A page reads its file when it is rendered.
  * @param gateways those that the operator has not switched off
  */
 export function pagesOfSite(gateways: readonly GatewayName[]): Page[] {
   const pages = entries.flatMap(({ path, label, title = label, file }): Page[] => {
     if (file === null) return [];
-    const text = withQuickstarts(readFileSync(join(ROOT, file), "utf8"), gateways);
-    const html = htmlWithTabs(text, addressIn(file));
-    const page = { path, title, html: withContents(html) };
+    const html = (): string => {
+      const text = withQuickstarts(readFileSync(join(ROOT, file), "utf8"), gateways);
+      return withContents(htmlWithTabs(text, addressIn(file)));
+    };
     return [
-      path === CONSOLE_PATH ? { ...page, html: page.html + CONSOLE, head: CONSOLE_HEAD } : page,
+      path === CONSOLE_PATH
+        ? { path, title, html: () => html() + CONSOLE, head: CONSOLE_HEAD }
+        : { path, title, html },
     ];
   });
   return [...pages, ...problemPages];
