@@ -4,6 +4,9 @@
  */
 import type { Locator } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
+import { smallWindow } from "./support/window-sizes.ts";
+
+test.use(smallWindow);
 
 /** Visible fraction of a line, from 0 to 1, inside all its scroll containers. */
 async function visibleFraction(line: Locator): Promise<number> {
@@ -38,12 +41,18 @@ test("shows that line 2 is true but was not read", async ({ corridor }) => {
   await expect(program.line(3)).toHaveAccessibleName(/Left is 50, false, not read this time\.$/);
 });
 
-test("counts down a delayed turn: the distance before it, the turn and the distance after it", async ({
+test("counts down a turn of otherwise, and a delayed turn: the distance before it, the turn and the distance after it", async ({
   corridor,
 }) => {
   const { program } = corridor;
-  await corridor.choosePreset("Empty");
+  await program.deleteAllLines();
+  await program.otherwise.selectOption("left 90");
   await corridor.speed.selectOption("0.25");
+  await corridor.run.click();
+  const otherwise = program.region.getByRole("group", { name: "otherwise, running" });
+  await expect(otherwise.getByText(/^\d+ degrees? to go$/)).toBeVisible();
+
+  await corridor.choosePreset("Empty");
   await program.deleteAllLines();
   await program.addLine("front >", "100", "delayed left 90");
   await corridor.run.click();
@@ -99,8 +108,8 @@ test("keeps every line in place, without notes on idle lines, while lines drive 
   corridor,
 }) => {
   const { program } = corridor;
+  await corridor.speed.selectOption("4×");
   await corridor.run.click();
-  await expect(corridor.clock).not.toHaveText("0:00.0");
   const seen = await program.region.evaluate(
     (region) =>
       new Promise<{ drivers: string[]; positions: string[]; idleNotes: string[] }>((resolve) => {
@@ -136,21 +145,11 @@ test("keeps every line in place, without notes on idle lines, while lines drive 
   expect(seen.idleNotes).toEqual([]);
 });
 
-test("shows the progress of a turn of otherwise", async ({ corridor }) => {
-  const { program } = corridor;
-  await program.deleteAllLines();
-  await program.otherwise.selectOption("left 90");
-  await corridor.speed.selectOption("0.25");
-  await corridor.run.click();
-  const otherwise = program.region.getByRole("group", { name: "otherwise, running" });
-  await expect(otherwise.getByText(/^\d+ degrees? to go$/)).toBeVisible();
-});
-
 test("shows which line bumped, and after what distance", async ({ corridor }) => {
   const { program } = corridor;
   await program.deleteAllLines();
   await program.addLine("front <", "50", "delayed left 90");
-  await corridor.speed.selectOption("0.25");
+  await corridor.speed.selectOption("max");
   await corridor.run.click();
   await expect(program.line(1).getByText(/^bumped after 2[3-5] of 50 cm$/)).toBeVisible();
   await expect(program.line(1)).toHaveAccessibleName(
@@ -224,18 +223,20 @@ const advices = [
   },
 ] as const;
 
-for (const { problem, condition, number, action, reason, fix, after } of advices) {
-  test(`shows advice on ${problem}, and fixes it with one press`, async ({ corridor }) => {
-    const { program } = corridor;
-    await program.deleteAllLines();
-    await program.addLine(condition, number, action);
-    await expect(program.line(1).getByText(reason)).toBeVisible();
-    await program.button(fix).click();
-    await expect(program.line(1)).toHaveAccessibleName(after);
-    await expect(program.region.getByText(reason)).toHaveCount(0);
-    await expect(program.line(1)).toBeFocused();
-  });
-}
+test("shows advice on a line, and fixes it with one press", async ({ corridor }) => {
+  const { program } = corridor;
+  for (const { problem, condition, number, action, reason, fix, after } of advices) {
+    await test.step(problem, async () => {
+      await program.deleteAllLines();
+      await program.addLine(condition, number, action);
+      await expect(program.line(1).getByText(reason)).toBeVisible();
+      await program.button(fix).click();
+      await expect(program.line(1)).toHaveAccessibleName(after);
+      await expect(program.region.getByText(reason)).toHaveCount(0);
+      await expect(program.line(1)).toBeFocused();
+    });
+  }
+});
 
 test("runs a program despite its advice, and keeps dismissed advice hidden", async ({
   corridor,
@@ -263,7 +264,7 @@ test("runs a program despite its advice, and keeps dismissed advice hidden", asy
   await expect(advice).toBeHidden();
 });
 
-test("keeps otherwise and Add line visible below a long program, and scrolls to the running line", async ({
+test("keeps otherwise and Add line visible below a long program, and scrolls to the running line until the user scrolls away", async ({
   corridor,
   page,
 }) => {
@@ -284,28 +285,22 @@ test("keeps otherwise and Add line visible below a long program, and scrolls to 
   await expect.poll(() => visibleFraction(program.line(10))).toBe(1);
   await expect(corridor.pause).toBeFocused();
   await expect(program.otherwise).toBeInViewport({ ratio: 1 });
-});
 
-test("does not scroll back to the running line after the user has scrolled away", async ({
-  corridor,
-  page,
-}) => {
-  const { program } = corridor;
-  await page.setViewportSize({ width: 1024, height: 768 });
-  await program.deleteAllLines();
-  for (let line = 1; line <= 8; line++) await program.button("Add line").click();
-  await program.addLine("front <", "60", "turn 180");
+  await corridor.reset.click();
+  await program.condition(10).selectOption("front <");
+  await program.number(10).fill("60");
+  await program.action(10).selectOption("turn 180");
   await program.otherwise.selectOption("forward");
   await program.line(1).scrollIntoViewIfNeeded();
-  await expect.poll(() => visibleFraction(program.line(9))).toBe(0);
+  await expect.poll(() => visibleFraction(program.line(10))).toBe(0);
   await corridor.run.click();
-  await expect.poll(() => visibleFraction(program.line(9))).toBe(1);
-  await program.line(9).hover();
+  await expect.poll(() => visibleFraction(program.line(10))).toBe(1);
+  await program.line(10).hover();
   // While otherwise drives, there is no running line to scroll to.
   await expect(program.region.getByRole("group", { name: "otherwise, running" })).toBeVisible();
   await page.mouse.wheel(0, -2000);
   await expect.poll(() => visibleFraction(program.line(1))).toBe(1);
-  await expect(program.line(9)).toHaveAttribute("aria-current", "step");
+  await expect(program.line(10)).toHaveAttribute("aria-current", "step");
   await corridor.waitForFrames(60);
   expect(await visibleFraction(program.line(1))).toBe(1);
 });
