@@ -2,6 +2,9 @@
 import { encodeLink } from "@corridor/link";
 import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
+import { smallWindow } from "./support/window-sizes.ts";
+
+test.use(smallWindow);
 
 test("names the line that drove into the wall everywhere, until the run goes on", async ({
   corridor,
@@ -26,7 +29,7 @@ test("names the line that drove into the wall everywhere, until the run goes on"
   });
   await corridor.open(`/#${link.ok ? link.text : ""}`);
   await expect(corridor.mazeMenu).toHaveAccessibleName("Dead end, Maze menu");
-  await corridor.speed.selectOption("16×");
+  await corridor.speed.selectOption("max");
   await corridor.run.click();
   const { program, timeline } = corridor;
   const current = program.region.locator("[aria-current]");
@@ -59,6 +62,7 @@ test("shows the time of the clock on the card of a mission whose program was edi
   await expect(corridor.clock).toHaveText(/0:0[3-9]\./);
   await corridor.pause.click();
   await corridor.program.action(1).selectOption("turn 180");
+  await corridor.speed.selectOption("max");
   await corridor.run.click();
   await expect(lessons.outcome).toHaveText("Task solved. Lines used: 1 of 1");
   const solved = page.getByRole("region", { name: "Solved!" });

@@ -3,6 +3,9 @@ import { lessonOf, type ChallengeDocument } from "@corridor/challenge";
 import { encodeLink } from "@corridor/link";
 import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
+import { smallWindow } from "./support/window-sizes.ts";
+
+test.use(smallWindow);
 
 test("shares a challenge with its task, its rules and the return to the recipient's own maze", async ({
   corridor,
@@ -17,7 +20,7 @@ test("shares a challenge with its task, its rules and the return to the recipien
   await expect(dialog).toContainText("Turn into the opening on the right");
   const link = await dialog.getByRole("textbox", { name: "Link" }).inputValue();
 
-  const recipient = await openWindow();
+  const recipient = await openWindow(smallWindow);
   await recipient.open(link);
   const recipientLessons = new LessonsPanel(recipient.page);
   await expect(recipientLessons.card).toContainText("The side opening");
@@ -26,7 +29,7 @@ test("shares a challenge with its task, its rules and the return to the recipien
   ).toBeVisible();
   await expect(recipient.program.number(1)).toBeDisabled();
   await recipient.program.action(1).selectOption("delayed right 90");
-  await recipient.speed.selectOption("16×");
+  await recipient.speed.selectOption("max");
   await recipient.run.click();
   await expect(recipientLessons.outcome).toHaveText("Task solved. Lines used: 1 of 1");
   await recipient.open();
@@ -75,7 +78,7 @@ test("opens a teacher's challenge from a link: every square in one line", async 
 }) => {
   const link = encodeLink({ lesson: lessonOf(everySquare) });
   if (!link.ok) throw new Error(link.code);
-  const corridor = await openWindow();
+  const corridor = await openWindow(smallWindow);
   await corridor.open(`/#${link.text}`);
   const lessons = new LessonsPanel(corridor.page);
   await expect(lessons.card).toContainText("Visit every square without a bump.");

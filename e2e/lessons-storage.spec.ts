@@ -4,12 +4,15 @@
 import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
+import { smallWindow } from "./support/window-sizes.ts";
+
+test.use(smallWindow);
 
 test("keeps progress after a reload", async ({ corridor, page }) => {
   const lessons = new LessonsPanel(page);
   await lessons.openMission(3);
   await corridor.program.action(1).selectOption("turn 180");
-  await corridor.speed.selectOption("16×");
+  await corridor.speed.selectOption("max");
   await corridor.run.click();
   await expect(lessons.outcome).toHaveText("Task solved. Lines used: 1 of 1");
   await corridor.open();
@@ -64,12 +67,12 @@ test("merges the progress of two tabs", async ({ corridor, page, context }) => {
   await otherLessons.openMission(4);
   await other.program.line(2).focus();
   await other.page.keyboard.press("Alt+ArrowUp");
-  await other.speed.selectOption("16×");
+  await other.speed.selectOption("max");
   await other.run.click();
   await expect(otherLessons.outcome).toHaveText("Task solved. Lines used: 2 of 2");
   await page.bringToFront();
   await corridor.program.action(1).selectOption("turn 180");
-  await corridor.speed.selectOption("16×");
+  await corridor.speed.selectOption("max");
   await corridor.run.click();
   await expect(lessons.outcome).toHaveText("Task solved. Lines used: 1 of 1");
   await lessons.openPath();

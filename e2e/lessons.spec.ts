@@ -3,6 +3,9 @@ import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 import { horizontalOverflow } from "./support/layout.ts";
+import { smallWindow } from "./support/window-sizes.ts";
+
+test.use(smallWindow);
 
 test("a new student solves the first mission within a minute of the first visit", async ({
   corridor,
@@ -47,6 +50,7 @@ test("accepts Run as a solution of the first mission", async ({ corridor, page }
   const lessons = new LessonsPanel(page);
   await lessons.invitation.getByRole("button", { name: "Start with mission 1" }).click();
   await lessons.expectMission(1);
+  await corridor.speed.selectOption("max");
   await corridor.run.click();
   // A manual mission has no line count.
   await expect(lessons.outcome).toHaveText(/^Task solved after \d\.\d s$/);
@@ -64,19 +68,6 @@ test("does not show a declined invitation again", async ({ corridor, page }) => 
   await expect(lessons.invitation).toBeHidden();
 });
 
-test("opens hints one by one", async ({ corridor, page }) => {
-  const lessons = new LessonsPanel(page);
-  await corridor.open();
-  await lessons.openMission(7);
-  await expect(lessons.hints).toHaveCount(0);
-  await lessons.button("Show a hint").click();
-  await expect(lessons.hints).toHaveCount(1);
-  await lessons.button("Show hint 2 of 3").click();
-  await lessons.button("Show hint 3 of 3").click();
-  await expect(lessons.hints).toHaveCount(3);
-  await expect(lessons.button(/^Show/)).toHaveCount(0);
-});
-
 test("solves a mission by keyboard alone", async ({ corridor, page }) => {
   const lessons = new LessonsPanel(page);
   await page.getByRole("banner").getByRole("button", { name: "Lessons" }).focus();
@@ -88,11 +79,15 @@ test("solves a mission by keyboard alone", async ({ corridor, page }) => {
   await lessons.expectMission(4);
   await corridor.program.line(2).focus();
   await page.keyboard.press("Alt+ArrowUp");
+  await corridor.speed.selectOption("max");
   await page.keyboard.press("Control+Enter");
   await expect(lessons.outcome).toHaveText("Task solved. Lines used: 2 of 2");
 });
 
-test("lists the missions in chapters, each with its progress", async ({ corridor, page }) => {
+test("lists the missions in chapters, each with its progress, and opens hints one by one, without axe violations", async ({
+  corridor,
+  page,
+}) => {
   await page.evaluate(() => {
     const done = { "make-it-move": { lines: 0, ticks: 240 }, "own-line": { lines: 1, ticks: 400 } };
     localStorage.setItem("corridor.lessons", JSON.stringify({ done, works: {}, home: null }));
@@ -107,22 +102,19 @@ test("lists the missions in chapters, each with its progress", async ({ corridor
   await expect(chapter("Turns and the order of lines")).toContainText("0 of 4 done");
   await expect(chapter("Solve whole mazes")).toContainText("0 of 4 done");
   await expect(lessons.path.getByText("2 of 14 done")).toBeVisible();
-});
-
-test("has no axe violations in the path, in a mission and in its feedback", async ({
-  page,
-  corridor,
-}) => {
-  const lessons = new LessonsPanel(page);
-  await lessons.openPath();
   await expectNoAxeViolations(page, "path of missions");
   await page.keyboard.press("Escape");
   await lessons.openMission(12);
+  await expect(lessons.hints).toHaveCount(0);
   await lessons.button("Show a hint").click();
+  await expect(lessons.hints).toHaveCount(1);
+  await lessons.button("Show hint 2 of 3").click();
+  await lessons.button("Show hint 3 of 3").click();
+  await expect(lessons.hints).toHaveCount(3);
+  await expect(lessons.button(/^Show/)).toHaveCount(0);
   await lessons.button("Check in all 3 mazes").click();
   await expect(lessons.card).toContainText("Passes in 1 of 3.");
   await expectNoAxeViolations(page, "a mission that does not pass yet");
-  await corridor.dismissMessages();
 });
 
 test("has no horizontal overflow in a mission at 320 x 700", async ({ openWindow }) => {

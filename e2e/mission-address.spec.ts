@@ -3,11 +3,14 @@
  */
 import { expect, test } from "./fixtures.ts";
 import { LessonsPanel } from "./pages/lessons-panel.ts";
+import { smallWindow } from "./support/window-sizes.ts";
 
-test("opens a mission by its address, which stays while the mission is open", async ({
+test.use(smallWindow);
+
+test("opens a mission by its address, which stays while the mission is open, and which Share gives", async ({
   openWindow,
 }) => {
-  const corridor = await openWindow();
+  const corridor = await openWindow(smallWindow);
   await corridor.open("/#mission/side-opening");
   const { page } = corridor;
   const lessons = new LessonsPanel(page);
@@ -18,6 +21,11 @@ test("opens a mission by its address, which stays while the mission is open", as
   await lessons.expectMission(7);
   await expect(corridor.program.action(1)).toHaveValue("delayed right 90");
   await expect(page).toHaveURL(/\/#mission\/side-opening$/);
+  await corridor.share.click();
+  const dialog = corridor.dialog("Share this challenge");
+  await expect(dialog.getByRole("textbox", { name: "Link" })).toHaveValue(
+    /^http[^#]*\/#mission\/side-opening$/,
+  );
 });
 
 test("goes back and forward between missions and the user's own maze", async ({
@@ -42,20 +50,10 @@ test("goes back and forward between missions and the user's own maze", async ({
   await expect(page).not.toHaveURL(/#/);
 });
 
-test("shares a mission by its address", async ({ corridor, page }) => {
-  const lessons = new LessonsPanel(page);
-  await lessons.openMission(7);
-  await page.getByRole("button", { name: "Share", exact: true }).click();
-  const dialog = corridor.dialog("Share this challenge");
-  await expect(dialog.getByRole("textbox", { name: "Link" })).toHaveValue(
-    /^http[^#]*\/#mission\/side-opening$/,
-  );
-});
-
 test("reports that an address has no mission, and leads to the list of lessons", async ({
   openWindow,
 }) => {
-  const corridor = await openWindow();
+  const corridor = await openWindow(smallWindow);
   await corridor.open("/#mission/no-such-mission");
   await expect(corridor.message("There is no mission at this address.")).toBeVisible();
   await expect(corridor.page).not.toHaveURL(/#/);

@@ -4,6 +4,9 @@ import { programPresets } from "@corridor/program";
 import { Recording, type RunDocument } from "@corridor/recording";
 import { expect, test } from "./fixtures.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
+import { smallWindow } from "./support/window-sizes.ts";
+
+test.use(smallWindow);
 
 /**
  * A link to a run in which a preset algorithm drives through a preset maze to its goal.
