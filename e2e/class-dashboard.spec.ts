@@ -28,6 +28,12 @@ async function openClass(page: Page, relay: string, count: number) {
   const teacher = await ClassTeacher.start(relay, null, lesson);
   const { id, teacherKey, screenKey } = teacher.created;
   await page.goto(`/class/${id}#${teacherKey}.${screenKey}`);
+  return joinClass(page, relay, teacher, count);
+}
+
+/** Students with the first task open, in a class whose dashboard is open. */
+async function joinClass(page: Page, relay: string, teacher: ClassTeacher, count: number) {
+  const { id, screenKey } = teacher.created;
   const students = [];
   for (let at = 0; at < count; at++) {
     const student = await ScriptedStudent.join(relay, teacher.code);
@@ -63,11 +69,20 @@ function cardOf(page: Page, number: number): Locator {
   return page.locator(`[data-student="${number}"]`);
 }
 
-test("the numbers of a task count only students who have it open, and their solutions", async ({
+test("the cards of a pause, and numbers only of students who have the task open", async ({
   page,
   relay,
 }) => {
   const { students, results } = await openClass(page, relay, 3);
+  // A run that the pause stopped is an attempt.
+  students[0]?.show({ state: "driving", tick: 60 });
+  await expect(cardOf(page, 1)).toHaveAccessibleName(/Driving.* 1 attempt$/);
+  await page.getByRole("button", { name: "Pause everyone (5 min)" }).click();
+  students[0]?.show({ state: "writing", tick: 60 });
+  await expect(cardOf(page, 1)).toHaveAccessibleName(/Paused.* 1 attempt$/);
+  await page.getByRole("button", { name: "End the pause" }).click();
+  await expect(cardOf(page, 1)).toHaveAccessibleName(/Writing.* 1 attempt$/);
+
   const group = (name: string): Locator =>
     results.locator("dl > div").filter({ has: page.getByText(name, { exact: true }) });
   students[0]?.show({ state: "bumped", bumps: 1, tick: 60 });
@@ -84,52 +99,18 @@ test("the numbers of a task count only students who have it open, and their solu
   closeAll(students);
 });
 
-test("a bump is on the map as soon as the robot bumps, and those of checks are, too", async ({
-  page,
-  relay,
-  openWindow,
-}) => {
-  const { students, screen, results } = await openClass(page, relay, 1);
-  const { page: board } = await openWindow({ viewport: { width: 1920, height: 1080 } });
-  await board.goto(screen);
-  const [student] = students;
-  student?.report({ kind: "opened", lesson: mark, task: 2 });
-  student?.show({ task: 2, tick: 5 });
-  await results.getByRole("combobox").selectOption("Task 2 of 2");
-  await expect(page.getByText("No bumps yet")).toBeVisible();
-  await expect(cardOf(page, 1)).toHaveAccessibleName(/, Task 2,/);
-  student?.show({ state: "bumped", bumps: 1, tick: 60 });
-  await expect(board.getByText("maze 1: 1", { exact: true })).toBeVisible();
-  const check = { kind: "check", task: 2, changed: true, passes: 30, mazes: 51 } as const;
-  const bumpPlaces = [{ maze: "u3", column: 1, row: 1 }];
-  student?.report({ ...check, bumpPlaces, failure: bump });
-  for (const place of [page, board]) {
-    await expect(place.getByText("maze 1: 1, unseen mazes: 1")).toBeVisible();
-  }
-  closeAll(students);
-});
-
-test("in a pause, cards say so, and a run that it stopped is an attempt", async ({
-  page,
-  relay,
-}) => {
-  const { students } = await openClass(page, relay, 1);
-  students[0]?.show({ state: "driving", tick: 60 });
-  await expect(cardOf(page, 1)).toHaveAccessibleName(/Driving.* 1 attempt$/);
-  await page.getByRole("button", { name: "Pause everyone (5 min)" }).click();
-  students[0]?.show({ state: "writing", tick: 60 });
-  await expect(cardOf(page, 1)).toHaveAccessibleName(/Paused.* 1 attempt$/);
-  await page.getByRole("button", { name: "End the pause" }).click();
-  await expect(cardOf(page, 1)).toHaveAccessibleName(/Writing.* 1 attempt$/);
-  closeAll(students);
-});
-
-test("eight students fit a small laptop, and nothing moves when a race is possible", async ({
+test("the letters, then eight students fit a small laptop, and nothing moves when a race is possible", async ({
   page,
   relay,
 }) => {
   await page.setViewportSize({ width: 1366, height: 768 });
-  const { students, dashboard, results } = await openClass(page, relay, 8);
+  const teacher = await ClassTeacher.start(relay, null, lesson);
+  await page.goto(teacher.address());
+  // The letters and the whole QR code are in sight until students join.
+  const { code } = new DashboardPage(page);
+  await expect(code).toContainText("or open the big screen");
+  expect((await boxOf(code)).bottom).toBeLessThanOrEqual(768);
+  const { students, dashboard, results } = await joinClass(page, relay, teacher, 8);
   const last = page
     .getByRole("list")
     .getByRole("listitem")
@@ -147,27 +128,39 @@ test("eight students fit a small laptop, and nothing moves when a race is possib
   closeAll(students);
 });
 
-test("the letters and the whole QR code are in sight until students join", async ({
-  page,
-  relay,
-}) => {
-  await page.setViewportSize({ width: 1366, height: 768 });
-  const teacher = await ClassTeacher.start(relay, null, lesson);
-  await page.goto(teacher.address());
-  const { code } = new DashboardPage(page);
-  await expect(code).toContainText("or open the big screen");
-  expect((await boxOf(code)).bottom).toBeLessThanOrEqual(768);
-});
-
-test("the sheet of a student has the time, the program, and each attempt, but no hint once it is solved", async ({
+test("bumps are on the map at once, and the sheet has the time, the program and the attempts, but no hint once it is solved", async ({
   page,
   relay,
   openWindow,
 }) => {
-  const { students, dashboard, screen } = await openClass(page, relay, 1);
+  const { students, dashboard, screen, results } = await openClass(page, relay, 1);
   const { page: board } = await openWindow({ viewport: { width: 1920, height: 1080 } });
   await board.goto(screen);
   const [student] = students;
+  student?.report({ kind: "opened", lesson: mark, task: 2 });
+  student?.show({ task: 2, tick: 5 });
+  await results.getByRole("combobox").selectOption("Task 2 of 2");
+  await expect(page.getByText("No bumps yet")).toBeVisible();
+  await expect(cardOf(page, 1)).toHaveAccessibleName(/, Task 2,/);
+  student?.show({ state: "bumped", bumps: 1, tick: 60 });
+  await expect(board.getByText("maze 1: 1", { exact: true })).toBeVisible();
+  // Those of checks are there, too.
+  student?.report({
+    kind: "check",
+    task: 2,
+    changed: true,
+    passes: 30,
+    mazes: 51,
+    bumpPlaces: [{ maze: "u3", column: 1, row: 1 }],
+    failure: bump,
+  });
+  for (const place of [page, board]) {
+    await expect(place.getByText("maze 1: 1, unseen mazes: 1")).toBeVisible();
+  }
+  await results.getByRole("combobox").selectOption("Task 1 of 2");
+  student?.report({ kind: "opened", lesson: mark, task: 1 });
+  student?.show({ task: 1, state: "writing", bumps: 0, tick: 0 });
+
   const run = { kind: "run", task: 1, changed: true, bumps: 1, mistakes: 0 } as const;
   student?.report({ ...run, failure: bump });
   await cardOf(page, 1).click();
@@ -194,21 +187,4 @@ test("the sheet of a student has the time, the program, and each attempt, but no
   await expect(board.getByText("most often 1 line: 1 of 1")).toBeVisible();
   await expectNoAxeViolations(page, "the sheet of a student");
   closeAll(students);
-});
-
-test("the dialog that starts a class warns of tasks that the teacher has not solved", async ({
-  page,
-}) => {
-  await page.goto("/teach#make");
-  await page.getByRole("button", { name: /^The 2013 study/ }).click();
-  await expect(page.getByRole("heading", { name: "The 2013 study" })).toBeVisible();
-  await page.goto("/teach");
-  await page.getByRole("button", { name: "Start a class" }).click();
-  const dialog = page.getByRole("dialog", { name: "Start a class" });
-  const warning = dialog.getByText("You have not solved this lesson yet.");
-  await expect(warning).toBeVisible();
-  await expectNoAxeViolations(page, "start a class with an unsolved lesson");
-  // The study of Corridor itself has solutions.
-  await dialog.getByRole("combobox", { name: "Lesson" }).selectOption("study");
-  await expect(warning).toHaveCount(0);
 });

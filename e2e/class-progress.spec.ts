@@ -4,8 +4,6 @@ import { lessonOfTasks } from "@corridor/challenge/testing";
 import { decodeLink } from "@corridor/link";
 import { studentProgramSchema, type DriverName } from "@corridor/protocol";
 import type { Locator, Page } from "playwright/test";
-import { SeededRandom } from "../apps/relay/src/testing/faults/seeded-random.ts";
-import { FaultProxy } from "./faults/net/fault-proxy.ts";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
@@ -67,236 +65,210 @@ async function solve(corridor: CorridorPage, page: Page): Promise<void> {
   await expect(cardOf(page).getByRole("note")).toContainText("solved");
 }
 
-test("the lesson opens when a student joins, and the teacher receives each step once", async ({
+test("the lesson opens when a student joins, and the teacher receives each step and each run", async ({
   page,
   relay,
 }) => {
-  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
-  const corridor = await enterClass(page, teacher.code);
-  await expectTask(page, 1);
-  await expect(cardOf(page)).toContainText("Two mazes");
-  await cardOf(page).getByRole("button", { name: "Show a hint" }).click();
-  await corridor.program.otherwise.selectOption("turn 180");
-  await corridor.program.otherwise.selectOption("reverse");
-  await drive(corridor);
-  await expect
-    .poll(async () => teacher.progress())
-    .toEqual([
-      { kind: "opened", lesson: lessonMark(lesson), task: 1 },
-      { kind: "hint", task: 1, hint: 1 },
-      {
-        kind: "run",
-        task: 1,
-        changed: true,
-        bumps: 1,
-        bumpPlaces: [{ maze: "g1", column: expect.any(Number), row: expect.any(Number) }],
-        mistakes: expect.any(Number),
-        failure: { code: "bump", line: "default" },
-      },
-    ]);
-  await corridor.reset.click();
-  await solve(corridor, page);
-  await corridor.reload();
-  await expectTask(page, 1);
-  await taskButton(page, 2).click();
-  await expect
-    .poll(async () => (await teacher.progress()).slice(3))
-    .toEqual([
-      { kind: "run", task: 1, changed: true, bumps: 0, mistakes: 0, failure: null },
-      { kind: "solved", task: 1, lines: 0, code: expect.any(String) },
-      { kind: "opened", lesson: lessonMark(lesson), task: 2 },
-    ]);
-  const solved = (await teacher.progress()).find(({ kind }) => kind === "solved");
-  const code = decodeLink(solved?.kind === "solved" ? solved.code : "");
-  expect(code).toMatchObject({
-    ok: true,
-    value: { completion: { lesson: lessonMark(lesson), task: 0 } },
-  });
-});
-
-test("the teacher sees the robot drive, bump and solve, and nothing of other work", async ({
-  page,
-  relay,
-}) => {
-  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
+  const byHand = taskOf("By hand", { allowed: { ...taskOf("").allowed, drivers: ["me"] } });
+  const three = { ...lesson, tasks: [...tasks, byHand] };
+  const teacher = await ClassTeacher.start(relay, NAMES, three);
   const dashboard = await teacher.connect();
   dashboard.send({ type: "watch", student: 1 });
   const corridor = await enterClass(page, teacher.code);
   await expectTask(page, 1);
+  await expect(cardOf(page)).toContainText("Two mazes");
   await expect
     .poll(() => dashboard.tile)
     .toMatchObject({ task: 1, maze: "g1", state: "writing", path: "", passes: null });
-  await corridor.program.otherwise.selectOption("reverse");
-  await corridor.run.click();
-  await expect.poll(() => dashboard.tile).toMatchObject({ state: "bumped", bumps: 1 });
-  await corridor.reset.click();
-  await corridor.program.otherwise.selectOption("forward");
-  await corridor.run.click();
-  await expect.poll(() => dashboard.tiles.map(({ state }) => state)).toContain("driving");
-  await expect.poll(() => dashboard.tile).toMatchObject({ state: "solved", path: "e4", bumps: 0 });
-  expect(dashboard.tiles.some(({ line }) => line === "default")).toBe(true);
-  await taskButton(page, 2).click();
-  await expect.poll(() => dashboard.tile).toMatchObject({ task: 2, maze: "g1", state: "writing" });
-  await cardOf(page).getByRole("button", { name: "Check in both mazes" }).click();
-  await expect.poll(() => dashboard.tile?.passes).toBe(1);
-  await expect
-    .poll(async () => (await teacher.progress()).at(-1))
-    .toMatchObject({ kind: "check", task: 2, changed: true, passes: 1, mazes: 2 });
-  await cardOf(page).getByRole("button", { name: "Back to my maze" }).click();
-  await expect.poll(() => dashboard.tile).toMatchObject({ maze: null, tick: 0, path: "" });
-  await corridor.run.click();
-  await expect(corridor.clock).not.toHaveText(/0:00\.0$/);
-  expect(dashboard.tile).toMatchObject({ maze: null, tick: 0, path: "" });
-  dashboard.close();
-});
 
-test("the teacher reads the newest program, without its name", async ({ page, relay }) => {
-  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
-  const corridor = await enterClass(page, teacher.code);
-  await expectTask(page, 1);
-  await corridor.program.addLine("right >", "60", "delayed right 90");
-  const programs = async () => (await teacher.read()).students[0]?.programs ?? 0;
-  await expect
-    .poll(async () => {
-      if ((await programs()) === 0) return null;
-      const { link } = studentProgramSchema.parse(await teacher.get("/students/1/program"));
-      const decoded = decodeLink(link);
-      return decoded.ok ? decoded.value.program : null;
-    })
-    .toMatchObject({
-      name: "",
-      rules: [{ when: { sensor: "right", is: ">", than: 60 }, do: "delayed right 90" }],
+  await test.step("a hint, and the newest program, without its name", async () => {
+    await cardOf(page).getByRole("button", { name: "Show a hint" }).click();
+    await corridor.program.addLine("right >", "60", "delayed right 90");
+    const programs = async () => (await teacher.read()).students[0]?.programs ?? 0;
+    await expect
+      .poll(async () => {
+        if ((await programs()) === 0) return null;
+        const { link } = studentProgramSchema.parse(await teacher.get("/students/1/program"));
+        const decoded = decodeLink(link);
+        return decoded.ok ? decoded.value.program : null;
+      })
+      .toMatchObject({
+        name: "",
+        rules: [{ when: { sensor: "right", is: ">", than: 60 }, do: "delayed right 90" }],
+      });
+    await corridor.program.deleteAllLines();
+  });
+
+  await test.step("a run that bumps, and one that solves the task", async () => {
+    await corridor.program.otherwise.selectOption("turn 180");
+    await corridor.program.otherwise.selectOption("reverse");
+    await drive(corridor);
+    await expect.poll(() => dashboard.tile).toMatchObject({ state: "bumped", bumps: 1 });
+    await expect
+      .poll(async () => teacher.progress())
+      .toEqual([
+        { kind: "opened", lesson: lessonMark(three), task: 1 },
+        { kind: "hint", task: 1, hint: 1 },
+        {
+          kind: "run",
+          task: 1,
+          changed: true,
+          bumps: 1,
+          bumpPlaces: [{ maze: "g1", column: expect.any(Number), row: expect.any(Number) }],
+          mistakes: expect.any(Number),
+          failure: { code: "bump", line: "default" },
+        },
+      ]);
+    await corridor.reset.click();
+    await corridor.speed.selectOption("1×");
+    await corridor.program.otherwise.selectOption("forward");
+    await corridor.run.click();
+    await expect.poll(() => dashboard.tiles.map(({ state }) => state)).toContain("driving");
+    await expect
+      .poll(() => dashboard.tile)
+      .toMatchObject({ state: "solved", path: "e4", bumps: 0 });
+    expect(dashboard.tiles.some(({ line }) => line === "default")).toBe(true);
+    await expect(cardOf(page).getByRole("note")).toContainText("solved");
+  });
+
+  await test.step("the next task, once also after a reload, and a check", async () => {
+    await corridor.reload();
+    await expectTask(page, 1);
+    await taskButton(page, 2).click();
+    await expect
+      .poll(async () => (await teacher.progress()).slice(3))
+      .toEqual([
+        { kind: "run", task: 1, changed: true, bumps: 0, mistakes: 0, failure: null },
+        { kind: "solved", task: 1, lines: 0, code: expect.any(String) },
+        { kind: "opened", lesson: lessonMark(three), task: 2 },
+      ]);
+    const solved = (await teacher.progress()).find(({ kind }) => kind === "solved");
+    const code = decodeLink(solved?.kind === "solved" ? solved.code : "");
+    expect(code).toMatchObject({
+      ok: true,
+      value: { completion: { lesson: lessonMark(three), task: 0 } },
     });
-});
+    await expect
+      .poll(() => dashboard.tile)
+      .toMatchObject({ task: 2, maze: "g1", state: "writing" });
+    await corridor.program.otherwise.selectOption("forward");
+    await cardOf(page).getByRole("button", { name: "Check in both mazes" }).click();
+    await expect.poll(() => dashboard.tile?.passes).toBe(1);
+    await expect
+      .poll(async () => (await teacher.progress()).at(-1))
+      .toMatchObject({ kind: "check", task: 2, changed: true, passes: 1, mazes: 2 });
+  });
 
-test("the teacher reads a drive by hand, and its solution", async ({ page, relay }) => {
-  const byHand = taskOf("By hand", { allowed: { ...taskOf("").allowed, drivers: ["me"] } });
-  const teacher = await ClassTeacher.start(relay, NAMES, { ...lesson, tasks: [byHand] });
-  const dashboard = await teacher.connect();
-  await enterClass(page, teacher.code);
-  await expect(page.getByText("Solve By hand.")).toBeVisible();
-  await page.keyboard.down("w");
-  await expect.poll(() => dashboard.tile).toMatchObject({ state: "solved", line: null });
-  await page.keyboard.up("w");
-  await expect
-    .poll(async () => teacher.progress())
-    .toEqual([
-      { kind: "opened", lesson: expect.any(String), task: 1 },
-      { kind: "run", task: 1, changed: true, bumps: 0, mistakes: 0, failure: null },
-      { kind: "solved", task: 1, lines: null, code: expect.any(String) },
-    ]);
-  const { link } = studentProgramSchema.parse(await teacher.get("/students/1/program"));
-  const read = decodeLink(link);
-  expect(read).toMatchObject({ ok: true, value: { completion: { task: 0 } } });
+  await test.step("a drive by hand, and its solution", async () => {
+    await taskButton(page, 3).click();
+    await expectTask(page, 3);
+    await page.keyboard.down("w");
+    await expect.poll(() => dashboard.tile).toMatchObject({ state: "solved", line: null });
+    await page.keyboard.up("w");
+    await expect
+      .poll(async () => (await teacher.progress()).slice(-3))
+      .toEqual([
+        { kind: "opened", lesson: lessonMark(three), task: 3 },
+        { kind: "run", task: 3, changed: true, bumps: 0, mistakes: 0, failure: null },
+        { kind: "solved", task: 3, lines: null, code: expect.any(String) },
+      ]);
+    const { link } = studentProgramSchema.parse(await teacher.get("/students/1/program"));
+    const read = decodeLink(link);
+    expect(read).toMatchObject({ ok: true, value: { completion: { task: 2 } } });
+  });
+
+  await test.step("nothing of other work", async () => {
+    await cardOf(page).getByRole("button", { name: "Back to my maze" }).click();
+    await expect.poll(() => dashboard.tile).toMatchObject({ maze: null, tick: 0, path: "" });
+    await corridor.run.click();
+    await expect(corridor.clock).not.toHaveText(/0:00\.0$/);
+    expect(dashboard.tile).toMatchObject({ maze: null, tick: 0, path: "" });
+  });
   dashboard.close();
 });
 
-test("what a student does without a network arrives later, once and in order", async ({
-  browser,
-  relay,
-}) => {
-  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
-  const target = Number(new URL(relay).port);
-  const network = await FaultProxy.start({ target: () => target, random: new SeededRandom(1) });
-  // Not an openWindow fixture: the browser logs an error for each failed connection.
-  const context = await browser.newContext();
-  const page = await context.newPage();
-  const corridor = await enterClass(page, teacher.code, network.origin);
-  await expectTask(page, 1);
-  await solve(corridor, page);
-  const opened = { kind: "opened", task: 1 };
-  const solved = [opened, { kind: "run" }, { kind: "solved", task: 1 }];
-  await expect.poll(async () => teacher.progress()).toMatchObject(solved);
-  Object.assign(network, { isUp: false });
-  network.cut();
-  await taskButton(page, 2).click();
-  const card = cardOf(page);
-  await card.getByRole("button", { name: "Show a hint" }).click();
-  await card.getByRole("button", { name: "Show hint 2 of 2" }).click();
-  network.clearFaults();
-  await expect
-    .poll(async () => teacher.progress(), { timeout: 60_000 })
-    .toMatchObject([
-      ...solved,
-      { kind: "opened", task: 2 },
-      { kind: "hint", task: 2, hint: 1 },
-      { kind: "hint", task: 2, hint: 2 },
-    ]);
-  await context.close();
-  await network.close();
-});
-
-test("a lesson that the teacher sends opens beside unsaved work", async ({ page, relay }) => {
-  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
-  const corridor = await enterClass(page, teacher.code);
-  await expectTask(page, 1);
-  await corridor.program.addLine("front <", "50", "turn 180");
-  await teacher.direct("PUT", "/lesson", { ...lesson, name: "Long way round" });
-  await expect(corridor.messages).toContainText(
-    "Your teacher sent: Long way round. It opens in 10 s. Your own work stays as it is.",
-  );
-  await expect(corridor.program.number(1)).toHaveValue("50");
-  await corridor.messages.getByRole("button", { name: "Open", exact: true }).click();
-  await expect(cardOf(page)).toContainText("Long way round");
-  await expect(corridor.program.lines).toHaveCount(0);
-  await corridor.program.addLine("right >", "70", "right 90");
-  // By itself, and not while the class is paused.
-  await teacher.direct("PUT", "/lesson", { ...lesson, name: "Third lesson" });
-  await expect(corridor.messages).toContainText("Your teacher sent: Third lesson.");
-  await expectNoAxeViolations(page, "lesson sent");
-  await expect(cardOf(page)).toContainText("Third lesson", { timeout: 60_000 });
-  await corridor.reload();
-  await expect(cardOf(page)).toContainText("Third lesson");
-  await expect(corridor.messages).not.toContainText("Your teacher sent");
-  await page.goBack();
-  await expect(cardOf(page)).toContainText("Long way round");
-  await expect(corridor.program.number(1)).toHaveValue("70");
-  await page.goBack();
-  await expect(corridor.program.number(1)).toHaveValue("50");
-});
-
-test("the teacher opens the tasks one after the other", async ({ page, relay }) => {
-  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
-  await teacher.direct("PUT", "/pace", { to: 1 });
-  const corridor = await enterClass(page, teacher.code);
-  await expectTask(page, 1);
-  await expect(taskButton(page, 2)).toHaveAttribute("aria-disabled", "true");
-  // Playwright waits for an element without aria-disabled.
-  await taskButton(page, 2).dispatchEvent("click");
-  await expect(cardOf(page)).toContainText("Your teacher will open task 2 later.");
-  await solve(corridor, page);
-  await expect(page.getByRole("button", { name: "Next task" })).toBeHidden();
-  await expectTask(page, 1);
-  await teacher.direct("DELETE", "/pace");
-  await expect(corridor.messages).toContainText("You can open task 2 now.");
-  await taskButton(page, 2).click();
-  await expectTask(page, 2);
-});
-
-test("the teacher shows a hint, which stays after a reload, as the student's own do", async ({
+test("the teacher opens tasks in turn, sends lessons and hints, and ends the class", async ({
   page,
   relay,
 }) => {
   const teacher = await ClassTeacher.start(relay, NAMES, lesson);
-  const dashboard = await teacher.connect();
+  await teacher.direct("PUT", "/pace", { to: 1 });
   const corridor = await enterClass(page, teacher.code);
   await expectTask(page, 1);
-  await cardOf(page).getByRole("button", { name: "Show a hint" }).click();
-  dashboard.send({ type: "hint", student: 1, task: 1, hint: 2 });
-  await expect(corridor.messages).toContainText("Your teacher shows you hint 2.");
-  await expect(cardOf(page)).toContainText("Drive on.");
-  await expect
-    .poll(async () => (await teacher.progress()).at(-1))
-    .toEqual({ kind: "hint", task: 1, hint: 2 });
-  await corridor.reload();
-  await expect(cardOf(page)).toContainText("Look ahead.");
-  await expect(cardOf(page)).toContainText("Drive on.");
-  dashboard.send({ type: "hint", student: 1, task: 2, hint: 1 });
-  await expect(corridor.messages).toContainText("Your teacher shows you hint 1 of task 2.");
-  await corridor.messages.getByRole("button", { name: "Open task 2" }).click();
-  await expectTask(page, 2);
-  await expect(cardOf(page)).toContainText("Look ahead.");
-  dashboard.close();
+
+  await test.step("the tasks open one after the other", async () => {
+    await expect(taskButton(page, 2)).toHaveAttribute("aria-disabled", "true");
+    // Playwright waits for an element without aria-disabled.
+    await taskButton(page, 2).dispatchEvent("click");
+    await expect(cardOf(page)).toContainText("Your teacher will open task 2 later.");
+    await solve(corridor, page);
+    await expect(page.getByRole("button", { name: "Next task" })).toBeHidden();
+    await expectTask(page, 1);
+    await teacher.direct("DELETE", "/pace");
+    await expect(corridor.messages).toContainText("You can open task 2 now.");
+    await taskButton(page, 2).click();
+    await expectTask(page, 2);
+  });
+
+  await test.step("a lesson that the teacher sends opens beside unsaved work", async () => {
+    await corridor.program.addLine("front <", "50", "turn 180");
+    await teacher.direct("PUT", "/lesson", { ...lesson, name: "Long way round" });
+    await expect(corridor.messages).toContainText(
+      "Your teacher sent: Long way round. It opens in 10 s. Your own work stays as it is.",
+    );
+    await expect(corridor.program.number(1)).toHaveValue("50");
+    await corridor.messages.getByRole("button", { name: "Open", exact: true }).click();
+    await expect(cardOf(page)).toContainText("Long way round");
+    await expect(corridor.program.lines).toHaveCount(0);
+    await corridor.program.addLine("right >", "70", "right 90");
+    // By itself, and not while the class is paused.
+    await teacher.direct("PUT", "/lesson", { ...lesson, name: "Third lesson" });
+    await expect(corridor.messages).toContainText("Your teacher sent: Third lesson.");
+    await expectNoAxeViolations(page, "lesson sent");
+    await expect(cardOf(page)).toContainText("Third lesson", { timeout: 60_000 });
+  });
+
+  await test.step("hints of the teacher stay after a reload, as the student's own do", async () => {
+    const dashboard = await teacher.connect();
+    await cardOf(page).getByRole("button", { name: "Show a hint" }).click();
+    dashboard.send({ type: "hint", student: 1, task: 1, hint: 2 });
+    await expect(corridor.messages).toContainText("Your teacher shows you hint 2.");
+    await expect(cardOf(page)).toContainText("Drive on.");
+    await expect
+      .poll(async () => (await teacher.progress()).at(-1))
+      .toEqual({ kind: "hint", task: 1, hint: 2 });
+    await corridor.reload();
+    await expect(cardOf(page)).toContainText("Third lesson");
+    await expect(cardOf(page)).toContainText("Look ahead.");
+    await expect(cardOf(page)).toContainText("Drive on.");
+    await expect(corridor.messages).not.toContainText("Your teacher sent");
+    dashboard.send({ type: "hint", student: 1, task: 2, hint: 1 });
+    await expect(corridor.messages).toContainText("Your teacher shows you hint 1 of task 2.");
+    await corridor.messages.getByRole("button", { name: "Open task 2" }).click();
+    await expectTask(page, 2);
+    await expect(cardOf(page)).toContainText("Look ahead.");
+    dashboard.close();
+  });
+
+  await test.step("the browser's Back leads to the work of each lesson", async () => {
+    await page.goBack();
+    await expectTask(page, 1);
+    await page.goBack();
+    await expect(cardOf(page)).toContainText("Long way round");
+    await expect(corridor.program.number(1)).toHaveValue("70");
+    await page.goBack();
+    await expect(corridor.program.number(1)).toHaveValue("50");
+  });
+
+  await test.step("a class that ended while the page was closed says so", async () => {
+    await page.goto("about:blank");
+    await teacher.direct("DELETE");
+    await corridor.open("/");
+    await expect(corridor.messages).toContainText("The lesson is over.");
+    await expect(classButton(page)).toBeHidden();
+    const stored = await page.evaluate(() => Object.keys(sessionStorage));
+    expect(stored.filter((key) => key.startsWith("corridor.class"))).toEqual([]);
+  });
 });
 
 test("the hint of the teacher is in every tab of the phone, and the robot can be reset", async ({
@@ -348,6 +320,9 @@ test("a student answers or skips the questions after the last task", async ({ pa
   await corridor.program.otherwise.selectOption("forward");
   await drive(corridor);
   await expect(corridor.messages).toContainText("You solved all tasks.");
+  // The relay has the solution, so that the student copies no code.
+  await expect(page.getByText("Task solved.", { exact: false }).first()).toBeVisible();
+  await expect(page.getByText("Completion code")).toHaveCount(0);
   await corridor.messages.getByRole("button", { name: "Answer" }).click();
   const dialog = corridor.dialog("Questions about the lesson");
   const question = dialog.getByRole("group", { name: "Did it help you to find the way?" });
@@ -374,17 +349,4 @@ test("a student answers or skips the questions after the last task", async ({ pa
   const menu = page.getByRole("dialog", { name: "Class" });
   await expect(menu.getByRole("button", { name: "I need help" })).toBeVisible();
   await expect(menu.getByRole("button", { name: "Questions about the lesson" })).toBeHidden();
-});
-
-test("a class that ended while the page was closed says so", async ({ page, relay }) => {
-  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
-  const corridor = await enterClass(page, teacher.code);
-  await expectTask(page, 1);
-  await page.goto("about:blank");
-  await teacher.direct("DELETE");
-  await corridor.open("/");
-  await expect(corridor.messages).toContainText("The lesson is over.");
-  await expect(classButton(page)).toBeHidden();
-  const stored = await page.evaluate(() => Object.keys(sessionStorage));
-  expect(stored.filter((key) => key.startsWith("corridor.class"))).toEqual([]);
 });

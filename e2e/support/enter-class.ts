@@ -4,11 +4,17 @@ import { expect, type Locator, type Page } from "playwright/test";
 import { CLASS_KEY } from "../../apps/web/src/model/classes/class-key.ts";
 import { CorridorPage } from "../pages/corridor-page.ts";
 
-/**
- * Opens the page of a student who has just joined. The student joins without the page that asks for
- * the letters, which takes as long to load.
- */
+/** Opens the page of a student who has just joined, and waits until it is in the class. */
 export async function enterClass(page: Page, code: string, origin = ""): Promise<CorridorPage> {
+  await openAsStudent(page, code, origin);
+  return openedClass(page);
+}
+
+/**
+ * Opens the page of a student who has just joined, in any language. The student joins without the
+ * page that asks for the letters, which takes as long to load.
+ */
+export async function openAsStudent(page: Page, code: string, origin = ""): Promise<void> {
   const joins = `${origin}/api/v1/joins`;
   const answer = await page.request.post(joins, { data: { code } });
   const joined = joinedClassSchema.parse(await answer.json());
@@ -19,7 +25,6 @@ export async function enterClass(page: Page, code: string, origin = ""): Promise
     JSON.stringify(joined),
   ] as const);
   await page.goto(`${origin}/`);
-  return openedClass(page);
 }
 
 /** Joins with the code in the address, as after a scan of its QR code, and starts. */
