@@ -1,52 +1,30 @@
 /** Short links to a maze, which the service stores, serves and deletes. */
 import { CorridorPage } from "./pages/corridor-page.ts";
 import { expect, test } from "./fixtures.ts";
+import { wideWindow } from "./support/window-sizes.ts";
 
-test("creates a short link, from which another user opens the maze", async ({
+test.use(wideWindow);
+
+test("creates short links of a maze and a program, from which another user opens them, and deletes one", async ({
   corridor,
   page,
+  pageErrors,
   openWindow,
 }) => {
   await corridor.choosePreset("Spiral");
-  await corridor.share.click();
-  const dialog = corridor.dialog("Share this maze");
-  const field = dialog.getByRole("textbox", { name: "Link" });
-  await expect(dialog.getByText("Anyone can open a short link")).toBeVisible();
-  await dialog.getByRole("button", { name: "Short link", exact: true }).click();
-  await expect(field).toHaveValue(/\/m\/[A-Z]{4,6}$/);
-  await dialog.getByRole("button", { name: "Copy link" }).click();
-  await expect(dialog.getByText("Link copied")).toBeAttached();
-  const link = await page.evaluate(() => navigator.clipboard.readText());
-  expect(link).toBe(await field.inputValue());
-
-  const recipient = await openWindow();
-  await recipient.open();
-  await recipient.maze.click({ column: 2, row: 6 });
-  await expect(recipient.saveState).toHaveText("Saved on this device");
-  await recipient.open(link);
-  await expect(recipient.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
-  await expect(
-    recipient.message("You opened a shared maze. Your own maze and program are saved."),
-  ).toBeVisible();
-  expect(new URL(recipient.page.url()).pathname).toBe("/");
-  await recipient.messages.getByRole("button", { name: "Back to my maze" }).click();
-  await expect(recipient.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
-  await recipient.maze.expectSquare({ column: 2, row: 6 }, "block");
-});
-
-test("offers a short link with the program, from which another user opens both", async ({
-  corridor,
-  openWindow,
-}) => {
   await corridor.program.addLine("front <", "55", "left 90");
   const lines = await corridor.program.lines.count();
   await corridor.share.click();
   const dialog = corridor.dialog("Share this maze");
-  const createLink = dialog.getByRole("button", { name: "Short link", exact: true });
-  await createLink.click();
   const field = dialog.getByRole("textbox", { name: "Link" });
-  await expect(field).toHaveValue(/\/m\//);
-  const ofMaze = await field.inputValue();
+  const createLink = dialog.getByRole("button", { name: "Short link", exact: true });
+  await expect(dialog.getByText("Anyone can open a short link")).toBeVisible();
+  await createLink.click();
+  await expect(field).toHaveValue(/\/m\/[A-Z]{4,6}$/);
+  await dialog.getByRole("button", { name: "Copy link" }).click();
+  await expect(dialog.getByText("Link copied")).toBeAttached();
+  const ofMaze = await page.evaluate(() => navigator.clipboard.readText());
+  expect(ofMaze).toBe(await field.inputValue());
   await dialog.getByRole("checkbox", { name: /^My program/ }).check();
   await expect(field).toHaveValue(/#/);
   await createLink.click();
@@ -57,55 +35,51 @@ test("offers a short link with the program, from which another user opens both",
   await dialog.getByRole("checkbox", { name: /^My program/ }).uncheck();
   await expect(field).toHaveValue(ofMaze);
 
-  const recipient = await openWindow();
-  await recipient.open(ofBoth);
+  const recipient = await openWindow(wideWindow);
+  const own = { column: 2, row: 6 };
+  await recipient.open();
+  await recipient.maze.click(own);
+  await expect(recipient.saveState).toHaveText("Saved on this device");
+  await recipient.open(ofMaze);
+  await expect(recipient.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
+  await expect(
+    recipient.message("You opened a shared maze. Your own maze and program are saved."),
+  ).toBeVisible();
+  expect(new URL(recipient.page.url()).pathname).toBe("/");
+  await recipient.messages.getByRole("button", { name: "Back to my maze" }).click();
   await expect(recipient.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+  await recipient.maze.expectSquare(own, "block");
+  await recipient.open(ofBoth);
+  await expect(recipient.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
   await expect(recipient.message("You opened a shared maze.")).toBeVisible();
   await expect(recipient.program.lines).toHaveCount(lines);
   await expect(recipient.program.number(lines)).toHaveValue("55");
-});
 
-test("offers the long link of a run", async ({ corridor }) => {
-  await corridor.step.click();
-  await corridor.share.click();
-  const dialog = corridor.dialog("Share this maze");
-  const createLink = dialog.getByRole("button", { name: "Short link", exact: true });
-  await createLink.click();
-  const field = dialog.getByRole("textbox", { name: "Link" });
-  await expect(field).toHaveValue(/\/m\//);
-  await dialog.getByRole("checkbox", { name: /^This run/ }).check();
-  const ofRun = corridor.dialog("Share this run");
-  await expect(ofRun.getByRole("textbox", { name: "Link" })).toHaveValue(/#/);
-  await expect(ofRun.getByRole("button", { name: "Short link", exact: true })).toBeDisabled();
-  await expect(ofRun.getByText("A short link cannot contain a run")).toBeVisible();
-});
+  await test.step("a deleted link says so to users who open it", async () => {
+    // The link of the maze is in the field.
+    await dialog.getByRole("button", { name: "Delete short link" }).click();
+    await expect(dialog.getByText("The short link is deleted.")).toBeVisible();
+    await expect(createLink).toBeVisible();
+    await expect(field).toHaveValue(/#/);
+    pageErrors.ignoreFailedRequests();
+    await recipient.open(ofMaze);
+    await expect(recipient.message(/^This short link does not work/)).toBeVisible();
+    await recipient.messages.getByRole("button", { name: "Open an empty maze" }).click();
+    await expect(recipient.mazeMenu).toHaveAccessibleName("New maze, Maze menu");
+  });
 
-test("deletes a short link, and reports that to users who open it", async ({
-  corridor,
-  browser,
-}) => {
-  await corridor.maze.click({ column: 3, row: 5 });
-  await corridor.share.click();
-  const dialog = corridor.dialog("Share this maze");
-  const field = dialog.getByRole("textbox", { name: "Link" });
-  const createLink = dialog.getByRole("button", { name: "Short link", exact: true });
-  await createLink.click();
-  await expect(field).toHaveValue(/\/m\//);
-  const link = await field.inputValue();
-  await dialog.getByRole("button", { name: "Delete short link" }).click();
-  await expect(dialog.getByText("The short link is deleted.")).toBeVisible();
-  await expect(createLink).toBeVisible();
-  await expect(field).toHaveValue(/#/);
-
-  // Not an openWindow fixture: the browser logs an error for the 404.
-  const context = await browser.newContext();
-  const recipient = new CorridorPage(await context.newPage());
-  await recipient.open(link);
-  await expect(recipient.message(/^This short link does not work/)).toBeVisible();
-  await expect(recipient.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
-  await recipient.messages.getByRole("button", { name: "Open an empty maze" }).click();
-  await expect(recipient.mazeMenu).toHaveAccessibleName("New maze, Maze menu");
-  await context.close();
+  await test.step("a run has only a long link", async () => {
+    await page.keyboard.press("Escape");
+    await corridor.step.click();
+    await corridor.share.click();
+    await createLink.click();
+    await expect(field).toHaveValue(/\/m\//);
+    await dialog.getByRole("checkbox", { name: /^This run/ }).check();
+    const ofRun = corridor.dialog("Share this run");
+    await expect(ofRun.getByRole("textbox", { name: "Link" })).toHaveValue(/#/);
+    await expect(ofRun.getByRole("button", { name: "Short link", exact: true })).toBeDisabled();
+    await expect(ofRun.getByText("A short link cannot contain a run")).toBeVisible();
+  });
 });
 
 test("offers no short link where there is no service", async ({ browser, relay }) => {

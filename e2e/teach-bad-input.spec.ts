@@ -56,7 +56,9 @@ function largeLesson(): LessonDocument {
   return { ...sampleLesson, name: "Sixty mazes", tasks: Array.from({ length: 6 }, () => task) };
 }
 
-test("a bad lesson is refused in one sentence, and no lesson is saved", async ({ page }) => {
+test("a bad lesson is refused in one sentence and not saved, and one that is too large says what to shorten", async ({
+  page,
+}) => {
   await page.goto("/teach#make");
   for (const [file, sentence] of bad) {
     await choose(page, /^A file/, file);
@@ -66,11 +68,7 @@ test("a bad lesson is refused in one sentence, and no lesson is saved", async ({
   await page.goto("/teach");
   await expect(page.getByRole("heading", { name: "For teachers" })).toBeVisible();
   await expect(page.getByRole("heading", { name: "On this device" })).toHaveCount(0);
-});
 
-test("a lesson too large for a class or a short link is named with its size and the part to shorten", async ({
-  page,
-}) => {
   await page.goto("/teach#make");
   await choose(page, /^A file/, json("large.json", largeLesson()));
   await expect(page.getByRole("heading", { name: "Sixty mazes" })).toBeVisible();
