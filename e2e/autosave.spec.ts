@@ -7,7 +7,10 @@ import { expect, test } from "./fixtures.ts";
 
 const square = { column: 2, row: 6 };
 
-test("restores maze and program after a reload", async ({ corridor }) => {
+test("restores maze and program after a reload, and lists all mazes in the menu", async ({
+  corridor,
+  page,
+}) => {
   await corridor.maze.click(square);
   await corridor.maze.tool("Goal").check();
   await corridor.maze.click({ column: 0, row: 0 });
@@ -21,12 +24,7 @@ test("restores maze and program after a reload", async ({ corridor }) => {
   await expect(corridor.program.number(1)).toHaveValue("75");
   await expect(corridor.program.lines).toHaveCount(3);
   await expect(corridor.saveState).toHaveText("Saved on this device");
-});
 
-test("renames the maze, creates a new one, and lists both in the menu", async ({
-  corridor,
-  page,
-}) => {
   await corridor.mazeMenu.click();
   const menu = corridor.dialog("Maze menu");
   await menu.getByRole("textbox", { name: "Name of the maze" }).fill("My first maze");
@@ -90,7 +88,7 @@ test("shows that the device stores nothing, and remains usable", async ({ openWi
   await expect(corridor.runNote).toContainText("Goal reached");
 });
 
-test("shows that the storage is full, and saves again once there is space", async ({
+test("shows that the storage is full until there is space, and sets a damaged maze aside", async ({
   corridor,
   page,
 }) => {
@@ -113,21 +111,19 @@ test("shows that the storage is full, and saves again once there is space", asyn
   await corridor.reload();
   await corridor.maze.expectSquare(square, "block");
   await corridor.maze.expectSquare({ column: 3, row: 6 }, "open");
-});
-
-test("sets a damaged saved maze aside and opens the first maze", async ({ corridor, page }) => {
-  await corridor.maze.click(square);
-  await expect(corridor.saveState).toHaveText("Saved on this device");
-  await page.evaluate(() => {
-    for (const key of Object.keys(localStorage)) {
-      const text = localStorage.getItem(key) ?? "";
-      if (text.includes("corridor/maze")) localStorage.setItem(key, text.slice(0, -20));
-    }
+  await test.step("a damaged saved maze", async () => {
+    await expect(corridor.saveState).toHaveText("Saved on this device");
+    await page.evaluate(() => {
+      for (const key of Object.keys(localStorage)) {
+        const text = localStorage.getItem(key) ?? "";
+        if (text.includes("corridor/maze")) localStorage.setItem(key, text.slice(0, -20));
+      }
+    });
+    await corridor.reload();
+    await expect(
+      corridor.message("A saved maze cannot be opened. It was not deleted."),
+    ).toBeVisible();
+    await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
+    await corridor.maze.expectSquare(square, "open");
   });
-  await corridor.reload();
-  await expect(
-    corridor.message("A saved maze cannot be opened. It was not deleted."),
-  ).toBeVisible();
-  await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
-  await corridor.maze.expectSquare(square, "open");
 });

@@ -2,7 +2,8 @@
 import { CorridorPage } from "./pages/corridor-page.ts";
 import { expect, test } from "./fixtures.ts";
 
-const square = { column: 2, row: 6 };
+/** Far from the robot. */
+const square = { column: 9, row: 6 };
 
 /** Every project stored on the device, as text. */
 function projectsOf({ page }: CorridorPage): Promise<string[]> {
@@ -13,64 +14,63 @@ function projectsOf({ page }: CorridorPage): Promise<string[]> {
   );
 }
 
-test("stores an edit on the device within 300 ms without any action", async ({
+test("keeps an edit that was typed just now, made during a run, or right before the tab is closed", async ({
   corridor,
+  context,
   page,
 }) => {
-  await corridor.program.name.selectText();
-  const steps = await page.evaluate(async () => {
-    document.execCommand("insertText", false, "Typed just now");
-    const isStored = () =>
-      Object.values(localStorage).some((text) => String(text).includes("Typed just now"));
-    // Counts timer steps of 10 ms instead of time, so that a slow machine does not fail the test.
-    let count = 0;
-    for (; !isStored() && count < 100; count++) {
-      await new Promise((resolve) => setTimeout(resolve, 10));
-    }
-    return count;
+  await test.step("an edit is stored within 300 ms without any action", async () => {
+    await corridor.program.name.selectText();
+    const steps = await page.evaluate(async () => {
+      document.execCommand("insertText", false, "Typed just now");
+      const isStored = () =>
+        Object.values(localStorage).some((text) => String(text).includes("Typed just now"));
+      // Counts timer steps of 10 ms instead of time, so that a slow machine does not fail the test.
+      let count = 0;
+      for (; !isStored() && count < 100; count++) {
+        await new Promise((resolve) => setTimeout(resolve, 10));
+      }
+      return count;
+    });
+    expect(steps).toBeGreaterThan(0);
+    expect(steps).toBeLessThanOrEqual(30);
+    await corridor.reload();
+    await expect(corridor.program.name).toHaveValue("Typed just now");
   });
-  expect(steps).toBeGreaterThan(0);
-  expect(steps).toBeLessThanOrEqual(30);
-  await corridor.reload();
-  await expect(corridor.program.name).toHaveValue("Typed just now");
+
+  let next = corridor;
+  await test.step("an edit right before the tab is closed", async () => {
+    await corridor.maze.click(square);
+    await corridor.page.close({ runBeforeUnload: true });
+    next = new CorridorPage(await context.newPage());
+    await next.open();
+    await next.maze.expectSquare(square, "block");
+  });
+
+  await test.step("edits during a run, when the page is reloaded in the middle of it", async () => {
+    await next.run.click();
+    await expect(next.robotPose).not.toHaveText("Robot at 50, 650, facing right");
+    await next.maze.click({ column: 10, row: 6 });
+    await next.program.number(1).fill("75");
+    await expect(next.pause).toBeVisible();
+    await next.reload();
+    await next.maze.expectSquare({ column: 10, row: 6 }, "block");
+    await expect(next.program.number(1)).toHaveValue("75");
+  });
 });
 
-test("keeps an edit when the tab is closed right after it", async ({ corridor, context }) => {
-  await corridor.maze.click(square);
-  await corridor.page.close({ runBeforeUnload: true });
-  const next = new CorridorPage(await context.newPage());
-  await next.open();
-  await next.maze.expectSquare(square, "block");
-});
+test("returns to the user's own maze and edits after opening links", async ({ corridor, page }) => {
+  await test.step("a link that opens before an edit is saved", async () => {
+    const link = await corridor.shareLink({ withProgram: true });
+    await corridor.program.name.fill("Mine, and not saved yet");
+    // Immediately, before autosave runs.
+    await page.evaluate((address) => (location.hash = new URL(address).hash), link);
+    await expect(corridor.program.name).toHaveValue("Example: right wall");
+    await expect(corridor.message("Your own maze and program are saved.")).toBeVisible();
+    await corridor.messages.getByRole("button", { name: "Back to my maze" }).click();
+    await expect(corridor.program.name).toHaveValue("Mine, and not saved yet");
+  });
 
-test("keeps edits made during a run when the page is reloaded in the middle of it", async ({
-  corridor,
-}) => {
-  await corridor.run.click();
-  await expect(corridor.robotPose).not.toHaveText("Robot at 50, 650, facing right");
-  await corridor.maze.click({ column: 10, row: 6 });
-  await corridor.program.number(1).fill("75");
-  await expect(corridor.pause).toBeVisible();
-  await corridor.reload();
-  await corridor.maze.expectSquare({ column: 10, row: 6 }, "block");
-  await expect(corridor.program.number(1)).toHaveValue("75");
-});
-
-test("opens a link before an edit is saved, and returns to the edit", async ({
-  corridor,
-  page,
-}) => {
-  const link = await corridor.shareLink({ withProgram: true });
-  await corridor.program.name.fill("Mine, and not saved yet");
-  // Immediately, before autosave runs.
-  await page.evaluate((address) => (location.hash = new URL(address).hash), link);
-  await expect(corridor.program.name).toHaveValue("Example: right wall");
-  await expect(corridor.message("Your own maze and program are saved.")).toBeVisible();
-  await corridor.messages.getByRole("button", { name: "Back to my maze" }).click();
-  await expect(corridor.program.name).toHaveValue("Mine, and not saved yet");
-});
-
-test("returns to the user's own maze after opening two links", async ({ corridor, page }) => {
   const links: string[] = [];
   for (const preset of ["Spiral", "Comb"]) {
     await corridor.choosePreset(preset);
@@ -79,34 +79,26 @@ test("returns to the user's own maze after opening two links", async ({ corridor
   await corridor.choosePreset("Tree");
   await corridor.program.name.fill("Mine");
   await expect(corridor.saveState).toHaveText("Saved on this device");
-  await corridor.dismissMessages();
-  for (const [at, link] of links.entries()) {
-    await page.evaluate((address) => (location.hash = new URL(address).hash), link);
-    await expect(corridor.mazeMenu).toHaveAccessibleName(`${["Spiral", "Comb"][at]}, Maze menu`);
-  }
-  await corridor.messages.getByRole("button", { name: "Back to my maze" }).first().click();
-  await expect(corridor.mazeMenu).toHaveAccessibleName("Tree, Maze menu");
-  await expect(corridor.program.name).toHaveValue("Mine");
-});
+  await test.step("two links in the open page", async () => {
+    await corridor.dismissMessages();
+    for (const [at, link] of links.entries()) {
+      await page.evaluate((address) => (location.hash = new URL(address).hash), link);
+      await expect(corridor.mazeMenu).toHaveAccessibleName(`${["Spiral", "Comb"][at]}, Maze menu`);
+    }
+    await corridor.messages.getByRole("button", { name: "Back to my maze" }).first().click();
+    await expect(corridor.mazeMenu).toHaveAccessibleName("Tree, Maze menu");
+    await expect(corridor.program.name).toHaveValue("Mine");
+  });
 
-test("returns to the user's own maze after a second link from elsewhere and a reload", async ({
-  corridor,
-  page,
-}) => {
-  await corridor.choosePreset("Spiral");
-  const first = await corridor.shareLink({ withProgram: false });
-  await corridor.choosePreset("Comb");
-  const second = await corridor.shareLink({ withProgram: false });
-  await corridor.choosePreset("Tree");
-  await corridor.program.name.fill("Mine");
-  await expect(corridor.saveState).toHaveText("Saved on this device");
-  for (const link of [first, second]) {
-    await page.goto("about:blank");
-    await corridor.open(link);
-  }
-  await expect(corridor.mazeMenu).toHaveAccessibleName("Comb, Maze menu");
-  await corridor.messages.getByRole("button", { name: "Back to my maze" }).click();
-  await expect(corridor.mazeMenu).toHaveAccessibleName("Tree, Maze menu");
+  await test.step("links from elsewhere", async () => {
+    for (const link of links) {
+      await page.goto("about:blank");
+      await corridor.open(link);
+    }
+    await expect(corridor.mazeMenu).toHaveAccessibleName("Comb, Maze menu");
+    await corridor.messages.getByRole("button", { name: "Back to my maze" }).click();
+    await expect(corridor.mazeMenu).toHaveAccessibleName("Tree, Maze menu");
+  });
 });
 
 test("keeps both entries when one tab edits a project that another tab damaged", async ({
@@ -130,21 +122,7 @@ test("keeps both entries when one tab edits a project that another tab damaged",
   await expect(corridor.program.name).toHaveValue("After the damage");
 });
 
-test("keeps the edits of two tabs that opened the same project", async ({ corridor, context }) => {
-  await corridor.program.name.fill("One work");
-  await expect(corridor.saveState).toHaveText("Saved on this device");
-  const second = new CorridorPage(await context.newPage());
-  await second.open();
-  await second.program.name.fill("From the second tab");
-  await expect(second.saveState).toHaveText("Saved on this device");
-  await corridor.program.name.fill("From the first tab");
-  await expect
-    .poll(async () => (await projectsOf(corridor)).join())
-    .toContain("From the first tab");
-  expect((await projectsOf(corridor)).join()).toContain("From the second tab");
-});
-
-test("reports that a part did not load, and loads it with Try again", async ({
+test("reports that a part did not load, while the rest works, and loads it with Try again", async ({
   browser,
   relay,
 }) => {
@@ -155,7 +133,14 @@ test("reports that a part did not load, and loads it with Try again", async ({
   await corridor.page.route(/assets\/ResizeDialog-/, (route) =>
     isDown ? route.abort() : route.continue(),
   );
+  await corridor.page.route(/assets\/zoom-gestures-/, (route) => route.abort());
   await corridor.open();
+  // The zoom: the rest works.
+  await corridor.maze.grid.hover();
+  await expect(corridor.messages).toContainText("A part of Corridor did not load.");
+  await corridor.maze.click({ column: 4, row: 6 });
+  await expect(corridor.maze.button("Undo")).toBeEnabled();
+
   await corridor.program.name.fill("Retained");
   await corridor.maze.button("Resize").click();
   const failure = corridor.dialog("This part did not load");
@@ -174,18 +159,5 @@ test("reports that a part did not load, and loads it with Try again", async ({
   await expect(corridor.dialog("Resize the maze")).toBeVisible();
   await corridor.page.keyboard.press("Escape");
   await expect(corridor.program.name).toHaveValue("Retained");
-  await context.close();
-});
-
-test("says that the zoom did not load, and the rest works", async ({ browser, relay }) => {
-  // Not an openWindow fixture: the browser logs an error for the missing file, as expected.
-  const context = await browser.newContext({ baseURL: relay, serviceWorkers: "block" });
-  const corridor = new CorridorPage(await context.newPage());
-  await corridor.page.route(/assets\/zoom-gestures-/, (route) => route.abort());
-  await corridor.open();
-  await corridor.maze.grid.hover();
-  await expect(corridor.messages).toContainText("A part of Corridor did not load.");
-  await corridor.maze.click({ column: 4, row: 6 });
-  await expect(corridor.maze.button("Undo")).toBeEnabled();
   await context.close();
 });

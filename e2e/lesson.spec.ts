@@ -10,9 +10,9 @@ import { TeachPage } from "./pages/teach-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 import { horizontalOverflow } from "./support/layout.ts";
 import { lessonTask, straight } from "./support/lesson-task.ts";
-import { smallWindow } from "./support/window-sizes.ts";
+import { wideWindow } from "./support/window-sizes.ts";
 
-test.use(smallWindow);
+test.use(wideWindow);
 
 const side: LessonTask["mazes"][number] = {
   ...straight,
@@ -61,34 +61,18 @@ class Lesson {
   }
 }
 
-test("opens a lesson from a file, and keeps the work on each task", async ({ corridor, page }) => {
-  const opened = new Lesson(page);
-  await drop(page, lesson);
-  await opened.expectTask(1);
-  await expect(opened.card).toContainText("Two mazes, three lines");
-  await expect(opened.card).toContainText("Write short programs.");
-  await expect(opened.card).toContainText("Solve Straight on.");
-  await corridor.program.addLine("front <", "50", "turn 180");
-  await opened.task(2).click();
-  await opened.expectTask(2);
-  await expect(corridor.program.lines).toHaveCount(0);
-  await corridor.program.addLine("right >", "60", "delayed right 90");
-  await opened.task(1).click();
-  await expect(corridor.program.number(1)).toHaveValue("50");
-  await page.reload();
-  await opened.expectTask(1);
-  await expect(corridor.program.number(1)).toHaveValue("50");
-  await opened.task(2).click();
-  await expect(corridor.program.number(1)).toHaveValue("60");
-});
-
-test("goes through the tasks with the browser's Back and Forward, home, and back after another maze", async ({
+test("opens a lesson from a file, goes through its tasks, and keeps the work on each", async ({
   corridor,
   page,
 }) => {
   const opened = new Lesson(page);
   await drop(page, lesson);
   await opened.expectTask(1);
+  await expect(opened.card).toContainText("Two mazes, three lines");
+  await expect(opened.card).toContainText("Write short programs.");
+  await expect(opened.card).toContainText("Solve Straight on.");
+
+  // With the browser's Back and Forward, and home.
   await opened.task(2).click();
   await opened.expectTask(2);
   await page.goBack();
@@ -102,9 +86,20 @@ test("goes through the tasks with the browser's Back and Forward, home, and back
   await page.goForward();
   await opened.expectTask(1);
 
-  // A task that another maze closed.
+  await corridor.program.addLine("front <", "50", "turn 180");
   await opened.task(2).click();
   await opened.expectTask(2);
+  await expect(corridor.program.lines).toHaveCount(0);
+  await corridor.program.addLine("right >", "60", "delayed right 90");
+  await opened.task(1).click();
+  await expect(corridor.program.number(1)).toHaveValue("50");
+  await page.reload();
+  await opened.expectTask(1);
+  await expect(corridor.program.number(1)).toHaveValue("50");
+  await opened.task(2).click();
+  await expect(corridor.program.number(1)).toHaveValue("60");
+
+  // Another maze closes the task, and the message leads back.
   await corridor.choosePreset("Long way round");
   await expect(opened.card).toBeHidden();
   const closed = corridor.message("You opened another maze, so the task is closed.");
@@ -113,61 +108,107 @@ test("goes through the tasks with the browser's Back and Forward, home, and back
   await opened.expectTask(2);
 });
 
-test("marks a solved task in words, also after a reload, and leads to the next one", async ({
+test("solves tasks in turn, with a completion code for the teacher, and saves the lesson", async ({
+  corridor,
+  page,
+  openWindow,
+}) => {
+  const inTurn = { ...lesson, order: "in turn" as const };
+  const opened = new Lesson(page);
+  await drop(page, inTurn);
+  await opened.expectTask(1);
+
+  await test.step("a locked task says what opens it", async () => {
+    await expect(opened.task(2)).toHaveAccessibleName("2 Side opening locked");
+    await expect(opened.tasks).toContainText("Task 2 opens when you solve task 1.");
+    // Playwright does not click what is disabled, but a student may.
+    await opened.task(2).press("Enter");
+    await opened.expectTask(1);
+    await corridor.speed.selectOption("max");
+    await corridor.run.click();
+    await expect(opened.outcome).toHaveText("Task solved. Lines used: 0 of 3");
+    await expect(opened.task(1)).toHaveAccessibleName("1 Straight on solved");
+    await expect(opened.task(2)).toHaveAccessibleName("2 Side opening");
+  });
+
+  await test.step("the completion code is copied, and accepted on /teach", async () => {
+    const code = page.getByRole("region", { name: "Completion code" });
+    await expect(code).toContainText("not who wrote it, when, or with what help.");
+    await expectNoAxeViolations(page, "a completion code");
+    await code.getByRole("button", { name: "QR code" }).click();
+    await expect(code.locator("svg[viewBox]").last()).toBeVisible();
+    await code.getByRole("button", { name: "Copy code" }).click();
+    await expect(code.getByRole("status")).toHaveText(
+      "Completion code copied. It shows that this program passes, not who wrote it.",
+    );
+    const copied = await page.evaluate(() => navigator.clipboard.readText());
+    expect(copied).toMatch(/^[\w-]{10,40}$/);
+
+    const teacher = await openWindow(wideWindow);
+    const link = encodeLink({ lesson: inTurn });
+    const teach = new TeachPage(teacher.page);
+    await teach.openHandIns(link.ok ? link.text : "");
+    await teach.lines.fill(copied);
+    await teacher.page.getByRole("button", { name: "Check 1" }).click();
+    await expect(teacher.page.getByRole("row").nth(1)).toContainText("1 of 1");
+
+    // An edited program has not passed yet.
+    await corridor.program.addLine("front <", "50", "left 90");
+    await expect(code).toBeHidden();
+    await corridor.program.deleteAllLines();
+  });
+
+  await test.step("a solved task stays solved after a reload, and leads to the next one", async () => {
+    await page.reload();
+    await expect(opened.task(1)).toHaveAccessibleName("1 Straight on solved");
+    await opened.task(2).press("Enter");
+    await opened.expectTask(2);
+    await opened.task(1).click();
+    await opened.expectTask(1);
+    // The same lesson again continues where the student left it.
+    await drop(page, inTurn);
+    await opened.expectTask(2);
+    await opened.task(1).click();
+    await opened.expectTask(1);
+    await corridor.run.click();
+    const card = page.getByRole("region", { name: "Solved!" });
+    await card.getByRole("button", { name: "Next task" }).click();
+    await opened.expectTask(2);
+  });
+
+  await test.step("the lesson is saved as it was opened, and one task as version 1", async () => {
+    const save = async (): Promise<unknown> => {
+      await corridor.mazeMenu.click();
+      const saving = page.waitForEvent("download");
+      await page.getByRole("button", { name: "Save lesson" }).click();
+      const file = await (await saving).path();
+      return JSON.parse(readFileSync(file, "utf8"));
+    };
+    expect(await save()).toEqual(inTurn);
+    const {
+      tasks: [task],
+    } = lesson;
+    const plain = { ...lesson, name: "", intro: "", language: null, tasks: [task] };
+    await drop(page, plain);
+    await expect(opened.card).toBeHidden();
+    expect(await save()).toMatchObject({ version: 1, name: "Straight on" });
+  });
+});
+
+test("counts a task as solved only after a check in its unseen mazes, whose failures can be watched", async ({
   corridor,
   page,
 }) => {
-  const opened = new Lesson(page);
-  await drop(page, lesson);
-  await opened.expectTask(1);
-  await corridor.speed.selectOption("max");
-  await corridor.run.click();
-  await expect(opened.outcome).toHaveText("Task solved. Lines used: 0 of 3");
-  await expect(opened.task(1)).toHaveAccessibleName("1 Straight on solved");
-  await page.reload();
-  await expect(opened.task(1)).toHaveAccessibleName("1 Straight on solved");
-  // The same lesson again continues where the student left it.
-  await drop(page, lesson);
-  await opened.expectTask(2);
-  await opened.task(1).click();
-  await opened.expectTask(1);
-  await corridor.reset.click();
-  await corridor.run.click();
-  const card = page.getByRole("region", { name: "Solved!" });
-  await card.getByRole("button", { name: "Next task" }).click();
-  await opened.expectTask(2);
-});
-
-test("opens tasks in turn: a locked one says what opens it", async ({ corridor, page }) => {
-  const opened = new Lesson(page);
-  await drop(page, { ...lesson, order: "in turn" });
-  await opened.expectTask(1);
-  await expect(opened.task(2)).toHaveAccessibleName("2 Side opening locked");
-  await expect(opened.tasks).toContainText("Task 2 opens when you solve task 1.");
-  // Playwright does not click what is disabled, but a student may.
-  await opened.task(2).press("Enter");
-  await opened.expectTask(1);
-  await corridor.speed.selectOption("max");
-  await corridor.run.click();
-  await expect(opened.task(2)).toHaveAccessibleName("2 Side opening");
-  await opened.task(2).press("Enter");
-  await opened.expectTask(2);
-});
-
-test("counts a task as solved only after a check in its unseen mazes", async ({
-  corridor,
-  page,
-}) => {
+  // A small window has the next step only once.
+  await page.setViewportSize({ width: 1440, height: 900 });
   const unseen = { kind: "tree", columns: 11, rows: 11, seed: 7, count: 20, pass: 20 } as const;
   const checks = { bumps: 0, seconds: 900 };
   const opened = new Lesson(page);
-  // The card beside the robot and the line above the maze show the same text.
-  await page.setViewportSize({ width: 1440, height: 900 });
   await drop(page, { ...lesson, tasks: [taskOf("Every maze", { unseen, checks }), taskOf("Two")] });
   await expect(opened.card).toContainText(
     "Your program is also tested in unseen mazes. It must pass in 20 of 20.",
   );
-  await corridor.speed.selectOption("max");
+  await corridor.speed.selectOption("16×");
   await corridor.run.click();
   await expect(
     page.getByRole("main").getByText("Works in this maze. Now check all 21."),
@@ -180,6 +221,30 @@ test("counts a task as solved only after a check in its unseen mazes", async ({
   await expect(opened.card).toContainText(
     /Passes in 1 of 21\. First failure: Tree 1 of seed 7, bump at \d+\.\d s, “otherwise”/,
   );
+
+  await test.step("plays the last seconds before a failure, and leads back", async () => {
+    const all = opened.card.getByText("All mazes that do not pass: 20");
+    await all.click();
+    const list = opened.card.getByRole("list", { name: "Mazes that do not pass" });
+    const last = list.getByRole("button").last();
+    const name = (await last.textContent()) ?? "";
+    expect(name).toMatch(/^Tree \d+ of seed 7$/);
+    await expectNoAxeViolations(page, "a check with failures");
+    await last.click();
+    await expect(corridor.mazeMenu).toHaveAccessibleName(`${name}, Maze menu`);
+    await expect(corridor.message(/bump at/)).toBeVisible();
+    await expect(corridor.bumps).toHaveText("1 bump");
+    await expect(opened.card).toBeHidden();
+    await page.getByRole("button", { name: "Back to the task" }).click();
+    await opened.expectTask(1);
+    // The result is still there: the next failure needs no second check.
+    await expect(all).toBeVisible();
+    await opened.card.getByRole("button", { name: "Watch" }).click();
+    await expect(corridor.bumps).toHaveText("1 bump");
+    await page.getByRole("button", { name: "Back to the task" }).click();
+    await opened.expectTask(1);
+  });
+
   await corridor.program.addLine("right >", "60", "delayed right 90");
   await corridor.program.addLine("front <", "50", "left 90");
   await check.click();
@@ -187,159 +252,127 @@ test("counts a task as solved only after a check in its unseen mazes", async ({
   await expect(opened.task(1)).toHaveAccessibleName("1 Every maze solved");
 });
 
-test("plays the last seconds before a failure in an unseen maze, and leads back", async ({
+test("stops a check at once, calls a missed goal the end of the time, and has a code for a drive by hand", async ({
   corridor,
   page,
 }) => {
-  const unseen = { kind: "tree", columns: 11, rows: 11, seed: 7, count: 50, pass: 45 } as const;
-  const checks = { bumps: 0, seconds: 900 };
   const opened = new Lesson(page);
-  await drop(page, { ...lesson, tasks: [taskOf("Every maze", { unseen, checks }), taskOf("Two")] });
-  await opened.expectTask(1);
-  await opened.card.getByRole("button", { name: "Check in all 51 mazes" }).click();
-  const all = opened.card.getByText(/^All mazes that do not pass: \d+$/);
-  await expect(all).toBeVisible();
-  await all.click();
-  const list = opened.card.getByRole("list", { name: "Mazes that do not pass" });
-  const last = list.getByRole("button").last();
-  const name = (await last.textContent()) ?? "";
-  expect(name).toMatch(/^Tree \d+ of seed 7$/);
-  await expectNoAxeViolations(page, "a check with failures");
-  await last.click();
-  await expect(corridor.mazeMenu).toHaveAccessibleName(`${name}, Maze menu`);
-  await expect(corridor.message(/bump at/)).toBeVisible();
-  await expect(corridor.bumps).toHaveText("1 bump");
-  await expect(opened.card).toBeHidden();
-  await page.getByRole("button", { name: "Back to the task" }).click();
-  await opened.expectTask(1);
-  // The result is still there: the next failure needs no second check.
-  await expect(all).toBeVisible();
-  await opened.card.getByRole("button", { name: "Watch" }).click();
-  await expect(corridor.bumps).toHaveText("1 bump");
-});
-
-test("stops a check at once, with the mazes so far", async ({ corridor, page }) => {
-  const unseen = { kind: "tree", columns: 33, rows: 33, seed: 7, count: 1_000, pass: 1 } as const;
-  const checks = { bumps: null, seconds: 3_600 };
-  const opened = new Lesson(page);
-  await drop(page, { ...lesson, tasks: [taskOf("Many", { unseen, checks }), taskOf("Two")] });
-  await opened.expectTask(1);
-  await corridor.program.addLine("front <", "50", "turn 180");
-  await opened.card.getByRole("button", { name: "Check in all 1,001 mazes" }).click();
-  await expect(opened.card.getByText(/^Checking [1-9]\d* of 1,001\.$/)).toBeVisible();
-  const stop = opened.card.getByRole("button", { name: "Stop" });
-  await stop.click();
-  await expect(opened.card).toContainText(/Stopped after \d+ of 1,001\./);
-  await expect(opened.card.getByRole("button", { name: /^Check in all/ })).toBeFocused();
-});
-
-test("calls a missed goal the end of the time, never wrong", async ({ corridor, page }) => {
-  const opened = new Lesson(page);
-  const checks = { bumps: 0, seconds: 2 };
-  await drop(page, { ...lesson, tasks: [taskOf("Slow", { checks, mazes: [straight, side] })] });
-  const card = new LessonsPanel(page).card;
-  await expect(card).toContainText("Solve Slow.");
-  await card.getByRole("button", { name: "Check in both mazes" }).click();
-  await expect(card.getByRole("note")).toHaveText(
-    "Maze 1: Goal not reached in 2 s. More time may be enough.",
-  );
-  await corridor.speed.selectOption("max");
-  await corridor.run.click();
-  await expect(card.getByRole("note")).toHaveText(
-    "Goal not reached in 2 s. More time may be enough.",
-  );
-  await expect(opened.card).toBeHidden();
-});
-
-test("hides the tools and the help that a task does not allow", async ({ corridor, page }) => {
-  const bare = { ...taskOf("").allowed, drivers: ["program", "remote"], tools: [], help: [] };
-  const opened = new Lesson(page);
-  await drop(page, {
-    ...lesson,
-    tasks: [{ ...taskOf("Bare"), mazes: [side], allowed: bare }, taskOf("All")],
+  await test.step("a check stops at once, with the mazes so far", async () => {
+    const unseen = { kind: "tree", columns: 33, rows: 33, seed: 7, count: 1_000, pass: 1 } as const;
+    const checks = { bumps: null, seconds: 3_600 };
+    await drop(page, { ...lesson, tasks: [taskOf("Many", { unseen, checks }), taskOf("Two")] });
+    await opened.expectTask(1);
+    await corridor.program.addLine("front <", "50", "turn 180");
+    await opened.card.getByRole("button", { name: "Check in all 1,001 mazes" }).click();
+    await expect(opened.card.getByText(/^Checking [1-9]\d* of 1,001\.$/)).toBeVisible();
+    const stop = opened.card.getByRole("button", { name: "Stop" });
+    await stop.click();
+    await expect(opened.card).toContainText(/Stopped after \d+ of 1,001\./);
+    await expect(opened.card.getByRole("button", { name: /^Check in all/ })).toBeFocused();
   });
-  await opened.expectTask(1);
-  const banner = page.getByRole("banner");
-  await expect(banner.getByRole("button", { name: "Presets" })).toBeHidden();
-  await expect(banner.getByRole("button", { name: "Share" })).toBeHidden();
-  await expect(page.getByRole("radio", { name: "Measure" })).toBeHidden();
-  await expect(page.getByRole("radio", { name: "Remote" })).toBeHidden();
-  await expect(corridor.speed).toBeHidden();
-  await expect(page.getByRole("slider")).toBeHidden();
-  await expect(opened.card.getByRole("button", { name: /hint/ })).toBeHidden();
-  await corridor.mazeMenu.click();
-  await expect(page.getByRole("button", { name: "Save maze", exact: true })).toBeHidden();
-  await page.keyboard.press("Escape");
-  await corridor.program.addLine("right >", "60", "right 90");
-  const line = page.getByRole("listitem", { name: /^Line 1/ });
-  await expect(line).toHaveAccessibleName("Line 1: if right is more than 60, right 90.");
-  await corridor.run.click();
-  await expect(opened.outcome).toHaveText(/^Bump at \d+\.\d s\./);
-  await expect(opened.outcome).not.toContainText("Line 1");
-  await expect(page.locator("#spoken")).not.toContainText(/line 1|true/i);
-  await opened.task(2).click();
-  await expect(banner.getByRole("button", { name: "Presets" })).toBeVisible();
-  await expect(corridor.speed).toBeVisible();
+
+  await test.step("a missed goal is the end of the time, never wrong", async () => {
+    const checks = { bumps: 0, seconds: 2 };
+    await drop(page, { ...lesson, tasks: [taskOf("Slow", { checks, mazes: [straight, side] })] });
+    const { card } = new LessonsPanel(page);
+    await expect(card).toContainText("Solve Slow.");
+    await card.getByRole("button", { name: "Check in both mazes" }).click();
+    await expect(card.getByRole("note")).toHaveText(
+      "Maze 1: Goal not reached in 2 s. More time may be enough.",
+    );
+    await corridor.speed.selectOption("16×");
+    await corridor.run.click();
+    await expect(card.getByRole("note")).toHaveText(
+      "Goal not reached in 2 s. More time may be enough.",
+    );
+    await expect(opened.card).toBeHidden();
+  });
+
+  await test.step("the completion code contains the commands of a drive by hand", async () => {
+    const allowed = { ...taskOf("").allowed, drivers: ["me"] as const };
+    await drop(page, { ...lesson, tasks: [{ ...taskOf("By hand"), allowed }] });
+    await expect(page.getByText("Solve By hand.")).toBeVisible();
+    await page.keyboard.down("w");
+    const code = page.getByRole("region", { name: "Completion code" });
+    await expect(code.getByRole("button", { name: "Copy code" })).toBeVisible();
+    await page.keyboard.up("w");
+    await corridor.waitForRobotToStop();
+    await expect(code.locator("code")).toHaveText(/^[\w-]{10,60}$/);
+  });
 });
 
-test("saves a lesson as it was opened, and one task as version 1", async ({ page, corridor }) => {
-  const opened = new Lesson(page);
-  const save = async (): Promise<unknown> => {
-    await corridor.mazeMenu.click();
-    const saving = page.waitForEvent("download");
-    await page.getByRole("button", { name: "Save lesson" }).click();
-    const file = await (await saving).path();
-    return JSON.parse(readFileSync(file, "utf8"));
-  };
-  await drop(page, lesson);
-  await opened.expectTask(1);
-  expect(await save()).toEqual(lesson);
-  const {
-    tasks: [task],
-  } = lesson;
-  const plain = { ...lesson, name: "", intro: "", language: null, tasks: [task] };
-  await drop(page, plain);
-  await expect(opened.card).toBeHidden();
-  expect(await save()).toMatchObject({ version: 1, name: "Straight on" });
-});
-
-test("refuses a bad lesson in one sentence each, leaves the open work alone, and shows hostile texts as texts", async ({
+test("hides what a task does not allow, refuses bad lessons, and shows hostile texts as texts", async ({
   corridor,
   page,
 }) => {
+  const opened = new Lesson(page);
   await corridor.program.deleteAllLines();
   await corridor.program.addLine("front <", "50", "turn 180");
-  const dialog = page.getByRole("dialog", { name: "This file cannot be opened" });
-  const bad: [unknown, string][] = [
-    [{ ...lesson, version: 3 }, "version 1 or 2, the newest that this Corridor reads"],
-    [{ ...lesson, tasks: Array.from({ length: 13 }, () => lesson.tasks[0]) }, "at most 12 tasks"],
-    [{ ...lesson, name: "<img src=x onerror=alert(1)>".repeat(9) }, "at most 100 characters"],
-    ['{"format":"corridor/challenge","version":2', "a JSON document"],
-  ];
-  for (const [document, expected] of bad) {
-    await drop(page, document);
-    await expect(dialog).toContainText(expected);
-    await expect(dialog).toContainText("Nothing changed.");
-    await page.keyboard.press("Escape");
-    await expect(dialog).toBeHidden();
-  }
-  await expect(corridor.program.number(1)).toHaveValue("50");
 
-  const opened = new Lesson(page);
-  // cspell:ignore متاهتان
-  await drop(page, {
-    ...lesson,
-    language: "ar",
-    name: "<b>‮متاهتان</b>",
-    intro: "{{seconds}} $t(card.label)",
+  await test.step("a bad lesson is refused in one sentence, and leaves the open work alone", async () => {
+    const dialog = page.getByRole("dialog", { name: "This file cannot be opened" });
+    const bad: [unknown, string][] = [
+      [{ ...lesson, version: 3 }, "version 1 or 2, the newest that this Corridor reads"],
+      [{ ...lesson, tasks: Array.from({ length: 13 }, () => lesson.tasks[0]) }, "at most 12 tasks"],
+      [{ ...lesson, name: "<img src=x onerror=alert(1)>".repeat(9) }, "at most 100 characters"],
+      ['{"format":"corridor/challenge","version":2', "a JSON document"],
+    ];
+    for (const [document, expected] of bad) {
+      await drop(page, document);
+      await expect(dialog).toContainText(expected);
+      await expect(dialog).toContainText("Nothing changed.");
+      await page.keyboard.press("Escape");
+      await expect(dialog).toBeHidden();
+    }
+    await expect(corridor.program.number(1)).toHaveValue("50");
   });
-  const name = opened.card.getByText("<b>‮متاهتان</b>");
-  await expect(name).toHaveAttribute("lang", "ar");
-  await expect(name).toHaveAttribute("dir", "rtl");
-  await expect(opened.card.getByText("{{seconds}} $t(card.label)")).toBeVisible();
+
+  await test.step("the texts of a lesson are texts, in its language", async () => {
+    // cspell:ignore متاهتان
+    await drop(page, {
+      ...lesson,
+      language: "ar",
+      name: "<b>‮متاهتان</b>",
+      intro: "{{seconds}} $t(card.label)",
+    });
+    const name = opened.card.getByText("<b>‮متاهتان</b>");
+    await expect(name).toHaveAttribute("lang", "ar");
+    await expect(name).toHaveAttribute("dir", "rtl");
+    await expect(opened.card.getByText("{{seconds}} $t(card.label)")).toBeVisible();
+  });
+
+  await test.step("tools and help that a task does not allow are hidden", async () => {
+    const bare = { ...taskOf("").allowed, drivers: ["program", "remote"], tools: [], help: [] };
+    await drop(page, {
+      ...lesson,
+      tasks: [{ ...taskOf("Bare"), mazes: [side], allowed: bare }, taskOf("All")],
+    });
+    await opened.expectTask(1);
+    const banner = page.getByRole("banner");
+    await expect(banner.getByRole("button", { name: "Presets" })).toBeHidden();
+    await expect(banner.getByRole("button", { name: "Share" })).toBeHidden();
+    await expect(page.getByRole("radio", { name: "Measure" })).toBeHidden();
+    await expect(page.getByRole("radio", { name: "Remote" })).toBeHidden();
+    await expect(corridor.speed).toBeHidden();
+    await expect(page.getByRole("slider")).toBeHidden();
+    await expect(opened.card.getByRole("button", { name: /hint/ })).toBeHidden();
+    await corridor.mazeMenu.click();
+    await expect(page.getByRole("button", { name: "Save maze", exact: true })).toBeHidden();
+    await page.keyboard.press("Escape");
+    await corridor.program.addLine("right >", "60", "right 90");
+    const line = page.getByRole("listitem", { name: /^Line 1/ });
+    await expect(line).toHaveAccessibleName("Line 1: if right is more than 60, right 90.");
+    await corridor.run.click();
+    await expect(opened.outcome).toHaveText(/^Bump at \d+\.\d s\./);
+    await expect(opened.outcome).not.toContainText("Line 1");
+    await expect(page.locator("#spoken")).not.toContainText(/line 1|true/i);
+    await opened.task(2).click();
+    await expect(banner.getByRole("button", { name: "Presets" })).toBeVisible();
+    await expect(corridor.speed).toBeVisible();
+  });
 });
 
-test("opens a lesson from a link, and shares it as a short link", async ({
+test("opens a lesson from a link, and shares it as a short link with a small phone", async ({
   corridor,
   openWindow,
   page,
@@ -365,75 +398,21 @@ test("opens a lesson from a link, and shares it as a short link", async ({
   await dialog.getByRole("button", { name: "Short link", exact: true }).click();
   await expect(field).toHaveValue(/\/m\/[A-Z]{4,6}$/);
 
-  const recipient = await openWindow(smallWindow);
+  const recipient = await openWindow({ viewport: { width: 320, height: 640 }, hasTouch: true });
   await recipient.open(await field.inputValue());
-  await new Lesson(recipient.page).expectTask(1);
+  const small = new Lesson(recipient.page);
+  await small.expectTask(1);
   expect(new URL(recipient.page.url()).pathname).toBe("/");
-});
 
-test("fits twelve tasks and their targets at 320 px", async ({ openWindow }) => {
-  const corridor = await openWindow({ viewport: { width: 320, height: 640 }, hasTouch: true });
-  await corridor.open();
-  const { page } = corridor;
-  const opened = new Lesson(page);
+  // Twelve tasks and their targets fit 320 px.
   const names = Array.from({ length: 12 }, (_, at) => taskOf(`A task with a long name ${at + 1}`));
-  await drop(page, { ...lesson, order: "in turn", tasks: names });
-  await opened.expectTask(1);
-  expect(await horizontalOverflow(page)).toEqual([]);
-  for (const button of await opened.tasks.getByRole("button").all()) {
+  await drop(recipient.page, { ...lesson, order: "in turn", tasks: names });
+  await expect(small.tasks.getByRole("button")).toHaveCount(12);
+  expect(await horizontalOverflow(recipient.page)).toEqual([]);
+  for (const button of await small.tasks.getByRole("button").all()) {
     const box = await button.boundingBox();
     expect(box?.height).toBeGreaterThanOrEqual(44);
     expect(box?.width).toBeGreaterThanOrEqual(44);
   }
-  await expectNoAxeViolations(page, "a lesson of twelve tasks");
-});
-
-test.describe("the completion code of a solved task", () => {
-  test("is copied for the teacher, shown as a QR code, and accepted on /teach", async ({
-    page,
-    corridor,
-    openWindow,
-  }) => {
-    await drop(page, lesson);
-    await new Lesson(page).expectTask(1);
-    await corridor.speed.selectOption("max");
-    await corridor.run.click();
-    const code = page.getByRole("region", { name: "Completion code" });
-    await expect(code).toContainText("not who wrote it, when, or with what help.");
-    await expectNoAxeViolations(page, "a completion code");
-    await code.getByRole("button", { name: "QR code" }).click();
-    await expect(code.locator("svg[viewBox]").last()).toBeVisible();
-    await code.getByRole("button", { name: "Copy code" }).click();
-    await expect(code.getByRole("status")).toHaveText(
-      "Completion code copied. It shows that this program passes, not who wrote it.",
-    );
-    const copied = await page.evaluate(() => navigator.clipboard.readText());
-    expect(copied).toMatch(/^[\w-]{10,40}$/);
-
-    const teacher = await openWindow(smallWindow);
-    const link = encodeLink({ lesson });
-    const teach = new TeachPage(teacher.page);
-    await teach.openHandIns(link.ok ? link.text : "");
-    await teach.lines.fill(copied);
-    await teacher.page.getByRole("button", { name: "Check 1" }).click();
-    await expect(teacher.page.getByRole("row").nth(1)).toContainText("1 of 1");
-
-    // An edited program has not passed yet.
-    await corridor.program.addLine("front <", "50", "left 90");
-    await expect(code).toBeHidden();
-  });
-
-  test("contains the commands of a drive by hand", async ({ page, corridor }) => {
-    const byHand = taskOf("By hand", {
-      allowed: { ...taskOf("").allowed, drivers: ["me"] },
-    });
-    await drop(page, { ...lesson, tasks: [byHand] });
-    await expect(page.getByText("Solve By hand.")).toBeVisible();
-    await page.keyboard.down("w");
-    const code = page.getByRole("region", { name: "Completion code" });
-    await expect(code.getByRole("button", { name: "Copy code" })).toBeVisible();
-    await page.keyboard.up("w");
-    await corridor.waitForRobotToStop();
-    await expect(code.locator("code")).toHaveText(/^[\w-]{10,60}$/);
-  });
+  await expectNoAxeViolations(recipient.page, "a lesson of twelve tasks");
 });

@@ -5,8 +5,11 @@ import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import type { CorridorPage } from "./pages/corridor-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
+import { smallWindow } from "./support/window-sizes.ts";
 import { RelayProxy } from "./support/relay-proxy.ts";
 import { openMoreSection } from "./support/remote-panel.ts";
+
+test.use(smallWindow);
 
 interface Addresses {
   drive: string;
@@ -70,14 +73,16 @@ async function expectSamePlace(owner: CorridorPage, viewer: Page): Promise<void>
     .toBe("the same");
 }
 
-test("shows the robot's place with any driver, and its maze as it changes", async ({
+test("shows the robot with any driver, and what happens to its page and to the link", async ({
   corridor,
   openWindow,
 }) => {
   const { drive, watch } = await copyAddresses(corridor);
-  const { page } = await openWindow();
+  const { page } = await openWindow({ ...smallWindow, colorScheme: "light" });
+  const requested: string[] = [];
+  page.on("request", (request) => requested.push(request.url()));
   await page.goto(watch);
-  const { banner, maze, status } = viewerPage(page);
+  const { banner, maze, status, place } = viewerPage(page);
   await expect(banner).toBeVisible();
   await expect(maze).toHaveText("Long way round");
   await expect(status).toContainText("The robot waits for a script.");
@@ -110,120 +115,79 @@ test("shows the robot's place with any driver, and its maze as it changes", asyn
   await page.keyboard.press("w");
   await expectSamePlace(corridor, page);
   await expect(page.getByRole("button", { name: "Run" })).toHaveCount(0);
+  await corridor.selectDriver("Remote");
+  await expect(status).toContainText("The robot waits for a script.");
+
+  await test.step("the key is not in the address, and the theme stays after a reload", async () => {
+    expect(page.url()).toBe(watch.replace(/#.*/, ""));
+    await page.getByRole("button", { name: "Theme" }).click();
+    await page.getByRole("radio", { name: "Dark" }).check({ force: true });
+    await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
+    await page.reload();
+    await expect(place).toBeVisible();
+    await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
+    expect(requested.filter((url) => url.replace(watch, "").includes("wch_"))).toEqual([]);
+    // The viewer's page starts no robot: its only worker paints.
+    expect(page.workers()).toHaveLength(1);
+    // axe needs both themes.
+    await page.getByRole("button", { name: "Theme" }).click();
+    await page.getByRole("radio", { name: "System" }).check({ force: true });
+    await page.keyboard.press("Escape");
+  });
+
+  await test.step("the page of the robot disconnects and reconnects", async () => {
+    await corridor.page.goto("about:blank");
+    await expect(status).toContainText("The robot’s page is closed or offline.");
+    await expectNoAxeViolations(page, "a viewer whose robot is disconnected");
+    await corridor.page.goBack();
+    await expect(status).toContainText("The robot waits for a script.");
+  });
+
+  await test.step("a revoked link ends at once, and a new one opens in the same tab", async () => {
+    const key = await ownerKey(corridor);
+    const created = await call(watch, "/keys", { key, body: { kind: "watch", replace: true } });
+    const { address } = (await created.json()) as { address: string };
+    const end = page.getByRole("alert");
+    await expect(end).toContainText("This watch link has ended");
+    await expect(banner).toHaveCount(0);
+    await expectNoAxeViolations(page, "a watch link that has ended");
+    await page.goto(address);
+    await expect(place).toBeVisible();
+  });
+
+  await test.step("the address of a script is explained, without its key and a robot", async () => {
+    await page.goto("about:blank");
+    await page.goto(drive);
+    const alert = page.getByRole("alert");
+    await expect(alert).toContainText("This address is for a script");
+    expect(page.url()).not.toContain("drv_");
+    expect(page.workers()).toHaveLength(0);
+    await expectNoAxeViolations(page, "a script's address in a browser");
+    await page.getByRole("link", { name: "How to write a script" }).click();
+    await expect(page).toHaveURL(/\/docs/);
+  });
 });
 
-test("removes the key from the address and continues after a reload", async ({
-  corridor,
-  openWindow,
-}) => {
-  const { watch } = await copyAddresses(corridor);
-  const { page } = await openWindow();
-  const requested: string[] = [];
-  page.on("request", (request) => requested.push(request.url()));
-  await page.goto(watch);
-  await expect(viewerPage(page).place).toBeVisible();
-  expect(page.url()).toBe(watch.replace(/#.*/, ""));
-  await page.reload();
-  await expect(viewerPage(page).place).toBeVisible();
-  expect(requested.filter((url) => url.replace(watch, "").includes("wch_"))).toEqual([]);
-  // The viewer's page starts no robot: its only worker paints.
-  expect(page.workers()).toHaveLength(1);
+test("explains what is wrong with a link, and leads to the start page", async ({ page }) => {
+  const id = "A".repeat(22);
+  for (const [end, message] of [
+    [id, "A part of this link is missing"],
+    [`${id}#wch_AAAA`, "A part of this link is missing"],
+    [`${id}#wch_${id}`, "This robot was deleted"],
+  ] as const) {
+    await page.goto("about:blank");
+    await page.goto(`/r/${end}`);
+    await expect(page.getByRole("alert"), end).toContainText(message);
+  }
   await page.getByRole("link", { name: "Open Corridor" }).click();
   await expect(page).toHaveURL(/\/$/);
 });
-
-test("stores the viewer's theme", async ({ corridor, openWindow }) => {
-  const { watch } = await copyAddresses(corridor);
-  const { page } = await openWindow({ colorScheme: "light" });
-  await page.goto(watch);
-  await expect(viewerPage(page).place).toBeVisible();
-  await page.getByRole("button", { name: "Theme" }).click();
-  await page.getByRole("radio", { name: "Dark" }).check({ force: true });
-  await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
-  await page.reload();
-  await expect(viewerPage(page).place).toBeVisible();
-  await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
-});
-
-test("reports when the robot's page disconnects and reconnects", async ({
-  corridor,
-  openWindow,
-}) => {
-  const { watch } = await copyAddresses(corridor);
-  const { page } = await openWindow();
-  await page.goto(watch);
-  const { status, place } = viewerPage(page);
-  await expect(place).toBeVisible();
-  await corridor.page.goto("about:blank");
-  await expect(status).toContainText("The robot’s page is closed or offline.");
-  await expectNoAxeViolations(page, "a viewer whose robot is disconnected");
-  await corridor.page.goBack();
-  await expect(status).toContainText("The robot waits for a script.");
-});
-
-test("reports a revoked link immediately, and opens the new one in the same tab", async ({
-  corridor,
-  openWindow,
-}) => {
-  const { watch } = await copyAddresses(corridor);
-  const { page } = await openWindow();
-  await page.goto(watch);
-  await expect(viewerPage(page).place).toBeVisible();
-  const key = await ownerKey(corridor);
-  const created = await call(watch, "/keys", { key, body: { kind: "watch", replace: true } });
-  const { address } = (await created.json()) as { address: string };
-  const end = page.getByRole("alert");
-  await expect(end).toContainText("This watch link has ended");
-  await expect(viewerPage(page).banner).toHaveCount(0);
-  await expectNoAxeViolations(page, "a watch link that has ended");
-  await page.goto(address);
-  await expect(viewerPage(page).place).toBeVisible();
-});
-
-test("explains a script's address, hides its key and starts no robot", async ({
-  corridor,
-  openWindow,
-}) => {
-  const { drive } = await copyAddresses(corridor);
-  const { page } = await openWindow();
-  await page.goto(drive);
-  const alert = page.getByRole("alert");
-  await expect(alert).toContainText("This address is for a script");
-  expect(page.url()).not.toContain("drv_");
-  expect(page.workers()).toHaveLength(0);
-  await expectNoAxeViolations(page, "a script's address in a browser");
-  await page.getByRole("link", { name: "How to write a script" }).click();
-  await expect(page).toHaveURL(/\/docs/);
-});
-
-for (const { name, end, message } of [
-  {
-    name: "of a deleted robot",
-    end: `${"A".repeat(22)}#wch_${"A".repeat(22)}`,
-    message: "This robot was deleted",
-  },
-  { name: "without a key", end: "A".repeat(22), message: "A part of this link is missing" },
-  {
-    name: "that is truncated",
-    end: `${"A".repeat(22)}#wch_AAAA`,
-    message: "A part of this link is missing",
-  },
-]) {
-  test(`explains what is wrong with a link ${name}, and links to the start page`, async ({
-    page,
-  }) => {
-    await page.goto(`/r/${end}`);
-    await expect(page.getByRole("alert")).toContainText(message);
-    await page.getByRole("link", { name: "Open Corridor" }).click();
-    await expect(page).toHaveURL(/\/$/);
-  });
-}
 
 test("shows the robot where WebSockets are blocked", async ({ corridor, browser, relay }) => {
   const { drive, watch } = await copyAddresses(corridor);
   const proxy = await RelayProxy.start(relay);
   // Not an openWindow fixture: the browser logs an error for the WebSocket that does not open.
-  const context = await browser.newContext();
+  const context = await browser.newContext(smallWindow);
   const page = await context.newPage();
   const paths: string[] = [];
   page.on("request", (request) => paths.push(new URL(request.url()).pathname));
