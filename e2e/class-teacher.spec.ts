@@ -2,20 +2,19 @@
 import { readFile } from "node:fs/promises";
 import { lessonMark, type LessonDocument } from "@corridor/challenge";
 import { encodeLink } from "@corridor/link";
-import type { BrowserContext, Locator, Page } from "playwright/test";
+import type { Locator, Page } from "playwright/test";
 import { shownCode } from "../apps/web/src/model/classes/shown-code.ts";
 import { answers } from "../apps/web/src/model/lessons/missions/testing/answers.ts";
 import { sampleLesson, sampleTask } from "../apps/web/src/model/lessons/testing/sample-lesson.ts";
 import { expect, test } from "./fixtures.ts";
-import { CorridorPage } from "./pages/corridor-page.ts";
+import { DashboardPage } from "./pages/dashboard-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
 import { ClassTeacher } from "./support/class-teacher.ts";
 import { horizontalOverflow, smallTouchTargets } from "./support/layout.ts";
 import { phone } from "./support/phone.ts";
 import { ScriptedStudent } from "./support/scripted-student.ts";
-import { smallWindow } from "./support/window-sizes.ts";
 
-const NAMES = ["Team 1", "Team 2", "Team 3", "Team 4"];
+const NAMES = ["Team 1", "Team 2", "Team 3", "Team 4", "Team 5"];
 const lesson: LessonDocument = {
   ...sampleLesson,
   name: "One line",
@@ -59,159 +58,150 @@ async function choose(page: Page, menu: string, item: string | RegExp): Promise<
   await page.getByRole("dialog").getByRole("button", { name: item }).click();
 }
 
-test("a teacher starts a class, and a student joins with the letters on the board", async ({
+test("a teacher starts a class, a student joins with its letters, and receives another lesson", async ({
   page,
-  openWindow,
+  relay,
 }) => {
+  const own = encodeLink({ lesson: { ...sampleLesson, name: "My own" } });
+  if (!own.ok) throw new Error(own.code);
+  await page.goto(`/teach#${own.text}`);
+  await expect(page.getByRole("heading", { name: "My own" })).toBeVisible();
   await page.goto("/teach");
   await page.getByRole("button", { name: "Start a class" }).click();
   const dialog = page.getByRole("dialog", { name: "Start a class" });
+  const warning = dialog.getByText("You have not solved this lesson yet.");
+  await expect(warning).toBeVisible();
+  await expectNoAxeViolations(page, "start a class with an unsolved lesson");
+  // The study of Corridor itself has solutions.
+  await dialog.getByRole("combobox", { name: "Lesson" }).selectOption("study");
+  await expect(warning).toHaveCount(0);
   await dialog.getByLabel("What you call this class").fill("8B Robotics");
   await dialog.getByRole("textbox", { name: "Number of students" }).fill("1");
-  await expectNoAxeViolations(page, "start a class");
   await dialog.getByRole("button", { name: "Start class" }).click();
-  const code = page.getByRole("region", { name: "Letters for the board" });
-  await expect(code).toContainText("No student has joined yet.");
+  const dashboard = new DashboardPage(page);
+  await expect(dashboard.code).toContainText("No student has joined yet.");
   // The key is not visible, and a reload still has it.
   expect(new URL(page.url()).hash).toBe("");
   await page.reload();
   await expect(page.getByRole("button", { name: "8B Robotics" })).toBeVisible();
   await expect(page.getByRole("heading", { name: "The 2013 study" })).toBeVisible();
-  const letters = await code.getByText(/^[B-Z]{3} [B-Z]{3}$/).textContent();
-  const { page: student } = await openWindow(smallWindow);
-  await student.goto("/join");
-  await student.getByRole("textbox", { name: "Letters on the board" }).fill(letters ?? "");
-  await student.getByRole("button", { name: "Join" }).click();
+  const student = await ScriptedStudent.join(relay, await dashboard.letters());
   await expect(cards(page)).toHaveCount(1);
   await expect(page.getByText("1 of 1 joined: locked.")).toBeVisible();
-  await student.getByRole("link", { name: "Start" }).click();
-  const corridor = new CorridorPage(student);
-  await corridor.waitUntilReady();
-  await student.getByRole("button", { name: "I need help" }).click();
+  student.show({});
+  student.askForHelp();
   await expect(cards(page)).toHaveAccessibleName(/Asked for help, Task 1/);
   // A closed tab loses no lesson.
   await page.goto("/teach");
   await page.getByRole("link", { name: "Open", exact: true }).click();
   await expect(cards(page)).toHaveCount(1);
   expect(new URL(page.url()).hash).toBe("");
+
+  await page.getByRole("button", { name: "Send a lesson" }).click();
+  const send = page.getByRole("dialog", { name: "Send a lesson" });
+  await send.getByRole("combobox").selectOption("My own");
+  await send.getByRole("button", { name: "Send", exact: true }).click();
+  await expect(send.getByText("The lesson is sent.")).toBeVisible();
+  expect(student.has("lesson")).toBe(true);
+  await send.getByRole("button", { name: "Close" }).click();
+  await expect(page.getByRole("heading", { name: "My own" })).toBeVisible();
+  await page.getByRole("combobox", { name: "Open tasks" }).selectOption("Tasks open to 2");
+  await expect.poll(() => student.received.at(-1)).toEqual({ type: "pace", to: 2 });
+  student.close();
 });
 
-test("a solution counts after the teacher's page has run it", async ({ page, relay }) => {
-  const teacher = await openDashboard(page, relay);
-  const honest = await ScriptedStudent.join(relay, teacher.code);
-  const cheat = await ScriptedStudent.join(relay, teacher.code);
-  for (const student of [honest, cheat]) student.report(opened);
-  honest.report(claim(solution));
-  cheat.show({ state: "solved" });
-  cheat.report(claim(wrong.attempt));
-  await expect(cardOf(page, honest)).toHaveAccessibleName(/, Solved, 0 minutes, 1 line,/);
-  await expect(cardOf(page, cheat)).toHaveAccessibleName(/, Reported solved, does not pass,/);
-  await expect(page.getByRole("region", { name: "Results" })).toContainText("1 of 2 students");
-  honest.close();
-  cheat.close();
-});
-
-test("students who need help come first, but no card moves under the focus", async ({
+test("a teacher sees who has solved, who works and who needs help, and directs the class", async ({
   page,
   relay,
 }) => {
   const teacher = await openDashboard(page, relay);
-  const calm = await ScriptedStudent.join(relay, teacher.code);
-  const stuck = await ScriptedStudent.join(relay, teacher.code);
-  const shy = await ScriptedStudent.join(relay, teacher.code);
-  for (const student of [calm, stuck, shy]) student.report(opened);
-  await expect(cards(page)).toHaveCount(3);
-  for (let attempt = 0; attempt < 4; attempt++) stuck.bump(0);
-  await expect(cardOf(page, stuck)).toHaveAccessibleName(/, Stuck, 0 minutes, 4 attempts$/);
-  await expect(cards(page).first()).toHaveAccessibleName(/Stuck/);
-  await cardOf(page, calm).focus();
-  shy.askForHelp();
-  await expect(page.getByText("2 need help now.")).toBeVisible();
-  await expect(cards(page).first()).toHaveAccessibleName(/Stuck/);
-  await page.getByRole("button", { name: "Sort" }).click();
-  await expect(cards(page).first()).toHaveAccessibleName(/Asked for help/);
-  // N moves to the next student who needs help.
-  await page.getByRole("heading", { name: "One line" }).click();
-  await page.keyboard.press("n");
-  await expect(cardOf(page, shy)).toBeFocused();
-  await page.keyboard.press("n");
-  await expect(cardOf(page, stuck)).toBeFocused();
-  await page.getByRole("radio", { name: "Needs help 2" }).check({ force: true });
-  await expect(cards(page)).toHaveCount(2);
-  await expectNoAxeViolations(page, "dashboard");
-  for (const student of [calm, stuck, shy]) student.close();
-});
+  const join = async (): Promise<ScriptedStudent> => ScriptedStudent.join(relay, teacher.code);
 
-test("a pause, the lock, new letters and a removal reach the students", async ({ page, relay }) => {
-  const teacher = await openDashboard(page, relay);
-  const student = await ScriptedStudent.join(relay, teacher.code);
-  await expect(cards(page)).toHaveCount(1);
-  await page.getByRole("button", { name: "Pause everyone" }).click();
-  const minutesLeft = (): number | null => {
-    const newest = student.received.at(-1);
-    return newest?.type === "pause" ? Math.ceil((newest.endsInMs ?? 0) / 60_000) : null;
-  };
-  await expect.poll(minutesLeft).toBe(5);
-  await choose(page, "How long to pause", "10 minutes");
-  await expect.poll(minutesLeft).toBe(10);
-  await page.getByRole("button", { name: "End the pause" }).click();
-  await expect.poll(() => student.received.at(-1)).toEqual({ type: "pause", endsInMs: null });
-  await choose(page, "Who can join", "Lock the class");
-  await expect(page.getByText("locked", { exact: true })).toBeVisible();
-  expect((await teacher.read()).settings.locked).toBe(true);
-  await choose(page, "Who can join", /^New letters/);
-  await expect.poll(async () => (await teacher.read()).settings.code).not.toBe(teacher.code);
-  await cardOf(page, student).click();
-  const sheet = page.getByRole("complementary");
-  await expect.poll(() => student.has("watched")).toBe(true);
-  // The teacher reads the hint before the student does.
-  await expect(sheet.getByText("Hint 1 Look at front.")).toBeVisible();
-  await sheet.getByRole("button", { name: "Show hint 1" }).click();
-  await expect.poll(() => student.received.at(-1)).toEqual({ type: "hint", task: 1, hint: 1 });
-  await sheet.getByRole("button", { name: "Return code" }).click();
-  await expect(sheet.getByText(/^[B-Z]{3} [B-Z]{3}$/)).toBeVisible();
-  await expectNoAxeViolations(page, "watched student");
-  await page.keyboard.press("Escape");
-  await expect(cardOf(page, student)).toBeFocused();
-  await cardOf(page, student).click();
-  await sheet.getByRole("button", { name: "Remove" }).click();
-  await sheet.getByRole("button", { name: "Remove" }).last().click();
-  await expect(cards(page)).toHaveCount(0);
-  student.close();
-});
+  const [honest, cheat] = [await join(), await join()];
+  await test.step("a solution counts after the teacher's page has run it", async () => {
+    for (const student of [honest, cheat]) student.report(opened);
+    honest.report(claim(solution));
+    cheat.show({ state: "solved" });
+    cheat.report(claim(wrong.attempt));
+    await expect(cardOf(page, honest)).toHaveAccessibleName(/, Solved, 0 minutes, 1 line,/);
+    await expect(cardOf(page, cheat)).toHaveAccessibleName(/, Reported solved, does not pass,/);
+    await expect(page.getByRole("region", { name: "Results" })).toContainText("1 of 2 students");
+  });
 
-test("the teacher reads the newest program of a student", async ({ page, relay }) => {
-  const teacher = await openDashboard(page, relay);
-  const student = await ScriptedStudent.join(relay, teacher.code);
-  student.report(opened);
-  if (!("rules" in solution)) throw new Error("not a program");
-  const link = encodeLink({ program: solution });
-  student.write(link.ok ? link.text : "");
-  student.show({ state: "driving", line: 0 });
-  await expect(cardOf(page, student)).toHaveAccessibleName(/, Driving, 0 minutes, 1 line,/);
-  await cardOf(page, student).click();
-  const program = page.getByRole("list", { name: "Program" });
-  await expect(program.getByRole("listitem").first()).toContainText("if front < 50");
-  student.close();
-});
+  const [driver, stuck, shy] = [await join(), await join(), await join()];
+  await test.step("a student who drives, and the newest program", async () => {
+    for (const student of [driver, stuck, shy]) student.report(opened);
+    await expect(cards(page)).toHaveCount(5);
+    if (!("rules" in solution)) throw new Error("not a program");
+    const link = encodeLink({ program: solution });
+    driver.write(link.ok ? link.text : "");
+    driver.show({ state: "driving", line: 0 });
+    await expect(cardOf(page, driver)).toHaveAccessibleName(/, Driving, \d+ minutes?, 1 line,/);
+  });
 
-test("a lesson of the device is sent to the class", async ({ page, relay }) => {
-  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
-  await page.goto("/teach#make");
-  await page.getByRole("button", { name: /^The 2013 study/ }).click();
-  await expect(page.getByRole("heading", { name: "The 2013 study" })).toBeVisible();
-  await page.goto(`/class/${teacher.created.id}#${teacher.created.teacherKey}`);
-  const student = await ScriptedStudent.join(relay, teacher.code);
-  await page.getByRole("button", { name: "Send a lesson" }).click();
-  const dialog = page.getByRole("dialog", { name: "Send a lesson" });
-  await dialog.getByRole("button", { name: "Send", exact: true }).click();
-  await expect(dialog.getByText("The lesson is sent.")).toBeVisible();
-  expect(student.has("lesson")).toBe(true);
-  await dialog.getByRole("button", { name: "Close" }).click();
-  await expect(page.getByRole("heading", { name: "The 2013 study" })).toBeVisible();
-  await page.getByRole("combobox", { name: "Open tasks" }).selectOption("Tasks open to 2");
-  await expect.poll(() => student.received.at(-1)).toEqual({ type: "pace", to: 2 });
-  student.close();
+  await test.step("who needs help comes first, but no card moves under the focus", async () => {
+    for (let attempt = 0; attempt < 4; attempt++) stuck.bump(0);
+    await expect(cardOf(page, stuck)).toHaveAccessibleName(/, Stuck, \d+ minutes?, 4 attempts$/);
+    await expect(cards(page).first()).toHaveAccessibleName(/Stuck/);
+    await cardOf(page, driver).focus();
+    shy.askForHelp();
+    await expect(page.getByText("2 need help now.")).toBeVisible();
+    await expect(cards(page).first()).toHaveAccessibleName(/Stuck/);
+    await page.getByRole("button", { name: "Sort" }).click();
+    await expect(cards(page).first()).toHaveAccessibleName(/Asked for help/);
+    // N moves to the next student who needs help.
+    await page.getByRole("heading", { name: "One line" }).click();
+    await page.keyboard.press("n");
+    await expect(cardOf(page, shy)).toBeFocused();
+    await page.keyboard.press("n");
+    await expect(cardOf(page, stuck)).toBeFocused();
+    await page.getByRole("radio", { name: "Needs help 2" }).check({ force: true });
+    await expect(cards(page)).toHaveCount(2);
+    await expectNoAxeViolations(page, "dashboard");
+    await page.getByRole("radio", { name: /^All/ }).check({ force: true });
+    await expect(cards(page)).toHaveCount(5);
+  });
+
+  await test.step("a pause, the lock and new letters reach the students", async () => {
+    await page.getByRole("button", { name: "Pause everyone" }).click();
+    const minutesLeft = (): number | null => {
+      const newest = driver.received.at(-1);
+      return newest?.type === "pause" ? Math.ceil((newest.endsInMs ?? 0) / 60_000) : null;
+    };
+    await expect.poll(minutesLeft).toBe(5);
+    await choose(page, "How long to pause", "10 minutes");
+    await expect.poll(minutesLeft).toBe(10);
+    await page.getByRole("button", { name: "End the pause" }).click();
+    await expect.poll(() => driver.received.at(-1)).toEqual({ type: "pause", endsInMs: null });
+    await choose(page, "Who can join", "Lock the class");
+    await expect(page.getByText("locked", { exact: true })).toBeVisible();
+    expect((await teacher.read()).settings.locked).toBe(true);
+    await choose(page, "Who can join", /^New letters/);
+    await expect.poll(async () => (await teacher.read()).settings.code).not.toBe(teacher.code);
+  });
+
+  await test.step("a hint, a return code and a removal reach one student", async () => {
+    await cardOf(page, driver).click();
+    const sheet = page.getByRole("complementary");
+    await expect.poll(() => driver.has("watched")).toBe(true);
+    const program = page.getByRole("list", { name: "Program" });
+    await expect(program.getByRole("listitem").first()).toContainText("if front < 50");
+    // The teacher reads the hint before the student does.
+    await expect(sheet.getByText("Hint 1 Look at front.")).toBeVisible();
+    await sheet.getByRole("button", { name: "Show hint 1" }).click();
+    await expect.poll(() => driver.received.at(-1)).toEqual({ type: "hint", task: 1, hint: 1 });
+    await sheet.getByRole("button", { name: "Return code" }).click();
+    await expect(sheet.getByText(/^[B-Z]{3} [B-Z]{3}$/)).toBeVisible();
+    await expectNoAxeViolations(page, "watched student");
+    await page.keyboard.press("Escape");
+    await expect(cardOf(page, driver)).toBeFocused();
+    await cardOf(page, driver).click();
+    await sheet.getByRole("button", { name: "Remove" }).click();
+    await sheet.getByRole("button", { name: "Remove" }).last().click();
+    await expect(cardOf(page, driver)).toHaveCount(0);
+    await expect(cards(page)).toHaveCount(4);
+  });
+  for (const student of [honest, cheat, driver, stuck, shy]) student.close();
 });
 
 test("a big screen shows the code and the results, and no name", async ({
@@ -244,28 +234,21 @@ test("a big screen shows the code and the results, and no name", async ({
     return texts.filter((each) => Number.parseFloat(getComputedStyle(each).fontSize) < 28).length;
   });
   expect(small).toBe(0);
+  // A screen of another version than the dashboard says what to do.
+  const old = await screen.context().newPage();
+  await old.routeWebSocket(/\/socket$/, (client) => {
+    const server = client.connectToServer();
+    server.onMessage((message) => client.send(String(message).replace('"racers"', '"robots"')));
+  });
+  await old.goto(`${relay}/class/${teacher.created.id}#${teacher.created.screenKey}`);
+  await expect(old.getByRole("alert")).toHaveText(/^This page cannot show the results\. Reload/);
+  await expect(old.getByText(letters)).toBeVisible();
+  await old.close();
+
   await teacher.direct("DELETE");
   await expect(screen.getByText("The lesson is over")).toBeVisible();
   solver.close();
   driver.close();
-});
-
-test("a big screen of another version than the dashboard says what to do", async ({
-  page,
-  relay,
-  openWindow,
-}) => {
-  const teacher = await openDashboard(page, relay);
-  const { page: screen } = await openWindow({ viewport: { width: 1920, height: 1080 } });
-  await screen.routeWebSocket(/\/socket$/, (client) => {
-    const server = client.connectToServer();
-    server.onMessage((message) => client.send(String(message).replace('"racers"', '"robots"')));
-  });
-  await screen.goto(`${relay}/class/${teacher.created.id}#${teacher.created.screenKey}`);
-  await expect(screen.getByRole("alert")).toHaveText(/^This page cannot show the results\. Reload/);
-  await expect(
-    screen.getByText(`${teacher.code.slice(0, 3)} ${teacher.code.slice(3)}`),
-  ).toBeVisible();
 });
 
 test("verified programs race in one maze, on the dashboard and the big screen, without names", async ({
@@ -300,10 +283,29 @@ test("verified programs race in one maze, on the dashboard and the big screen, w
   for (const student of students) student.close();
 });
 
-test("the lesson ends with a report, and then nothing is left", async ({ page, relay }) => {
+test("the report opens during the lesson, which ends with one, and then nothing is left", async ({
+  page,
+  relay,
+}) => {
   const teacher = await openDashboard(page, relay);
-  const student = await ScriptedStudent.join(relay, teacher.code);
-  const absent = await ScriptedStudent.join(relay, teacher.code);
+  const foot = page.getByRole("main").getByRole("button", { name: "Report" });
+  await expect(page.getByRole("main").getByRole("button", { name: "End lesson" })).toBeVisible();
+  await expect(foot).toHaveCount(0);
+  const joinAndOpenReport = async (): Promise<ScriptedStudent> => {
+    const student = await ScriptedStudent.join(relay, teacher.code);
+    await expect(cardOf(page, student)).toBeVisible();
+    const opening = page.context().waitForEvent("page");
+    await foot.click();
+    const report = await opening;
+    await expect(report.getByRole("row", { name: nameOf(student) })).toBeVisible();
+    await report.goto("/teach#report");
+    // The next report replaces the one before it.
+    await expect(report.getByRole("link", { name: /^Open the report/ })).toHaveCount(1);
+    await report.close();
+    return student;
+  };
+  const student = await joinAndOpenReport();
+  const absent = await joinAndOpenReport();
   student.report(opened);
   student.bump(0);
   student.report(claim(solution));
@@ -332,36 +334,19 @@ test("the lesson ends with a report, and then nothing is left", async ({ page, r
   await expect(page.getByRole("heading", { name: "One line" })).toBeVisible();
   await expect(page.getByText(`Letters: ${shownCode(teacher.code)}`)).toBeVisible();
   await page.goto("/teach#report");
-  await page.getByRole("button", { name: /^Delete the report/ }).click();
-  await expect(page.getByRole("link", { name: /^Open the report/ })).toHaveCount(0);
+  // Newest first, and then the one that was opened during the lesson.
+  const reports = page.getByRole("link", { name: /^Open the report/ });
+  await expect(reports).toHaveCount(2);
+  await page
+    .getByRole("button", { name: /^Delete the report/ })
+    .first()
+    .click();
+  await expect(reports).toHaveCount(1);
   await page.getByRole("button", { name: "Undo" }).click();
-  await page.getByRole("link", { name: /^Open the report/ }).click();
+  await expect(reports).toHaveCount(2);
+  await reports.first().click();
   await expect(page.getByRole("row", { name: /^One line 1 of 2/ })).toHaveCount(2);
   for (const each of [student, absent]) each.close();
-});
-
-test("the report opens during the lesson, and the next one replaces it", async ({
-  page,
-  relay,
-}) => {
-  const teacher = await openDashboard(page, relay);
-  const foot = page.getByRole("main").getByRole("button", { name: "Report" });
-  await expect(page.getByRole("main").getByRole("button", { name: "End lesson" })).toBeVisible();
-  await expect(foot).toHaveCount(0);
-  const students: ScriptedStudent[] = [];
-  while (students.length < 2) {
-    const student = await ScriptedStudent.join(relay, teacher.code);
-    students.push(student);
-    await expect(cardOf(page, student)).toBeVisible();
-    const opened = page.context().waitForEvent("page");
-    await foot.click();
-    const report = await opened;
-    await expect(report.getByRole("row", { name: nameOf(student) })).toBeVisible();
-    await report.goto("/teach#report");
-    await expect(report.getByRole("link", { name: /^Open the report/ })).toHaveCount(1);
-    await report.close();
-  }
-  for (const student of students) student.close();
 });
 
 test("a lesson that ended without a saved report still leads to it", async ({ page, relay }) => {
@@ -378,52 +363,46 @@ test("a lesson that ended without a saved report still leads to it", async ({ pa
   student.close();
 });
 
-test("a second device of the teacher opens the big screen, too", async ({ openWindow, relay }) => {
-  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
-  const { id, teacherKey, screenKey } = teacher.created;
-  const { page } = await openWindow();
-  await page.goto(`${relay}/class/${id}#${teacherKey}.${screenKey}`);
-  const screen = page.getByRole("link", { name: "Big screen" });
-  await expect(screen).toHaveAttribute("href", `${relay}/class/${id}#${screenKey}`);
-  expect(new URL(page.url()).hash).toBe("");
-  // A device that has only the teacher's key says where the button is.
-  const { page: other } = await openWindow();
-  await other.goto(`${relay}/class/${id}#${teacherKey}`);
-  await other.getByRole("button", { name: "More" }).click();
-  const item = other.getByRole("dialog").getByRole("button", { name: /^Big screen/ });
-  await expect(item).toBeDisabled();
-  await expect(item).toContainText("on the device that started the class");
-});
-
-test("a second tab without the key shows what to do", async ({ page, relay }) => {
-  const teacher = await ClassTeacher.start(relay);
-  await page.goto(`/class/${teacher.created.id}`);
-  await expect(page.getByRole("heading", { name: "This link does not work" })).toBeVisible();
-});
-
-test("the key of another class opens nothing, and does not replace the right one", async ({
+test("links of the dashboard: with the keys, without one, and with that of another class", async ({
   page,
   pageErrors,
   relay,
 }) => {
   pageErrors.ignoreFailedRequests();
-  const teacher = await openDashboard(page, relay);
+  const teacher = await ClassTeacher.start(relay, NAMES, lesson);
+  const { id, teacherKey, screenKey } = teacher.created;
+  const open = async (keys: string): Promise<void> => {
+    // Only another document reads the keys.
+    await page.goto("about:blank");
+    await page.goto(`/class/${id}${keys}`);
+  };
+  const refused = page.getByRole("heading", { name: "This link does not work" });
+  await open("");
+  await expect(refused).toBeVisible();
+  // A device that has only the teacher's key says where the button of the big screen is.
+  await open(`#${teacherKey}`);
+  await page.getByRole("button", { name: "More" }).click();
+  const item = page.getByRole("dialog").getByRole("button", { name: /^Big screen/ });
+  await expect(item).toBeDisabled();
+  await expect(item).toContainText("on the device that started the class");
+  // The key of another class opens nothing, and does not replace the right one.
   const other = await ClassTeacher.start(relay);
-  await page.goto(`/class/${teacher.created.id}#${other.created.teacherKey}`);
-  await expect(page.getByRole("heading", { name: "This link does not work" })).toBeVisible();
+  await open(`#${other.created.teacherKey}`);
+  await expect(refused).toBeVisible();
   await expect(page.getByText("Open the class from the device that started it.")).toBeVisible();
   await page.reload();
   await expect(page.getByRole("heading", { name: "One line" })).toBeVisible();
+  // A second device of the teacher opens the big screen, too.
+  await open(`#${teacherKey}.${screenKey}`);
+  const screen = page.getByRole("link", { name: "Big screen" });
+  await expect(screen).toHaveAttribute("href", `${relay}/class/${id}#${screenKey}`);
+  expect(new URL(page.url()).hash).toBe("");
 });
-
-async function openOnPhone(context: BrowserContext, relay: string) {
-  const page = await context.newPage();
-  return { page, teacher: await openDashboard(page, relay) };
-}
 
 test("the dashboard fits a phone", async ({ browser, relay }) => {
   const context = await browser.newContext({ ...phone, baseURL: relay });
-  const { page, teacher } = await openOnPhone(context, relay);
+  const page = await context.newPage();
+  const teacher = await openDashboard(page, relay);
   const student = await ScriptedStudent.join(relay, teacher.code);
   await expect(cards(page)).toHaveCount(1);
   expect(await horizontalOverflow(page)).toEqual([]);
