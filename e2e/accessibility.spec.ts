@@ -31,20 +31,10 @@ test("has no axe violations in the program, while it runs and when it bumps", as
   await expectNoAxeViolations(page, "running into a block");
 });
 
-test("has no axe violations in Me and in Remote, waiting and off", async ({ corridor, page }) => {
-  await corridor.selectDriver("Me");
-  await expectNoAxeViolations(page, "Me");
-  await corridor.selectDriver("Remote");
-  await expect(corridor.connectionStatus).toHaveText("Waiting for a script");
-  await expectNoAxeViolations(page, "Remote, waiting");
-  await openMoreSection(page);
-  await expectNoAxeViolations(page, "Remote, more");
-  await page.getByRole("button", { name: "Disconnect" }).click();
-  await expect(corridor.connectionStatus).toHaveText("Off");
-  await expectNoAxeViolations(page, "Remote, off");
-});
-
-test("has no axe violations in the dialogs", async ({ corridor, page }) => {
+test("has no axe violations in dialogs, menus, presets and messages", async ({
+  corridor,
+  page,
+}) => {
   await corridor.share.click();
   await expectNoAxeViolations(page, "share");
   await page.keyboard.press("Escape");
@@ -57,9 +47,7 @@ test("has no axe violations in the dialogs", async ({ corridor, page }) => {
   await corridor.maze.button("Resize").click();
   await corridor.dialog("Resize the maze").getByRole("textbox", { name: "Rows" }).fill("0");
   await expectNoAxeViolations(page, "resize");
-});
-
-test("has no axe violations in the menus", async ({ corridor, page }) => {
+  await page.keyboard.press("Escape");
   for (const menu of ["View", "Show an algorithm", "Theme"]) {
     await page.getByRole("button", { name: menu, exact: true }).click();
     await expect(corridor.dialog(menu)).toBeVisible();
@@ -67,12 +55,6 @@ test("has no axe violations in the menus", async ({ corridor, page }) => {
     await page.keyboard.press("Escape");
     await expect(corridor.dialog(menu)).toBeHidden();
   }
-});
-
-test("has no axe violations in the presets, the maze menu and messages", async ({
-  corridor,
-  page,
-}) => {
   await page.getByRole("button", { name: "Presets", exact: true }).click();
   await expect(corridor.dialog("Presets")).toBeVisible();
   await expectNoAxeViolations(page, "presets");
@@ -94,7 +76,7 @@ test("has no axe violations in the past, at a bump, at the goal, with advice and
   await corridor.program.action(2).selectOption("delayed left 90");
   await expect(corridor.announcement).toContainText("Advice for line 2");
   await expectNoAxeViolations(page, "advice");
-  await corridor.speed.selectOption("4×");
+  await corridor.speed.selectOption("max");
   await corridor.run.click();
   await expect(page.getByRole("region", { name: "Bump: look at line 2" })).toBeVisible();
   await expectNoAxeViolations(page, "bump card");
@@ -107,17 +89,27 @@ test("has no axe violations in the past, at a bump, at the goal, with advice and
   await corridor.timeline.backToNow.click();
   await corridor.program.action(2).selectOption("left 90");
   await corridor.reset.click();
-  await corridor.speed.selectOption("max");
   await corridor.run.click();
   await expect(page.getByRole("region", { name: "Solved!" })).toBeVisible();
   await expectNoAxeViolations(page, "solved card");
 });
 
-test("has no axe violations in a mission, while measuring, among random mazes and pictures", async ({
+test("has no axe violations in Me and Remote, in a mission, while measuring, among random mazes and pictures", async ({
   corridor,
   page,
 }) => {
   test.slow();
+  await corridor.selectDriver("Me");
+  await expectNoAxeViolations(page, "Me");
+  await corridor.selectDriver("Remote");
+  await expect(corridor.connectionStatus).toHaveText("Waiting for a script");
+  await expectNoAxeViolations(page, "Remote, waiting");
+  await openMoreSection(page);
+  await expectNoAxeViolations(page, "Remote, more");
+  await page.getByRole("button", { name: "Disconnect" }).click();
+  await expect(corridor.connectionStatus).toHaveText("Off");
+  await expectNoAxeViolations(page, "Remote, off");
+  await corridor.selectDriver("Program");
   const lessons = new LessonsPanel(page);
   await lessons.openPath();
   await expectNoAxeViolations(page, "lessons");
