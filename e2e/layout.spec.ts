@@ -1,10 +1,12 @@
 /**
  * Layout: controls are not covered, not pushed out of their row, and not moved.
  */
-import type { Locator } from "playwright/test";
+import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
+import { clearStorageOnLoad } from "./support/clear-storage.ts";
 import { Texts } from "./support/texts.ts";
+import { waitForAnimations } from "./support/wait-for-animations.ts";
 
 async function boxOf(part: Locator): Promise<DOMRect> {
   return part.evaluate((element) => {
@@ -15,75 +17,116 @@ async function boxOf(part: Locator): Promise<DOMRect> {
   });
 }
 
-for (const [width, height] of [
-  [1440, 900],
-  [1024, 768],
-] as const) {
-  for (const lang of ["en", "de", "fr", "ar"]) {
-    test(`does not cover scale and robot pose with the past bar at ${width} x ${height}, in ${lang}`, async ({
-      openWindow,
-    }) => {
-      const { page } = await openWindow({ viewport: { width, height } });
-      const texts = Texts.load(lang);
-      const button = (path: string): Locator =>
-        page.getByRole("button", { name: texts.t(path), exact: true });
-      await page.goto(`/?lang=${lang}`);
-      await button("shell.run.run").click();
-      const slider = page.getByRole("slider", { name: texts.t("timeline.name") });
-      await expect(page.locator("section[data-view]")).not.toContainText(/0:00[.,]0/);
-      await button("shell.run.pause").click();
-      await slider.press("ArrowLeft");
-      await expect(button("timeline.backToNow")).toBeVisible();
+const desktops = [
+  { width: 1440, height: 900 },
+  { width: 1024, height: 768 },
+];
+
+test("shows comparisons in one row, and does not cover scale and robot pose with the past bar, in English, German, French and Arabic", async ({
+  openWindow,
+}) => {
+  const { page } = await openWindow();
+  await clearStorageOnLoad(page);
+  for (const { lang, inOneRow } of [
+    { lang: "en", inOneRow: desktops },
+    // A narrow line in German has two rows.
+    { lang: "de", inOneRow: desktops.slice(0, 1) },
+    { lang: "fr", inOneRow: [] },
+    { lang: "ar", inOneRow: desktops },
+  ]) {
+    const texts = Texts.load(lang);
+    const button = (path: string): Locator =>
+      page.getByRole("button", { name: texts.t(path), exact: true });
+    await page.goto(`/?lang=${lang}`);
+    await page.getByRole("grid").waitFor();
+    for (const size of inOneRow) {
+      await page.setViewportSize(size);
+      await expectComparisonsInOneRow(page, `${lang}, ${size.width} px`);
+    }
+    await page.getByRole("combobox", { name: texts.t("shell.run.speed") }).selectOption("max");
+    await button("shell.run.step").click();
+    await button("timeline.stepBack").waitFor();
+    const slider = page.getByRole("slider", { name: texts.t("timeline.name") });
+    await slider.press("Home");
+    await expect(button("timeline.backToNow")).toBeVisible();
+    for (const size of desktops.toReversed()) {
+      await page.setViewportSize(size);
+      await waitForAnimations(page);
+      const state = `${lang}, ${size.width} px`;
       const pastBar = page.getByRole("group", { name: texts.t("timeline.pastNote") });
       const bar = await pastBar.evaluate((element) => element.getBoundingClientRect().toJSON());
       const scale = await boxOf(page.locator("main svg:has(text)", { hasText: /00/ }));
       // "Robot at {{x}}, {{y}}", up to the first number.
       const [robotAt = ""] = texts.t("stage.robotAt", { x: "|" }).split(/[\u2068|]/);
       const pose = await boxOf(page.locator("main").getByText(robotAt));
-      expect(scale.right).toBeLessThan(bar.left);
-      expect(bar.right).toBeLessThan(pose.left);
+      expect(scale.right, state).toBeLessThan(bar.left);
+      expect(bar.right, state).toBeLessThan(pose.left);
       // The pose is beside the button that describes the robot, in either text direction.
       const describe = await button("speech.describe.button").boundingBox();
-      expect(Math.abs((describe?.x ?? 0) - pose.right)).toBeLessThan(16);
-    });
+      expect(Math.abs((describe?.x ?? 0) - pose.right), state).toBeLessThan(16);
+    }
   }
+});
 
-  for (const [delay, milliseconds] of [
-    ["without delay", 0],
-    ["700 ms late", 700],
-  ] as const) {
-    test(`does not shift the panel while the page opens at ${width} x ${height} and its simulator loads ${delay}`, async ({
-      openWindow,
-    }) => {
-      const { page } = await openWindow({ viewport: { width, height } });
-      await page.route(/simulator\.worker/, async (route) => {
-        await new Promise((resolve) => setTimeout(resolve, milliseconds));
-        await route.continue();
-      });
-      await page.addInitScript(() => {
-        const moved: string[] = [];
-        Reflect.set(window, "moved", moved);
-        new PerformanceObserver((list) => {
-          for (const entry of list.getEntries()) {
-            const sources: unknown = Reflect.get(entry, "sources");
-            if (!Array.isArray(sources)) continue;
-            for (const { node } of sources as { node: Node | null }[]) {
-              if (node instanceof Element && node.closest("aside")) moved.push(node.outerHTML);
-            }
-          }
-        }).observe({ type: "layout-shift", buffered: true });
-      });
+/** The two lines of the first program compare a sensor with a number. */
+async function expectComparisonsInOneRow(page: Page, state: string): Promise<void> {
+  for (const line of [0, 1]) {
+    const sides = page.getByRole("list").getByRole("listitem").nth(line).locator("[data-is]");
+    await expect(sides).toHaveAttribute("data-is", "false");
+    const tops = await sides.evaluate((truth) => {
+      const texts = document.createTreeWalker(truth, NodeFilter.SHOW_TEXT);
+      const found: number[] = [];
+      for (let node = texts.nextNode(); node !== null; node = texts.nextNode()) {
+        const range = document.createRange();
+        range.selectNodeContents(node);
+        if (/\d/.test(node.textContent ?? "")) found.push(range.getBoundingClientRect().top);
+      }
+      return found;
+    });
+    expect(tops, state).toHaveLength(2);
+    expect(Math.abs((tops[0] ?? 0) - (tops[1] ?? 9)), state).toBeLessThan(2);
+  }
+}
+
+test("does not shift the panel while the page opens, also if its simulator loads late", async ({
+  openWindow,
+}) => {
+  const { page } = await openWindow();
+  await clearStorageOnLoad(page);
+  let delay = 0;
+  await page.route(/simulator\.worker/, async (route) => {
+    await new Promise((resolve) => setTimeout(resolve, delay));
+    await route.continue();
+  });
+  await page.addInitScript(() => {
+    const moved: string[] = [];
+    Reflect.set(window, "moved", moved);
+    new PerformanceObserver((list) => {
+      for (const entry of list.getEntries()) {
+        const sources: unknown = Reflect.get(entry, "sources");
+        if (!Array.isArray(sources)) continue;
+        for (const { node } of sources as { node: Node | null }[]) {
+          if (node instanceof Element && node.closest("aside")) moved.push(node.outerHTML);
+        }
+      }
+    }).observe({ type: "layout-shift", buffered: true });
+  });
+  for (const size of desktops) {
+    for (const milliseconds of [0, 700]) {
+      delay = milliseconds;
+      await page.setViewportSize(size);
       await page.goto("/");
-      await expect(page.getByRole("combobox", { name: "Line 2, action" })).toBeVisible();
-      await expect(page.getByRole("button", { name: "Add line" })).toBeVisible();
-      await expect(page.getByText("> 60", { exact: true })).toBeVisible();
+      await page.getByRole("combobox", { name: "Line 2, action" }).waitFor();
+      await page.getByRole("button", { name: "Add line" }).waitFor();
+      await page.getByText("> 60", { exact: true }).waitFor();
       await page.evaluate(
         () => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve))),
       );
-      expect(await page.evaluate(() => Reflect.get(window, "moved"))).toEqual([]);
-    });
+      const moved = await page.evaluate(() => Reflect.get(window, "moved"));
+      expect(moved, `${size.width} px, ${milliseconds} ms late`).toEqual([]);
+    }
   }
-}
+});
 
 test("shows the whole advice below an edited line in a scrolled list", async ({ openWindow }) => {
   const corridor = await openWindow({ viewport: { width: 1024, height: 768 } });
@@ -113,106 +156,95 @@ test("shows the bump on a line whose hidden advice leaves room below it", async 
   });
 });
 
-for (const [width, height] of [
-  [1440, 900],
-  [1024, 768],
-  [760, 900],
-  [390, 844],
-  [320, 640],
-] as const) {
-  test(`keeps Step under the pointer at ${width} px, so that it can be pressed repeatedly`, async ({
-    page,
-  }) => {
-    await page.setViewportSize({ width, height });
-    const corridor = new CorridorPage(page);
-    await corridor.open();
-    const stepPosition = async () => {
-      const box = await corridor.step.boundingBox();
-      return [box?.x, box?.width];
-    };
+test("keeps Step under the pointer at each size, so that it can be pressed repeatedly", async ({
+  page,
+}) => {
+  const corridor = new CorridorPage(page);
+  await corridor.open();
+  const stepPosition = async () => {
+    const box = await corridor.step.boundingBox();
+    return [box?.x, box?.width];
+  };
+  for (const size of [
+    ...desktops,
+    { width: 760, height: 900 },
+    { width: 390, height: 844 },
+    { width: 320, height: 640 },
+  ]) {
+    const state = `${size.width} px`;
+    await page.setViewportSize(size);
+    // A first visit also has the button for a program of one's own in this row.
+    await corridor.transport.getByRole("button", { name: "Write my own" }).waitFor();
+    await waitForAnimations(page);
     const before = await stepPosition();
     const { x = 0, y = 0 } = (await corridor.step.boundingBox()) ?? {};
     await page.mouse.click(x + 4, y + 12);
-    await expect(corridor.timeline.previousDecision).toBeVisible();
+    await corridor.timeline.previousDecision.waitFor();
     await page.mouse.move(0, 0);
-    expect(await stepPosition()).toEqual(before);
+    expect(await stepPosition(), state).toEqual(before);
     await corridor.run.click();
-    await expect(corridor.timeline.previousDecision).toBeHidden();
-    expect(await stepPosition()).toEqual(before);
-  });
-}
+    await corridor.timeline.previousDecision.waitFor({ state: "hidden" });
+    expect(await stepPosition(), state).toEqual(before);
+    await corridor.reset.click();
+    await corridor.run.waitFor();
+    await expect(corridor.clock).toHaveText("Time 0:00.0");
+  }
+});
 
-for (const [width, height, lang] of [
-  [1440, 900, "de"],
-  [1024, 768, "en"],
-  [1024, 768, "ar"],
-] as const) {
-  test(`shows a comparison in one row at ${width} x ${height}, in ${lang}`, async ({
-    openWindow,
-  }) => {
-    const { page } = await openWindow({ viewport: { width, height } });
+test("shows run, steps, reset and speed in one row on phones, in English, German and Arabic", async ({
+  openWindow,
+}) => {
+  const sizes = [
+    { width: 390, height: 700 },
+    { width: 320, height: 700 },
+  ];
+  const { page } = await openWindow({ hasTouch: true, isMobile: true });
+  await clearStorageOnLoad(page);
+  for (const lang of ["en", "de", "ar"]) {
+    const texts = Texts.load(lang);
+    const button = (path: string): Locator =>
+      page.getByRole("button", { name: texts.t(path), exact: true });
+    const speed = page.getByRole("combobox", { name: texts.t("shell.run.speed") });
+    /** The largest difference between the tops. A pressed button moves down by a pixel. */
+    const topDifference = async (...parts: Locator[]) => {
+      const tops = await Promise.all(parts.map(async (part) => (await part.boundingBox())?.y ?? 0));
+      return Math.max(...tops) - Math.min(...tops);
+    };
+    const atEachSize = async (check: (state: string) => Promise<void>): Promise<void> => {
+      for (const size of sizes) {
+        await page.setViewportSize(size);
+        await waitForAnimations(page);
+        await check(`${lang}, ${size.width} px`);
+      }
+    };
+    const [step, back] = [button("shell.run.step"), button("timeline.stepBack")];
+    // On the first visit the row includes "Write my own", whose label has at most two lines.
+    const own = button("program.writeOwn");
     await page.goto(`/?lang=${lang}`);
-    for (const line of [0, 1]) {
-      const sides = page.getByRole("list").getByRole("listitem").nth(line).locator("[data-is]");
-      await expect(sides).toHaveAttribute("data-is", "false");
-      const tops = await sides.evaluate((truth) => {
-        const texts = document.createTreeWalker(truth, NodeFilter.SHOW_TEXT);
-        const found: number[] = [];
-        for (let node = texts.nextNode(); node !== null; node = texts.nextNode()) {
-          const range = document.createRange();
-          range.selectNodeContents(node);
-          if (/\d/.test(node.textContent ?? "")) found.push(range.getBoundingClientRect().top);
-        }
-        return found;
-      });
-      expect(tops).toHaveLength(2);
-      expect(Math.abs((tops[0] ?? 0) - (tops[1] ?? 9))).toBeLessThan(2);
-    }
-  });
-}
-
-for (const lang of ["en", "de", "ar"]) {
-  for (const width of [390, 320]) {
-    test(`shows run, steps, reset and speed in one row at ${width} px, in ${lang}`, async ({
-      openWindow,
-    }) => {
-      const { page } = await openWindow({
-        viewport: { width, height: 700 },
-        hasTouch: true,
-        isMobile: true,
-      });
-      const texts = Texts.load(lang);
-      await page.goto(`/?lang=${lang}`);
-      const button = (path: string): Locator =>
-        page.getByRole("button", { name: texts.t(path), exact: true });
-      const speed = page.getByRole("combobox", { name: texts.t("shell.run.speed") });
-      /** The largest difference between the tops. A pressed button moves down by a pixel. */
-      const topDifference = async (...parts: Locator[]) => {
-        const tops = await Promise.all(
-          parts.map(async (part) => (await part.boundingBox())?.y ?? 0),
-        );
-        return Math.max(...tops) - Math.min(...tops);
-      };
-      const [step, back] = [button("shell.run.step"), button("timeline.stepBack")];
-      // On the first visit the row includes "Write my own", whose label has at most two lines.
-      const own = button("program.writeOwn");
-      await expect(own).toBeVisible();
-      expect(await topDifference(button("shell.run.run"), own, step, speed)).toBeLessThan(4);
-      expect((await own.boundingBox())?.height).toBeLessThan(46);
-      await speed.selectOption("0.25");
-      await button("shell.run.run").tap();
-      const pause = button("shell.run.pause");
-      await expect(pause).toBeVisible();
-      // The text has two lines beside the button, or one line of its own.
-      const invitation = page.getByText(texts.t("lessons.invitation"));
-      // The page replaces the elements of the first paint with its own.
-      const height = async () => (await invitation.boundingBox())?.height ?? Number.NaN;
-      await expect.poll(height).toBeLessThan(40);
-      expect(await topDifference(pause, step, speed)).toBeLessThan(4);
-      await pause.tap();
-      await speed.selectOption("max");
-      await expect(back).toBeVisible();
-      expect(await topDifference(button("shell.run.run"), back, step, speed)).toBeLessThan(4);
+    await own.waitFor();
+    await atEachSize(async (state) => {
+      const difference = await topDifference(button("shell.run.run"), own, step, speed);
+      expect(difference, state).toBeLessThan(4);
+      expect((await own.boundingBox())?.height, state).toBeLessThan(46);
+    });
+    await speed.selectOption("0.25");
+    await button("shell.run.run").tap();
+    const pause = button("shell.run.pause");
+    await pause.waitFor();
+    // The text has two lines beside the button, or one line of its own.
+    const invitation = page.getByText(texts.t("lessons.invitation"));
+    // The page replaces the elements of the first paint with its own.
+    const height = async () => (await invitation.boundingBox())?.height ?? Number.NaN;
+    await atEachSize(async (state) => {
+      await expect.poll(height, { message: state }).toBeLessThan(40);
+      expect(await topDifference(pause, step, speed), state).toBeLessThan(4);
+    });
+    await pause.tap();
+    await speed.selectOption("max");
+    await back.waitFor();
+    await atEachSize(async (state) => {
+      const difference = await topDifference(button("shell.run.run"), back, step, speed);
+      expect(difference, state).toBeLessThan(4);
     });
   }
-}
+});
