@@ -6,6 +6,10 @@
 import type { Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
+import { waitForAnimations } from "./support/wait-for-animations.ts";
+import { smallWindow } from "./support/window-sizes.ts";
+
+test.use(smallWindow);
 
 /** Delays the page's main script. @returns a function that lets the script load */
 async function delayScript(page: Page): Promise<() => void> {
@@ -216,31 +220,42 @@ test("does not repeat a dismissed invitation before the page's main script", asy
   await expect(page.getByText("New here?")).toHaveCount(0);
 });
 
-for (const [width, height] of [
-  [1440, 900],
-  [1024, 768],
-  [760, 900],
-  [700, 500],
-  [390, 844],
-  [320, 640],
-] as const) {
-  for (const lang of ["en", "ar"]) {
-    test(`has the layout of the page before the page's script at ${width} x ${height}, in ${lang}`, async ({
-      openWindow,
-    }) => {
-      const { page } = await openWindow({ viewport: { width, height } });
-      const releaseScript = await delayScript(page);
-      await page.goto(`/?lang=${lang}`, { waitUntil: "commit" });
-      const run = page.locator("[data-does=run]");
-      await expect(run).toBeVisible();
-      await waitForPaint(page);
-      const parts = [run, page.locator("h1"), page.locator("header").first(), page.locator("main")];
-      parts.push(await invitation(page));
-      const before = await Promise.all(parts.map(box));
-      releaseScript();
-      await expect(page.locator("main canvas").first()).toBeAttached();
-      await expect(page.locator("[data-early]")).toHaveCount(0);
-      expect(await Promise.all(parts.map(box))).toEqual(before);
-    });
-  }
+const sizes = [
+  { width: 1440, height: 900 },
+  { width: 1024, height: 768 },
+  { width: 760, height: 900 },
+  { width: 700, height: 500 },
+  { width: 390, height: 844 },
+  { width: 320, height: 640 },
+];
+
+// The page takes over the shell at the last size: a wide one in one language, a phone in the other.
+for (const { lang, inOrder } of [
+  { lang: "en", inOrder: sizes },
+  { lang: "ar", inOrder: sizes.toReversed() },
+]) {
+  test(`has the layout of the page before the page's script at each size, in ${lang}`, async ({
+    page,
+  }) => {
+    const releaseScript = await delayScript(page);
+    await page.goto(`/?lang=${lang}`, { waitUntil: "commit" });
+    const run = page.locator("[data-does=run]");
+    await run.waitFor();
+    await waitForPaint(page);
+    const parts = [run, page.locator("h1"), page.locator("header").first(), page.locator("main")];
+    parts.push(await invitation(page));
+    const boxesAt = async (size: (typeof sizes)[number]) => {
+      await page.setViewportSize(size);
+      await waitForAnimations(page);
+      return { size, boxes: await Promise.all(parts.map(box)) };
+    };
+    const before: Awaited<ReturnType<typeof boxesAt>>[] = [];
+    for (const size of inOrder) before.push(await boxesAt(size));
+    releaseScript();
+    await page.locator("main canvas").first().waitFor({ state: "attached" });
+    await page.locator("[data-early]").first().waitFor({ state: "detached" });
+    for (const expected of before.toReversed()) {
+      expect(await boxesAt(expected.size)).toEqual(expected);
+    }
+  });
 }
