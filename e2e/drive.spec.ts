@@ -1,6 +1,10 @@
 /** Driving by hand: with keys, with the on-screen buttons, into a wall. */
-import type { CorridorPage } from "./pages/corridor-page.ts";
+import { CorridorPage } from "./pages/corridor-page.ts";
 import { expect, test } from "./fixtures.ts";
+import { clearStorageOnLoad } from "./support/clear-storage.ts";
+import { smallWindow } from "./support/window-sizes.ts";
+
+test.use(smallWindow);
 
 const start = "Robot at 50, 650, facing right";
 
@@ -18,22 +22,50 @@ async function expectStopped(corridor: CorridorPage): Promise<void> {
   await expect(corridor.sensor("front")).not.toHaveText("25");
 }
 
-for (const { key, moves } of [
-  { key: "w", moves: /^Robot at (?!50,)\d+, 650, facing right$/ },
-  { key: "ArrowUp", moves: /^Robot at (?!50,)\d+, 650, facing right$/ },
-  { key: "a", moves: /^Robot at 50, 650, facing up( and right)?$/ },
-  { key: "ArrowRight", moves: /^Robot at 50, 650, facing down( and right)?$/ },
-]) {
-  test(`drives while ${key} is held and stops on release`, async ({ corridor, page }) => {
-    await driveInEmptyMaze(corridor);
+/** The robot is at its start again, and the user still drives. */
+async function returnToStart(corridor: CorridorPage): Promise<void> {
+  await corridor.reset.click();
+  await expect(corridor.robotPose).toHaveText(start);
+  await corridor.selectDriver("Me");
+}
+
+test("drives while a key is held, and stops on release, Space, Escape or when the window loses the focus", async ({
+  corridor,
+  page,
+}) => {
+  await driveInEmptyMaze(corridor);
+  for (const { key, moves } of [
+    { key: "w", moves: /^Robot at (?!50,)\d+, 650, facing right$/ },
+    { key: "ArrowUp", moves: /^Robot at (?!50,)\d+, 650, facing right$/ },
+    { key: "a", moves: /^Robot at 50, 650, facing up( and right)?$/ },
+    { key: "ArrowRight", moves: /^Robot at 50, 650, facing down( and right)?$/ },
+  ]) {
     await page.keyboard.down(key);
     await expect(corridor.robotPose).toHaveText(moves);
     await page.keyboard.up(key);
     await expectStopped(corridor);
-  });
-}
+    await returnToStart(corridor);
+  }
+  for (const key of ["Space", "Escape"]) {
+    await page.keyboard.down("w");
+    await expect(corridor.robotPose).not.toHaveText(start);
+    await page.keyboard.press(key);
+    await page.keyboard.up("w");
+    await expectStopped(corridor);
+    await returnToStart(corridor);
+  }
+  await page.keyboard.down("w");
+  await expect(corridor.robotPose).not.toHaveText(start);
+  // Playwright keeps every window focused, so dispatch the event of a window that loses the focus.
+  await page.evaluate(() => window.dispatchEvent(new Event("blur")));
+  await expectStopped(corridor);
+  await page.keyboard.up("w");
+});
 
-test("drives by arrow key after a click on a driver", async ({ corridor, page }) => {
+test("drives by key after a click on a driver or a speed, but not with a driver that was reached with Tab, in a field or on the maze", async ({
+  corridor,
+  page,
+}) => {
   await corridor.choosePreset("Empty");
   await corridor.driver("Program").click();
   await expect(corridor.driver("Program")).toBeFocused();
@@ -41,10 +73,17 @@ test("drives by arrow key after a click on a driver", async ({ corridor, page })
   await expect(corridor.robotPose).not.toHaveText(start);
   await page.keyboard.up("ArrowUp");
   await expectStopped(corridor);
-});
+  await returnToStart(corridor);
 
-test("drives by key after a speed was chosen with the mouse", async ({ corridor, page }) => {
-  await driveInEmptyMaze(corridor);
+  const me = corridor.driver("Me");
+  await page.keyboard.press("Shift+Tab");
+  await page.keyboard.press("Tab");
+  await me.focus();
+  await page.keyboard.press("ArrowRight");
+  await expect(me).not.toBeChecked();
+  await expect(corridor.robotPose).toHaveText(start);
+
+  await corridor.selectDriver("Me");
   await corridor.speed.click();
   await page.keyboard.press("ArrowDown");
   await page.keyboard.press("Enter");
@@ -53,17 +92,24 @@ test("drives by key after a speed was chosen with the mouse", async ({ corridor,
   await expect(corridor.robotPose).not.toHaveText(start);
   await page.keyboard.up("w");
   await expectStopped(corridor);
-});
 
-test("leaves the arrow keys to a driver that was reached with Tab", async ({ corridor, page }) => {
-  await driveInEmptyMaze(corridor);
-  const me = corridor.driver("Me");
-  await page.keyboard.press("Shift+Tab");
-  await page.keyboard.press("Tab");
-  await me.focus();
-  await page.keyboard.press("ArrowRight");
-  await expect(me).not.toBeChecked();
+  await returnToStart(corridor);
+  await corridor.program.name.focus();
+  await page.keyboard.press("End");
+  await page.keyboard.down("w");
+  await corridor.waitForRobotToStop();
+  await page.keyboard.up("w");
+  await expect(corridor.program.name).toHaveValue("w");
+  await corridor.maze.moveCursorTo({ column: 3, row: 3 });
+  await page.keyboard.down("w");
+  await corridor.waitForRobotToStop();
+  await page.keyboard.up("w");
+  await corridor.speed.focus();
+  await page.keyboard.down("ArrowUp");
+  await corridor.waitForRobotToStop();
+  await page.keyboard.up("ArrowUp");
   await expect(corridor.robotPose).toHaveText(start);
+  await expect(corridor.clock).toHaveText("Time 0:00.0");
 });
 
 test("drives backward with S and forward with W, one key after the other", async ({
@@ -85,7 +131,10 @@ test("drives backward with S and forward with W, one key after the other", async
   await expectStopped(corridor);
 });
 
-test("drives while an on-screen button is held", async ({ corridor, page }) => {
+test("drives while an on-screen button is held, and takes over from a running program by button and by key, which takes over once", async ({
+  corridor,
+  page,
+}) => {
   await driveInEmptyMaze(corridor);
   await corridor.driveKey("forward").hover();
   await page.mouse.down();
@@ -103,10 +152,10 @@ test("drives while an on-screen button is held", async ({ corridor, page }) => {
   await page.keyboard.up("Space");
   await corridor.waitForRobotToStop();
   expect(await corridor.robotPose.textContent()).not.toBe(place);
-});
 
-test("takes over from the program when a drive button is held", async ({ corridor, page }) => {
-  await corridor.choosePreset("Empty");
+  // The program is driving.
+  await corridor.reset.click();
+  await expect(corridor.robotPose).toHaveText(start);
   await corridor.speed.selectOption("0.25×");
   await corridor.run.click();
   await expect(corridor.pause).toBeVisible();
@@ -117,79 +166,10 @@ test("takes over from the program when a drive button is held", async ({ corrido
   await page.mouse.up();
   await expectStopped(corridor);
   await expect(corridor.run).toBeVisible();
-});
 
-test("stops when the window loses the focus while a key is held", async ({ corridor, page }) => {
-  await driveInEmptyMaze(corridor);
-  await page.keyboard.down("w");
-  await expect(corridor.robotPose).not.toHaveText(start);
-  // Playwright keeps every window focused, so dispatch the event of a window that loses the focus.
-  await page.evaluate(() => window.dispatchEvent(new Event("blur")));
-  await expectStopped(corridor);
-  await page.keyboard.up("w");
-});
-
-test("stops with Space and with Escape", async ({ corridor, page }) => {
-  for (const key of ["Space", "Escape"]) {
-    await driveInEmptyMaze(corridor);
-    await page.keyboard.down("w");
-    await expect(corridor.robotPose).not.toHaveText(start);
-    await page.keyboard.press(key);
-    await page.keyboard.up("w");
-    await expectStopped(corridor);
-    await corridor.reset.click();
-    await expect(corridor.robotPose).toHaveText(start);
-  }
-});
-
-test("does not drive while typing in a field or moving the maze cursor", async ({
-  corridor,
-  page,
-}) => {
-  await driveInEmptyMaze(corridor);
-  await corridor.program.name.focus();
-  await page.keyboard.press("End");
-  await page.keyboard.down("w");
-  await corridor.waitForRobotToStop();
-  await page.keyboard.up("w");
-  await expect(corridor.program.name).toHaveValue("w");
-  await corridor.maze.moveCursorTo({ column: 3, row: 3 });
-  await page.keyboard.down("w");
-  await corridor.waitForRobotToStop();
-  await page.keyboard.up("w");
-  await corridor.speed.focus();
-  await page.keyboard.down("ArrowUp");
-  await corridor.waitForRobotToStop();
-  await page.keyboard.up("ArrowUp");
+  await corridor.reset.click();
   await expect(corridor.robotPose).toHaveText(start);
-  await expect(corridor.clock).toHaveText("Time 0:00.0");
-});
-
-for (const key of ["w", "ArrowUp"]) {
-  test(`takes over with ${key} on the first screen, with one message`, async ({
-    corridor,
-    page,
-  }) => {
-    const takeoverMessage = corridor.messages.getByText(
-      "You are driving now. Press Run to let the program drive",
-    );
-    const before = await corridor.robotPose.textContent();
-    await page.keyboard.press(key, { delay: 120 });
-    await expect(corridor.driver("Me")).toBeChecked();
-    await expect(corridor.robotPose).not.toHaveText(before ?? "");
-    await expect(takeoverMessage).toHaveCount(1);
-    await corridor.messages.getByRole("button", { name: "Dismiss" }).click();
-    await page.keyboard.press(key, { delay: 120 });
-    await corridor.waitForRobotToStop();
-    await expect(takeoverMessage).toHaveCount(0);
-  });
-}
-
-test("takes over from a running program, and a key that is still down does not take over again", async ({
-  corridor,
-  page,
-}) => {
-  await corridor.choosePreset("Empty");
+  await corridor.speed.selectOption("1×");
   // A robot that turns on the spot does not bump before the test has seen it.
   await corridor.program.otherwise.selectOption("left 90");
   await corridor.run.click();
@@ -208,7 +188,33 @@ test("takes over from a running program, and a key that is still down does not t
   await expect(corridor.driver("Program")).toBeChecked();
 });
 
-test("reports a bump when the driver drives into a wall", async ({ corridor, page }) => {
+test("takes over with w or an arrow key on the first screen, with one message", async ({
+  page,
+}) => {
+  await clearStorageOnLoad(page);
+  const corridor = new CorridorPage(page);
+  for (const key of ["w", "ArrowUp"]) {
+    await corridor.open();
+    const takeoverMessage = corridor.messages.getByText(
+      "You are driving now. Press Run to let the program drive",
+    );
+    const before = await corridor.robotPose.textContent();
+    await page.keyboard.press(key, { delay: 120 });
+    await expect(corridor.driver("Me")).toBeChecked();
+    await expect(corridor.robotPose).not.toHaveText(before ?? "");
+    await expect(takeoverMessage).toHaveCount(1);
+    await corridor.messages.getByRole("button", { name: "Dismiss" }).click();
+    await page.keyboard.press(key, { delay: 120 });
+    await corridor.waitForRobotToStop();
+    await expect(takeoverMessage).toHaveCount(0);
+  }
+});
+
+test("reports a bump when the driver drives into a wall, and marks only the reading of the touched side in red", async ({
+  corridor,
+  page,
+}) => {
+  await corridor.speed.selectOption("16×");
   await driveInEmptyMaze(corridor);
   await page.keyboard.down("w");
   // It touches the wall after 615 ticks of 5/3 cm, and pushes in the next tick.
@@ -222,34 +228,9 @@ test("reports a bump when the driver drives into a wall", async ({ corridor, pag
   await page.keyboard.down("s");
   await expect(corridor.robotPose).not.toHaveText("Robot at 1075, 650, facing right");
   await page.keyboard.up("s");
-});
 
-test("reports which line caused a bump of the program", async ({ corridor }) => {
-  await corridor.program.loadAlgorithm("Back and forth");
-  await corridor.program.number(1).fill("10");
-  await corridor.run.click();
-  await expect(corridor.runNote).toHaveText(
-    /^Bump: the program drove into a block at 2\.2 s \(tick 13\d\)\. The robot was in row 7, column 3\.$/,
-  );
-  // “otherwise” drove because line 1 became true too late.
-  await expect(corridor.bumpCard(1)).toBeVisible();
-  await expect(corridor.program.line(1)).toHaveAccessibleName(/^Line 1, look here/);
-  // A bump of the program pauses the run, so that its card can explain the bump.
-  await expect(corridor.run).toBeVisible();
-  await corridor.program.number(1).fill("300");
-  await corridor.program.action(1).selectOption("forward");
-  await corridor.reset.click();
-  await corridor.run.click();
-  await expect(corridor.runNote).toHaveText(/^Bump: the program drove into a block/);
-  // No line is marked when a line is missing, but the text names the line that decided.
-  await expect(corridor.page.getByRole("region", { name: "Bump", exact: true })).toContainText(
-    "line 1 chose “forward”. A line for this place is missing.",
-  );
-  await expect(corridor.program.line(1)).not.toHaveAccessibleName(/look here/);
-});
-
-test("marks only the reading of the touched side in red", async ({ corridor, page }) => {
-  await driveInEmptyMaze(corridor);
+  await corridor.speed.selectOption("1×");
+  await returnToStart(corridor);
   const background = (name: "front" | "right" | "back" | "left") =>
     corridor.sensor(name).evaluate((reading) => getComputedStyle(reading).backgroundColor);
   const normal = await background("left");
@@ -271,4 +252,29 @@ test("marks only the reading of the touched side in red", async ({ corridor, pag
   await expect.poll(() => background("back")).toBe(normal);
   for (const name of ["front", "right", "left"] as const)
     expect(await background(name)).toBe(normal);
+});
+
+test("reports which line caused a bump of the program", async ({ corridor }) => {
+  await corridor.program.loadAlgorithm("Back and forth");
+  await corridor.program.number(1).fill("10");
+  await corridor.speed.selectOption("max");
+  await corridor.run.click();
+  await expect(corridor.runNote).toHaveText(
+    /^Bump: the program drove into a block at 2\.2 s \(tick 13\d\)\. The robot was in row 7, column 3\.$/,
+  );
+  // “otherwise” drove because line 1 became true too late.
+  await expect(corridor.bumpCard(1)).toBeVisible();
+  await expect(corridor.program.line(1)).toHaveAccessibleName(/^Line 1, look here/);
+  // A bump of the program pauses the run, so that its card can explain the bump.
+  await expect(corridor.run).toBeVisible();
+  await corridor.program.number(1).fill("300");
+  await corridor.program.action(1).selectOption("forward");
+  await corridor.reset.click();
+  await corridor.run.click();
+  await expect(corridor.runNote).toHaveText(/^Bump: the program drove into a block/);
+  // No line is marked when a line is missing, but the text names the line that decided.
+  await expect(corridor.page.getByRole("region", { name: "Bump", exact: true })).toContainText(
+    "line 1 chose “forward”. A line for this place is missing.",
+  );
+  await expect(corridor.program.line(1)).not.toHaveAccessibleName(/look here/);
 });
