@@ -39,81 +39,25 @@ export function onlyRule(rule: string): RunOptions {
   return { runOnly: { type: "rule", values: [rule] } };
 }
 
-/** The attribute of elements whose colours are to be checked. */
-const NEW = "data-new-place";
-
 /**
- * Checks all rules in the light theme, and colours in both themes. Colours are the most expensive
- * rule, so they are checked only where no earlier state of the same document at the same size had an
- * element: see `markNewPlaces`. Behind an open modal dialog they are not checked: nobody can use the
- * page there.
+ * Checks colours only in a modal dialog while one is open: nobody can use the page behind it, whose
+ * colours do not change, and colours are the most expensive rule.
  * @param state names the state in the report
  */
 export async function expectNoAxeViolations(page: Page, state: string): Promise<void> {
   await setTheme(page, "light");
   const isModal = (await page.locator(modal).count()) > 0;
-  const hasNew = await markNewPlaces(page, isModal ? modal : "body");
-  const onlyNew: PageParts = { include: [`[${NEW}]`], exclude: [] };
-  const isAllNew = (await page.locator(`body[${NEW}]`).count()) > 0;
-  const light = isAllNew
-    ? await describeViolations(page, allRules)
-    : [
+  const inDialog: PageParts = isModal ? { include: [modal], exclude: [] } : wholePage;
+  const light = isModal
+    ? [
         ...(await describeViolations(page, allButColours)),
-        ...(hasNew ? await describeViolations(page, onlyColours, onlyNew) : []),
-      ];
+        ...(await describeViolations(page, onlyColours, inDialog)),
+      ]
+    : await describeViolations(page, allRules);
   expect(light, `axe, ${state}, light`).toEqual([]);
-  if (!hasNew) return;
   await setTheme(page, "dark");
-  const dark = await describeViolations(page, onlyColours, onlyNew);
+  const dark = await describeViolations(page, onlyColours, inDialog);
   expect(dark, `axe, ${state}, dark`).toEqual([]);
-}
-
-/**
- * Marks an element of each place that had no element before, such as a pressed button in an open
- * dialog. The place determines the colours of an element: the names of the element and of all
- * elements around it, with their classes and states. Everything in a marked element is new.
- * @param within selector of the part to search
- * @returns whether there is a new place
- */
-async function markNewPlaces(page: Page, within: string): Promise<boolean> {
-  return page.evaluate(
-    ([selector, mark]) => {
-      // The document remembers the places, so that they end with it.
-      const known = (document as unknown as { axePlaces?: Set<string> }).axePlaces ?? new Set();
-      Reflect.set(document, "axePlaces", known);
-      for (const marked of document.querySelectorAll(`[${mark}]`)) marked.removeAttribute(mark);
-      const stateOf = (element: Element): string =>
-        Array.from(element.attributes)
-          .filter(
-            ({ name }) =>
-              /^(?:aria-|data-|class$|style$|type$|role$|fill$|stroke$)/.test(name) ||
-              ["disabled", "hidden", "inert", "open", "readonly", "required"].includes(name),
-          )
-          .filter(({ name }) => !/^aria-(?:label|describe|controls|owns|value)/.test(name))
-          .map(({ name, value }) => `${name}=${value}`)
-          .join(" ");
-      const pseudo = ["checked", "focus", "hover", "invalid", "placeholder-shown"];
-      const nameOf = (element: Element): string => {
-        const states = pseudo.filter((state) => element.matches(`:${state}`));
-        return `${element.tagName} ${stateOf(element)} ${states.join(" ")}`;
-      };
-      let hasNew = false;
-      const visit = (element: Element, around: string, isInNew: boolean): void => {
-        const place = `${around} > ${nameOf(element)}`;
-        const isNew = !known.has(place);
-        known.add(place);
-        if (isNew && !isInNew) element.setAttribute(mark, "");
-        hasNew ||= isNew;
-        for (const child of element.children) visit(child, place, isInNew || isNew);
-      };
-      // Contrast, language and direction belong to the root. Both themes are checked each time.
-      const root = nameOf(document.documentElement).replace(/data-theme=\S*/, "");
-      const around = `${innerWidth} x ${innerHeight} ${root}`;
-      for (const part of document.querySelectorAll(selector)) visit(part, around, false);
-      return hasNew;
-    },
-    [within, NEW] as const,
-  );
 }
 
 /**
