@@ -14,14 +14,13 @@ const builders = {
 export function descriptionRoutes(): Router {
   const router = Router();
   for (const [path, describe] of Object.entries(builders)) {
-    let text: Promise<string> | null = null;
+    let text: string | null = null;
     router
       .route(path)
       .all(openToAllSites)
       .get(async (_request, response) => {
-        text ??= describe().then((description) => JSON.stringify(description));
-        const body = await text;
-        response.set("Cache-Control", "public, max-age=300").type("json").send(body);
+        text ??= JSON.stringify(await describe());
+        response.set("Cache-Control", "public, max-age=300").type("json").send(text);
       })
       .all(methodNotAllowed("GET"));
   }
