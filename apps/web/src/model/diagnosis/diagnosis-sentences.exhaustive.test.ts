@@ -7,13 +7,9 @@ import { plainActions, type PlainAction, type SensorName } from "@corridor/proto
 import { Simulation } from "@corridor/simulation";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import reasons from "../../text/en/diagnosis.json" with { type: "json" };
-import { en } from "../../text/en/index.ts";
-import english from "../../text/en/missions.json" with { type: "json" };
-import { createI18n } from "../../text/i18n.ts";
 import { checkProgram } from "../lessons/testing/check-program.ts";
+import { plain, words } from "../lessons/testing/mission-words.ts";
 import { failureText } from "../lessons/failure-text.ts";
-import type { MissionWords } from "../lessons/mission-words.ts";
 import { lines } from "../lessons/missions/mission.ts";
 import { missions } from "../lessons/missions/missions.ts";
 import { solved } from "../lessons/missions/testing/causes.ts";
@@ -24,15 +20,6 @@ import {
 } from "../lessons/missions/testing/wrong-answers.ts";
 import { diagnosisText, diagnosisWords } from "./diagnosis-text.ts";
 import { falseSentences } from "./testing/sentence-claims.ts";
-
-const i18n = createI18n(en);
-i18n.addResourceBundle("en", "diagnosis", reasons);
-i18n.addResourceBundle("en", "missions", english);
-const words: MissionWords = {
-  t: i18n.getFixedT("en", ["missions", "words"]) as MissionWords["t"],
-  i18n: { language: "en" },
-};
-const plain = (text: string): string => text.replaceAll(/[\u2068\u2069]/gu, "");
 
 /** Returns the false sentences of the mission's card, for each maze that fails. */
 function falseIn({ challenge, program, name }: WrongAnswer): string[] {

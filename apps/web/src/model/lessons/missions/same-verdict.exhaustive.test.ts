@@ -12,27 +12,14 @@ import type { RunEvent } from "../../../simulator/protocol/worker-messages.ts";
 import * as diagnostics from "../../../simulator/worker/diagnose-run.ts";
 import { RunJudge } from "../../../simulator/worker/run-judge.ts";
 import { RunLoop } from "../../../simulator/worker/run-loop.ts";
-import reasons from "../../../text/en/diagnosis.json" with { type: "json" };
-import { en } from "../../../text/en/index.ts";
-import english from "../../../text/en/missions.json" with { type: "json" };
-import { createI18n } from "../../../text/i18n.ts";
 import { diagnosisTitle, diagnosisWords } from "../../diagnosis/diagnosis-text.ts";
 import { shownBump } from "../../run/line-state.ts";
 import { failureText, runFailureText } from "../failure-text.ts";
-import type { MissionWords } from "../mission-words.ts";
 import { lines, type MissionId } from "./mission.ts";
 import type { CheckAnswer } from "../../check/checked-task.ts";
 import { checkProgram } from "../testing/check-program.ts";
+import { plain, words } from "../testing/mission-words.ts";
 import { solved } from "./testing/causes.ts";
-
-const i18n = createI18n(en);
-i18n.addResourceBundle("en", "diagnosis", reasons);
-i18n.addResourceBundle("en", "missions", english);
-const words: MissionWords = {
-  t: i18n.getFixedT("en", ["missions", "words"]) as MissionWords["t"],
-  i18n: { language: "en" },
-};
-const plain = (text: string): string => text.replaceAll(/[\u2068\u2069]/gu, "");
 
 interface EndedRun {
   outcome: "met" | "failed";
