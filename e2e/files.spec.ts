@@ -2,7 +2,7 @@
 import { readFile } from "node:fs/promises";
 import { mazePresets, parseMaze, writeTextMaze } from "@corridor/maze";
 import { programPresets } from "@corridor/program";
-import type { Download, Page } from "playwright/test";
+import type { Download, Locator, Page } from "playwright/test";
 import { expect, test } from "./fixtures.ts";
 import type { ChosenFile, CorridorPage } from "./pages/corridor-page.ts";
 import { expectNoAxeViolations } from "./support/axe.ts";
@@ -65,6 +65,10 @@ function chosen({ name, text }: TextFile): ChosenFile {
   return { name, mimeType: "application/json", buffer: Buffer.from(text) };
 }
 
+/** What the page shows while files are dragged across it. */
+const dropHint = (page: Page): Locator =>
+  page.getByText("Drop a maze, a program, a run or a lesson to open it");
+
 test("opens dropped and pasted mazes and programs, and nothing else", async ({
   corridor,
   page,
@@ -72,13 +76,9 @@ test("opens dropped and pasted mazes and programs, and nothing else", async ({
 }) => {
   await test.step("a file that is dragged across the page", async () => {
     const drag = await dragOver(page, [spiralFile]);
-    await expect(
-      page.getByText("Drop a maze, a program, a run or a lesson to open it"),
-    ).toBeVisible();
+    await expect(dropHint(page)).toBeVisible();
     await drag.leave();
-    await expect(
-      page.getByText("Drop a maze, a program, a run or a lesson to open it"),
-    ).toBeHidden();
+    await expect(dropHint(page)).toBeHidden();
     await expect(corridor.mazeMenu).toHaveAccessibleName("Long way round, Maze menu");
   });
 
@@ -153,13 +153,9 @@ test("opens files, lists the errors of broken ones, and saves the maze and the p
   await test.step("a dropped maze, with the program of the user, and the way back", async () => {
     await corridor.program.nameAsOwn();
     const drag = await dragOver(page, [spiralFile]);
-    await expect(
-      page.getByText("Drop a maze, a program, a run or a lesson to open it"),
-    ).toBeVisible();
+    await expect(dropHint(page)).toBeVisible();
     await drag.drop();
-    await expect(
-      page.getByText("Drop a maze, a program, a run or a lesson to open it"),
-    ).toBeHidden();
+    await expect(dropHint(page)).toBeHidden();
     await expect(corridor.mazeMenu).toHaveAccessibleName("Spiral, Maze menu");
     await expect(corridor.message("“Spiral” is open, with your program.")).toBeVisible();
     await expect(corridor.program.name).toHaveValue("Mine");
