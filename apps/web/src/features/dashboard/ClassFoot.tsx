@@ -2,7 +2,6 @@
 import { ChartColumn, LogOut } from "lucide";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
-import { newTextId } from "../../model/storage/new-text-id.ts";
 import { reportAddress } from "../../model/teaching/saved-reports.ts";
 import { Button } from "../../ui/Button.tsx";
 import { Icon } from "../../ui/Icon.tsx";
@@ -22,10 +21,9 @@ export function ClassFoot({ label, onEnd }: ClassFootProps) {
   const { saveOnDevice } = useReport(label);
   const hasStudents = useDashboard(({ students }) => students.size > 0);
   const isPhone = useMediaQuery("(max-width: 37.49em)");
-  const [id] = useState(newTextId);
   const [note, setNote] = useState<"savedFile" | "failed" | null>(null);
   const openReport = async (): Promise<void> => {
-    const place = await saveOnDevice(id);
+    const place = await saveOnDevice();
     if (place === null) return setNote("failed");
     setNote(place.id === null ? "savedFile" : null);
     if (place.id !== null) window.open(reportAddress(place.id), "_blank", "noopener");

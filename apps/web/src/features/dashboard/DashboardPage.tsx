@@ -60,8 +60,8 @@ export function DashboardPage(props: DashboardPageProps) {
     document.title = t("title");
   }, [t, i18n.language]);
   const content = useMemo(
-    () => ({ dashboard, calls, reports, hidesNames, report }),
-    [dashboard, calls, reports, hidesNames],
+    () => ({ id: room.id, dashboard, calls, reports, hidesNames, report }),
+    [room.id, dashboard, calls, reports, hidesNames],
   );
   const isOver = status === "over" || status === "refused";
   return (

@@ -9,6 +9,8 @@ import type { SavedReports } from "../../model/teaching/saved-reports.ts";
 import type { SeenStudent } from "../../simulator/protocol/classroom-messages.ts";
 
 export interface DashboardContent {
+  /** of the class */
+  id: string;
   dashboard: Dashboard;
   calls: ClassCalls;
   /** whether students are numbers */

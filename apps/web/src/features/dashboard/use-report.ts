@@ -1,7 +1,9 @@
-/** The report of the class: on this device, where the pages for teachers list it, and as a file. */
+/**
+ * The report of the class: on this device, where the pages for teachers list it, and as a file. Each
+ * report of a class replaces the one before it.
+ */
 import { useTranslation } from "react-i18next";
 import { lessonName } from "../../model/lessons/lesson-name.ts";
-import { newTextId } from "../../model/storage/new-text-id.ts";
 import { reportName, type SavedReport } from "../../model/teaching/saved-reports.ts";
 import { datedFileName } from "../../ui/dated-file-name.ts";
 import { saveFile } from "../../ui/save-file.ts";
@@ -15,20 +17,17 @@ export interface ReportPlace {
 interface ClassReport {
   /** saves the report on the device and as a file; null if the lesson is not known */
   save: () => Promise<ReportPlace | null>;
-  /**
-   * saves the report on the device, or as a file where the device stores nothing
-   * @param id of an earlier report of the class, which this one replaces
-   */
-  saveOnDevice: (id?: string) => Promise<ReportPlace | null>;
+  /** saves the report on the device, or as a file where the device stores nothing */
+  saveOnDevice: () => Promise<ReportPlace | null>;
 }
 
 /** @param label of the class; may be empty */
 export function useReport(label: string): ClassReport {
   const { t } = useTranslation("dashboard", { useSuspense: false });
-  const { dashboard, reports } = useContent();
+  const { id, dashboard, reports } = useContent();
   const nameOf = useStudentName();
 
-  async function makeReport(id: string): Promise<SavedReport | null> {
+  async function makeReport(): Promise<SavedReport | null> {
     const { reportCsv } = await import("./report-csv.ts");
     const { classroom, lesson, students, verifications } = dashboard.store.getState();
     if (lesson === null) return null;
@@ -54,13 +53,13 @@ export function useReport(label: string): ClassReport {
     saveFile(new Blob([report.csv], { type: "text/csv" }), `${name}.csv`);
   }
 
-  async function saveReport(isAlsoFile: boolean, id = newTextId()): Promise<ReportPlace | null> {
-    const report = await makeReport(id);
+  async function saveReport(isAlsoFile: boolean): Promise<ReportPlace | null> {
+    const report = await makeReport();
     if (report === null) return null;
     const isStored = reports.write(report);
     if (isAlsoFile || !isStored) writeFile(report);
     return { id: isStored ? report.id : null };
   }
 
-  return { save: async () => saveReport(true), saveOnDevice: async (id) => saveReport(false, id) };
+  return { save: async () => saveReport(true), saveOnDevice: async () => saveReport(false) };
 }
