@@ -11,6 +11,7 @@ import { afterMessages } from "./after-messages.ts";
 import { describeFault } from "./describe-fault.ts";
 import { Lazy } from "./lazy.ts";
 import { PageFeed } from "./page-feed.ts";
+import { Pulse } from "./pulse.ts";
 import type { Race } from "./race.ts";
 import { RecordedRuns } from "./recorded-runs.ts";
 import type { RemoteHost } from "./remote-host.ts";
@@ -20,8 +21,6 @@ import { SimulationLock } from "./simulation-lock.ts";
 import { StoredWorld } from "./stored-world.ts";
 import { StagePainter } from "../../stage/stage-painter.ts";
 
-/** Half of a 60 Hz frame, so that no frame waits for a whole interval. */
-const INTERVAL_MS = 8;
 /** Least milliseconds between two catch-ups before drawing. */
 const RECENT_MS = 2;
 /** Milliseconds until a part that did not load is loaded again. */
@@ -138,6 +137,7 @@ const digests = new Lazy(() => import("./digest.ts"), guarded);
 const postSoon = afterMessages(() => guarded(postUpdate));
 
 worker.onmessage = ({ data }: MessageEvent<ToWorker>) => {
+  pulse.wake();
   try {
     handle(data);
     // Of several requested ticks, only the newest is displayed: the others arrived before this
@@ -149,12 +149,14 @@ worker.onmessage = ({ data }: MessageEvent<ToWorker>) => {
   }
 };
 
-setInterval(() => {
+const pulse = new Pulse(() => {
   guarded(() => {
     advance();
     lock.hold(loop?.isRunning === true);
   });
-}, INTERVAL_MS);
+  const isConnected = relay.loaded !== null || studentClass.loaded !== null;
+  return isConnected || loop?.isRunning === true;
+});
 
 /** Brings the run up to now, and posts its updates. */
 function advance(): void {
