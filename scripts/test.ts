@@ -1,6 +1,6 @@
 /**
- * `npm test`: types, lint, format, spelling, unused code, audit, unit tests, exhaustive tests,
- * integration tests, Python tests beside the build, component tests, end-to-end tests. Every stage
+ * `npm test`: Python tests beside types, spelling and the build; lint, format, unused code, audit,
+ * unit tests, exhaustive tests, integration tests, component tests, end-to-end tests. Every stage
  * runs even if an earlier stage failed. The last line prints the totals.
  */
 import { spawn } from "node:child_process";
@@ -35,23 +35,23 @@ const hasRequirements = [check("Python", requirePython), check("browser", requir
 if (!check("Redis", requireRedis)) add("Redis", { passed: 0, failed: 1, skipped: 0 });
 tryInstallHeadlessShell();
 tryInstallJava();
+// The Python tests use less than one core, and the stages beside them do not depend on time. Some of the
+// tests need a relay that restarts within seconds, so they do not run beside the integration tests.
+const python = check("Python test tools", requirePythonTools)
+  ? testStage("python", [...pythonTests], parseJunitReport, "pipe")
+  : null;
+if (python === null) add("python", { passed: 0, failed: 1, skipped: 0 });
 await stage("types", ["tsc", "-b"]);
+await stage("spelling", ["cspell", "--no-progress", "--no-summary"]);
+const isBuilt = await stage("build", ["npm", "run", "build"]);
+await python;
 await stage("lint", ["oxlint", "--max-warnings", "0"]);
 await stage("format", ["oxfmt", "--check"]);
-await stage("spelling", ["cspell", "--no-progress", "--no-summary"]);
 await stage("unused code", ["knip"]);
 auditStage();
 await vitestStage("unit");
 await vitestStage("exhaustive");
 await vitestStage("integration");
-// The Python tests and the build use one core each. Some of the tests need a relay that restarts
-// within seconds, so they do not run beside the integration tests.
-const python = check("Python test tools", requirePythonTools)
-  ? testStage("python", [...pythonTests], parseJunitReport, "pipe")
-  : null;
-const isBuilt = await stage("build", ["npm", "run", "build"]);
-if (python === null) add("python", { passed: 0, failed: 1, skipped: 0 });
-await python;
 if (hasRequirements) await vitestStage("components");
 else add("components", { passed: 0, failed: 1, skipped: 0 });
 if (hasRequirements && isBuilt) {
