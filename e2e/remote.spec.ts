@@ -24,13 +24,42 @@ function linkTo(maze: typeof tree): string {
   return `/#${link.text}`;
 }
 
+/** Sends a command. @returns its number */
+async function send(address: string, command: object, name?: string): Promise<number> {
+  const response = await api(address, "/commands", command, name);
+  expect(response.status).toBe(202);
+  return (await response.json()).seq;
+}
+
+/** Waits at most for some seconds until a command has ended. @returns its record */
+async function recordOf(address: string, seq: number, seconds = 20) {
+  return (await api(address, `/commands/${seq}?wait=${seconds}`)).json();
+}
+
+/** The position of the robot, as scripts read it. */
+async function poseOf(address: string): Promise<{ x: number; y: number }> {
+  return (await (await api(address, "/sensors")).json()).pose;
+}
+
+function distance(from: { x: number; y: number }, to: { x: number; y: number }): number {
+  return Math.hypot(to.x - from.x, to.y - from.y);
+}
+
+/** Puts the robot back to its start. */
+async function reset(page: Page, address: string): Promise<void> {
+  await page.getByRole("button", { name: "Reset", exact: true }).click();
+  await expect.poll(() => poseOf(address)).toMatchObject({ x: 50, y: 650 });
+}
+
 /** The status of the connection, announced to screen readers. */
 function connectionStatus(page: Page): Locator {
   return page.getByRole("region", { name: "Remote" }).getByRole("status");
 }
 
 // bad-network.spec.ts runs the follower in Python.
-test("the JavaScript right-wall follower visits every cell of a tree maze", async ({ page }) => {
+test("the JavaScript right-wall follower visits every cell of a tree maze, and the first script runs as copied", async ({
+  page,
+}) => {
   await page.goto(linkTo(tree));
   await setSpeed(page, "16");
   const address = await copyAddress(page);
@@ -49,37 +78,37 @@ test("the JavaScript right-wall follower visits every cell of a tree maze", asyn
   expect(code).toBe(0);
   const { bumps } = await (await api(address, "/sensors")).json();
   expect(bumps).toBe(0);
+
+  await test.step("the first script, with the linked library file beside it", async () => {
+    const { commands } = await (await api(address, "/commands")).json();
+    const before: number = commands.at(-1).seq;
+    await page.setViewportSize({ width: 1440, height: 900 });
+    const starter = page.getByRole("region", { name: "Connect with" });
+    await starter.getByRole("button", { name: "Copy", exact: true }).click();
+    const copied = await page.evaluate(() => navigator.clipboard.readText());
+    expect(copied.trim().split("\n")).toHaveLength(6);
+    expect(copied).toContain("from corridor import Robot");
+    const displayed = await starter.getByRole("textbox").inputValue();
+    expect(displayed).not.toContain(new URL(address).hash.slice(1));
+    const download = page.waitForEvent("download");
+    await starter.getByRole("link", { name: "Save corridor.py" }).click();
+    const library = await download;
+    expect(library.suggestedFilename()).toBe("corridor.py");
+    const folder = await mkdtemp(join(tmpdir(), "corridor-first-script-"));
+    await library.saveAs(join(folder, "corridor.py"));
+    await writeFile(join(folder, "script.py"), copied);
+    const [python = ""] = exampleCommand("Python");
+    const first = await runScript([python, join(folder, "script.py")]);
+    await rm(folder, { recursive: true });
+    expect([first.code, Number(first.output.trim()) > 0]).toEqual([0, true]);
+    const turn = commandRow(page, /turn|left 90/).first();
+    await expect(turn).toContainText("completed");
+    const number = await turn.getByRole("cell", { name: /^\d+$/ }).textContent();
+    expect(Number(number)).toBeGreaterThan(before);
+  });
 });
 
-test("the first script runs as copied, with the linked library file beside it", async ({
-  page,
-}) => {
-  await page.setViewportSize({ width: 1440, height: 900 });
-  await page.goto(linkTo(tree));
-  await setSpeed(page, "16");
-  const address = await copyAddress(page);
-  const starter = page.getByRole("region", { name: "Connect with" });
-  await starter.getByRole("button", { name: "Copy", exact: true }).click();
-  const copied = await page.evaluate(() => navigator.clipboard.readText());
-  expect(copied.trim().split("\n")).toHaveLength(6);
-  expect(copied).toContain("from corridor import Robot");
-  const displayed = await starter.getByRole("textbox").inputValue();
-  expect(displayed).not.toContain(new URL(address).hash.slice(1));
-  const download = page.waitForEvent("download");
-  await starter.getByRole("link", { name: "Save corridor.py" }).click();
-  const library = await download;
-  expect(library.suggestedFilename()).toBe("corridor.py");
-  const folder = await mkdtemp(join(tmpdir(), "corridor-first-script-"));
-  await library.saveAs(join(folder, "corridor.py"));
-  await writeFile(join(folder, "script.py"), copied);
-  const [python = ""] = exampleCommand("Python");
-  const { code, output } = await runScript([python, join(folder, "script.py")]);
-  await rm(folder, { recursive: true });
-  expect([code, Number(output.trim()) > 0]).toEqual([0, true]);
-  await expect(commandRow(page, /turn|left 90/).first()).toContainText("completed");
-});
-
-test("shows the address, the script and the last commands without scrolling at 1440 x 900", async ({
+test("shows the address, the script and the last commands without scrolling at 1440 x 900, and scrolls only the panel", async ({
   page,
 }) => {
   await page.setViewportSize({ width: 1440, height: 900 });
@@ -94,11 +123,11 @@ test("shows the address, the script and the last commands without scrolling at 1
   const panelTop = await disconnect.evaluate((element) => element.getBoundingClientRect().top);
   // The panel starts right below the driver selection, however few commands there are.
   expect(panelTop - groupBottom).toBeLessThan(32);
-  for (let count = 0; count < 8; count++) await api(address, "/commands", { action: "left 90" });
-  await api(address, "/commands/8?wait=20");
+  for (let count = 0; count < 8; count++) await send(address, { action: "left 90" });
+  await recordOf(address, 8);
   await setSpeed(page, "0.25");
-  await api(address, "/commands", { action: "move", distance: 100 });
-  await api(address, "/commands", { action: "right 90" });
+  await send(address, { action: "move", distance: 100 });
+  await send(address, { action: "right 90" });
   const commands = page.getByRole("region", { name: "Commands", exact: true });
   await expect(commandRow(page, /move 100/)).toContainText("running");
   await expect(commands).toContainText("1 waiting");
@@ -121,259 +150,7 @@ test("shows the address, the script and the last commands without scrolling at 1
   const log = page.getByRole("region", { name: "All commands" });
   await expect(log.getByRole("cell", { name: /^\d+$/ })).toHaveCount(10);
   await expectNoAxeViolations(page, "all of Remote");
-});
 
-test("lists every command with its state, newest first", async ({ page }) => {
-  await page.goto("/");
-  await setSpeed(page, "16");
-  const address = await copyAddress(page);
-  for (const command of [
-    { action: "move", distance: 100 },
-    { action: "left 90" },
-    { action: "move", distance: 900 },
-  ]) {
-    expect((await api(address, "/commands", command)).status).toBe(202);
-  }
-  const rows = page.getByRole("region", { name: "Commands", exact: true }).getByRole("row");
-  await expect(rows.filter({ hasText: "move 100" })).toContainText("completed");
-  await expect(rows.filter({ hasText: "left 90" })).toContainText("completed");
-  await expect(rows.filter({ hasText: "move 900" })).toContainText("collided");
-  const record = await (await api(address, "/commands/3?wait=10")).json();
-  expect(record).toMatchObject({ seq: 3, state: "collided", action: "move" });
-  const log = await (await api(address, "/commands?after=0")).json();
-  expect(JSON.stringify(log)).toContain('"seq":3');
-  await expect(rows.getByRole("cell", { name: /^\d+$/ })).toHaveText(["3", "2", "1"]);
-});
-
-test("keeps the robot's address across a reload, and ends a running command as cancelled", async ({
-  page,
-}) => {
-  await page.goto("/");
-  const address = await copyAddress(page);
-  await setSpeed(page, "0.25");
-  const poseOf = async () => (await (await api(address, "/sensors")).json()).pose;
-  const start = await poseOf();
-  const distanceFrom = async ({ x, y }: typeof start) => {
-    const pose = await poseOf();
-    return Math.hypot(pose.x - x, pose.y - y);
-  };
-  await api(address, "/commands", { action: "move", distance: 200 });
-  await expect(commandRow(page, /move 200/)).toContainText("running");
-  // The page stores a running command's progress every 300 ms: the last 8 cm may be lost.
-  await expect.poll(() => distanceFrom(start)).toBeGreaterThan(15);
-  await page.reload();
-  const record = await (await api(address, "/commands/1?wait=20")).json();
-  expect(record).toMatchObject({ state: "cancelled" });
-  // The stored progress is restored, and Remote is still the driver.
-  await expect(page.getByRole("radio", { name: "Remote" })).toBeChecked();
-  expect(await distanceFrom(start)).toBeGreaterThan(5);
-  await setSpeed(page, "16");
-  await api(address, "/commands", { action: "move", distance: 50 });
-  const next = await (await api(address, "/commands/2?wait=20")).json();
-  expect(next).toMatchObject({ state: "completed" });
-});
-
-test("drives on while the script waits, and stops when the script falls silent", async ({
-  page,
-}) => {
-  await page.goto("/");
-  const address = await copyAddress(page);
-  await setSpeed(page, "0.25");
-  await api(address, "/commands", { action: "forward" });
-  const waiting = await (await api(address, "/commands/1?wait=5")).json();
-  expect(waiting).toMatchObject({ state: "started" });
-  await expect(commandRow(page, /forward/)).toContainText("cancelled");
-  const record = await (await api(address, "/commands/1")).json();
-  expect(record.reason).toContain("stopped sending");
-});
-
-test("lists a command that the robot cannot start in time as expired", async ({ page }) => {
-  await page.goto("/");
-  const address = await copyAddress(page);
-  await setSpeed(page, "0.25");
-  await api(address, "/commands", { action: "move", distance: 200 });
-  await api(address, "/commands", { action: "left 90", ttl: 400 });
-  const record = await (await api(address, "/commands/2?wait=10")).json();
-  expect(record).toMatchObject({ state: "expired" });
-  expect(record.reason).toMatch(/^Not started within 0.4 s: check that the robot's page is open/);
-  const row = commandRow(page, /left 90/);
-  await expect(row).toContainText("older than 0.4 s");
-  await expect(row).toContainText("expired");
-});
-
-test("a new key revokes the old one, and the page continues with the new address", async ({
-  page,
-}) => {
-  await page.goto("/");
-  const address = await copyAddress(page);
-  const panel = page.getByRole("region", { name: "Remote" }).locator("..");
-  await expect(panel).toContainText(/Ends in 23 h \d+ min\./);
-  const waiting = api(address, "/sensors?after=999999999&wait=25");
-  await openMoreSection(page);
-  await page.getByRole("button", { name: "New key" }).click();
-  await page.getByRole("dialog").getByRole("button", { name: "Keep the old key" }).click();
-  expect((await api(address, "/sensors")).status).toBe(200);
-  await page.getByRole("button", { name: "New key" }).click();
-  await page.getByRole("dialog").getByRole("button", { name: "New key" }).click();
-  await expect(page.getByText(/^The new key is ready/)).toBeVisible();
-  expect((await waiting).status).toBe(401);
-  expect((await api(address, "/commands", { action: "left 90" })).status).toBe(401);
-  await page.getByRole("button", { name: "Copy address with key" }).click();
-  const next = await page.evaluate(() => navigator.clipboard.readText());
-  expect(next.split("#")[0]).toBe(address.split("#")[0]);
-  expect((await api(next, "/commands", { action: "left 90" })).status).toBe(202);
-  await expect(commandRow(page, /left 90/)).toContainText("completed");
-  // The new address is stored for a reload.
-  expect(await page.evaluate(() => sessionStorage.getItem("corridor.remote"))).toContain(next);
-});
-
-test("a watch link can read the robot but not drive it", async ({ page }) => {
-  await page.goto("/");
-  await copyAddress(page);
-  await openMoreSection(page);
-  await page.getByRole("button", { name: "Make a watch link" }).click();
-  await expect(page.getByRole("button", { name: "Copy watch link" })).toBeFocused();
-  await page.keyboard.press("Enter");
-  const copied = () => page.evaluate(() => navigator.clipboard.readText());
-  await expect.poll(copied).toContain("#wch_");
-  const address = await copied();
-  expect((await api(address, "/sensors?wait=5")).status).toBe(200);
-  expect((await api(address, "/commands", { action: "left 90" })).status).toBe(403);
-  await expect(connectionStatus(page)).toHaveText("Waiting for a script");
-});
-
-test("opens the documentation while the robot stays connected", async ({ page }) => {
-  await page.goto("/");
-  const address = await copyAddress(page);
-  const opened = page.context().waitForEvent("page");
-  await page.getByRole("link", { name: "How to write a script" }).click();
-  const docs = await opened;
-  await expect(docs.getByRole("heading", { level: 1 })).toHaveText("Control a robot from a script");
-  expect((await (await api(address, "/sensors?wait=25")).json()).state).toBe("running");
-});
-
-test("lists scripts by name, and blocks one while the others continue", async ({ page }) => {
-  await page.goto("/");
-  const address = await copyAddress(page);
-  await setSpeed(page, "0.25");
-  const as = (name: string, path: string, body?: unknown) => api(address, path, body, name);
-  await as("Anna", "/commands", { action: "move", distance: 200 });
-  await as("Ben", "/commands?after=0");
-  await openMoreSection(page);
-  const scripts = page.getByRole("region", { name: "Scripts" }).getByRole("listitem");
-  await expect(scripts).toHaveText([/Anna.*last: move.*running/, /Ben.*only reads/]);
-  await as("Ben", "/commands", { action: "move", distance: 30_000 });
-  const ben = scripts.filter({ hasText: "Ben" });
-  await expect(ben).toContainText(/Problem at .*: Invalid command\. distance: found 30000/);
-  const anna = scripts.filter({ hasText: "Anna" });
-  await anna.getByRole("button", { name: "Block", exact: true }).click();
-  await expect(anna).toContainText("blocked");
-  await expect(commandRow(page, /move 200/)).toContainText("cancelled");
-  await expect(commandRow(page, /move 200/)).toContainText("The script was blocked.");
-  const refused = await as("Anna", "/commands", { action: "left 90" });
-  expect([refused.status, (await refused.json()).detail]).toEqual([
-    403,
-    expect.stringContaining("has blocked this script"),
-  ]);
-  expect((await as("Ben", "/commands", { action: "left 90" })).status).toBe(202);
-  await expectNoAxeViolations(page, "scripts by name");
-  // The script is still blocked after a reload of the page.
-  await page.reload();
-  await openMoreSection(page);
-  await anna.getByRole("button", { name: "Unblock" }).click();
-  await expect(anna.getByRole("button", { name: "Block", exact: true })).toBeVisible();
-  expect((await as("Anna", "/commands", { action: "left 90" })).status).toBe(202);
-});
-
-test("switches from a script to manual driving and back without running old commands", async ({
-  page,
-}) => {
-  await page.goto("/");
-  const address = await copyAddress(page);
-  await setSpeed(page, "0.25");
-  const poseOf = async () => (await (await api(address, "/sensors")).json()).pose;
-  for (let count = 0; count < 30; count++) {
-    expect((await api(address, "/commands", { action: "move", distance: 20 })).status).toBe(202);
-  }
-  await expect(page.getByRole("cell", { name: "running" })).toBeVisible();
-  await page.getByRole("radio", { name: "Me", exact: true }).click();
-  await page.getByRole("radio", { name: "Remote" }).click();
-  const last = await (await api(address, "/commands/30?wait=20")).json();
-  expect(last).toMatchObject({
-    state: "cancelled",
-    reason: "The robot's page took over: choose Remote there to let scripts drive.",
-  });
-  const poseAtHandover = await poseOf();
-  const log = await (await api(address, "/commands")).json();
-  const open = log.commands.filter(({ state }: { state: string }) => state !== "cancelled");
-  // Commands may have completed before the handover, but none after it.
-  expect(open.every(({ state }: { state: string }) => state === "completed")).toBe(true);
-  await setSpeed(page, "16");
-  await api(address, "/commands", { action: "move", distance: 20 });
-  expect(await (await api(address, "/commands/31?wait=20")).json()).toMatchObject({
-    state: "completed",
-  });
-  const { x, y } = await poseOf();
-  expect(Math.hypot(x - poseAtHandover.x, y - poseAtHandover.y)).toBeCloseTo(20, 0);
-  // While the program drives, a script's command is cancelled immediately.
-  await page.getByRole("radio", { name: "Program" }).click();
-  await api(address, "/commands", { action: "left 90" });
-  const refused = await (await api(address, "/commands/32?wait=20")).json();
-  expect(refused).toMatchObject({
-    state: "cancelled",
-    reason: "Remote is not driving: choose Remote on the robot's page.",
-  });
-});
-
-test("keeps scripts paused until they are resumed, also across a reload", async ({ page }) => {
-  await page.goto("/");
-  const address = await copyAddress(page);
-  await setSpeed(page, "0.25");
-  await api(address, "/commands", { action: "move", distance: 200 });
-  const row = commandRow(page, /move 200/);
-  await expect(row).toContainText("running");
-  await openMoreSection(page);
-  const scripts = page.getByRole("region", { name: "Scripts" });
-  await scripts.getByRole("button", { name: "Pause scripts" }).click();
-  await expect(scripts.getByRole("status").first()).toContainText("Paused");
-  await expectNoAxeViolations(page, "scripts are paused");
-  await expect(row).toContainText("Remote driving was paused.");
-  const refused = await api(address, "/commands", { action: "left 90" });
-  expect([refused.status, (await refused.json()).detail]).toEqual([
-    409,
-    expect.stringContaining("Let scripts drive"),
-  ]);
-  expect((await api(address, "/commands", { action: "stop" })).status).toBe(202);
-  await page.reload();
-  // The notice is outside the closed section, since no command is executed.
-  await expect(page.getByText(/^Paused: scripts can read/)).toBeVisible();
-  await setSpeed(page, "16");
-  await page.getByRole("button", { name: "Let scripts drive" }).click();
-  await expect(page.getByText(/^Paused: scripts can read/)).toHaveCount(0);
-  await openMoreSection(page);
-  await expect(scripts.getByRole("button", { name: "Pause scripts" })).toBeVisible();
-  const sent = await (await api(address, "/commands", { action: "left 90" })).json();
-  const record = await (await api(address, `/commands/${sent.seq}?wait=20`)).json();
-  expect(record).toMatchObject({ state: "completed" });
-});
-
-test("cancels a script's command with a reason when the user takes over", async ({ page }) => {
-  await page.goto("/");
-  const address = await copyAddress(page);
-  await setSpeed(page, "0.25");
-  await api(address, "/commands", { action: "move", distance: 200 });
-  await expect(commandRow(page, /move 200/)).toContainText("running");
-  await page.getByRole("radio", { name: "Me", exact: true }).click();
-  const record = await (await api(address, "/commands/1?wait=20")).json();
-  expect(record).toMatchObject({ state: "cancelled" });
-  expect(record.reason).toContain("took over");
-});
-
-test("scrolls the panel and never the page", async ({ page }) => {
-  await page.setViewportSize({ width: 1440, height: 900 });
-  await page.goto("/");
-  await copyAddress(page);
-  await openMoreSection(page);
   for (const [width, height] of [
     [1440, 900],
     [1024, 768],
@@ -392,4 +169,234 @@ test("scrolls the panel and never the page", async ({ page }) => {
       scrollHeight: height,
     });
   }
+});
+
+test("lists commands with their states: completed, collided, expired, cancelled", async ({
+  page,
+}) => {
+  await page.goto("/");
+  await setSpeed(page, "16");
+  const address = await copyAddress(page);
+
+  await test.step("every command, newest first", async () => {
+    for (const command of [
+      { action: "move", distance: 100 },
+      { action: "left 90" },
+      { action: "move", distance: 900 },
+    ]) {
+      await send(address, command);
+    }
+    const rows = page.getByRole("region", { name: "Commands", exact: true }).getByRole("row");
+    await expect(rows.filter({ hasText: "move 100" })).toContainText("completed");
+    await expect(rows.filter({ hasText: "left 90" })).toContainText("completed");
+    await expect(rows.filter({ hasText: "move 900" })).toContainText("collided");
+    const record = await recordOf(address, 3);
+    expect(record).toMatchObject({ seq: 3, state: "collided", action: "move" });
+    const log = await (await api(address, "/commands?after=0")).json();
+    expect(JSON.stringify(log)).toContain('"seq":3');
+    await expect(rows.getByRole("cell", { name: /^\d+$/ })).toHaveText(["3", "2", "1"]);
+  });
+
+  await reset(page, address);
+  await setSpeed(page, "0.25");
+  await test.step("a command that the robot cannot start in time is expired", async () => {
+    await send(address, { action: "move", distance: 200 });
+    const seq = await send(address, { action: "right 90", ttl: 400 });
+    const record = await recordOf(address, seq);
+    expect(record).toMatchObject({ state: "expired" });
+    expect(record.reason).toMatch(/^Not started within 0.4 s: check that the robot's page is open/);
+    const row = commandRow(page, /right 90/);
+    await expect(row).toContainText("older than 0.4 s");
+    await expect(row).toContainText("expired");
+  });
+
+  await reset(page, address);
+  await test.step("a running command is cancelled with a reason when the user takes over", async () => {
+    const seq = await send(address, { action: "move", distance: 210 });
+    await expect(commandRow(page, /move 210/)).toContainText("running");
+    await page.getByRole("radio", { name: "Me", exact: true }).click();
+    const record = await recordOf(address, seq);
+    expect(record).toMatchObject({ state: "cancelled" });
+    expect(record.reason).toContain("took over");
+    await page.getByRole("radio", { name: "Remote" }).click();
+    await expect(page.getByRole("radio", { name: "Remote" })).toBeChecked();
+  });
+
+  await reset(page, address);
+  await test.step("the robot drives on while the script waits, and stops when the script falls silent", async () => {
+    const seq = await send(address, { action: "forward" });
+    expect(await recordOf(address, seq, 5)).toMatchObject({ state: "started" });
+    await expect(commandRow(page, /forward/)).toContainText("cancelled");
+    expect((await recordOf(address, seq)).reason).toContain("stopped sending");
+  });
+
+  await reset(page, address);
+  await test.step("old commands do not run after manual driving", async () => {
+    let last = 0;
+    for (let count = 0; count < 30; count++) {
+      last = await send(address, { action: "move", distance: 20 });
+    }
+    const first = last - 29;
+    await expect(page.getByRole("cell", { name: "running" })).toBeVisible();
+    await page.getByRole("radio", { name: "Me", exact: true }).click();
+    await page.getByRole("radio", { name: "Remote" }).click();
+    expect(await recordOf(address, last)).toMatchObject({
+      state: "cancelled",
+      reason: "The robot's page took over: choose Remote there to let scripts drive.",
+    });
+    const poseAtHandover = await poseOf(address);
+    const log = await (await api(address, `/commands?after=${first - 1}`)).json();
+    expect(log.commands).toHaveLength(30);
+    const open = log.commands.filter(({ state }: { state: string }) => state !== "cancelled");
+    // Commands may have completed before the handover, but none after it.
+    expect(open.every(({ state }: { state: string }) => state === "completed")).toBe(true);
+    await setSpeed(page, "16");
+    const next = await send(address, { action: "move", distance: 20 });
+    expect(await recordOf(address, next)).toMatchObject({ state: "completed" });
+    expect(distance(poseAtHandover, await poseOf(address))).toBeCloseTo(20, 0);
+    // While the program drives, a script's command is cancelled immediately.
+    await page.getByRole("radio", { name: "Program" }).click();
+    await expect(page.getByRole("radio", { name: "Program" })).toBeChecked();
+    const refused = await send(address, { action: "left 90" });
+    expect(await recordOf(address, refused)).toMatchObject({
+      state: "cancelled",
+      reason: "Remote is not driving: choose Remote on the robot's page.",
+    });
+  });
+});
+
+test("keeps the address, blocked scripts and a pause of all scripts across a reload", async ({
+  page,
+}) => {
+  await page.goto("/");
+  const address = await copyAddress(page);
+  await setSpeed(page, "0.25");
+  const as = (name: string, path: string, body?: unknown) => api(address, path, body, name);
+  const scripts = page.getByRole("region", { name: "Scripts" });
+  const anna = scripts.getByRole("listitem").filter({ hasText: "Anna" });
+
+  await test.step("lists scripts by name, and blocks one while the others continue", async () => {
+    await as("Anna", "/commands", { action: "move", distance: 200 });
+    await as("Ben", "/commands?after=0");
+    await openMoreSection(page);
+    await expect(scripts.getByRole("listitem")).toHaveText([
+      /Anna.*last: move.*running/,
+      /Ben.*only reads/,
+    ]);
+    await as("Ben", "/commands", { action: "move", distance: 30_000 });
+    const ben = scripts.getByRole("listitem").filter({ hasText: "Ben" });
+    await expect(ben).toContainText(/Problem at .*: Invalid command\. distance: found 30000/);
+    await anna.getByRole("button", { name: "Block", exact: true }).click();
+    await expect(anna).toContainText("blocked");
+    await expect(commandRow(page, /move 200/)).toContainText("cancelled");
+    await expect(commandRow(page, /move 200/)).toContainText("The script was blocked.");
+    const refused = await as("Anna", "/commands", { action: "left 90" });
+    expect([refused.status, (await refused.json()).detail]).toEqual([
+      403,
+      expect.stringContaining("has blocked this script"),
+    ]);
+    const turn = await send(address, { action: "left 90" }, "Ben");
+    await expectNoAxeViolations(page, "scripts by name");
+    await recordOf(address, turn);
+  });
+
+  await test.step("the reload ends a running command as cancelled, and the script stays blocked", async () => {
+    await reset(page, address);
+    const start = await poseOf(address);
+    const seq = await send(address, { action: "move", distance: 150 }, "Ben");
+    await expect(commandRow(page, /move 150/)).toContainText("running");
+    // The page stores a running command's progress every 300 ms: the last 8 cm may be lost.
+    await expect.poll(async () => distance(start, await poseOf(address))).toBeGreaterThan(15);
+    await page.reload();
+    expect(await recordOf(address, seq)).toMatchObject({ state: "cancelled" });
+    // The stored progress is restored, and Remote is still the driver.
+    await expect(page.getByRole("radio", { name: "Remote" })).toBeChecked();
+    expect(distance(start, await poseOf(address))).toBeGreaterThan(5);
+    await openMoreSection(page);
+    await anna.getByRole("button", { name: "Unblock" }).click();
+    await expect(anna.getByRole("button", { name: "Block", exact: true })).toBeVisible();
+    await setSpeed(page, "16");
+    const next = await send(address, { action: "move", distance: 50 }, "Anna");
+    expect(await recordOf(address, next)).toMatchObject({ state: "completed" });
+  });
+
+  await test.step("scripts stay paused until they are resumed", async () => {
+    await setSpeed(page, "0.25");
+    await send(address, { action: "move", distance: 200 });
+    const row = commandRow(page, /move 200/).first();
+    await expect(row).toContainText("running");
+    await scripts.getByRole("button", { name: "Pause scripts" }).click();
+    await expect(scripts.getByRole("status").first()).toContainText("Paused");
+    await expectNoAxeViolations(page, "scripts are paused");
+    await expect(row).toContainText("Remote driving was paused.");
+    const refused = await api(address, "/commands", { action: "left 90" });
+    expect([refused.status, (await refused.json()).detail]).toEqual([
+      409,
+      expect.stringContaining("Let scripts drive"),
+    ]);
+    expect((await api(address, "/commands", { action: "stop" })).status).toBe(202);
+    await page.reload();
+    // The notice is outside the closed section, since no command is executed.
+    await expect(page.getByText(/^Paused: scripts can read/)).toBeVisible();
+    await setSpeed(page, "16");
+    await page.getByRole("button", { name: "Let scripts drive" }).click();
+    await expect(page.getByText(/^Paused: scripts can read/)).toHaveCount(0);
+    await openMoreSection(page);
+    await expect(scripts.getByRole("button", { name: "Pause scripts" })).toBeVisible();
+    const sent = await send(address, { action: "left 90" });
+    expect(await recordOf(address, sent)).toMatchObject({ state: "completed" });
+  });
+});
+
+test("a watch link only reads, the documentation opens beside the robot, and a new key revokes the old one", async ({
+  page,
+}) => {
+  await page.goto("/");
+  const address = await copyAddress(page);
+  const copied = () => page.evaluate(() => navigator.clipboard.readText());
+  const panel = page.getByRole("region", { name: "Remote" }).locator("..");
+  await expect(panel).toContainText(/Ends in 23 h \d+ min\./);
+  await openMoreSection(page);
+
+  await test.step("a watch link can read the robot but not drive it", async () => {
+    await page.getByRole("button", { name: "Make a watch link" }).click();
+    await expect(page.getByRole("button", { name: "Copy watch link" })).toBeFocused();
+    await page.keyboard.press("Enter");
+    await expect.poll(copied).toContain("#wch_");
+    const link = await copied();
+    expect((await api(link, "/sensors?wait=5")).status).toBe(200);
+    expect((await api(link, "/commands", { action: "left 90" })).status).toBe(403);
+    await expect(connectionStatus(page)).toHaveText("Waiting for a script");
+  });
+
+  await test.step("the documentation opens while the robot stays connected", async () => {
+    const opened = page.context().waitForEvent("page");
+    await page.getByRole("link", { name: "How to write a script" }).click();
+    const docs = await opened;
+    await expect(docs.getByRole("heading", { level: 1 })).toHaveText(
+      "Control a robot from a script",
+    );
+    expect((await (await api(address, "/sensors?wait=25")).json()).state).toBe("running");
+    await docs.close();
+  });
+
+  await test.step("a new key revokes the old one, and the page continues with the new address", async () => {
+    const waiting = api(address, "/sensors?after=999999999&wait=25");
+    await page.getByRole("button", { name: "New key" }).click();
+    await page.getByRole("dialog").getByRole("button", { name: "Keep the old key" }).click();
+    expect((await api(address, "/sensors")).status).toBe(200);
+    await page.getByRole("button", { name: "New key" }).click();
+    await page.getByRole("dialog").getByRole("button", { name: "New key" }).click();
+    await expect(page.getByText(/^The new key is ready/)).toBeVisible();
+    expect((await waiting).status).toBe(401);
+    expect((await api(address, "/commands", { action: "left 90" })).status).toBe(401);
+    await page.getByRole("button", { name: "Copy address with key" }).click();
+    await expect.poll(copied).not.toContain("#wch_");
+    const next = await copied();
+    expect(next.split("#")[0]).toBe(address.split("#")[0]);
+    expect((await api(next, "/commands", { action: "left 90" })).status).toBe(202);
+    await expect(commandRow(page, /left 90/)).toContainText("completed");
+    // The new address is stored for a reload.
+    expect(await page.evaluate(() => sessionStorage.getItem("corridor.remote"))).toContain(next);
+  });
 });
