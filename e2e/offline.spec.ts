@@ -4,6 +4,7 @@ import { expect, test } from "./fixtures.ts";
 import { CorridorPage } from "./pages/corridor-page.ts";
 import { ClassTeacher } from "./support/class-teacher.ts";
 import { RelayProxy, NEWER_BUILD } from "./support/relay-proxy.ts";
+import { smallWindow } from "./support/window-sizes.ts";
 import { RelayProcess } from "../tests/support/relay-process.ts";
 
 test.use({ serviceWorkers: "allow" });
@@ -19,14 +20,60 @@ async function waitForServiceWorker(page: Page): Promise<void> {
   await page.waitForFunction(isControlled, undefined, { timeout: CACHED_MS });
 }
 
-test("drives, programs, builds and shares offline after one visit", async ({ browser }) => {
+// Each context downloads all files of the page, so that tests of one network share a context. Not
+// openWindow fixtures: the browser logs an error for each failed request, as expected.
+
+test("drives, programs, builds and shares offline after one visit, and connects when the network is back", async ({
+  browser,
+}) => {
   const relay = await RelayProcess.start();
-  const context = await browser.newContext({ baseURL: relay.url, serviceWorkers: "allow" });
+  const options = { baseURL: relay.url, serviceWorkers: "allow" } as const;
+  const context = await browser.newContext(options);
   const page = await context.newPage();
   const corridor = new CorridorPage(page);
-  await corridor.open();
-  await waitForServiceWorker(page);
-  await relay.stop();
+
+  await test.step("a class says that it needs the network, and opens when the network is back", async () => {
+    const teacher = await ClassTeacher.start(relay.url);
+    await page.goto("/teach");
+    await waitForServiceWorker(page);
+    await context.setOffline(true);
+    await page.goto(teacher.address());
+    const needsNetwork = page.getByRole("heading", { name: "Your class needs the network" });
+    await expect(needsNetwork).toBeVisible();
+    await page.getByRole("button", { name: "Try again" }).click();
+    await expect(needsNetwork).toBeVisible();
+    await context.setOffline(false);
+    await expect(page.getByRole("heading", { name: "Sensors" })).toBeVisible();
+    await expect(needsNetwork).toBeHidden();
+  });
+
+  await test.step("the relay's own addresses are left to the relay", async () => {
+    for (const path of ["/healthz", "/openapi.json", "/api/v1/robots/none", "/r/none"]) {
+      const response = await page.goto(path);
+      expect(response?.fromServiceWorker(), path).toBe(false);
+    }
+    expect((await page.goto("/"))?.fromServiceWorker()).toBe(true);
+  });
+
+  await test.step("can be installed: a manifest with its icons", async () => {
+    const address = await page.locator("link[rel=manifest]").getAttribute("href");
+    const manifest = (await (await page.request.get(relay.url + address)).json()) as {
+      start_url: string;
+      icons: { src: string; type: string; sizes: string; purpose?: string }[];
+    };
+    expect(manifest.start_url).toBe("/");
+    expect(manifest.icons.map(({ sizes }) => sizes)).toEqual(
+      expect.arrayContaining(["192x192", "512x512"]),
+    );
+    expect(manifest.icons.some(({ purpose }) => purpose === "maskable")).toBe(true);
+    for (const { src, type } of manifest.icons) {
+      const icon = await page.request.get(relay.url + src);
+      expect(icon.status(), src).toBe(200);
+      expect(icon.headers()["content-type"], src).toContain(type);
+    }
+  });
+
+  await relay.kill();
   await context.setOffline(true);
   await corridor.reload();
 
@@ -64,60 +111,35 @@ test("drives, programs, builds and shares offline after one visit", async ({ bro
   await expect(corridor.program.number(1)).toHaveValue("75");
 
   await corridor.selectDriver("Remote");
-  await expect(page.getByRole("region", { name: "Remote" })).toContainText(OFFLINE);
-  await context.close();
-});
-
-test("says that a class needs the network, and opens it when the network is back", async ({
-  browser,
-  relay,
-}) => {
-  const teacher = await ClassTeacher.start(relay);
-  const context = await browser.newContext({ baseURL: relay, serviceWorkers: "allow" });
-  const page = await context.newPage();
-  await page.goto("/teach");
-  await waitForServiceWorker(page);
-  await context.setOffline(true);
-  await page.goto(teacher.address());
-  await expect(page.getByRole("heading", { name: "Your class needs the network" })).toBeVisible();
-  await page.getByRole("button", { name: "Try again" }).click();
-  await expect(page.getByRole("heading", { name: "Your class needs the network" })).toBeVisible();
-  await context.setOffline(false);
-  await expect(page.getByRole("heading", { name: "Sensors" })).toBeVisible();
-  await expect(page.getByRole("heading", { name: "Your class needs the network" })).toBeHidden();
-  await context.close();
-});
-
-test("reconnects Remote automatically when the network is back", async ({ browser, relay }) => {
-  const context = await browser.newContext({ baseURL: relay, serviceWorkers: "allow" });
-  const page = await context.newPage();
-  const corridor = new CorridorPage(page);
-  await corridor.open();
-  await waitForServiceWorker(page);
-  await context.setOffline(true);
-  await corridor.selectDriver("Remote");
   const remote = page.getByRole("region", { name: "Remote" });
   await expect(remote).toContainText(OFFLINE);
+  await relay.restart();
   await context.setOffline(false);
   await expect(remote).not.toContainText(OFFLINE);
   await expect(corridor.connectionStatus).toHaveText("Waiting for a script");
   await context.close();
+  await relay.stop();
 });
 
-test("offers an update, keeps the unsaved edit and the run, and applies the update on request", async ({
+test("offers an update in each tab, and applies it on request to one tab, with its unsaved edit", async ({
   browser,
   relay,
 }) => {
   const proxy = await RelayProxy.start(relay);
-  const context = await browser.newContext({ baseURL: proxy.url, serviceWorkers: "allow" });
-  const page = await context.newPage();
-  const corridor = new CorridorPage(page);
+  const options = { ...smallWindow, baseURL: proxy.url, serviceWorkers: "allow" } as const;
+  const context = await browser.newContext(options);
+  const corridor = new CorridorPage(await context.newPage());
+  const { page } = corridor;
   await corridor.open();
   await waitForServiceWorker(page);
+  const other = new CorridorPage(await context.newPage());
+  await other.open();
+  await other.run.click();
   await corridor.run.click();
   proxy.serveNewerBuild();
   await page.evaluate(async () => (await navigator.serviceWorker.ready).update());
-  const offer = corridor.message("A new version of Corridor is ready.");
+  const text = "A new version of Corridor is ready.";
+  const offer = corridor.message(text);
   await expect(offer).toBeVisible();
   // Nothing changes yet: the run continues, and a lazy-loaded part of the old build still opens.
   const before = await corridor.clock.textContent();
@@ -126,6 +148,8 @@ test("offers an update, keeps the unsaved edit and the run, and applies the upda
   await expect(corridor.dialog("Maze menu")).toContainText("New empty maze");
   await page.keyboard.press("Escape");
   await expect(page.locator("html")).not.toHaveAttribute("data-build");
+  // The other tab takes part in updates once its update client has started.
+  await expect(other.message(text)).toBeVisible();
 
   await corridor.pause.click();
   await corridor.program.name.fill("Edited a moment ago");
@@ -137,66 +161,13 @@ test("offers an update, keeps the unsaved edit and the run, and applies the upda
   await expect(page.locator("html")).toHaveAttribute("data-build", NEWER_BUILD);
   await expect(corridor.program.name).toHaveValue("Edited a moment ago");
   await expect(offer).toBeHidden();
-  await context.close();
-  await proxy.close();
-});
 
-test("keeps running the old version in one tab while another applies the update", async ({
-  browser,
-  relay,
-}) => {
-  const proxy = await RelayProxy.start(relay);
-  const context = await browser.newContext({ baseURL: proxy.url, serviceWorkers: "allow" });
-  const first = new CorridorPage(await context.newPage());
-  await first.open();
-  await waitForServiceWorker(first.page);
-  const second = new CorridorPage(await context.newPage());
-  await second.open();
-  await second.run.click();
-  proxy.serveNewerBuild();
-  await first.page.evaluate(async () => (await navigator.serviceWorker.ready).update());
-  // The second tab takes part in updates once its update client has started.
-  await expect(second.message("A new version of Corridor is ready.")).toBeVisible();
-  await first.messages.getByRole("button", { name: "Reload" }).click();
-  await expect(first.page.locator("html")).toHaveAttribute("data-build", NEWER_BUILD);
-  await expect(second.message("A new version of Corridor is ready.")).toBeVisible();
-  await expect(second.page.locator("html")).not.toHaveAttribute("data-build");
+  // The other tab keeps running the old version.
+  await expect(other.message(text)).toBeVisible();
+  await expect(other.page.locator("html")).not.toHaveAttribute("data-build");
   // Once the robot has reached the goal, its card has such a button, too.
-  await second.page.getByRole("banner").getByRole("button", { name: "Share" }).click();
-  await expect(second.dialog("Share this maze")).toBeVisible();
+  await other.page.getByRole("banner").getByRole("button", { name: "Share" }).click();
+  await expect(other.dialog("Share this maze")).toBeVisible();
   await context.close();
   await proxy.close();
-});
-
-test("leaves the relay's own addresses to the relay", async ({ browser, relay }) => {
-  // Not an openWindow fixture: the browser logs an error for an unknown address, as expected.
-  const context = await browser.newContext({ baseURL: relay, serviceWorkers: "allow" });
-  const page = await context.newPage();
-  await new CorridorPage(page).open();
-  await waitForServiceWorker(page);
-  for (const path of ["/healthz", "/openapi.json", "/api/v1/robots/none", "/r/none"]) {
-    const response = await page.goto(path);
-    expect(response?.fromServiceWorker(), path).toBe(false);
-  }
-  expect((await page.goto("/"))?.fromServiceWorker()).toBe(true);
-  await context.close();
-});
-
-test("can be installed: a manifest with its icons", async ({ page, relay }) => {
-  await page.goto("/");
-  const address = await page.locator("link[rel=manifest]").getAttribute("href");
-  const manifest = (await (await page.request.get(relay + address)).json()) as {
-    start_url: string;
-    icons: { src: string; type: string; sizes: string; purpose?: string }[];
-  };
-  expect(manifest.start_url).toBe("/");
-  expect(manifest.icons.map(({ sizes }) => sizes)).toEqual(
-    expect.arrayContaining(["192x192", "512x512"]),
-  );
-  expect(manifest.icons.some(({ purpose }) => purpose === "maskable")).toBe(true);
-  for (const { src, type } of manifest.icons) {
-    const icon = await page.request.get(relay + src);
-    expect(icon.status(), src).toBe(200);
-    expect(icon.headers()["content-type"], src).toContain(type);
-  }
 });
