@@ -12,6 +12,9 @@ import { publint } from "publint";
 import { expect, test } from "./fixtures.ts";
 import { EmptyFolder } from "./support/installed-package.ts";
 import { api, copyAddress, setSpeed } from "./support/remote-robot.ts";
+import { smallWindow } from "./support/window-sizes.ts";
+
+test.use(smallWindow);
 
 const CLIENT = fileURLToPath(new URL("../packages/client/", import.meta.url));
 const PACKAGE = join(CLIENT, "dist");
@@ -53,13 +56,39 @@ async function openRobot(page: Page): Promise<string> {
   return copyAddress(page);
 }
 
-/** The actions of all commands of the robot. All of them must have completed. */
-async function completedActions(address: string): Promise<string[]> {
+/** Puts the robot of a page back to its start. */
+async function startOver(page: Page): Promise<void> {
+  await page.getByRole("button", { name: "Reset", exact: true }).click();
+  await expect(page.getByText("Robot at 50, 650, facing right")).toBeAttached();
+}
+
+/** The number of the last command of the robot. */
+async function lastCommand(address: string): Promise<number> {
   const { commands } = await (await api(address, "/commands?after=0")).json();
+  return commands.at(-1)?.seq ?? 0;
+}
+
+/** The actions of all commands after a number. All of them must have completed. */
+async function completedActions(address: string, after: number): Promise<string[]> {
+  const { commands } = await (await api(address, `/commands?after=${after}`)).json();
   return commands.map((command: { state: string; action: string }) => {
     expect(command).toMatchObject({ state: "completed" });
     return command.action;
   });
+}
+
+/**
+ * The command pip for an environment without it: that of the system, because its installation takes
+ * longer than all else.
+ */
+function pipFor(python: string): [string, ...string[]] {
+  const quiet = ["--quiet", "--disable-pip-version-check"];
+  const ofSystem = ["-m", "pip", "--python", python] as const;
+  if (folder.try("python3", ...ofSystem, "--version").code === 0) {
+    return ["python3", ...ofSystem, ...quiet];
+  }
+  folder.run(python, "-m", "ensurepip");
+  return [python, "-m", "pip", ...quiet];
 }
 
 /** @returns the address of an empty page with another origin than the relay */
@@ -72,8 +101,10 @@ async function serveOtherSite(): Promise<string> {
   return `http://127.0.0.1:${(otherSite.address() as AddressInfo).port}/`;
 }
 
-test("the npm package contains the built files, README and license, and tools accept it", async () => {
-  const { tarball, files } = folder.pack(PACKAGE);
+test("the npm package contains the built files, drives as in its README, and has types", async ({
+  page,
+}) => {
+  const { tarball, files } = await folder.install(PACKAGE);
   expect(files.toSorted()).toEqual([
     "LICENSE",
     "README.md",
@@ -95,26 +126,12 @@ test("the npm package contains the built files, README and license, and tools ac
   // The package has ES modules only.
   const checker = join(dirname(require.resolve("@arethetypeswrong/cli/package.json")), "dist");
   folder.run(process.execPath, join(checker, "index.js"), tarball, "--profile", "esm-only");
-});
 
-test("the README's first example drives from an empty folder with the installed package", async ({
-  page,
-}) => {
-  const address = await openRobot(page);
-  await folder.install(PACKAGE);
-  await folder.write("drive.mjs", withPackage(await example("while ((await", address)));
-  expect(folder.run(process.execPath, "drive.mjs")).toMatch(/^\d+(\.\d+)?\n$/);
-  const actions = await completedActions(address);
-  expect(actions[0]).toBe("move");
-  expect(actions.at(-1)).toBe("left 90");
-});
-
-test("TypeScript checks a script with the installed package", async () => {
-  await folder.install(PACKAGE);
-  const script = withPackage(await example("while ((await", "http://HOST/r/ID#KEY"));
-  await folder.write(
-    "drive.mts",
-    `${script}
+  await test.step("TypeScript checks a script", async () => {
+    const script = withPackage(await example("while ((await", "http://HOST/r/ID#KEY"));
+    await folder.write(
+      "drive.mts",
+      `${script}
 import { HostLink } from "@corridor/client/host";
 import { LearnLink } from "@corridor/client/learn";
 import { ShowLink } from "@corridor/client/show";
@@ -124,91 +141,108 @@ export const links = [HostLink, LearnLink, ShowLink, TeachLink, WatchLink];
 // @ts-expect-error: a move needs a distance in cm
 await robot?.move("far");
 `,
-  );
-  const options = ["--noEmit", "--strict", "--target", "es2024", "--module", "nodenext"];
-  folder.run(process.execPath, require.resolve("typescript/bin/tsc"), ...options, "drive.mts");
+    );
+    const options = ["--noEmit", "--strict", "--target", "es2024", "--module", "nodenext"];
+    folder.run(process.execPath, require.resolve("typescript/bin/tsc"), ...options, "drive.mts");
+  });
+
+  await test.step("the README's first example drives from an empty folder", async () => {
+    const address = await openRobot(page);
+    await folder.write("drive.mjs", withPackage(await example("while ((await", address)));
+    expect(folder.run(process.execPath, "drive.mjs")).toMatch(/^\d+(\.\d+)?\n$/);
+    const actions = await completedActions(address, 0);
+    expect(actions[0]).toBe("move");
+    expect(actions.at(-1)).toBe("left 90");
+  });
 });
 
-for (const { runtime, flags } of [
-  { runtime: "Node", flags: [] },
-  { runtime: "a Node without WebSocket, such as Node 20", flags: ["--no-experimental-websocket"] },
-]) {
-  test(`a script next to the downloaded corridor.js drives in ${runtime}`, async ({
-    page,
-    relay,
-  }) => {
-    const address = await openRobot(page);
-    folder.run("curl", "-sSfO", `${relay}/corridor.js`);
-    const script = await example("while ((await", address);
-    expect(script.trimEnd().split("\n").length).toBeLessThanOrEqual(12);
-    await folder.write("drive.mjs", script);
-    expect(folder.run(process.execPath, ...flags, "drive.mjs")).toMatch(/^\d+(\.\d+)?\n$/);
-    expect((await completedActions(address)).at(-1)).toBe("left 90");
-  });
-}
-
-test("an uncaught error of corridor.js prints its sentence and a short stack", async ({
+test("scripts with the downloaded corridor.js, a page of another site and the Python wheel drive", async ({
+  page,
   relay,
+  browser,
 }) => {
   folder.run("curl", "-sSfO", `${relay}/corridor.js`);
-  await folder.write(
-    "drive.mjs",
-    `import { RobotClient } from "./corridor.js";
+
+  await test.step("an uncaught error prints its sentence and a short stack", async () => {
+    await folder.write(
+      "drive.mjs",
+      `import { RobotClient } from "./corridor.js";
 await RobotClient.connect("http://HOST");
 `,
-  );
-  const { status, stderr } = spawnSync(process.execPath, ["drive.mjs"], {
-    cwd: folder.path,
-    encoding: "utf8",
+    );
+    const { status, stderr } = spawnSync(process.execPath, ["drive.mjs"], {
+      cwd: folder.path,
+      encoding: "utf8",
+    });
+    expect(status).toBe(1);
+    expect(stderr).toMatch(/^ClientError: .*\(bad-address\)/m);
+    expect(stderr.length).toBeLessThan(2_000);
   });
-  expect(status).toBe(1);
-  expect(stderr).toMatch(/^ClientError: .*\(bad-address\)/m);
-  expect(stderr.length).toBeLessThan(2_000);
-});
 
-test("corridor.js contains the license of the library in it", async ({ relay }) => {
-  const answer = await fetch(`${relay}/corridor.js`);
-  expect(await answer.text()).toMatch(/^\/\*! Contains zod:\s+MIT License\s+Copyright/);
-});
+  await test.step("corridor.js contains the license of the library in it", async () => {
+    const answer = await fetch(`${relay}/corridor.js`);
+    expect(await answer.text()).toMatch(/^\/\*! Contains zod:\s+MIT License\s+Copyright/);
+  });
 
-test("a page of another site imports corridor.js and drives", async ({ page, relay, browser }) => {
-  const address = await openRobot(page);
-  // The relay rejects WebSockets of other sites, which the browser reports as an error in this
-  // context. The library falls back to long polling.
-  const context = await browser.newContext();
-  const other = await context.newPage();
-  await other.goto(await serveOtherSite());
-  const state = await other.evaluate(
-    async ([library = "", robotAddress = ""]) => {
-      const { RobotClient } = await import(library);
-      const robot = await RobotClient.connect(robotAddress);
-      const record = await robot.right90();
-      robot.close();
-      return record.state;
-    },
-    [`${relay}/corridor.js`, address],
-  );
-  expect(state).toBe("completed");
-  await context.close();
-});
-
-test("the Python README's first example drives from an empty folder with the installed wheel", async ({
-  page,
-}) => {
-  const address = await openRobot(page);
-  folder.run("python3", "-m", "venv", "env");
+  folder.run("python3", "-m", "venv", "--without-pip", "env");
   const python = join(
     folder.path,
     "env",
     process.platform === "win32" ? "Scripts/python" : "bin/python",
   );
-  const pip = ["-m", "pip", "--quiet", "--disable-pip-version-check"];
-  folder.run(python, ...pip, "wheel", "--no-deps", "--wheel-dir", "wheels", PYTHON_CLIENT);
-  folder.run(python, ...pip, "install", "--no-index", "--find-links", "wheels", "corridor");
-  await folder.write(
-    "drive.py",
-    await example("robot.forward(100)\nrobot.left(90)", address, PYTHON_CLIENT),
-  );
-  expect(folder.run(python, "drive.py")).toMatch(/^\d+\n$/);
-  expect((await completedActions(address)).at(-1)).toBe("left 90");
+  const pip = pipFor(python);
+  folder.run(...pip, "wheel", "--no-deps", "--wheel-dir", "wheels", PYTHON_CLIENT);
+  folder.run(...pip, "install", "--no-index", "--find-links", "wheels", "corridor");
+
+  // A page draws also while its robot stands: it opens last.
+  const address = await openRobot(page);
+
+  for (const { runtime, flags } of [
+    { runtime: "Node", flags: [] },
+    {
+      runtime: "a Node without WebSocket, such as Node 20",
+      flags: ["--no-experimental-websocket"],
+    },
+  ]) {
+    await test.step(`a script next to the downloaded corridor.js drives in ${runtime}`, async () => {
+      await startOver(page);
+      const last = await lastCommand(address);
+      const script = await example("while ((await", address);
+      expect(script.trimEnd().split("\n").length).toBeLessThanOrEqual(12);
+      await folder.write("drive.mjs", script);
+      expect(folder.run(process.execPath, ...flags, "drive.mjs")).toMatch(/^\d+(\.\d+)?\n$/);
+      expect((await completedActions(address, last)).at(-1)).toBe("left 90");
+    });
+  }
+
+  await test.step("a page of another site imports corridor.js and drives", async () => {
+    // The relay rejects WebSockets of other sites, which the browser reports as an error in this
+    // context. The library falls back to long polling.
+    const context = await browser.newContext();
+    const other = await context.newPage();
+    await other.goto(await serveOtherSite());
+    const state = await other.evaluate(
+      async ([library = "", robotAddress = ""]) => {
+        const { RobotClient } = await import(library);
+        const robot = await RobotClient.connect(robotAddress);
+        const record = await robot.right90();
+        robot.close();
+        return record.state;
+      },
+      [`${relay}/corridor.js`, address],
+    );
+    expect(state).toBe("completed");
+    await context.close();
+  });
+
+  await test.step("the Python README's first example drives from an empty folder with the installed wheel", async () => {
+    await startOver(page);
+    const last = await lastCommand(address);
+    await folder.write(
+      "drive.py",
+      await example("robot.forward(100)\nrobot.left(90)", address, PYTHON_CLIENT),
+    );
+    expect(folder.run(python, "drive.py")).toMatch(/^\d+\n$/);
+    expect((await completedActions(address, last)).at(-1)).toBe("left 90");
+  });
 });

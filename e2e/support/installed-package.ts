@@ -23,6 +23,13 @@ export interface Output {
   stderr: string;
 }
 
+export interface Packed {
+  /** file name of the package */
+  tarball: string;
+  /** the files in it */
+  files: string[];
+}
+
 export class EmptyFolder {
   readonly path: string;
 
@@ -58,8 +65,8 @@ export class EmptyFolder {
     return { code: status, stdout, stderr };
   }
 
-  /** Packs a built package. @returns the file name of the package and the files in it */
-  pack(built: string): { tarball: string; files: string[] } {
+  /** Packs a built package. */
+  pack(built: string): Packed {
     const [packed] = JSON.parse(this.run("npm", "pack", "--json", built));
     return {
       tarball: packed.filename,
@@ -68,8 +75,10 @@ export class EmptyFolder {
   }
 
   /** Packs and installs a built package. */
-  async install(built: string): Promise<void> {
+  async install(built: string): Promise<Packed> {
     await this.write("package.json", "{}");
-    this.run("npm", "install", "--no-audit", "--no-fund", this.pack(built).tarball);
+    const packed = this.pack(built);
+    this.run("npm", "install", "--no-audit", "--no-fund", packed.tarball);
+    return packed;
   }
 }
